@@ -1,0 +1,29 @@
+#pragma once
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_RCP.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+#include <Tpetra_Operator.hpp>
+#include <Tpetra_Vector.hpp>
+
+namespace tunica {
+
+using Scalar = double;
+using LocalOrdinal = int;
+using GlobalOrdinal = long long;
+
+using Map = Tpetra::Map<LocalOrdinal, GlobalOrdinal>;
+using Node = Map::node_type;
+using Import = Tpetra::Import<LocalOrdinal, GlobalOrdinal, Node>;
+using Vector = Tpetra::Vector<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+using MultiVector = Tpetra::MultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+using Operator = Tpetra::Operator<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+using CrsMatrix = Tpetra::CrsMatrix<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+using RowMatrix = Tpetra::RowMatrix<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+
+using Comm = Teuchos::Comm<int>;
+using CommPtr = Teuchos::RCP<const Comm>;
+
+}  // namespace tunica
