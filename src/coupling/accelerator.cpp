@@ -1,0 +1,35 @@
+#include "coupling/accelerator.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <numeric>
+
+#include "coupling/aitken.hpp"
+#include "coupling/constant_relaxation.hpp"
+#include "coupling/iqn_ils.hpp"
+
+namespace tunica::coupling {
+
+void add_accelerator_keys(params::Table& table) {
+  table.variant("accelerator", "iqn-ils",
+                {{"constant", constant_relaxation_table()},
+                 {"aitken", aitken_table()},
+                 {"iqn-ils", iqn_ils_table()}},
+                "how the next interface displacement is made from the residual");
+}
+
+std::unique_ptr<Accelerator> make_accelerator(const Teuchos::ParameterList& list,
+                                              const CommPtr& comm) {
+  const auto& kind = list.get<std::string>("accelerator");
+  if (kind == "constant") return std::make_unique<ConstantRelaxation>(list);
+  if (kind == "aitken") return std::make_unique<Aitken>(list, comm);
+  return std::make_unique<IqnIls>(list, comm);
+}
+
+double inner_product(const Comm& comm, const InterfaceVector& a, const InterfaceVector& b) {
+  const double mine = std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  double sum = 0.0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &mine, &sum);
+  return sum;
+}
+
+}  // namespace tunica::coupling

@@ -1,0 +1,38 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "base/types.hpp"
+#include "params/table.hpp"
+
+namespace tunica::coupling {
+
+/// Values at the owned interface nodes, three per node.
+using InterfaceVector = std::vector<double>;
+
+/// Makes the next interface displacement from the residual r = d̃ − d of a Dirichlet–Neumann
+/// iteration, d̃ the wall's answer to d. All members are collective.
+class Accelerator {
+public:
+  virtual ~Accelerator() = default;
+
+  virtual void begin_step() = 0;
+  virtual InterfaceVector next(const InterfaceVector& d, const InterfaceVector& residual) = 0;
+  virtual void end_step() = 0;
+
+  /// Relaxation factor of the last next(); 1 where a least-squares update was made.
+  virtual double relaxation() const = 0;
+  /// Columns of the least-squares update of the last next(); 0 for plain relaxation.
+  virtual int columns() const = 0;
+};
+
+/// Adds the key "accelerator" and the keys of each accelerator.
+void add_accelerator_keys(params::Table& table);
+
+std::unique_ptr<Accelerator> make_accelerator(const Teuchos::ParameterList& list,
+                                              const CommPtr& comm);
+
+/// Sum over all ranks of the products of the entries.
+double inner_product(const Comm& comm, const InterfaceVector& a, const InterfaceVector& b);
+
+}  // namespace tunica::coupling

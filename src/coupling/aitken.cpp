@@ -1,0 +1,56 @@
+#include "coupling/aitken.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace tunica::coupling {
+
+Aitken::Aitken(const Teuchos::ParameterList& list, const CommPtr& comm)
+    : comm_(comm), first_factor_(list.get<double>("first factor")),
+      smallest_factor_(list.get<double>("smallest factor")),
+      largest_factor_(list.get<double>("largest factor")),
+      restarts_(list.get<std::string>("first factor of a step") == "first factor"),
+      factor_(first_factor_) {}
+
+void Aitken::begin_step() {
+  // The last factor of a step may be any; a large one would overshoot before Aitken can see it.
+  factor_ = restarts_ ? first_factor_ : std::min(factor_, first_factor_);
+  is_first_ = true;
+}
+
+InterfaceVector Aitken::next(const InterfaceVector& d, const InterfaceVector& residual) {
+  if (!is_first_) {
+    InterfaceVector change(residual);
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= last_residual_[i];
+    const double size = inner_product(*comm_, change, change);
+    if (size > 0.0)
+      factor_ *= -inner_product(*comm_, last_residual_, change) / size;
+    factor_ = std::clamp(factor_, smallest_factor_, largest_factor_);
+  }
+  is_first_ = false;
+  last_residual_ = residual;
+  InterfaceVector next_d(d);
+  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += factor_ * residual[i];
+  return next_d;
+}
+
+params::Table aitken_table() {
+  params::Table table("dynamic relaxation, the paper's choice");
+  table
+      .number("first factor", 0.1, params::Range{0.0, 1.0, true, false}, "1",
+              "factor before there are two residuals; from 0.3 on the wall's Newton method may "
+              "fail in the second iteration")
+      .number("smallest factor", 1e-4, params::Range{0.0, 1.0, true, false}, "1", "lower bound")
+      .number("largest factor", 2.0, params::Range{0.0, 10.0, true, false}, "1", "upper bound")
+      .choice("first factor of a step", "first factor", {"first factor", "last factor"},
+              "where a time step begins: the first factor, or the last factor of the step "
+              "before if that is smaller")
+      .check([](const Teuchos::ParameterList& list, const std::string& path) {
+        TUNICA_CHECK(list.get<double>("smallest factor") <= list.get<double>("largest factor"),
+                     path + ": \"smallest factor\" exceeds \"largest factor\".");
+      });
+  return table;
+}
+
+}  // namespace tunica::coupling

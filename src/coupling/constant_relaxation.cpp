@@ -1,0 +1,19 @@
+#include "coupling/constant_relaxation.hpp"
+
+namespace tunica::coupling {
+
+InterfaceVector ConstantRelaxation::next(const InterfaceVector& d,
+                                         const InterfaceVector& residual) {
+  InterfaceVector next_d(d);
+  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += factor_ * residual[i];
+  return next_d;
+}
+
+params::Table constant_relaxation_table() {
+  params::Table table("the same relaxation factor in every iteration");
+  table.number("factor", 0.01, params::Range{0.0, 2.0, true, false}, "1",
+               "relaxation factor; with blood and soft walls more than 0.02 diverges");
+  return table;
+}
+
+}  // namespace tunica::coupling

@@ -1,0 +1,134 @@
+#include "coupling/dirichlet_neumann.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "fields/reduce.hpp"
+
+namespace tunica::coupling {
+
+DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
+                                   const fields::Interface& interface,
+                                   problems::FluidProblem& fluid, problems::SolidProblem& wall,
+                                   problems::MeshMotion& motion)
+    : options_(coupling_options(list)), interface_(&interface), fluid_(&fluid), wall_(&wall),
+      motion_(&motion), accelerator_(make_accelerator(list, wall.mesh().comm)),
+      history_{InterfaceVector(3 * interface.n_owned(), 0.0)} {}
+
+InterfaceVector DirichletNeumann::wall_displacement() const {
+  const std::vector<Vec3> d = wall_->displacement();
+  InterfaceVector values;
+  values.reserve(3 * interface_->n_owned());
+  for (const int a : interface_->wall_nodes) values.insert(values.end(), d[a].begin(), d[a].end());
+  return values;
+}
+
+InterfaceVector DirichletNeumann::predict() const {
+  const int order = std::min<int>(options_.predictor_order, static_cast<int>(history_.size()) - 1);
+  static const double weights[3][3] = {{1, 0, 0}, {2, -1, 0}, {3, -3, 1}};
+  InterfaceVector d(history_.front().size(), 0.0);
+  for (int k = 0; k <= order; ++k)
+    for (std::size_t i = 0; i < d.size(); ++i) d[i] += weights[order][k] * history_[k][i];
+  return d;
+}
+
+bool DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& iteration,
+                                     std::string& reason) {
+  std::vector<Vec3> on_fluid(fluid_->mesh().n_owned);
+  for (int k = 0; k < interface_->n_owned(); ++k)
+    on_fluid[interface_->fluid_nodes[k]] = {d[3 * k], d[3 * k + 1], d[3 * k + 2]};
+  motion_->extend(on_fluid);
+  const auto inversion = fluid_->set_domain(motion_->displacement(), motion_->old_displacement());
+  if (inversion) {
+    reason = "the fluid's mesh: " + *inversion;
+    return false;
+  }
+  iteration.fluid = fluid_->solve();
+  if (!iteration.fluid.is_converged)
+    reason = "the fluid's Newton method: " + iteration.fluid.reason;
+  return iteration.fluid.is_converged;
+}
+
+bool DirichletNeumann::respond(const InterfaceVector& d, Iteration& iteration,
+                               InterfaceVector& answer, std::string& reason) {
+  if (!move_and_flow(d, iteration, reason)) return false;
+  const std::vector<Vec3> reaction = fluid_->reaction();
+  std::vector<Vec3> force(wall_->mesh().n_owned);
+  for (int k = 0; k < interface_->n_owned(); ++k)
+    force[interface_->wall_nodes[k]] = reaction[interface_->fluid_nodes[k]];
+  wall_->set_nodal_force(force);
+  iteration.wall = wall_->solve();
+  if (!iteration.wall.is_converged)
+    reason = "the wall's Newton method: " + iteration.wall.reason;
+  answer = wall_displacement();
+  return iteration.wall.is_converged;
+}
+
+double DirichletNeumann::size_of(const InterfaceVector& residual) const {
+  const double square = inner_product(*wall_->mesh().comm, residual, residual);
+  return std::sqrt(square / static_cast<double>(interface_->n_total()));
+}
+
+InterfaceVector DirichletNeumann::limited(const InterfaceVector& d, InterfaceVector next) const {
+  if (options_.largest_update == 0.0) return next;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < d.size(); ++i) largest = std::max(largest, std::abs(next[i] - d[i]));
+  largest = fields::global_max(*wall_->mesh().comm, largest);
+  if (largest > options_.largest_update)
+    for (std::size_t i = 0; i < d.size(); ++i)
+      next[i] = d[i] + options_.largest_update / largest * (next[i] - d[i]);
+  return next;
+}
+
+void DirichletNeumann::accept() {
+  fluid_->end_step();
+  wall_->end_step();
+  motion_->end_step();
+  accelerator_->end_step();
+  history_.insert(history_.begin(), wall_displacement());
+  if (history_.size() > 3) history_.pop_back();
+}
+
+Report DirichletNeumann::solve_step(const stepping::Clock& clock,
+                                    const std::function<void(int, const Iteration&)>& watch) {
+  Report report;
+  fluid_->begin_step(clock);
+  wall_->begin_step(clock);
+  accelerator_->begin_step();
+  InterfaceVector d = predict(), answer;
+  for (int k = 1; k <= options_.max_iterations; ++k) {
+    Iteration& iteration = report.iterations.emplace_back();
+    std::string cause;
+    if (!respond(d, iteration, answer, cause)) {
+      watch(k, iteration);
+      std::ostringstream reason;
+      reason << "time " << clock.time() << " ms, coupling iteration " << k << ": " << cause;
+      report.reason = reason.str();
+      return report;
+    }
+    InterfaceVector residual(answer);
+    for (std::size_t i = 0; i < d.size(); ++i) residual[i] -= d[i];
+    iteration.residual = size_of(residual);
+    report.is_converged = iteration.residual < options_.tolerance;
+    if (!report.is_converged) {
+      d = limited(d, accelerator_->next(d, residual));
+      iteration.relaxation = accelerator_->relaxation();
+      iteration.columns = accelerator_->columns();
+    }
+    watch(k, iteration);
+    if (report.is_converged) break;
+  }
+  report.is_accepted = report.is_converged || options_.accepts_unconverged;
+  if (!report.is_converged) {
+    std::ostringstream reason;
+    reason << "time " << clock.time() << " ms: the interface residual is "
+           << report.iterations.back().residual << " mm after " << report.iterations.size()
+           << " coupling iterations, expected less than " << options_.tolerance << " mm";
+    report.reason = reason.str();
+  }
+  if (report.is_accepted) accept();
+  return report;
+}
+
+}  // namespace tunica::coupling

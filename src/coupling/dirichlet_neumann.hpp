@@ -1,0 +1,76 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "coupling/accelerator.hpp"
+#include "fields/interface.hpp"
+#include "problems/fluid_problem.hpp"
+#include "problems/mesh_motion.hpp"
+#include "problems/solid_problem.hpp"
+
+namespace tunica::coupling {
+
+struct CouplingOptions {
+  int max_iterations;
+  double tolerance;         ///< ε of |r|/√n < ε, n the vertices of the interface [mm]
+  int predictor_order;      ///< 0: last displacement, 1: linear, 2: quadratic in time
+  double largest_update;    ///< of a displacement component in one iteration [mm]; 0: any
+  bool accepts_unconverged; ///< go on with a warning where a step does not converge
+};
+params::Table coupling_table();
+CouplingOptions coupling_options(const Teuchos::ParameterList& list);
+
+/// One Dirichlet–Neumann iteration.
+struct Iteration {
+  double residual = 0.0;  ///< |r|/√n [mm]
+  double relaxation = 0.0;
+  int columns = 0;
+  nonlinear::NewtonReport fluid, wall;
+};
+
+/// What became of a time step.
+struct Report {
+  bool is_converged = false;
+  bool is_accepted = false;  ///< converged, or not and accepted as the options say
+  std::string reason;        ///< why not
+  std::vector<Iteration> iterations;
+
+  int newton_steps(nonlinear::NewtonReport Iteration::*field) const;
+  int linear_iterations(nonlinear::NewtonReport Iteration::*field) const;
+};
+
+/// Dirichlet–Neumann coupling ([LY1] section 5.1): mesh motion and fluid for a given interface
+/// displacement d, wall for the fluid's force, d̃ its answer, until r = d̃ − d is small.
+class DirichletNeumann {
+public:
+  /// list: the resolved "Coupling" list. The problems must outlive the object.
+  DirichletNeumann(const Teuchos::ParameterList& list, const fields::Interface& interface,
+                   problems::FluidProblem& fluid, problems::SolidProblem& wall,
+                   problems::MeshMotion& motion);
+
+  /// Solves the clock's present step and accepts it as far as the options allow. watch is
+  /// called after every iteration with its number, counted from 1.
+  Report solve_step(const stepping::Clock& clock,
+                    const std::function<void(int, const Iteration&)>& watch);
+
+private:
+  InterfaceVector predict() const;
+  /// Runs the three problems for d. False, with a reason, where one of them fails.
+  bool respond(const InterfaceVector& d, Iteration& iteration, InterfaceVector& answer,
+               std::string& reason);
+  bool move_and_flow(const InterfaceVector& d, Iteration& iteration, std::string& reason);
+  InterfaceVector limited(const InterfaceVector& d, InterfaceVector next) const;
+  InterfaceVector wall_displacement() const;
+  double size_of(const InterfaceVector& residual) const;
+  void accept();
+
+  CouplingOptions options_;
+  const fields::Interface* interface_;
+  problems::FluidProblem* fluid_;
+  problems::SolidProblem* wall_;
+  problems::MeshMotion* motion_;
+  std::unique_ptr<Accelerator> accelerator_;
+  std::vector<InterfaceVector> history_;  ///< accepted displacements, newest first, at most 3
+};
+
+}  // namespace tunica::coupling

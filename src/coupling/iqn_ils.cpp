@@ -1,0 +1,78 @@
+#include "coupling/iqn_ils.hpp"
+
+#include "coupling/least_squares.hpp"
+
+namespace tunica::coupling {
+
+namespace {
+
+InterfaceVector difference(const InterfaceVector& a, const InterfaceVector& b) {
+  InterfaceVector c(a);
+  for (std::size_t i = 0; i < c.size(); ++i) c[i] -= b[i];
+  return c;
+}
+
+}  // namespace
+
+IqnIls::IqnIls(const Teuchos::ParameterList& list, const CommPtr& comm)
+    : comm_(comm), first_factor_(list.get<double>("first factor")),
+      filter_(list.get<double>("filter")), reused_steps_(list.get<int>("reused steps")) {}
+
+void IqnIls::begin_step() {
+  is_first_ = true;
+  columns_of_step_.push_front(0);
+}
+
+void IqnIls::remember(const InterfaceVector& answer, const InterfaceVector& residual) {
+  if (!is_first_) {
+    V_.push_front(difference(residual, last_residual_));
+    W_.push_front(difference(answer, last_answer_));
+    ++columns_of_step_.front();
+  }
+  is_first_ = false;
+  last_residual_ = residual;
+  last_answer_ = answer;
+}
+
+InterfaceVector IqnIls::next(const InterfaceVector& d, const InterfaceVector& residual) {
+  InterfaceVector answer(d);
+  for (std::size_t i = 0; i < d.size(); ++i) answer[i] += residual[i];
+  remember(answer, residual);
+  const LeastSquares fit = solve_least_squares(*comm_, V_, residual, filter_);
+  columns_ = 0;
+  InterfaceVector next_d(answer);
+  for (std::size_t j = 0; j < W_.size(); ++j) {
+    columns_ += fit.is_kept[j];
+    for (std::size_t i = 0; i < next_d.size(); ++i) next_d[i] -= fit.coefficients[j] * W_[j][i];
+  }
+  relaxation_ = columns_ > 0 ? 1.0 : first_factor_;
+  if (columns_ == 0)
+    for (std::size_t i = 0; i < d.size(); ++i) next_d[i] = d[i] + first_factor_ * residual[i];
+  return next_d;
+}
+
+void IqnIls::end_step() { forget_old_steps(); }
+
+void IqnIls::forget_old_steps() {
+  while (static_cast<int>(columns_of_step_.size()) > reused_steps_) {
+    for (int j = 0; j < columns_of_step_.back(); ++j) {
+      V_.pop_back();
+      W_.pop_back();
+    }
+    columns_of_step_.pop_back();
+  }
+}
+
+params::Table iqn_ils_table() {
+  params::Table table("interface quasi-Newton with a least-squares model");
+  table
+      .number("first factor", 0.05, params::Range{0.0, 1.0, true, false}, "1",
+              "relaxation factor while there is no column yet")
+      .number("filter", 1e-7, params::Range{0.0, 1.0, false, true}, "1",
+              "drop a column of which less than this part is new")
+      .integer("reused steps", 8, params::between(0, 100),
+               "how many earlier time steps lend their columns");
+  return table;
+}
+
+}  // namespace tunica::coupling

@@ -1,0 +1,46 @@
+#pragma once
+#include <deque>
+
+#include "coupling/accelerator.hpp"
+
+namespace tunica::coupling {
+
+/// Interface quasi-Newton with the inverse Jacobian from a least-squares model:
+///
+///   d ← d̃ + W c,   c = argmin |r + V c|
+///
+///   V = [r_k − r_{k−1}, …]    changes of the residual       mm
+///   W = [d̃_k − d̃_{k−1}, …]    changes of the wall's answer  mm
+///
+/// newest first; columns of earlier steps follow those of the present one if they are reused.
+/// Nearly dependent columns are dropped. Without any column the update is a relaxation.
+///
+/// Source: [DBV] Degroote, Bathe, Vierendeels 2009; filter after [HBD] Haelterman et al. 2016.
+class IqnIls : public Accelerator {
+public:
+  IqnIls(const Teuchos::ParameterList& list, const CommPtr& comm);
+
+  void begin_step() override;
+  InterfaceVector next(const InterfaceVector& d, const InterfaceVector& residual) override;
+  void end_step() override;
+  double relaxation() const override { return relaxation_; }
+  int columns() const override { return columns_; }
+
+private:
+  void remember(const InterfaceVector& answer, const InterfaceVector& residual);
+  void forget_old_steps();
+
+  CommPtr comm_;
+  double first_factor_, filter_;
+  int reused_steps_;
+  bool is_first_ = true;
+  InterfaceVector last_residual_, last_answer_;
+  std::deque<InterfaceVector> V_, W_;      ///< newest first
+  std::deque<int> columns_of_step_;        ///< newest first; front is the present step
+  double relaxation_ = 0.0;
+  int columns_ = 0;
+};
+
+params::Table iqn_ils_table();
+
+}  // namespace tunica::coupling

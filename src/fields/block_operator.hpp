@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+
+#include "base/types.hpp"
+#include "fields/block_vector.hpp"
+#include "fields/field_mesh.hpp"
+
+namespace tunica::fields {
+
+/// Which nodes each owned node couples to, and where each element finds its pairs: row a of
+/// the node graph holds the local nodes columns[row_start[a] .. row_start[a+1]), ascending.
+struct NodeGraph {
+  std::vector<std::size_t> row_start;        ///< size n_owned + 1
+  std::vector<int> columns;                  ///< local nodes
+  std::vector<std::array<int, 16>> position; ///< per tet: offset of column b in row a at 4a + b;
+                                             ///< -1 where node a is not owned
+};
+NodeGraph make_node_graph(const FieldMesh& mesh);
+
+/// The Jacobian of a field,
+///
+///   K = [ A   B1ᵀ ]
+///       [ B2  −C  ]
+///
+/// as four matrices on static graphs that share one node graph. mC holds −C. Values are
+/// written in place by assembly/.
+class BlockOperator {
+public:
+  explicit BlockOperator(const FieldMesh& mesh);
+
+  Teuchos::RCP<CrsMatrix> A, B1T, B2, mC;
+  const FieldMesh& mesh() const { return *mesh_; }
+  const NodeGraph& graph() const { return graph_; }
+
+  /// y = K x.
+  void apply(const BlockVector& x, BlockVector& y) const;
+
+private:
+  const FieldMesh* mesh_;
+  NodeGraph graph_;
+};
+
+/// A matrix with rows dofs_row*node + i and columns dofs_column*node + j on the node graph,
+/// rows sorted by local column, all values zero.
+Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
+                                    int dofs_column);
+
+}  // namespace tunica::fields

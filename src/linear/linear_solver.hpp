@@ -1,0 +1,42 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "fields/block_operator.hpp"
+#include "params/table.hpp"
+
+namespace tunica::linear {
+
+/// What became of one linear solve. Not converging is a result, not an error.
+struct SolveReport {
+  std::string method;
+  bool is_converged = false;
+  int iterations = 0;
+  double tolerance = 0.0;            ///< asked for: |b − Kx| ≤ tolerance |b|
+  double recurrence_residual = 0.0;  ///< relative, as the Krylov method believes
+  double true_residual = 0.0;        ///< relative, |b − Kx| / |b| computed anew
+  double setup_seconds = 0.0;
+  double solve_seconds = 0.0;
+};
+
+/// Solves with the Jacobian of one field, K x = b.
+class LinearSolver {
+public:
+  virtual ~LinearSolver() = default;
+
+  /// The values of K are new: what was set up for the old ones may be kept or refreshed.
+  virtual void matrix_changed() = 0;
+
+  /// Solves from a zero start. Collective.
+  virtual SolveReport solve(const fields::BlockVector& b, fields::BlockVector& x,
+                            double tolerance) = 0;
+};
+
+/// The keys of a "Linear Solver" list.
+params::Table linear_solver_table();
+
+/// Builds the solver that the resolved list describes; K must outlive it.
+std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& options,
+                                                 const fields::BlockOperator& K);
+
+}  // namespace tunica::linear

@@ -1,0 +1,114 @@
+#include "nonlinear/newton.hpp"
+
+#include <NOX.H>
+
+#include <Thyra_DefaultProductVectorSpace.hpp>
+#include <Thyra_TpetraThyraWrappers.hpp>
+#include <Thyra_VectorStdOps.hpp>
+
+#include "nonlinear/guarded_line_search.hpp"
+#include "nonlinear/increment_test.hpp"
+#include "nonlinear/nox_group.hpp"
+
+namespace tunica::nonlinear {
+
+params::Table newton_table() {
+  params::Table table("Newton's method for one field.");
+  table
+      .integer("max iterations", 20, params::between(1, 1000), "cap on the Newton steps")
+      .number("relative increment", 1e-8, params::non_negative(), "1",
+              "stop when the mass norm of the increment has fallen to this part of the first one")
+      .number("absolute increment", 1e-9, params::non_negative(), "mixed",
+              "or when the mass norm of the increment is at most this; keeps round-off from "
+              "deciding in late coupling iterations, whose first increment is already tiny")
+      .number("growth limit", 1e4, params::positive(), "1",
+              "give up when the increment has grown to this multiple of the first one")
+      .number("linear tolerance", 1e-8, params::Range{0.0, 1.0, true, true}, "1",
+              "reduction of the linear residual in each step; the first one with an adaptive "
+              "forcing term")
+      .choice("forcing", "constant", {"constant", "type 1", "type 2"},
+              "linear tolerance from step to step: constant or Eisenstat and Walker's choices")
+      .choice("line search", "guarded", {"guarded", "full step", "backtrack", "polynomial"},
+              "guarded: full steps, halved only where an element would invert; the others are "
+              "NOX's");
+  return table;
+}
+
+NewtonOptions newton_options(const Teuchos::ParameterList& list) {
+  return {list.get<int>("max iterations"),       list.get<double>("relative increment"),
+          list.get<double>("absolute increment"), list.get<double>("growth limit"),
+          list.get<double>("linear tolerance"),   list.get<std::string>("forcing"),
+          list.get<std::string>("line search")};
+}
+
+int NewtonReport::linear_iterations() const {
+  int sum = 0;
+  for (const NewtonStep& step : steps) sum += step.linear.iterations;
+  return sum;
+}
+
+namespace {
+
+NOX::Thyra::Vector nox_vector(const fields::BlockVector& x) {
+  const auto space = Thyra::productVectorSpace<double>(Teuchos::tuple(
+      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(x.u->getMap()),
+      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(x.p->getMap())));
+  NOX::Thyra::Vector vector(Thyra::createMember<double>(space));
+  blocks_of(vector).assign(x);
+  return vector;
+}
+
+Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options, int rank) {
+  const auto list = Teuchos::rcp(new Teuchos::ParameterList);
+  list->set("Nonlinear Solver", "Line Search Based");
+  list->sublist("Printing").set("Output Information", 0).set("MyPID", rank);
+  Teuchos::ParameterList& newton = list->sublist("Direction").set("Method", "Newton").sublist(
+      "Newton");
+  newton.sublist("Linear Solver").set("Tolerance", options.linear_tolerance);
+  newton.set("Forcing Term Method", options.forcing == "constant" ? "Constant"
+                                    : options.forcing == "type 1" ? "Type 1"
+                                                                  : "Type 2");
+  newton.set("Forcing Term Initial Tolerance", options.linear_tolerance);
+  Teuchos::ParameterList& search = list->sublist("Line Search");
+  if (options.line_search == "guarded") {
+    search.set("Method", "User Defined");
+    search.set<Teuchos::RCP<NOX::LineSearch::UserDefinedFactory>>(
+        "User Defined Line Search Factory", Teuchos::rcp(new GuardedLineSearchFactory));
+  } else {
+    search.set("Method", options.line_search == "full step"   ? "Full Step"
+                         : options.line_search == "backtrack" ? "Backtrack"
+                                                              : "Polynomial");
+  }
+  return list;
+}
+
+}  // namespace
+
+NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& options,
+                          fields::BlockVector& x) {
+  NewtonReport report;
+  SolveLog log;
+  const auto group = Teuchos::rcp(new NoxGroup(problem, log, nox_vector(x)));
+  if (group->computeF() != NOX::Abstract::Group::Ok) {
+    report.reason = "the residual cannot be computed at the start: " + problem.refusal();
+    return report;
+  }
+  const auto test = Teuchos::rcp(new IncrementTest(problem, options, log, report));
+  const int rank = problem.mesh().comm->getRank();
+  const auto solver = NOX::Solver::buildSolver(group, test, nox_list(options, rank));
+  NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
+  try {
+    status = solver->solve();
+  } catch (const char* message) {  // NOX throws plain strings
+    report.reason = message;
+  } catch (const std::exception& error) {
+    report.reason = error.what();
+  }
+  report.is_converged = status == NOX::StatusTest::Converged;
+  if (!report.is_converged && report.reason.empty())
+    report.reason = "no admissible step along the Newton direction: " + problem.refusal();
+  x.assign(blocks_of(solver->getSolutionGroup().getX()));
+  return report;
+}
+
+}  // namespace tunica::nonlinear

@@ -1,0 +1,194 @@
+#include "problems/fluid_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assembly/gather.hpp"
+#include "assembly/mass_norm.hpp"
+#include "fields/reduce.hpp"
+#include "kernels/surface_tri3.hpp"
+#include "problems/inverted_element.hpp"
+#include "problems/surface_geometry.hpp"
+
+namespace tunica::problems {
+
+FluidProblem::FluidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
+    : options_(fluid_options(list)), newton_(nonlinear::newton_options(list.sublist("Newton"))),
+      mesh_(&mesh), K_(mesh),
+      solver_(linear::make_linear_solver(list.sublist("Linear Solver"), K_)), R_(mesh), x_(mesh),
+      position_(mesh.x) {
+  for (auto* field : {&local_.u, &local_.u_old, &local_.w, &local_.f})
+    field->assign(mesh.n_nodes(), Vec3{});
+  elements_.coefficients = {options_.density, options_.viscosity, 0.0};
+  elements_.geometry = assembly::geometry_of(mesh, mesh.x);
+  set_constraints();
+}
+
+FluidProblem::~FluidProblem() = default;
+
+void FluidProblem::set_constraints() {
+  fixed_.assign(mesh_->n_nodes(), 0);
+  condition_of_surface_.assign(mesh_->surfaces.size(), nullptr);
+  round_.resize(mesh_->surfaces.size());
+  for (const FlowCondition& condition : options_.conditions) {
+    const auto found =
+        std::find(mesh_->surfaces.begin(), mesh_->surfaces.end(), condition.surface);
+    if (found == mesh_->surfaces.end()) continue;  // the case was checked against the mesh
+    const int surface = static_cast<int>(found - mesh_->surfaces.begin());
+    condition_of_surface_[surface] = &condition;
+    if (condition.is_parabolic) {
+      const SurfaceGeometry geometry = surface_geometry(*mesh_, surface);
+      round_[surface] = {geometry.centre, geometry.radius};
+    }
+    if (condition.is_open()) continue;
+    for (int a = 0; a < mesh_->n_nodes(); ++a)
+      if (mesh_->is_on(a, surface)) fixed_[a] |= assembly::fixed_vector;
+  }
+  const bool is_closed = std::all_of(
+      mesh_->faces.begin(), mesh_->faces.end(), [this](const fields::Face& face) {
+        const FlowCondition* condition = condition_of_surface_[face.surface];
+        return condition != nullptr && !condition->is_open();
+      });
+  // Without an open surface the pressure is known up to a constant: pin it at one node.
+  if (fields::all_agree(*mesh_->comm, is_closed)) {
+    const int first = mesh_->ghosted_map->getLocalElement(0);
+    if (first >= 0) fixed_[first] |= assembly::fixed_scalar;
+  }
+}
+
+void FluidProblem::begin_step(const stepping::Clock& clock) {
+  time_ = clock.time();
+  elements_.coefficients.inv_dt = 1.0 / clock.step_size();
+  local_.u_old = fields::ghosted_vectors(*mesh_, *x_.u);
+}
+
+std::optional<std::string> FluidProblem::set_domain(const std::vector<Vec3>& d,
+                                                    const std::vector<Vec3>& d_old) {
+  for (int a = 0; a < mesh_->n_nodes(); ++a) {
+    position_[a] = mesh_->x[a] + d[a];
+    local_.w[a] = elements_.coefficients.inv_dt * (d[a] - d_old[a]);
+  }
+  elements_.geometry = assembly::geometry_of(*mesh_, position_);
+  double smallest = 1.0;
+  int worst = -1;
+  for (std::size_t e = 0; e < elements_.geometry.size(); ++e)
+    if (worst < 0 || !(elements_.geometry[e].volume >= smallest)) {
+      smallest = elements_.geometry[e].volume;
+      worst = static_cast<int>(e);
+    }
+  return describe_inversion(*mesh_, smallest, worst);
+}
+
+Vec3 FluidProblem::prescribed_velocity(int node, const FlowCondition& condition,
+                                       int surface) const {
+  if (condition.kind == "no slip") return {};
+  if (condition.kind == "interface") return local_.w[node];
+  if (boundary_velocity_) return boundary_velocity_(position_[node], time_);
+  double factor = condition.amplitude(time_);
+  if (condition.is_parabolic) {
+    const double r = norm(position_[node] - round_[surface].centre) / round_[surface].radius;
+    factor *= std::max(0.0, 1.0 - r * r);
+  }
+  return factor * condition.velocity;
+}
+
+void FluidProblem::impose_velocities() {
+  // Where surfaces meet, the interface wins over no slip, and no slip over a velocity.
+  const auto u = x_.u->getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (const std::string kind : {"velocity", "no slip", "interface"})
+    for (std::size_t s = 0; s < condition_of_surface_.size(); ++s) {
+      const FlowCondition* condition = condition_of_surface_[s];
+      if (condition == nullptr || condition->kind != kind) continue;
+      for (int a = 0; a < mesh_->n_owned; ++a) {
+        if (!mesh_->is_on(a, static_cast<int>(s))) continue;
+        const Vec3 value = prescribed_velocity(a, *condition, static_cast<int>(s));
+        for (int i = 0; i < 3; ++i) u(3 * a + i, 0) = value[i];
+      }
+    }
+}
+
+void FluidProblem::update_elements() {
+  elements_.tau = assembly::fluid_taus(*mesh_, elements_, local_);
+  if (body_force_)
+    for (int a = 0; a < mesh_->n_nodes(); ++a) local_.f[a] = body_force_(position_[a], time_);
+}
+
+nonlinear::NewtonReport FluidProblem::solve() {
+  local_.p.resize(mesh_->n_nodes());
+  impose_velocities();
+  update_elements();
+  return solve_newton(*this, newton_, x_);
+}
+
+void FluidProblem::end_step() {}
+
+void FluidProblem::set_initial_velocity(const std::function<Vec3(const Vec3& x)>& u) {
+  std::vector<Vec3> values(mesh_->n_nodes());
+  for (int a = 0; a < mesh_->n_nodes(); ++a) values[a] = u(mesh_->x[a]);
+  fields::store(values, *mesh_, *x_.u);
+}
+
+void FluidProblem::add_surface_terms(assembly::BlockAssembler* K) {
+  kernels::SurfaceResidual R;
+  kernels::SurfaceJacobian J;
+  for (const fields::Face& face : mesh_->faces) {
+    const FlowCondition* condition = condition_of_surface_[face.surface];
+    if (condition == nullptr || !condition->is_open()) continue;
+    const std::array<Vec3, 3> x = assembly::gather(position_, face.nodes);
+    Vec3 traction = condition->traction;
+    if (condition->kind == "pressure") {
+      const Vec3 n = kernels::area_normal(x);
+      traction = -condition->pressure / norm(n) * n;
+    }
+    const double amplitude = condition->amplitude(time_);
+    R_.add(*mesh_, face, kernels::dead_traction(x, amplitude * traction));
+    if (condition->backflow == 0.0) continue;
+    const auto u = assembly::gather(local_.u, face.nodes), w = assembly::gather(local_.w, face.nodes);
+    const double beta_rho = condition->backflow * options_.density;
+    if (K == nullptr) {
+      R = kernels::backflow(x, u, w, beta_rho);
+    } else {
+      kernels::backflow_jacobian(x, u, w, beta_rho, R, J);
+      K->add(face, J);
+    }
+    R_.add(*mesh_, face, R);
+  }
+}
+
+void FluidProblem::assemble(const fields::BlockVector& x, assembly::BlockAssembler* K) {
+  local_.u = fields::ghosted_vectors(*mesh_, *x.u);
+  local_.p = fields::ghosted_scalars(*mesh_, *x.p);
+  R_.set_zero();
+  assembly::assemble_fluid(*mesh_, elements_, local_, R_, K);
+  add_surface_terms(K);
+}
+
+bool FluidProblem::residual(const fields::BlockVector& x, fields::BlockVector& F) {
+  assemble(x, nullptr);
+  R_.store(*mesh_, fixed_, F);
+  return true;
+}
+
+void FluidProblem::jacobian(const fields::BlockVector& x) {
+  assembly::BlockAssembler assembler(K_, fixed_);
+  assemble(x, &assembler);
+  assembler.finish();
+  solver_->matrix_changed();
+}
+
+void FluidProblem::apply_jacobian(const fields::BlockVector& x, fields::BlockVector& y) const {
+  K_.apply(x, y);
+}
+
+std::vector<Vec3> FluidProblem::reaction() {
+  assemble(x_, nullptr);
+  std::vector<Vec3> force(R_.u);
+  for (Vec3& f : force) f = -1.0 * f;
+  return force;
+}
+
+double FluidProblem::increment_norm(const fields::BlockVector& dx) {
+  return assembly::mass_norm(*mesh_, elements_.geometry, dx);
+}
+
+}  // namespace tunica::problems

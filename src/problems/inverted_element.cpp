@@ -1,0 +1,32 @@
+#include "problems/inverted_element.hpp"
+
+#include <sstream>
+
+#include "fields/reduce.hpp"
+
+namespace tunica::problems {
+
+std::optional<std::string> describe_inversion(const fields::FieldMesh& mesh, double smallest,
+                                              int element) {
+  const bool is_fine = element < 0 || smallest > 0.0;  // false for NaN too
+  if (fields::all_agree(*mesh.comm, is_fine)) return std::nullopt;
+  const double number = is_fine ? -1.0 : mesh.tet_number[element];
+  const double chosen = fields::global_max(*mesh.comm, number);
+  const int rank = mesh.comm->getRank();
+  const double speaker =
+      fields::global_min(*mesh.comm, number == chosen ? rank : mesh.comm->getSize());
+  Vec3 centre{};
+  double value = 0.0;
+  if (rank == static_cast<int>(speaker)) {
+    for (const int a : mesh.tets[element]) centre += 0.25 * mesh.x[a];
+    value = smallest;
+  }
+  for (double& c : centre) c = fields::global_sum(*mesh.comm, c);
+  value = fields::global_sum(*mesh.comm, value);
+  std::ostringstream text;
+  text << "element " << static_cast<long long>(chosen) << " at (" << centre[0] << ", " << centre[1]
+       << ", " << centre[2] << ") is inverted (determinant " << value << ")";
+  return text.str();
+}
+
+}  // namespace tunica::problems

@@ -1,0 +1,41 @@
+#pragma once
+#include <memory>
+
+#include "fields/field_mesh.hpp"
+#include "linear/scalar_solver.hpp"
+
+namespace tunica::problems {
+
+/// Harmonic extension of the interface's displacement into the fluid's mesh, on the
+/// undeformed mesh ([LY1] eq:harext): −Δd = 0, d given on the interface, zero on every other
+/// surface of the fluid.
+class MeshMotion {
+public:
+  /// list: the resolved "Mesh Motion" list; surfaces: indices of the interface's surfaces.
+  MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+             const std::vector<int>& surfaces);
+
+  /// Displacement of all local nodes from that of the owned interface nodes (other entries are
+  /// ignored). Throws std::runtime_error where the linear solver fails.
+  const std::vector<Vec3>& extend(const std::vector<Vec3>& interface_displacement);
+
+  const std::vector<Vec3>& displacement() const { return d_; }          ///< local nodes
+  const std::vector<Vec3>& old_displacement() const { return d_old_; }  ///< of the last step
+  void end_step() { d_old_ = d_; }
+
+private:
+  void assemble();
+
+  const fields::FieldMesh* mesh_;
+  enum class Kind : char { free, fixed, interface };
+  std::vector<Kind> kind_;            ///< per local node
+  Teuchos::RCP<CrsMatrix> K_;         ///< with unit rows and zero columns at given nodes
+  Teuchos::RCP<CrsMatrix> coupling_;  ///< rows of free nodes, columns of interface nodes
+  std::unique_ptr<linear::ScalarSolver> solver_;
+  MultiVector solution_;
+  std::vector<Vec3> d_, d_old_;
+};
+
+params::Table mesh_motion_table();
+
+}  // namespace tunica::problems

@@ -1,0 +1,175 @@
+#include "problems/solid_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assembly/gather.hpp"
+#include "assembly/mass_norm.hpp"
+#include "fields/reduce.hpp"
+#include "materials/registry.hpp"
+#include "problems/inverted_element.hpp"
+
+namespace tunica::problems {
+
+SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
+    : options_(solid_options(list)), newton_(nonlinear::newton_options(list.sublist("Newton"))),
+      mesh_(&mesh), K_(mesh),
+      solver_(linear::make_linear_solver(list.sublist("Linear Solver"), K_)), R_(mesh), x_(mesh),
+      d_old_(mesh.n_nodes()), v_old_(mesh.n_nodes()), a_old_(mesh.n_nodes()),
+      nodal_force_(mesh.n_owned) {
+  local_.r.assign(mesh.n_nodes(), Vec3{});
+  set_constraints();
+  set_elements();
+}
+
+SolidProblem::~SolidProblem() = default;
+
+void SolidProblem::set_constraints() {
+  fixed_.assign(mesh_->n_nodes(), 0);
+  condition_of_surface_.assign(mesh_->surfaces.size(), nullptr);
+  for (const WallCondition& condition : options_.conditions) {
+    const auto found =
+        std::find(mesh_->surfaces.begin(), mesh_->surfaces.end(), condition.surface);
+    if (found == mesh_->surfaces.end()) continue;  // the case was checked against the mesh
+    const int surface = static_cast<int>(found - mesh_->surfaces.begin());
+    condition_of_surface_[surface] = &condition;
+    for (int a = 0; a < mesh_->n_nodes(); ++a)
+      if (mesh_->is_on(a, surface))
+        for (const int i : condition.components) fixed_[a] |= std::uint8_t(1U << i);
+  }
+}
+
+void SolidProblem::set_elements() {
+  layer_of_region_.assign(mesh_->regions.size(), -1);
+  for (std::size_t l = 0; l < options_.layers.size(); ++l) {
+    const Layer& layer = options_.layers[l];
+    laws_.push_back(materials::make_law(
+        layer.law, materials::Constants(layer.constants.begin(), layer.constants.end())));
+    const auto found = std::find(mesh_->regions.begin(), mesh_->regions.end(), layer.region);
+    layer_of_region_[found - mesh_->regions.begin()] = static_cast<int>(l);
+  }
+  elements_.geometry = assembly::geometry_of(*mesh_, mesh_->x);
+  for (const int region : mesh_->region) {
+    elements_.law.push_back(laws_[layer_of_region_[region]].get());
+    elements_.density.push_back(options_.layers[layer_of_region_[region]].density);
+  }
+  elements_.coefficients.resize(mesh_->tets.size());
+}
+
+double SolidProblem::alpha_of(const Layer& layer) const {
+  if (options_.is_static) return 0.0;
+  return stepping::Newmark{options_.beta, options_.gamma, dt_}.alpha(layer.density);
+}
+
+void SolidProblem::set_coefficients(double dt) {
+  dt_ = dt;
+  for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
+    const Layer& layer = options_.layers[layer_of_region_[mesh_->region[e]]];
+    const double h = kernels::element_length(elements_.geometry[e].volume);
+    const double stiffness = 4.0 * options_.modulus_factor *
+                             elements_.law[e]->stabilisation_modulus() / (h * h);
+    const double alpha = alpha_of(layer);
+    const double tau = 1.0 / (stiffness + (options_.has_inertia_in_tau ? alpha : 0.0));
+    elements_.coefficients[e] = {alpha, 1.0 / layer.bulk_modulus, tau};
+  }
+}
+
+void SolidProblem::set_inertia_history() {
+  const stepping::Newmark scheme{options_.beta, options_.gamma, dt_};
+  for (int a = 0; a < mesh_->n_nodes(); ++a)
+    local_.r[a] =
+        options_.is_static ? Vec3{} : scheme.load(1.0, d_old_[a], v_old_[a], a_old_[a]);
+}
+
+void SolidProblem::begin_step(const stepping::Clock& clock) {
+  time_ = clock.time();
+  if (dt_ != clock.step_size()) set_coefficients(clock.step_size());
+  set_inertia_history();
+}
+
+nonlinear::NewtonReport SolidProblem::solve() { return solve_newton(*this, newton_, x_); }
+
+void SolidProblem::end_step() {
+  const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, *x_.u);
+  if (!options_.is_static) {
+    const stepping::Newmark scheme{options_.beta, options_.gamma, dt_};
+    for (int a = 0; a < mesh_->n_nodes(); ++a) {
+      const Vec3 acceleration = scheme.acceleration(d[a], d_old_[a], v_old_[a], a_old_[a]);
+      v_old_[a] = scheme.velocity(acceleration, v_old_[a], a_old_[a]);
+      a_old_[a] = acceleration;
+    }
+  }
+  d_old_ = d;
+}
+
+std::vector<Vec3> SolidProblem::displacement() const {
+  const auto u = x_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::vector<Vec3> d(mesh_->n_owned);
+  for (int a = 0; a < mesh_->n_owned; ++a) d[a] = {u(3 * a, 0), u(3 * a + 1, 0), u(3 * a + 2, 0)};
+  return d;
+}
+
+std::vector<Vec3> SolidProblem::velocity() const {
+  return {v_old_.begin(), v_old_.begin() + mesh_->n_owned};
+}
+
+void SolidProblem::add_surface_loads(const std::vector<Vec3>& d, assembly::BlockAssembler* K) {
+  kernels::SurfaceResidual R;
+  kernels::SurfaceJacobian J;
+  for (const fields::Face& face : mesh_->faces) {
+    const WallCondition* condition = condition_of_surface_[face.surface];
+    if (condition == nullptr) continue;
+    const double amplitude = condition->amplitude(time_);
+    std::array<Vec3, 3> x = assembly::gather(mesh_->x, face.nodes);
+    if (condition->kind == "traction") {
+      R_.add(*mesh_, face, kernels::dead_traction(x, amplitude * condition->traction));
+    } else if (condition->kind == "pressure") {
+      for (int a = 0; a < 3; ++a) x[a] += d[face.nodes[a]];
+      const double pressure = amplitude * condition->pressure;
+      if (K == nullptr) {
+        R = kernels::follower_pressure(x, pressure);
+      } else {
+        kernels::follower_pressure_jacobian(x, pressure, R, J);
+        K->add(face, J);
+      }
+      R_.add(*mesh_, face, R);
+    }
+  }
+}
+
+void SolidProblem::assemble(const fields::BlockVector& x, assembly::BlockAssembler* K) {
+  local_.p = fields::ghosted_scalars(*mesh_, *x.p);
+  R_.set_zero();
+  assembly::assemble_solid(*mesh_, elements_, local_, R_, K);
+  add_surface_loads(local_.d, K);
+  for (int a = 0; a < mesh_->n_owned; ++a) R_.u[a] += -1.0 * nodal_force_[a];
+}
+
+bool SolidProblem::residual(const fields::BlockVector& x, fields::BlockVector& F) {
+  local_.d = fields::ghosted_vectors(*mesh_, *x.u);
+  const auto worst = assembly::worst_solid_element(*mesh_, elements_, local_.d);
+  const auto inversion = describe_inversion(*mesh_, worst.determinant, worst.element);
+  refusal_ = inversion.value_or("");
+  if (inversion) return false;
+  assemble(x, nullptr);
+  R_.store(*mesh_, fixed_, F);
+  return true;
+}
+
+void SolidProblem::jacobian(const fields::BlockVector& x) {
+  local_.d = fields::ghosted_vectors(*mesh_, *x.u);
+  assembly::BlockAssembler assembler(K_, fixed_);
+  assemble(x, &assembler);
+  assembler.finish();
+  solver_->matrix_changed();
+}
+
+void SolidProblem::apply_jacobian(const fields::BlockVector& x, fields::BlockVector& y) const {
+  K_.apply(x, y);
+}
+
+double SolidProblem::increment_norm(const fields::BlockVector& dx) {
+  return assembly::mass_norm(*mesh_, elements_.geometry, dx);
+}
+
+}  // namespace tunica::problems

@@ -1,0 +1,77 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "assembly/solid_assembly.hpp"
+#include "nonlinear/newton.hpp"
+#include "problems/observable.hpp"
+#include "problems/solid_options.hpp"
+#include "stepping/clock.hpp"
+
+namespace tunica::problems {
+
+/// The wall over time: displacement and pressure of one step by Newton's method, Newmark
+/// between the steps. Loads are follower pressures, dead tractions and nodal forces from the
+/// fluid. Starts at rest in the unloaded configuration.
+class SolidProblem : public nonlinear::NonlinearProblem {
+public:
+  /// list: the resolved "Wall" list. mesh must outlive the problem.
+  SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
+  ~SolidProblem() override;
+
+  void begin_step(const stepping::Clock& clock);
+  /// Nodal forces [mN] on the owned nodes, which stay until the next call.
+  void set_nodal_force(const std::vector<Vec3>& force) { nodal_force_ = force; }
+  /// Solves the step for the present loads, started from the present state.
+  nonlinear::NewtonReport solve();
+  /// Accepts the present state as that of the new time.
+  void end_step();
+
+  const fields::BlockVector& state() const { return x_; }
+  std::vector<Vec3> displacement() const;  ///< of owned nodes [mm]
+  std::vector<Vec3> velocity() const;      ///< of owned nodes, of the last accepted step [mm/ms]
+  const SolidOptions& options() const { return options_; }
+  const assembly::SolidElements& elements() const { return elements_; }
+
+  Observables observe() const;
+
+  // NonlinearProblem
+  const fields::FieldMesh& mesh() const override { return *mesh_; }
+  bool residual(const fields::BlockVector& x, fields::BlockVector& F) override;
+  void jacobian(const fields::BlockVector& x) override;
+  void apply_jacobian(const fields::BlockVector& x, fields::BlockVector& y) const override;
+  linear::LinearSolver& linear_solver() override { return *solver_; }
+  double increment_norm(const fields::BlockVector& dx) override;
+  std::string refusal() const override { return refusal_; }
+
+private:
+  void set_constraints();
+  void set_elements();
+  void set_coefficients(double dt);
+  void set_inertia_history();
+  void assemble(const fields::BlockVector& x, assembly::BlockAssembler* K);
+  void add_surface_loads(const std::vector<Vec3>& d, assembly::BlockAssembler* K);
+  double alpha_of(const Layer& layer) const;
+
+  SolidOptions options_;
+  nonlinear::NewtonOptions newton_;
+  const fields::FieldMesh* mesh_;
+  std::vector<std::unique_ptr<materials::HyperelasticLaw>> laws_;  ///< per layer
+  std::vector<int> layer_of_region_;
+  std::vector<const WallCondition*> condition_of_surface_;
+  assembly::SolidElements elements_;
+  assembly::Constraints fixed_;
+  fields::BlockOperator K_;
+  std::unique_ptr<linear::LinearSolver> solver_;
+  assembly::NodalResidual R_;
+
+  fields::BlockVector x_;
+  assembly::SolidFields local_;                     ///< ghosted copy of the point of evaluation
+  std::vector<Vec3> d_old_, v_old_, a_old_;         ///< owned and ghost nodes
+  std::vector<Vec3> nodal_force_;
+  double time_ = 0.0;
+  double dt_ = 0.0;
+  std::string refusal_;
+};
+
+}  // namespace tunica::problems

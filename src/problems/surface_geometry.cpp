@@ -1,0 +1,28 @@
+#include "problems/surface_geometry.hpp"
+
+#include <algorithm>
+
+#include "assembly/gather.hpp"
+#include "fields/reduce.hpp"
+#include "kernels/surface_tri3.hpp"
+
+namespace tunica::problems {
+
+SurfaceGeometry surface_geometry(const fields::FieldMesh& mesh, int surface) {
+  double area = 0.0, radius = 0.0;
+  Vec3 moment{};
+  for (const fields::Face& face : mesh.faces) {
+    if (face.surface != surface || !face.is_counted) continue;
+    const auto x = assembly::gather(mesh.x, face.nodes);
+    const double A = norm(kernels::area_normal(x));
+    area += A;
+    moment += A / 3.0 * (x[0] + x[1] + x[2]);
+  }
+  area = fields::global_sum(*mesh.comm, area);
+  for (double& m : moment) m = fields::global_sum(*mesh.comm, m) / area;
+  for (int a = 0; a < mesh.n_owned; ++a)
+    if (mesh.is_on(a, surface)) radius = std::max(radius, norm(mesh.x[a] - moment));
+  return {area, moment, fields::global_max(*mesh.comm, radius)};
+}
+
+}  // namespace tunica::problems
