@@ -9,7 +9,7 @@ namespace tunica::mesh {
 
 /// A named part of a mesh: a region (tetrahedra) or a surface (triangles).
 struct Tag {
-  int id;            ///< number in the file; unique among regions, and among surfaces
+  int id;  ///< number in the file; unique among regions, and among surfaces
   std::string name;
 };
 
@@ -21,9 +21,9 @@ struct Tag {
 struct Mesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<int, 4>> tets;
-  std::vector<int> tet_region;                ///< per tet: index into regions
+  std::vector<int> tet_region;  ///< per tet: index into regions
   std::vector<std::array<int, 3>> triangles;
-  std::vector<int> triangle_surface;          ///< per triangle: index into surfaces
+  std::vector<int> triangle_surface;  ///< per triangle: index into surfaces
   std::vector<Tag> regions;
   std::vector<Tag> surfaces;
 };

@@ -49,10 +49,17 @@ int NewtonReport::linear_iterations() const {
 
 namespace {
 
-NOX::Thyra::Vector nox_vector(const fields::BlockVector& x) {
-  const auto space = Thyra::productVectorSpace<double>(Teuchos::tuple(
+using ProductSpace = Teuchos::RCP<const Thyra::VectorSpaceBase<double>>;
+
+/// The space of the block vectors. Clones of a product vector refer to it without owning it:
+/// it must outlive them all.
+ProductSpace product_space(const fields::BlockVector& x) {
+  return Thyra::productVectorSpace<double>(Teuchos::tuple(
       Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(x.u->getMap()),
       Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(x.p->getMap())));
+}
+
+NOX::Thyra::Vector nox_vector(const ProductSpace& space, const fields::BlockVector& x) {
   NOX::Thyra::Vector vector(Thyra::createMember<double>(space));
   blocks_of(vector).assign(x);
   return vector;
@@ -86,9 +93,10 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options, int 
 
 NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& options,
                           fields::BlockVector& x) {
+  const ProductSpace space = product_space(x);
   NewtonReport report;
   SolveLog log;
-  const auto group = Teuchos::rcp(new NoxGroup(problem, log, nox_vector(x)));
+  const auto group = Teuchos::rcp(new NoxGroup(problem, log, nox_vector(space, x)));
   if (group->computeF() != NOX::Abstract::Group::Ok) {
     report.reason = "the residual cannot be computed at the start: " + problem.refusal();
     return report;

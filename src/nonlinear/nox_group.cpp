@@ -30,7 +30,10 @@ NoxGroup::NoxGroup(const NoxGroup& other, NOX::CopyType type)
 }
 
 NOX::Abstract::Group& NoxGroup::operator=(const NOX::Abstract::Group& source) {
-  const auto& other = dynamic_cast<const NoxGroup&>(source);
+  return *this = dynamic_cast<const NoxGroup&>(source);
+}
+
+NoxGroup& NoxGroup::operator=(const NoxGroup& other) {
   if (this == &other) return *this;
   x_ = other.x_;
   f_ = other.f_;

@@ -22,6 +22,7 @@ public:
   NoxGroup(NonlinearProblem& problem, SolveLog& log, const NOX::Thyra::Vector& x);
   NoxGroup(const NoxGroup& other, NOX::CopyType type);
 
+  NoxGroup& operator=(const NoxGroup& other);
   NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override;
   void setX(const NOX::Abstract::Vector& y) override;
   void computeX(const NOX::Abstract::Group& group, const NOX::Abstract::Vector& d,

@@ -61,10 +61,7 @@ public:
   /// follows the table.
   Table& entries(const std::string& name, const Table& each, const std::string& sentence);
   /// A choice whose value adds the keys of the chosen table to this list.
-  struct Case {
-    std::string value;
-    Table table;
-  };
+  struct Case;
   Table& variant(const std::string& name, std::optional<std::string> fallback,
                  const std::vector<Case>& cases, const std::string& sentence);
   /// A sublist of another package, kept verbatim. If valid is not empty, its keys and types
@@ -88,9 +85,17 @@ public:
   /// One Markdown section per list.
   void print_markdown(std::ostream& out, const std::string& name) const;
 
-private:
+  /// What was declared; defined in content.hpp, for the sources of this folder.
   struct Content;
+  const Content& content() const { return *content_; }
+
+private:
   std::unique_ptr<Content> content_;
+};
+
+struct Table::Case {
+  std::string value;
+  Table table;
 };
 
 }  // namespace tunica::params

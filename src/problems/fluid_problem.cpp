@@ -170,9 +170,12 @@ bool FluidProblem::residual(const fields::BlockVector& x, fields::BlockVector& F
 }
 
 void FluidProblem::jacobian(const fields::BlockVector& x) {
+  const Stopwatch watch;
   assembly::BlockAssembler assembler(K_, fixed_);
   assemble(x, &assembler);
   assembler.finish();
+  meter_.items += static_cast<long long>(mesh_->tets.size());
+  meter_.seconds += watch.seconds();
   solver_->matrix_changed();
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "assembly/fluid_assembly.hpp"
+#include "base/timer.hpp"
 #include "nonlinear/newton.hpp"
 #include "problems/fluid_options.hpp"
 #include "problems/observable.hpp"
@@ -45,6 +46,8 @@ public:
   const assembly::FluidElements& elements() const { return elements_; }
 
   Observables observe() const;
+  /// Elements of all Jacobians so far and the time they took on this rank.
+  const Meter& jacobian_meter() const { return meter_; }
 
   // NonlinearProblem
   const fields::FieldMesh& mesh() const override { return *mesh_; }
@@ -83,6 +86,7 @@ private:
   std::vector<Vec3> position_;
   assembly::FluidFields local_;  ///< ghosted copies; u and p at the point of evaluation
   double time_ = 0.0;
+  Meter meter_;
 };
 
 }  // namespace tunica::problems

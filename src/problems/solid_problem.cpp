@@ -158,9 +158,12 @@ bool SolidProblem::residual(const fields::BlockVector& x, fields::BlockVector& F
 
 void SolidProblem::jacobian(const fields::BlockVector& x) {
   local_.d = fields::ghosted_vectors(*mesh_, *x.u);
+  const Stopwatch watch;
   assembly::BlockAssembler assembler(K_, fixed_);
   assemble(x, &assembler);
   assembler.finish();
+  meter_.items += static_cast<long long>(mesh_->tets.size());
+  meter_.seconds += watch.seconds();
   solver_->matrix_changed();
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "assembly/solid_assembly.hpp"
+#include "base/timer.hpp"
 #include "nonlinear/newton.hpp"
 #include "problems/observable.hpp"
 #include "problems/solid_options.hpp"
@@ -34,6 +35,8 @@ public:
   const assembly::SolidElements& elements() const { return elements_; }
 
   Observables observe() const;
+  /// Elements of all Jacobians so far and the time they took on this rank.
+  const Meter& jacobian_meter() const { return meter_; }
 
   // NonlinearProblem
   const fields::FieldMesh& mesh() const override { return *mesh_; }
@@ -70,6 +73,7 @@ private:
   std::vector<Vec3> d_old_, v_old_, a_old_;         ///< owned and ghost nodes
   std::vector<Vec3> nodal_force_;
   double time_ = 0.0;
+  Meter meter_;
   double dt_ = 0.0;
   std::string refusal_;
 };

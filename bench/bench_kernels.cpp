@@ -1,0 +1,122 @@
+#include <benchmark/benchmark.h>
+
+#include <random>
+#include <vector>
+
+#include "kernels/fluid_up.hpp"
+#include "kernels/laplace_p1.hpp"
+#include "kernels/solid_up.hpp"
+#include "materials/registry.hpp"
+
+// Tetrahedra per second of the element kernels alone, without gather and scatter.
+//   bench_kernels --benchmark_filter=jacobian
+
+namespace {
+
+using namespace tunica;
+using namespace tunica::kernels;
+
+constexpr int n_elements = 1024;  // fits the second-level cache
+
+struct Elements {
+  std::vector<std::array<Vec3, 4>> x;
+  std::vector<Tet4> T;
+  std::vector<SolidState> solid;
+  std::vector<FluidState> fluid;
+
+  Elements() {
+    std::mt19937 engine(7);
+    std::uniform_real_distribution<double> shift(-0.1, 0.1);
+    const auto vectors = [&] {
+      std::array<Vec3, 4> v;
+      for (Vec3& vertex : v)
+        for (double& entry : vertex) entry = shift(engine);
+      return v;
+    };
+    for (int e = 0; e < n_elements; ++e) {
+      std::array<Vec3, 4> corner = vectors();
+      corner[1][0] += 1.0;
+      corner[2][1] += 1.0;
+      corner[3][2] += 1.0;
+      x.push_back(corner);
+      T.push_back(make_tet4(corner));
+      const std::array<double, 4> p = {shift(engine), shift(engine), shift(engine), shift(engine)};
+      solid.push_back({vectors(), p, vectors()});
+      fluid.push_back({vectors(), p, vectors(), vectors(), vectors()});
+    }
+  }
+};
+
+const Elements& elements() {
+  static const Elements all;
+  return all;
+}
+
+template <class Kernel>
+void run(benchmark::State& state, const Kernel& kernel) {
+  elements();
+  for (auto _ : state)
+    for (int e = 0; e < n_elements; ++e) kernel(e);
+  state.counters["tets"] = benchmark::Counter(static_cast<double>(state.iterations()) * n_elements,
+                                              benchmark::Counter::kIsRate);
+}
+
+void geometry(benchmark::State& state) {
+  run(state, [](int e) { benchmark::DoNotOptimize(make_tet4(elements().x[e])); });
+}
+
+void laplace(benchmark::State& state) {
+  run(state, [](int e) { benchmark::DoNotOptimize(laplace_p1(elements().T[e])); });
+}
+
+const SolidCoefficients solid_constants{122.9, 1e-5, 2e-3};
+const FluidCoefficients fluid_constants{1.0, 3.5e-3, 8.0};
+
+void solid_residual(benchmark::State& state, const char* name) {
+  const auto law = materials::make_law(name, {});
+  run(state, [&](int e) {
+    benchmark::DoNotOptimize(
+        solid_up_residual(elements().T[e], elements().solid[e], *law, solid_constants));
+  });
+}
+
+void solid_jacobian(benchmark::State& state, const char* name) {
+  const auto law = materials::make_law(name, {});
+  MixedResidual R;
+  MixedJacobian K;
+  run(state, [&](int e) {
+    solid_up_jacobian(elements().T[e], elements().solid[e], *law, solid_constants, R, K);
+    benchmark::DoNotOptimize(R);
+    benchmark::DoNotOptimize(K);
+  });
+}
+
+void fluid_residual(benchmark::State& state) {
+  run(state, [](int e) {
+    const double tau = fluid_tau(elements().T[e], elements().fluid[e], fluid_constants);
+    benchmark::DoNotOptimize(
+        fluid_up_residual(elements().T[e], elements().fluid[e], fluid_constants, tau));
+  });
+}
+
+void fluid_jacobian(benchmark::State& state) {
+  MixedResidual R;
+  MixedJacobian K;
+  run(state, [&](int e) {
+    const double tau = fluid_tau(elements().T[e], elements().fluid[e], fluid_constants);
+    fluid_up_jacobian(elements().T[e], elements().fluid[e], fluid_constants, tau, R, K);
+    benchmark::DoNotOptimize(R);
+    benchmark::DoNotOptimize(K);
+  });
+}
+
+BENCHMARK(geometry);
+BENCHMARK(laplace);
+BENCHMARK_CAPTURE(solid_residual, mooney_rivlin, "mooney-rivlin");
+BENCHMARK_CAPTURE(solid_jacobian, mooney_rivlin, "mooney-rivlin");
+BENCHMARK(fluid_residual);
+BENCHMARK(fluid_jacobian);
+
+}  // namespace
+
+BENCHMARK_MAIN();

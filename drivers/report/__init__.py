@@ -1,0 +1,1 @@
+"""Reading, drawing and composing for tunica-report."""

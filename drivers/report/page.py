@@ -1,0 +1,105 @@
+"""The HTML page around the figures; images and page lie in one folder."""
+import html
+import os
+
+import numpy as np
+
+from report.run_data import rows_where
+
+_STYLE = """
+body { font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 68rem; margin: 2rem auto; padding: 0 1rem; }
+h1 { font-size: 1.7rem; margin-bottom: 0; } h2 { font-size: 1.2rem; margin-top: 2.2rem; }
+img { max-width: 100%; height: auto; } p.note { color: #666; margin: .2rem 0 .6rem; }
+table { border-collapse: collapse; font-size: .9rem; margin: .6rem 1.5rem .6rem 0; display: inline-block; vertical-align: top; }
+td, th { padding: .15rem .7rem; text-align: right; border-bottom: 1px solid #e4e4e4; }
+td:first-child, th:first-child { text-align: left; } th { color: #555; font-weight: 600; }
+.done { color: #1a7f37; } .bad { color: #b42318; } .running { color: #9a6700; }
+"""
+
+
+def _cell(value):
+    if isinstance(value, float):
+        return f"{value:.4g}" if np.isfinite(value) else "–"
+    return html.escape(str(value))
+
+
+def _table(heading, rows):
+    head = "".join(f"<th>{_cell(h)}</th>" for h in heading)
+    body = "".join("<tr>" + "".join(f"<td>{_cell(v)}</td>" for v in row) + "</tr>\n" for row in rows)
+    return f"<table>\n<tr>{head}</tr>\n{body}</table>\n"
+
+
+def _sections(record):
+    """One table per object of run.json."""
+    return "".join(_table([name, ""], [(k, "–" if v is None else v) for k, v in entries.items()])
+                   for name, entries in record.items() if isinstance(entries, dict) and entries)
+
+
+def _exponents(run, step):
+    """Exponent of convergence of each Newton step: one row per solve."""
+    chosen = rows_where(run.newton, step=float(step))
+    if not chosen or not chosen["step"] or "exponent" not in chosen:
+        return ""
+    rows = []
+    for number in dict.fromkeys(chosen["coupling_iteration"]):
+        for field in dict.fromkeys(chosen["field"]):
+            one = rows_where(chosen, coupling_iteration=number, field=field)
+            if one["step"]:
+                rows.append([f"{number:g}", field] + [_exponent(e) for e in one["exponent"]])
+    width = max(len(row) for row in rows)
+    rows = [row + [""] * (width - len(row)) for row in rows[:12]]
+    return ("<h2>Exponents of convergence of Newton's method</h2>\n"
+            f"<p class=\"note\">Step {step}, first coupling iterations; 2 is quadratic convergence.</p>\n"
+            + _table(["coupling iteration", "field"] + [f"step {i}" for i in range(1, width - 1)], rows))
+
+
+def _exponent(value):
+    return f"{value:.2f}" if isinstance(value, float) and np.isfinite(value) and value != 0 else "–"
+
+
+def _solvers(run):
+    """Linear solves summed up by field and method."""
+    table = run.linear
+    if not table.get("step"):
+        return ""
+    rows = []
+    for field, method in dict.fromkeys(zip(table["field"], table["method"])):
+        one = rows_where(table, field=field, method=method)
+        failed = sum(c in (0.0, "false", "False") for c in one["converged"])
+        rows.append([field, method, len(one["step"]), float(np.mean(one["iterations"])),
+                     float(np.max(one["iterations"])), float(np.sum(one["setup_seconds"])),
+                     float(np.sum(one["solve_seconds"])), failed])
+    return "<h2>Linear solvers</h2>\n" + _table(
+        ["field", "method", "solves", "mean iterations", "most", "set-up [s]", "solve [s]", "not converged"], rows)
+
+
+def _summary(run):
+    record = run.record
+    status = str(record.get("status", "unknown"))
+    mark = {"done": "done", "running": "running"}.get(status, "bad")
+    steps = run.steps
+    parts = [f"<b class=\"{mark}\">{html.escape(status)}</b>", f"{len(steps['step'])} steps"]
+    if steps.get("time"):
+        parts.append(f"t = {steps['time'][-1]:g} ms")
+    if "ranks" in record:
+        parts.append(f"{record['ranks']} rank" + ("s" if record["ranks"] != 1 else ""))
+    if steps.get("seconds"):
+        parts.append(f"{np.nansum(steps['seconds']):.1f} s in steps")
+    if record.get("started"):
+        parts.append(f"started {html.escape(str(record['started']))}")
+    text = "<p>" + " · ".join(parts) + "</p>\n"
+    if record.get("message"):
+        text += f"<p class=\"bad\">{html.escape(str(record['message']))}</p>\n"
+    return text
+
+
+def write(run, folder, figures, step):
+    title = f"{run.record.get('program', 'tunica')}: {os.path.basename(os.path.abspath(run.folder))}"
+    images = "".join(f"<h2>{html.escape(f.title)}</h2>\n<p class=\"note\">{html.escape(f.text)}</p>\n"
+                     f"<a href=\"{f.file}\"><img src=\"{f.file}\" alt=\"{html.escape(f.title)}\"></a>\n"
+                     for f in figures)
+    text = (f"<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>{html.escape(title)}</title>\n"
+            f"<style>{_STYLE}</style></head>\n<body>\n<h1>{html.escape(title)}</h1>\n{_summary(run)}{images}"
+            f"{_exponents(run, step)}{_solvers(run)}<h2>The run</h2>\n{_sections(run.record)}</body>\n</html>\n")
+    with open(os.path.join(folder, "index.html"), "w", encoding="utf-8") as file:
+        file.write(text)

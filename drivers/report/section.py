@@ -1,0 +1,91 @@
+"""The cut of a tetrahedral mesh by the plane x = const."""
+import numpy as np
+
+_EDGES = np.array([(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)])
+
+
+def _patterns():
+    """For each sign pattern of the four vertices the triangles of the cut, as edge numbers."""
+    table = []
+    for code in range(16):
+        above = [v for v in range(4) if code >> v & 1]
+        below = [v for v in range(4) if not code >> v & 1]
+        edge = {(a, b): i for i, (a, b) in enumerate(map(tuple, _EDGES))}
+        number = lambda a, b: edge[min(a, b), max(a, b)]  # noqa: E731
+        if len(above) in (1, 3):
+            apex, base = (above, below) if len(above) == 1 else (below, above)
+            table.append([tuple(number(apex[0], b) for b in base)])
+        elif len(above) == 2:
+            (a, b), (c, d) = above, below
+            q = [number(a, c), number(a, d), number(b, d), number(b, c)]
+            table.append([(q[0], q[1], q[2]), (q[0], q[2], q[3])])
+        else:
+            table.append([])
+    return table
+
+
+_PATTERNS = _patterns()
+
+
+class Section:
+    """Triangles of the cut, its outline, and the means to bring values onto it.
+
+    A vertex on the plane counts as above it, so the cut is watertight for any position.
+    """
+
+    def __init__(self, points, tets, plane):
+        above = points[:, 0] >= plane
+        code = (above[tets] * (1, 2, 4, 8)).sum(axis=1)
+        corners, parents = [], []
+        for pattern, triangles in enumerate(_PATTERNS):
+            cut = np.flatnonzero(code == pattern)
+            for triangle in triangles:
+                # a corner is the mesh edge (lower, higher) it lies on
+                corners.append(np.sort(tets[cut][:, _EDGES[list(triangle)]], axis=2))
+                parents.append(cut)
+        corners = np.concatenate(corners).reshape(-1, 2)
+        edges, index = np.unique(corners, axis=0, return_inverse=True)
+        self.triangles = index.reshape(-1, 3)
+        self.parents = np.concatenate(parents)
+        self._a, self._b = edges[:, 0], edges[:, 1]
+        xa, xb = points[self._a, 0], points[self._b, 0]
+        self._weight = (plane - xa) / np.where(xa == xb, 1.0, xb - xa)
+        position = self.at_corners(points)
+        self.y, self.z = position[:, 1], position[:, 2]
+
+    def is_empty(self):
+        return len(self.triangles) == 0
+
+    def visible(self):
+        """Triangles with an area; slivers left by vertices on the plane are drawn as stray lines."""
+        y, z = self.y[self.triangles], self.z[self.triangles]
+        area = abs((y[:, 1] - y[:, 0]) * (z[:, 2] - z[:, 0]) - (y[:, 2] - y[:, 0]) * (z[:, 1] - z[:, 0]))
+        return area > 1e-6 * area.max()
+
+    def at_corners(self, values):
+        w = self._weight.reshape((-1,) + (1,) * (values.ndim - 1))
+        return (1 - w) * values[self._a] + w * values[self._b]
+
+    def outline(self):
+        """Segments (z, y) that belong to one triangle only."""
+        sides = np.sort(self.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+        sides, count = np.unique(sides, axis=0, return_counts=True)
+        sides = sides[count == 1]
+        return np.stack([self.z[sides], self.y[sides]], axis=2)
+
+
+def plane_through(points):
+    """x = 0 if that is inside the mesh, else the nearest plane inside (symmetric halves)."""
+    low, high = points[:, 0].min(), points[:, 0].max()
+    margin = 1e-6 * max(high - low, 1e-300)
+    return float(np.clip(0.0, low + margin, high - margin))
+
+
+def norm_of(values):
+    return np.linalg.norm(values, axis=1) if values.ndim == 2 else np.abs(values)
+
+
+def von_mises(stress):
+    """From a symmetric tensor stored as xx, xy, xz, yy, yz, zz."""
+    xx, xy, xz, yy, yz, zz = stress.T
+    return np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * (xy**2 + xz**2 + yz**2))

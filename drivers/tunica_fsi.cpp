@@ -1,0 +1,64 @@
+// Marches a fluid-structure interaction problem in time.
+//
+//   tunica-fsi xml/pulse-tiny.xml --output results/pulse
+//   mpirun -n 2 tunica-fsi xml/pulse-tiny.xml --steps 2 --set "Coupling/accelerator=aitken"
+
+#include "app/field_output.hpp"
+#include "app/probes.hpp"
+#include "app/run.hpp"
+#include "app/run_log.hpp"
+#include "app/schema.hpp"
+#include "coupling/dirichlet_neumann.hpp"
+
+namespace {
+
+using namespace tunica;
+
+app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain,
+                   app::RunOutput& output) {
+  // 1. Three fields, each with its kernels, blocks and solver.
+  problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
+  problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
+  problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid,
+                              domain.interface_surfaces);
+
+  // 2. Couple them.
+  coupling::DirichletNeumann scheme(list.sublist("Coupling"), *domain.interface, fluid, wall,
+                                    motion);
+
+  // 3. What is written, and when.
+  const CommPtr comm = domain.fluid->comm;
+  stepping::Clock clock(list.sublist("Time"));
+  const app::Probes probes(list.sublist("Probes"), &*domain.fluid, &*domain.wall);
+  app::RunLog log(output.folder, comm->getRank() == 0, clock.steps());
+  app::FieldSeries fields(output, {app::grid_of(*domain.fluid, "fluid"),
+                                   app::grid_of(*domain.wall, "wall")}, comm);
+
+  // 4. March.
+  for (; !clock.is_done(); clock.advance()) {
+    const coupling::Report report =
+        scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
+          log.coupling({clock.step(), clock.time(), k}, iteration);
+        });
+    log.step({clock.step(), clock.time(), 0}, app::summary_of(report),
+             app::joined({wall.observe(), fluid.observe(), probes.observe(&fluid, &wall)}));
+    if (!report.is_accepted) return {false, report.reason};
+    if (fields.is_due(clock))
+      fields.write(clock, {{"fluid", app::fluid_arrays(fluid, motion.displacement()), {}},
+                           {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});
+  }
+
+  // 5. Report.
+  app::record_assembly(output.record, "fluid", fluid.jacobian_meter(), *comm);
+  app::record_assembly(output.record, "wall", wall.jacobian_meter(), *comm);
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return tunica::app::run_program(
+      argc, argv,
+      {"tunica-fsi", "Solves a fluid-structure interaction problem.", tunica::app::fsi_table()},
+      march);
+}

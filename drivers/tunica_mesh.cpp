@@ -1,0 +1,61 @@
+/// tunica-mesh: make, inspect, refine, convert and partition meshes. Runs on one rank.
+///
+///   tunica-mesh tube tube.h5 --around 20 --axial 62
+///   tunica-mesh info tube.h5 --interface interface
+///   tunica-mesh COMMAND --help
+#include <cstdio>
+#include <exception>
+#include <iostream>
+
+#include "base/error.hpp"
+#include "params/nearest.hpp"
+#include "tunica_mesh/commands.hpp"
+
+namespace {
+
+std::string overview() {
+  std::string text = "tunica-mesh COMMAND ...; COMMAND --help says more\n";
+  for (const Subcommand& each : subcommands())
+    text += "\n  " + each.command.name + std::string(11 - each.command.name.size(), ' ') +
+            each.command.sentence;
+  return text + "\n";
+}
+
+const Subcommand& find(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Subcommand& each : subcommands()) {
+    if (each.command.name == name) return each;
+    names.push_back(each.command.name);
+  }
+  throw tunica::Error("tunica-mesh: unknown command \"" + name + "\". " +
+                      tunica::params::did_you_mean(name, names));
+}
+
+void run(const std::vector<std::string>& words) {
+  if (words.empty()) throw tunica::Error(overview());
+  if (words[0] == "--help" || words[0] == "-h") {  // 1. which command
+    std::cout << overview();
+    return;
+  }
+  const Subcommand& chosen = find(words[0]);
+  const Arguments arguments(chosen.command, {words.begin() + 1, words.end()});  // 2. its words
+  if (arguments.wants_help())
+    std::cout << help(chosen.command);
+  else
+    chosen.run(arguments);  // 3. do it
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    run({argv + 1, argv + argc});
+    return 0;
+  } catch (const tunica::Error& error) {
+    std::cerr << error.what() << "\n";
+    return 1;
+  } catch (const std::exception& error) {
+    std::cerr << "tunica-mesh: a fault of this program or of the machine: " << error.what() << "\n";
+    return 3;
+  }
+}

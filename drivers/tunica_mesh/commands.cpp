@@ -1,0 +1,147 @@
+#include "tunica_mesh/commands.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+#include "base/error.hpp"
+#include "mesh/gmsh.hpp"
+#include "mesh/info.hpp"
+#include "mesh/partition.hpp"
+#include "mesh/read.hpp"
+#include "mesh/refine.hpp"
+#include "mesh/tube.hpp"
+#include "mesh/validate.hpp"
+#include "mesh/write.hpp"
+
+namespace {
+
+using namespace tunica;
+using mesh::Mesh;
+
+/// One line on what was written, with the worst element.
+void report(const Mesh& result, const std::string& path) {
+  const mesh::Info info = mesh::inspect(result);
+  std::printf("%s: %d vertices, %d tetrahedra, %d triangles, worst quality %.4f\n", path.c_str(),
+              info.vertices, info.tets, info.triangles, info.worst_quality);
+}
+
+void make_tube(const Arguments& arguments) {
+  mesh::Tube tube;
+  tube.radius = arguments.number("radius");
+  tube.media = arguments.number("media");
+  tube.adventitia = arguments.number("adventitia");
+  tube.length = arguments.number("length");
+  tube.around = arguments.integer("around");
+  tube.rings = arguments.integer("rings");
+  tube.axial = arguments.integer("axial");
+  tube.media_layers = arguments.integer("media-layers");
+  tube.adventitia_layers = arguments.integer("adventitia-layers");
+  tube.ring_grading = arguments.number("ring-grading");
+  tube.axial_grading = arguments.number("axial-grading");
+  tube.with_lumen = arguments.flag("lumen");
+  tube.with_wall = arguments.flag("wall");
+  tube.with_layer_surface = arguments.flag("layer-surface");
+  const Mesh result = mesh::make_tube(tube);
+  mesh::write(result, arguments.file(0));
+  report(result, arguments.file(0));
+}
+
+void show_info(const Arguments& arguments) {
+  const Mesh subject = mesh::read(arguments.file(0));
+  std::cout << mesh::to_text(mesh::inspect(subject));
+  const auto interface = arguments.names("interface");
+  if (interface.empty()) return;
+  mesh::check_interface(subject, arguments.names("fluid"), arguments.names("wall"), interface);
+  std::cout << "the interface conforms\n";
+}
+
+void refine(const Arguments& arguments) {
+  const int times = arguments.integer("times");
+  TUNICA_CHECK(times >= 1 && times <= 8,
+               "tunica-mesh refine: --times is " + std::to_string(times) + ", expected 1..8");
+  Mesh result = mesh::read(arguments.file(0));
+  for (int i = 0; i < times; ++i) result = mesh::refine(result, arguments.names("project"));
+  mesh::write(result, arguments.file(1));
+  report(result, arguments.file(1));
+}
+
+void convert(const Arguments& arguments) {
+  const std::string gmsh = arguments.text("gmsh");
+  TUNICA_CHECK(gmsh == "2.2" || gmsh == "4.1",
+               "tunica-mesh convert: --gmsh is \"" + gmsh + "\", expected 2.2 or 4.1");
+  const Mesh subject = mesh::read(arguments.file(0));
+  const std::string& path = arguments.file(1);
+  const bool is_msh = path.size() > 4 && path.compare(path.size() - 4, 4, ".msh") == 0;
+  if (is_msh && gmsh == "4.1")
+    mesh::write_gmsh(subject, path, mesh::GmshVersion::v41);
+  else
+    mesh::write(subject, path);
+  report(subject, path);
+}
+
+void split(const Arguments& arguments) {
+  const Mesh subject = mesh::read(arguments.file(0));
+  const int parts = arguments.integer("parts");
+  std::vector<bool> is_fluid(subject.regions.size(), false);
+  for (const std::string& name : arguments.names("fluid"))
+    is_fluid[mesh::region_index(subject, name)] = true;
+  const mesh::Partition result = mesh::partition(subject, parts, is_fluid);
+  mesh::write(subject, arguments.file(1), &result);
+  std::vector<int> fluid(parts, 0), wall(parts, 0), owned(parts, 0);
+  for (std::size_t t = 0; t < subject.tets.size(); ++t)
+    ++(is_fluid[subject.tet_region[t]] ? fluid : wall)[result.tet_part[t]];
+  for (const int owner : result.vertex_owner) ++owned[owner];
+  std::printf("%6s %12s %12s %12s\n", "part", "fluid tets", "wall tets", "vertices");
+  for (int p = 0; p < parts; ++p)
+    std::printf("%6d %12d %12d %12d\n", p, fluid[p], wall[p], owned[p]);
+}
+
+std::vector<Arguments::Option> tube_options() {
+  return {{"radius", "1.43", "inner radius, mm"},
+          {"media", "0.26", "thickness of the media, mm"},
+          {"adventitia", "0.13", "thickness of the adventitia, mm"},
+          {"length", "18", "mm"},
+          {"around", "12", "divisions of the circumference, a multiple of 4"},
+          {"rings", "0", "rings of the lumen around its core of (around/4)^2 cells"},
+          {"axial", "18", "slices along the axis"},
+          {"media-layers", "2", "layers of elements in the media, 0: none"},
+          {"adventitia-layers", "1", "layers of elements in the adventitia, 0: none"},
+          {"ring-grading", "1", "outermost ring of the lumen over the innermost"},
+          {"axial-grading", "1", "last slice over the first"},
+          {"lumen", "on", "on or off: wall only"},
+          {"wall", "on", "on or off: lumen only"},
+          {"layer-surface", "on", "on or off: triangles between media and adventitia"}};
+}
+
+}  // namespace
+
+const std::vector<Subcommand>& subcommands() {
+  static const std::vector<Subcommand> all{
+      {{"tube", {"OUT"}, "Makes a tube of lumen, media and adventitia.", tube_options()},
+       make_tube},
+      {{"info",
+        {"MESH"},
+        "Shows counts, volumes, areas and quality of a mesh; checks the interface if it is named.",
+        {{"fluid", "fluid", "regions of the fluid, separated by commas"},
+         {"wall", "media,adventitia", "regions of the wall"},
+         {"interface", "", "surfaces between them; empty: no check"}}},
+       show_info},
+      {{"refine",
+        {"MESH", "OUT"},
+        "Cuts every tetrahedron into 8.",
+        {{"times", "1", "how often"},
+         {"project", "", "surfaces to be rounded to cylinders about the z axis"}}},
+       refine},
+      {{"convert",
+        {"MESH", "OUT"},
+        "Reads .msh, .vol or .h5 and writes .msh, .h5 or .vtu.",
+        {{"gmsh", "2.2", "version of a .msh file: 2.2 or 4.1"}}},
+       convert},
+      {{"partition",
+        {"MESH", "OUT"},
+        "Splits a mesh into parts of equal work in fluid and wall; writes .h5 or .vtu.",
+        {{"parts", "2", "how many"}, {"fluid", "fluid", "regions of the fluid, or none"}}},
+       split}};
+  return all;
+}

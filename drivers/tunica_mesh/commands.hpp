@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tunica_mesh/arguments.hpp"
+
+/// A subcommand: what it takes and what it does.
+struct Subcommand {
+  Arguments::Command command;
+  void (*run)(const Arguments&);
+};
+
+/// tube, info, refine, convert, partition.
+const std::vector<Subcommand>& subcommands();

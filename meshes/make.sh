@@ -1,0 +1,7 @@
+#!/bin/sh
+# Makes the meshes of this folder. Usage: meshes/make.sh [tunica-mesh]
+set -eu
+tool=${1:-tunica-mesh}
+folder=$(dirname "$0")
+"$tool" tube "$folder/tube-tiny.h5" --around 12 --axial 18 --media-layers 2 --adventitia-layers 1
+"$tool" tube "$folder/tube-coarse.h5" --around 20 --axial 62 --media-layers 3 --adventitia-layers 1

@@ -1,0 +1,49 @@
+#include "app/case.hpp"
+
+#include <Teuchos_XMLParameterListHelpers.hpp>
+#include <filesystem>
+#include <sstream>
+
+#include "base/agreement.hpp"
+#include "base/error.hpp"
+#include "params/read_xml.hpp"
+#include "params/xml_text.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Table& table) {
+  Teuchos::ParameterList list = params::read_xml(command.case_file);
+  for (const std::string& assignment : command.set)
+    params::set_from_text(list, table, assignment);
+  const std::filesystem::path folder =
+      std::filesystem::absolute(command.case_file).lexically_normal().parent_path();
+  try {
+    table.resolve(list, "", folder.string());
+  } catch (const Error& error) {
+    throw Error(command.case_file + ": " + error.what());
+  }
+  if (command.steps) list.sublist("Time").set("steps", *command.steps);
+  if (!command.output.empty()) list.sublist("Output").set("folder", command.output);
+  return list;
+}
+
+}  // namespace
+
+Teuchos::ParameterList read_case(const CommandLine& command, const params::Table& table,
+                                 const Comm& comm) {
+  Teuchos::ParameterList list;
+  std::string text;
+  on_root(comm, [&] {
+    list = read_on_root(command, table);
+    std::ostringstream out;
+    params::print_list(out, list, "Case", 0);
+    text = out.str();
+  });
+  broadcast(comm, text);
+  if (comm.getRank() != 0) list = *Teuchos::getParametersFromXmlString(text);
+  return list;
+}
+
+}  // namespace tunica::app

@@ -1,0 +1,16 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+
+#include "app/command_line.hpp"
+#include "base/types.hpp"
+#include "params/table.hpp"
+
+namespace tunica::app {
+
+/// Reads and validates the whole case, with the assignments of the command line, before
+/// anything else is opened. Every parameter of the result is resolved. Rank 0 reads; where
+/// that fails all ranks throw the same Error, which names the file. Collective.
+Teuchos::ParameterList read_case(const CommandLine& command, const params::Table& table,
+                                 const Comm& comm);
+
+}  // namespace tunica::app

@@ -1,0 +1,27 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tunica::app {
+
+/// What the drivers accept: tunica-fsi CASE.xml --output DIR --set "Fluid/density=1.06"
+struct CommandLine {
+  std::string case_file;
+  std::string output;              ///< folder of the results; "" if not given
+  std::optional<int> steps;        ///< stop after so many time steps
+  bool dry_run = false;            ///< everything but the solve
+  bool print_defaults = false;     ///< a complete, commented XML; no case file needed
+  bool help = false;               ///< no case file needed
+  bool reference = false;          ///< tunica-check only; no case file needed
+  std::vector<std::string> set{};  ///< assignments in their order, see params::set_from_text
+};
+
+/// Reads the command line. Throws tunica::Error if an option is unknown or incomplete, or if
+/// the case file is missing. program: name of the driver; sentence: what it does.
+CommandLine parse(int argc, char** argv, const std::string& program, const std::string& sentence);
+
+/// The text of --help.
+std::string usage(const std::string& program, const std::string& sentence);
+
+}  // namespace tunica::app

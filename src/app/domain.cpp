@@ -1,0 +1,148 @@
+#include "app/domain.hpp"
+
+#include <algorithm>
+
+#include "base/agreement.hpp"
+#include "base/error.hpp"
+#include "fields/broadcast_mesh.hpp"
+#include "mesh/partition.hpp"
+#include "mesh/read.hpp"
+#include "mesh/validate.hpp"
+#include "problems/fluid_options.hpp"
+#include "problems/solid_options.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+/// What the case says of the mesh.
+struct Wishes {
+  std::vector<std::string> fluid_regions, wall_regions;
+  std::vector<std::string> fluid_surfaces, wall_surfaces;
+  std::vector<std::string> interface;
+};
+
+Wishes wishes_of(const Teuchos::ParameterList& list) {
+  Wishes wishes;
+  std::vector<std::string> on_fluid, on_wall;
+  if (list.isSublist("Fluid")) {
+    const auto options = problems::fluid_options(list.sublist("Fluid"));
+    wishes.fluid_regions = options.regions;
+    for (const auto& c : options.conditions) wishes.fluid_surfaces.push_back(c.surface);
+    on_fluid = options.interface_surfaces();
+  }
+  if (list.isSublist("Wall")) {
+    const auto options = problems::solid_options(list.sublist("Wall"));
+    wishes.wall_regions = options.regions();
+    for (const auto& c : options.conditions) wishes.wall_surfaces.push_back(c.surface);
+    on_wall = options.interface_surfaces();
+  }
+  if (!list.isSublist("Fluid") || !list.isSublist("Wall")) {
+    TUNICA_CHECK(on_fluid.empty() && on_wall.empty(),
+                 "Surfaces: the condition \"interface\" needs both fluid and wall.");
+    return wishes;
+  }
+  std::sort(on_fluid.begin(), on_fluid.end());
+  std::sort(on_wall.begin(), on_wall.end());
+  TUNICA_CHECK(!on_fluid.empty(), "Fluid / Surfaces: no surface has the condition \"interface\".");
+  TUNICA_CHECK(on_fluid == on_wall,
+               "Fluid / Surfaces and Wall / Surfaces name different surfaces as \"interface\".");
+  wishes.interface = on_fluid;
+  return wishes;
+}
+
+std::vector<int> region_indices(const mesh::Mesh& mesh, const std::vector<std::string>& names,
+                                const std::string& where) {
+  std::vector<int> indices;
+  try {
+    for (const std::string& name : names) indices.push_back(mesh::region_index(mesh, name));
+  } catch (const Error& error) {
+    throw Error(where + ": " + error.what());
+  }
+  return indices;
+}
+
+/// Every surface the case names must exist and bound the field.
+void check_surfaces(const mesh::Mesh& mesh, const std::vector<std::string>& names,
+                    const std::vector<int>& regions, const std::string& where) {
+  std::vector<char> is_vertex_of_field(mesh.vertices.size(), 0);
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
+    if (std::count(regions.begin(), regions.end(), mesh.tet_region[e]) > 0)
+      for (const int v : mesh.tets[e]) is_vertex_of_field[v] = 1;
+  for (const std::string& name : names) {
+    int surface = 0;
+    try {
+      surface = mesh::surface_index(mesh, name);
+    } catch (const Error& error) {
+      throw Error(where + ": " + error.what());
+    }
+    bool bounds_field = false;
+    for (std::size_t t = 0; t < mesh.triangles.size() && !bounds_field; ++t) {
+      const auto& v = mesh.triangles[t];
+      bounds_field = mesh.triangle_surface[t] == surface && is_vertex_of_field[v[0]] &&
+                     is_vertex_of_field[v[1]] && is_vertex_of_field[v[2]];
+    }
+    TUNICA_CHECK(bounds_field, where + ": the surface \"" + name + "\" does not touch this field.");
+  }
+}
+
+struct Shares {
+  mesh::Mesh mesh;
+  std::vector<int> fluid, wall;  ///< regions
+};
+
+Shares read_and_check(const Teuchos::ParameterList& list, const Wishes& wishes, int ranks) {
+  const auto& file = list.sublist("Mesh").get<std::string>("file");
+  Shares shares;
+  shares.mesh = mesh::read(file);
+  try {
+    shares.fluid = region_indices(shares.mesh, wishes.fluid_regions, "Fluid / regions");
+    shares.wall = region_indices(shares.mesh, wishes.wall_regions, "Wall / Layers");
+    check_surfaces(shares.mesh, wishes.fluid_surfaces, shares.fluid, "Fluid / Surfaces");
+    check_surfaces(shares.mesh, wishes.wall_surfaces, shares.wall, "Wall / Surfaces");
+    for (const int r : shares.fluid)
+      TUNICA_CHECK(std::count(shares.wall.begin(), shares.wall.end(), r) == 0,
+                   "the region \"" + shares.mesh.regions[r].name + "\" is both fluid and wall.");
+    if (!wishes.interface.empty())
+      mesh::check_interface(shares.mesh, wishes.fluid_regions, wishes.wall_regions,
+                            wishes.interface);
+    TUNICA_CHECK(ranks <= static_cast<int>(shares.mesh.tets.size()),
+                 "more ranks than elements: " + std::to_string(ranks) + " ranks, " +
+                     std::to_string(shares.mesh.tets.size()) + " tetrahedra.");
+  } catch (const Error& error) {
+    throw Error(file + ": " + error.what());
+  }
+  return shares;
+}
+
+std::vector<bool> marks(const std::vector<int>& regions, std::size_t count) {
+  std::vector<bool> is_marked(count, false);
+  for (const int r : regions) is_marked[r] = true;
+  return is_marked;
+}
+
+}  // namespace
+
+Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
+  const Wishes wishes = wishes_of(list);
+  Shares shares;
+  on_root(*comm, [&] { shares = read_and_check(list, wishes, comm->getSize()); });
+  fields::broadcast_mesh(*comm, shares.mesh);
+  shares.fluid = region_indices(shares.mesh, wishes.fluid_regions, "Fluid / regions");
+  shares.wall = region_indices(shares.mesh, wishes.wall_regions, "Wall / Layers");
+
+  const mesh::Partition partition = mesh::partition(
+      shares.mesh, comm->getSize(), marks(shares.fluid, shares.mesh.regions.size()));
+  Domain domain;
+  if (!shares.fluid.empty())
+    domain.fluid = fields::make_field_mesh(shares.mesh, partition, shares.fluid, comm);
+  if (!shares.wall.empty())
+    domain.wall = fields::make_field_mesh(shares.mesh, partition, shares.wall, comm);
+  for (const std::string& name : wishes.interface)
+    domain.interface_surfaces.push_back(mesh::surface_index(shares.mesh, name));
+  if (domain.fluid && domain.wall)
+    domain.interface.emplace(*domain.fluid, *domain.wall, domain.interface_surfaces);
+  return domain;
+}
+
+}  // namespace tunica::app

@@ -1,0 +1,43 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "app/case.hpp"
+#include "app/command_line.hpp"
+#include "app/domain.hpp"
+#include "output/field_writer.hpp"
+#include "output/run_folder.hpp"
+#include "output/run_record.hpp"
+
+namespace tunica::app {
+
+/// A program that solves a case.
+struct Program {
+  std::string name;      ///< "tunica-fsi"
+  std::string sentence;  ///< for --help
+  params::Table table;   ///< every key of its cases
+};
+
+/// What every run writes beside its tables. Made when the case and the mesh are known to be
+/// good, so that a bad input leaves nothing behind.
+struct RunOutput {
+  RunOutput(const Program& program, const Teuchos::ParameterList& list, const CommPtr& comm);
+
+  output::RunFolder folder;
+  output::RunRecord record;
+  int fields_every;
+};
+
+/// How a run ended.
+struct Verdict {
+  bool is_converged = true;
+  std::string reason;
+};
+
+using March = std::function<Verdict(const Teuchos::ParameterList&, const Domain&, RunOutput&)>;
+
+/// The frame of every solving driver: command line, case, mesh, --dry-run, the march, and the
+/// one place where errors become exit statuses. Starts and ends MPI.
+int run_program(int argc, char** argv, const Program& program, const March& march);
+
+}  // namespace tunica::app

@@ -1,0 +1,111 @@
+#include "app/run_log.hpp"
+
+#include <cstdio>
+
+#include "fields/reduce.hpp"
+
+namespace tunica::app {
+
+RunLog::RunLog(const output::RunFolder& folder, bool is_root, int steps)
+    : steps_file_(folder.file("steps.csv")), is_root_(is_root), steps_(steps),
+      coupling_(folder.file("coupling.csv"),
+                {"step", "time", "iteration", "interface_residual", "relaxation", "columns",
+                 "fluid_newton", "wall_newton", "fluid_linear", "wall_linear"},
+                is_root),
+      newton_(folder.file("newton.csv"),
+              {"step", "coupling_iteration", "field", "iteration", "increment",
+               "relative_increment", "residual", "exponent", "step_length"},
+              is_root),
+      linear_(folder.file("linear.csv"),
+              {"step", "coupling_iteration", "field", "newton_iteration", "method", "iterations",
+               "tolerance", "recurrence_residual", "true_residual", "setup_seconds",
+               "solve_seconds", "converged"},
+              is_root) {}
+
+void RunLog::newton(const Moment& moment, const std::string& field,
+                    const nonlinear::NewtonReport& report) {
+  for (std::size_t k = 0; k < report.steps.size(); ++k) {
+    const nonlinear::NewtonStep& s = report.steps[k];
+    const auto iteration = static_cast<long long>(k + 1);
+    newton_.row({moment.step, moment.coupling_iteration, field, iteration, s.increment,
+                 s.relative_increment, s.residual, s.exponent, s.step_length});
+    const linear::SolveReport& l = s.linear;
+    linear_.row({moment.step, moment.coupling_iteration, field, iteration, l.method, l.iterations,
+                 l.tolerance, l.recurrence_residual, l.true_residual, l.setup_seconds,
+                 l.solve_seconds, l.is_converged});
+  }
+}
+
+void RunLog::coupling(const Moment& moment, const coupling::Iteration& iteration) {
+  coupling_.row({moment.step, moment.time, moment.coupling_iteration, iteration.residual,
+                 iteration.relaxation, iteration.columns,
+                 static_cast<long long>(iteration.fluid.steps.size()),
+                 static_cast<long long>(iteration.wall.steps.size()),
+                 iteration.fluid.linear_iterations(), iteration.wall.linear_iterations()});
+  newton(moment, "fluid", iteration.fluid);
+  newton(moment, "wall", iteration.wall);
+}
+
+void RunLog::open_steps(const problems::Observables& observables) {
+  std::vector<std::string> columns{"step",        "time",         "converged",
+                                   "coupling_iterations", "interface_residual",
+                                   "fluid_newton", "wall_newton", "fluid_linear",
+                                   "wall_linear", "seconds"};
+  for (const problems::Observable& o : observables) columns.push_back(o.name);
+  steps_table_ = std::make_unique<output::CsvTable>(steps_file_, columns, is_root_);
+}
+
+void RunLog::step(const Moment& moment, const StepSummary& s,
+                  const problems::Observables& observables) {
+  if (!steps_table_) open_steps(observables);
+  const double now = run_.seconds();
+  std::vector<output::Cell> row{moment.step,          moment.time,
+                                s.is_converged,       s.coupling_iterations,
+                                s.interface_residual, s.fluid_newton,
+                                s.wall_newton,        s.fluid_linear,
+                                s.wall_linear,        now - last_};
+  for (const problems::Observable& o : observables) row.emplace_back(o.value);
+  steps_table_->row(row);
+  print(moment, s, now - last_);
+  last_ = now;
+}
+
+void RunLog::print(const Moment& moment, const StepSummary& s, double seconds) const {
+  if (!is_root_) return;
+  const double left = run_.seconds() / moment.step * (steps_ - moment.step);
+  std::printf("step %d/%d  t %g ms", moment.step, steps_, moment.time);
+  if (s.coupling_iterations > 0)
+    std::printf("  coupling %d (|r| %.1e mm)", s.coupling_iterations, s.interface_residual);
+  if (s.fluid_newton > 0) std::printf("  fluid %d/%d", s.fluid_newton, s.fluid_linear);
+  if (s.wall_newton > 0) std::printf("  wall %d/%d", s.wall_newton, s.wall_linear);
+  std::printf("  %.2f s, %.0f s left%s\n", seconds, left, s.is_converged ? "" : "  NOT CONVERGED");
+  std::fflush(stdout);
+}
+
+StepSummary summary_of(const coupling::Report& report) {
+  using coupling::Iteration;
+  return {report.is_converged,
+          static_cast<int>(report.iterations.size()),
+          report.iterations.empty() ? 0.0 : report.iterations.back().residual,
+          report.newton_steps(&Iteration::fluid),
+          report.newton_steps(&Iteration::wall),
+          report.linear_iterations(&Iteration::fluid),
+          report.linear_iterations(&Iteration::wall)};
+}
+
+problems::Observables joined(const std::vector<problems::Observables>& parts) {
+  problems::Observables all;
+  for (const problems::Observables& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+void record_assembly(output::RunRecord& record, const std::string& field, const Meter& meter,
+                     const Comm& comm) {
+  const double items = fields::global_sum(comm, static_cast<double>(meter.items));
+  const double seconds = fields::global_sum(comm, meter.seconds);
+  record.add_time("assembly of " + field + " Jacobians", seconds / comm.getSize());
+  record.set("assembly", field + " tetrahedra per second and rank",
+             seconds > 0.0 ? items / seconds : 0.0);
+}
+
+}  // namespace tunica::app

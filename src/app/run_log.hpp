@@ -1,0 +1,62 @@
+#pragma once
+#include "base/timer.hpp"
+#include "coupling/dirichlet_neumann.hpp"
+#include "output/csv_table.hpp"
+#include "output/run_folder.hpp"
+#include "output/run_record.hpp"
+#include "problems/observable.hpp"
+
+namespace tunica::app {
+
+/// Where a row belongs.
+struct Moment {
+  int step;
+  double time;
+  int coupling_iteration;  ///< 0 where there is no coupling
+};
+
+/// Totals of one time step.
+struct StepSummary {
+  bool is_converged = false;
+  int coupling_iterations = 0;
+  double interface_residual = 0.0;
+  int fluid_newton = 0, wall_newton = 0;
+  int fluid_linear = 0, wall_linear = 0;
+};
+
+/// The tables of a run, a row per step, coupling iteration, Newton step and linear solve, and
+/// one line on the screen per step.
+class RunLog {
+public:
+  RunLog(const output::RunFolder& folder, bool is_root, int steps);
+
+  void newton(const Moment& moment, const std::string& field,
+              const nonlinear::NewtonReport& report);
+  void coupling(const Moment& moment, const coupling::Iteration& iteration);
+  void step(const Moment& moment, const StepSummary& summary,
+            const problems::Observables& observables);
+
+private:
+  void open_steps(const problems::Observables& observables);
+  void print(const Moment& moment, const StepSummary& summary, double seconds) const;
+
+  std::string steps_file_;
+  bool is_root_;
+  int steps_;
+  std::unique_ptr<output::CsvTable> steps_table_;
+  output::CsvTable coupling_, newton_, linear_;
+  Stopwatch run_;
+  double last_ = 0.0;  ///< seconds of the run at the end of the last step
+};
+
+StepSummary summary_of(const coupling::Report& report);
+
+/// All observables in one list.
+problems::Observables joined(const std::vector<problems::Observables>& parts);
+
+/// Notes how fast a field's Jacobians were assembled, in tetrahedra per second and rank.
+/// Collective.
+void record_assembly(output::RunRecord& record, const std::string& field, const Meter& meter,
+                     const Comm& comm);
+
+}  // namespace tunica::app

@@ -1,0 +1,61 @@
+#include "app/schema.hpp"
+
+#include "app/probes.hpp"
+#include "coupling/dirichlet_neumann.hpp"
+#include "problems/fluid_options.hpp"
+#include "problems/mesh_motion.hpp"
+#include "problems/solid_options.hpp"
+#include "stepping/clock.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+params::Table mesh_table() {
+  params::Table table("The mesh of fluid and wall.");
+  table.file("file", std::nullopt, "Gmsh 2.2 or 4.1, Netgen .vol, or our HDF5; lengths in mm");
+  return table;
+}
+
+params::Table output_table() {
+  params::Table table("What a run leaves behind.");
+  table.text("folder", "results", "folder of the results; --output overrides it")
+      .integer("fields every", 1, params::non_negative(),
+               "write the fields after every so many steps; 0 never");
+  return table;
+}
+
+/// Keys that every case has.
+params::Table common_table(const std::string& sentence) {
+  params::Table table(sentence);
+  table.sublist("Mesh", mesh_table())
+      .sublist("Time", stepping::time_table())
+      .sublist("Output", output_table())
+      .entries("Probes", probe_table(), "points whose values become columns of steps.csv");
+  return table;
+}
+
+}  // namespace
+
+params::Table fsi_table() {
+  params::Table table = common_table("A fluid-structure interaction problem.");
+  table.sublist("Fluid", problems::fluid_table())
+      .sublist("Wall", problems::solid_table())
+      .sublist("Mesh Motion", problems::mesh_motion_table())
+      .sublist("Coupling", coupling::coupling_table());
+  return table;
+}
+
+params::Table solid_table() {
+  params::Table table = common_table("A wall alone.");
+  table.sublist("Wall", problems::solid_table());
+  return table;
+}
+
+params::Table fluid_table() {
+  params::Table table = common_table("A fluid alone, in a rigid domain.");
+  table.sublist("Fluid", problems::fluid_table());
+  return table;
+}
+
+}  // namespace tunica::app

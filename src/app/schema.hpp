@@ -1,0 +1,11 @@
+#pragma once
+#include "params/table.hpp"
+
+namespace tunica::app {
+
+/// Every key of a case of tunica-fsi, tunica-solid and tunica-fluid.
+params::Table fsi_table();
+params::Table solid_table();
+params::Table fluid_table();
+
+}  // namespace tunica::app

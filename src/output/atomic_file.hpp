@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+namespace tunica::output {
+
+/// Replaces the file by the text in one step: a reader sees the old text or the new one, never
+/// a part. The text goes to "<path>.tmp", which is then renamed.
+/// Returns what went wrong, naming the file; empty on success. Not collective.
+std::string replace_file(const std::string& path, const std::string& text);
+
+/// ": No space left on device" from errno, or empty if errno says nothing.
+std::string system_reason();
+
+}  // namespace tunica::output

@@ -1,0 +1,60 @@
+#include "output/csv_table.hpp"
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <stdexcept>
+
+#include "output/atomic_file.hpp"
+
+namespace tunica::output {
+
+namespace {
+
+std::string text(long long value) { return std::to_string(value); }
+
+std::string text(double value) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return {digits.data(), end};
+}
+
+std::string text(const std::string& value) {
+  if (value.find_first_of(",\"\r\n") == std::string::npos) return value;
+  std::string quoted = "\"";
+  for (const char c : value) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+CsvTable::CsvTable(const std::string& path, std::vector<std::string> columns, bool active)
+    : path_(path), columns_(std::move(columns)), active_(active) {
+  if (!active_) return;
+  file_.open(path_, std::ios::trunc);
+  std::string line;
+  for (const std::string& column : columns_) line += (line.empty() ? "" : ",") + text(column);
+  put(line);
+}
+
+void CsvTable::row(const std::vector<Cell>& cells) {
+  if (cells.size() != columns_.size()) {
+    throw std::logic_error(path_ + ": a row of " + std::to_string(cells.size()) +
+                           " cells, expected " + std::to_string(columns_.size()));
+  }
+  if (!active_) return;
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) line += ',';
+    line += std::visit([](const auto& value) { return text(value); }, cells[i]);
+  }
+  put(line);
+}
+
+void CsvTable::put(const std::string& line) {
+  errno = 0;
+  file_ << line << '\n' << std::flush;
+  if (!file_) throw std::runtime_error("cannot write " + path_ + system_reason());
+}
+
+}  // namespace tunica::output

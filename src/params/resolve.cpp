@@ -1,0 +1,177 @@
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "params/check_value.hpp"
+#include "params/content.hpp"
+#include "params/nearest.hpp"
+
+namespace tunica::params {
+
+namespace {
+
+using Teuchos::ParameterList;
+
+/// Walks list and table together and collects what is wrong.
+class Resolver {
+public:
+  explicit Resolver(std::string directory) : directory_(std::move(directory)) {}
+
+  void visit(const Table& table, ParameterList& list, const std::string& path);
+  const std::vector<std::string>& problems() const { return problems_; }
+
+private:
+  void reject_strangers(const Table& table, const Active& valid, const ParameterList& list,
+                        const std::string& path);
+  void visit_key(const Key& key, ParameterList& list, const std::string& path);
+  void visit_value(const Key& key, ParameterList& list, const std::string& path);
+  void visit_entries(const Key& key, ParameterList& list, const std::string& path);
+  void visit_foreign(const Key& key, ParameterList& list, const std::string& path);
+  void complain(const std::string& path, const std::string& what) {
+    problems_.push_back(prefix(path) + what);
+  }
+
+  std::string directory_;
+  std::vector<std::string> problems_;
+};
+
+std::vector<std::string> names_of(const ParameterList& list) {
+  std::vector<std::string> names;
+  for (auto it = list.begin(); it != list.end(); ++it) names.push_back(list.name(it));
+  return names;
+}
+
+/// `"condition" = "traction" or "pressure", but it is "velocity"` if only cases that are not
+/// chosen have a key of that name; "" if none has.
+std::string owners(const std::vector<Owned>& all, const std::string& name,
+                   const ParameterList& list) {
+  const Key* variant = nullptr;
+  std::vector<std::string> values;
+  for (const Owned& owned : all) {
+    if (owned.key->name != name) continue;
+    for (const Owned::Condition& condition : owned.conditions) {
+      if (chosen(*condition.variant, list) == condition.value) continue;
+      if (variant == nullptr) variant = condition.variant;
+      const bool is_new = std::find(values.begin(), values.end(), condition.value) == values.end();
+      if (condition.variant == variant && is_new) values.push_back(condition.value);
+      break;
+    }
+  }
+  if (variant == nullptr) return "";
+  std::string text = "\"" + variant->name + "\" = ";
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text += (i == 0 ? "\"" : " or \"") + values[i] + "\"";
+  return text + ", but it is \"" + chosen(*variant, list) + "\"";
+}
+
+/// `a number (double) > 0 [ms]`
+std::string wanted(const Key& key) {
+  const std::string range = range_text(key.range);
+  std::string text = expected(key);
+  if (!range.empty()) text += " " + range;
+  if (!key.unit.empty()) text += " [" + key.unit + "]";
+  if (!key.options.empty()) text += ": one of " + quoted(key.options);
+  return text;
+}
+
+void Resolver::visit(const Table& table, ParameterList& list, const std::string& path) {
+  const std::size_t before = problems_.size();
+  const Active valid = active(table, list);
+  reject_strangers(table, valid, list, path);
+  for (const Key* key : valid.keys) visit_key(*key, list, path);
+  if (problems_.size() > before) return;
+  for (const Table::Check* check : valid.checks) {
+    try {
+      (*check)(list, path);
+    } catch (const Error& error) {
+      problems_.push_back(error.what());
+    }
+  }
+}
+
+void Resolver::reject_strangers(const Table& table, const Active& valid, const ParameterList& list,
+                                const std::string& path) {
+  const std::vector<Owned> all = all_keys(table);
+  std::vector<std::string> valid_names, all_names;
+  for (const Key* key : valid.keys)
+    if (key->kind != Kind::removed) valid_names.push_back(key->name);
+  for (const Owned& owned : all)
+    if (owned.key->kind != Kind::removed) all_names.push_back(owned.key->name);
+
+  for (const std::string& name : names_of(list)) {
+    const auto has_name = [&](const Key* key) { return key->name == name; };
+    if (std::any_of(valid.keys.begin(), valid.keys.end(), has_name)) continue;
+    const std::string conditions = owners(all, name, list);
+    if (conditions.empty()) {
+      const bool is_near = !nearest(name, valid_names).empty();
+      const bool is_near_elsewhere = !is_near && !nearest(name, all_names).empty();
+      complain(path, "unknown key \"" + name + "\". " +
+                         did_you_mean(name, is_near_elsewhere ? all_names : valid_names));
+    } else if (valid.is_certain) {
+      complain(path, "\"" + name + "\" belongs to " + conditions);
+    }
+  }
+}
+
+void Resolver::visit_key(const Key& key, ParameterList& list, const std::string& path) {
+  const bool is_value = !xml_type(key.kind).empty();
+  if (is_value) return visit_value(key, list, path);
+  const Teuchos::ParameterEntry* entry = list.getEntryPtr(key.name);
+  if (key.kind == Kind::removed) {
+    if (entry != nullptr)
+      complain(path, "\"" + key.name + "\" is no more; use \"" + key.successor + "\"");
+    return;
+  }
+  if (entry != nullptr && !entry->isList())
+    return complain(path, "\"" + key.name + "\" is a parameter, expected a parameter list");
+  if (key.kind == Kind::sublist)
+    visit(key.tables[0], list.sublist(key.name), joined(path, key.name));
+  if (key.kind == Kind::entries) visit_entries(key, list, path);
+  if (key.kind == Kind::foreign) visit_foreign(key, list, path);
+}
+
+void Resolver::visit_value(const Key& key, ParameterList& list, const std::string& path) {
+  if (list.getEntryPtr(key.name) == nullptr) {
+    if (key.is_required)
+      return complain(
+          path, "\"" + key.name + "\" is missing, expected " + wanted(key) + ". " + key.sentence);
+    list.setEntry(key.name, key.fallback);
+  }
+  const std::string problem = check_value(key, list, directory_);
+  if (!problem.empty()) complain(path, problem);
+}
+
+void Resolver::visit_entries(const Key& key, ParameterList& list, const std::string& path) {
+  ParameterList& entries = list.sublist(key.name);
+  const std::string inside = joined(path, key.name);
+  for (const std::string& name : names_of(entries)) {
+    if (entries.isSublist(name))
+      visit(key.tables[0], entries.sublist(name), joined(inside, name));
+    else
+      complain(inside, "\"" + name + "\" is a parameter, expected parameter lists only");
+  }
+}
+
+void Resolver::visit_foreign(const Key& key, ParameterList& list, const std::string& path) {
+  if (!list.isSublist(key.name)) list.set(key.name, key.foreign);
+  const std::string problem = check_foreign(key, list.sublist(key.name), joined(path, key.name));
+  if (!problem.empty()) problems_.push_back(problem);
+}
+
+}  // namespace
+
+void Table::resolve(ParameterList& list, const std::string& path,
+                    const std::string& directory) const {
+  Resolver resolver(directory);
+  resolver.visit(*this, list, path);
+  const std::vector<std::string>& problems = resolver.problems();
+  if (problems.empty()) return;
+  constexpr std::size_t shown = 10;
+  std::string message;
+  for (std::size_t i = 0; i < std::min(shown, problems.size()); ++i)
+    message += (i == 0 ? "" : "\n") + problems[i];
+  if (problems.size() > shown)
+    message += "\n... and " + std::to_string(problems.size() - shown) + " more";
+  throw Error(message);
+}
+
+}  // namespace tunica::params

@@ -1,0 +1,64 @@
+#pragma once
+#include "oracle/algebra.hpp"
+#include "oracle/quadrature.hpp"
+
+namespace tunica::oracle {
+
+/// Data of the ALE fluid on one tetrahedron; unknowns are numbered 3 a + i, then 12 + a.
+struct FluidWeakForm {
+  Element T;
+  double density, viscosity, inv_dt, tau;
+  std::array<Vec<double>, 4> u_old, w, f;
+
+  /// All sixteen rows of
+  ///   (ρ(∂u + c·∇u − f), v) + 2μ (ε(u), ε(v)) − (p, div v) − (q, div u)
+  ///   + τ (c·∇v − ∇q/ρ, ρ(∂u + c·∇u − f) + ∇p),   c = u − w.
+  template <class S>
+  std::array<S, 16> residual(const std::array<S, 16>& x) const {
+    std::array<Vec<S>, 4> u;
+    for (int a = 0; a < 4; ++a)
+      for (int i = 0; i < 3; ++i) u[a][i] = x[3 * a + i];
+    std::array<S, 16> R;
+    for (S& row : R) row = 0.0;
+    for (const TetPoint& q : tet_rule()) {
+      const double dV = q.weight * T.volume;
+      const Mat<S> grad_u = gradient(u, T.grad_N);
+      const Vec<S> u_q = at(q.N, u);
+      const Vec<double> u_old_q = at(q.N, u_old), w_q = at(q.N, w), f_q = at(q.N, f);
+      S p = 0.0;
+      Vec<S> grad_p{S(0.0), S(0.0), S(0.0)};
+      for (int a = 0; a < 4; ++a) {
+        p += q.N[a] * x[12 + a];
+        for (int j = 0; j < 3; ++j) grad_p[j] += x[12 + a] * T.grad_N[a][j];
+      }
+      Vec<S> inertia, strong;
+      for (int i = 0; i < 3; ++i) {
+        S convection = 0.0;
+        for (int j = 0; j < 3; ++j) convection += (u_q[j] - w_q[j]) * grad_u[i][j];
+        inertia[i] = density * ((u_q[i] - u_old_q[i]) * inv_dt + convection - f_q[i]);
+        strong[i] = inertia[i] + grad_p[i];
+      }
+      for (int a = 0; a < 4; ++a) {
+        S stream = 0.0;  // c·∇N_a
+        for (int j = 0; j < 3; ++j) stream += (u_q[j] - w_q[j]) * T.grad_N[a][j];
+        for (int i = 0; i < 3; ++i) {
+          S row = inertia[i] * q.N[a] - p * T.grad_N[a][i] + tau * stream * strong[i];
+          for (int k = 0; k < 3; ++k)
+            for (int l = 0; l < 3; ++l) {
+              // v = N_a e_i: ∂v_k/∂x_l
+              const double vkl = k == i ? T.grad_N[a][l] : 0.0;
+              const double vlk = l == i ? T.grad_N[a][k] : 0.0;
+              const S strain = 0.5 * (grad_u[k][l] + grad_u[l][k]);
+              row += 2.0 * viscosity * strain * (0.5 * (vkl + vlk));
+            }
+          R[3 * a + i] += dV * row;
+          R[12 + a] -= dV * tau / density * strong[i] * T.grad_N[a][i];
+        }
+        R[12 + a] -= dV * q.N[a] * (grad_u[0][0] + grad_u[1][1] + grad_u[2][2]);
+      }
+    }
+    return R;
+  }
+};
+
+}  // namespace tunica::oracle

@@ -1,0 +1,127 @@
+"""The folder of a run that never was: a tube with a travelling bulge."""
+import csv
+import json
+import os
+
+import h5py
+import numpy as np
+
+LENGTH, INNER, OUTER = 50.0, 5.0, 6.2
+AROUND, ALONG = 24, 40
+
+
+def prism_tets(wedges):
+    """Three tets for each wedge (a0 a1 a2 | b0 b1 b2); the diagonals follow the point numbers."""
+    tets = []
+    for wedge in wedges:
+        a, b = wedge[:3], wedge[3:]
+        order = np.argsort(a)
+        a, b = a[order], b[order]
+        tets += [(a[0], a[1], a[2], b[2]), (a[0], a[1], b[2], b[1]), (a[0], b[1], b[2], b[0])]
+    return np.array(tets)
+
+
+def tube(radii, with_axis):
+    """Rings of points at the radii, extruded along z; with_axis fills the innermost ring."""
+    angle = 2 * np.pi * np.arange(AROUND) / AROUND
+    disc = np.concatenate([np.stack([r * np.cos(angle), r * np.sin(angle)], 1) for r in radii])
+    triangles = []
+    for ring in range(len(radii) - 1):
+        for i in range(AROUND):
+            j = (i + 1) % AROUND
+            p, q = ring * AROUND, (ring + 1) * AROUND
+            triangles += [(p + i, q + i, q + j), (p + i, q + j, p + j)]
+    if with_axis:
+        triangles += [(len(disc), i, (i + 1) % AROUND) for i in range(AROUND)]
+        disc = np.vstack([disc, [0.0, 0.0]])
+    z = np.linspace(0, LENGTH, ALONG + 1)
+    points = np.concatenate([np.column_stack([disc, np.full(len(disc), h)]) for h in z])
+    layers = [np.hstack([np.array(triangles) + k * len(disc), np.array(triangles) + (k + 1) * len(disc)])
+              for k in range(ALONG)]
+    return points, prism_tets(np.concatenate(layers))
+
+
+def wave(points, time):
+    """Radial displacement of a pulse that travels along z."""
+    pulse = np.exp(-(((points[:, 2] - 3.0 * time) / 6.0) ** 2))
+    radius = np.maximum(np.hypot(points[:, 0], points[:, 1]), 1e-12)
+    size = 0.12 * np.where(radius < INNER, radius / INNER, INNER / radius) * pulse
+    return np.column_stack([size * points[:, 0] / radius, size * points[:, 1] / radius, 0 * size])
+
+
+def write_fields(path, grids, times, stress_at_cells):
+    meshes = {"fluid": tube([1.7, 3.4, INNER], True), "wall": tube([INNER, 5.6, OUTER], False)}
+    with h5py.File(path, "w") as file:
+        for grid in grids:
+            file[f"{grid}/points"], file[f"{grid}/tets"] = meshes[grid]
+        for number, time in enumerate(times):
+            step = file.create_group(f"step_{4 * number:06d}")
+            step.attrs["step"], step.attrs["time"] = 4 * number, time
+            if "fluid" in grids:
+                p = meshes["fluid"][0]
+                r = np.hypot(p[:, 0], p[:, 1])
+                pulse = np.exp(-(((p[:, 2] - 3.0 * time) / 6.0) ** 2))
+                step["fluid/mesh_displacement"] = wave(p, time)
+                step["fluid/velocity"] = np.column_stack([0 * r, 0 * r, 0.3 * pulse * (1 - (r / INNER) ** 2)])
+                step["fluid/pressure"] = 1.3 * pulse
+            if "wall" in grids:
+                p, t = meshes["wall"]
+                at = p[t].mean(axis=1) if stress_at_cells else p
+                pulse = np.exp(-(((at[:, 2] - 3.0 * time) / 6.0) ** 2))
+                step["wall/displacement"] = wave(p, time)
+                step["wall/von_mises"] = 9.0 * pulse * INNER / np.hypot(at[:, 0], at[:, 1])
+
+
+def write_table(path, heading, rows):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(heading.split(","))
+        writer.writerows(rows)
+
+
+def newton_rows(step, rounds, fields):
+    for k in range(1, rounds + 1):
+        for field in fields:
+            for i, increment in enumerate((1e-1, 2e-3, 3e-6, 1e-11), 1):
+                increment *= 0.3**k
+                yield [step, k, field, i, increment, increment / 5, increment * 0.1, 1.9 if i > 2 else "nan", 1.0]
+
+
+def linear_rows(step, rounds, fields):
+    for k in range(1, rounds + 1):
+        for field in fields:
+            for i in range(1, 5):
+                yield [step, k, field, i, "GMRES + block multigrid", 11 + i, 1e-6, 8e-7, 8.1e-7, 0.12, 0.31, 1]
+
+
+def write_run(folder, grids=("fluid", "wall"), stress_at_cells=False, steps=24):
+    os.makedirs(folder)
+    coupled = len(grids) == 2
+    with open(os.path.join(folder, "run.json"), "w", encoding="utf-8") as file:
+        json.dump({"program": "tunica-fsi", "status": "done", "started": "2024-01-01T10:00:00Z",
+                   "ended": "2024-01-01T11:00:00Z", "ranks": 4, "memory": {"peak of one rank [MB]": 312.4},
+                   "versions": {"tunica": "0.1.0", "MPI": "Open MPI v4.1.4"},
+                   "sizes": {"fluid points": 2993}, "timings": {"assembly": 12.25, "solve": 80.5}}, file)
+    rounds = lambda s: 6 + s % 3 if coupled else 1  # noqa: E731
+    rows = [[s, 0.5 * s, 1 if s != 17 else 0, rounds(s) if coupled else 0, 3e-7 if coupled else 0]
+            + [4 * rounds(s) if g in grids else 0 for g in ("fluid", "wall")]
+            + [50 * rounds(s) if g in grids else 0 for g in ("fluid", "wall")]
+            + [1.5, 0.12 + 0.01 * np.sin(s), 30 * np.exp(-(((s - 6) / 4) ** 2))] for s in range(1, steps + 1)]
+    write_table(os.path.join(folder, "steps.csv"),
+                "step,time,converged,coupling_iterations,interface_residual,fluid_newton,wall_newton,fluid_linear,"
+                "wall_linear,seconds,max_displacement_wall_mm,inflow_mm3_per_ms", rows)
+    if coupled:
+        write_table(os.path.join(folder, "coupling.csv"),
+                    "step,time,iteration,interface_residual,relaxation,columns,fluid_newton,wall_newton,fluid_linear,"
+                    "wall_linear",
+                    [[s, 0.5 * s, k, 0.1 * 0.12**k * (1 + 0.3 * np.sin(s * k)), 0.4 + 0.1 * np.cos(s + 2 * k), 0, 4, 4,
+                      50, 50] for s in range(1, steps + 1) for k in range(1, rounds(s) + 1)])
+    write_table(os.path.join(folder, "newton.csv"),
+                "step,coupling_iteration,field,iteration,increment,relative_increment,residual,exponent,step_length",
+                [r for s in range(1, steps + 1) for r in newton_rows(s, rounds(s), grids)])
+    write_table(os.path.join(folder, "linear.csv"),
+                "step,coupling_iteration,field,newton_iteration,method,iterations,tolerance,recurrence_residual,"
+                "true_residual,setup_seconds,solve_seconds,converged",
+                [r for s in range(1, steps + 1) for r in linear_rows(s, rounds(s), grids)])
+    write_fields(os.path.join(folder, "fields.h5"), grids, 2.0 * np.arange(steps // 4 + 1), stress_at_cells)
+    return folder

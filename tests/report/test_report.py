@@ -1,0 +1,111 @@
+"""tunica-report on synthetic runs: test_report.py PROGRAM SCRATCH_FOLDER"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+from matplotlib import image
+
+from synthetic_run import write_run
+
+PROGRAM, SCRATCH = sys.argv[1], sys.argv[2]
+ALL = {"section_velocity.png", "section_pressure.png", "radial_displacement.png", "coupling.png",
+       "iterations.png", "newton.png", "observables.png"}
+
+
+def report(folder, *options):
+    environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY", "MPLBACKEND")}
+    return subprocess.run([PROGRAM, folder, *options], capture_output=True, text=True, env=environment)
+
+
+class Report(unittest.TestCase):
+    def folder(self, name):
+        return os.path.join(SCRATCH, name)
+
+    def expect_page(self, folder, figures):
+        with open(os.path.join(folder, "index.html"), encoding="utf-8") as file:
+            page = file.read()
+        links = set(re.findall(r'(?:src|href)="([^"]+)"', page))
+        self.assertEqual(links, figures)
+        for name in links:
+            pixels = image.imread(os.path.join(folder, name))[:, :, :3]
+            self.assertGreater(min(pixels.shape[:2]), 300, name)
+            self.assertGreater((pixels.min(axis=2) < 0.9).mean(), 0.005, name)  # not blank
+            self.assertGreater(pixels.std(), 0.03, name)
+        return page
+
+    def expect_one_line(self, folder, text, *options):
+        result = report(folder, *options)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertIn(text, result.stderr)
+
+    def test_coupled_run_gives_every_figure(self):
+        run = write_run(self.folder("coupled"))
+        result = report(run)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        page = self.expect_page(os.path.join(run, "report"), ALL)
+        for text in ("1.90", "GMRES", "assembly", "coupling iteration", "Open MPI"):
+            self.assertIn(text, page)
+
+    def test_options_choose_times_step_factor_and_folder(self):
+        run = write_run(self.folder("options"), stress_at_cells=True)
+        output = self.folder("elsewhere")
+        result = report(run, "--times", "4,8.3", "--step", "5", "--magnify", "3", "--output", output)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        page = self.expect_page(output, ALL)
+        self.assertIn("magnified 3 times", page)
+        self.assertIn("step 5", page)
+
+    def test_single_field_gives_the_figures_that_make_sense(self):
+        wall = write_run(self.folder("wall"), grids=("wall",))
+        self.assertEqual(report(wall).returncode, 0)
+        self.expect_page(os.path.join(wall, "report"),
+                         {"section_wall.png", "radial_displacement.png", "iterations.png", "newton.png",
+                          "observables.png"})
+        fluid = write_run(self.folder("fluid"), grids=("fluid",))
+        self.assertEqual(report(fluid).returncode, 0)
+        self.expect_page(os.path.join(fluid, "report"),
+                         {"section_velocity.png", "section_pressure.png", "iterations.png", "newton.png",
+                          "observables.png"})
+
+    def test_run_of_one_step_gives_a_page(self):
+        run = write_run(self.folder("short"), steps=1)
+        result = report(run)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def test_bad_folder_is_one_line_and_status_1(self):
+        self.expect_one_line(self.folder("nowhere"), "is not a folder")
+        os.makedirs(self.folder("empty"))
+        self.expect_one_line(self.folder("empty"), "run.json is missing")
+
+    def test_bad_file_is_one_line_and_status_1(self):
+        cases = [("run.json", "{\"status\":", "not valid JSON"), ("run.json", None, "run.json is missing"),
+                 ("steps.csv", "", "steps.csv is empty"), ("steps.csv", "step,time\n", "has no rows"),
+                 ("newton.csv", None, "newton.csv is missing"), ("linear.csv", "a,b\n", "the first column"),
+                 ("coupling.csv", "", "coupling.csv is empty"), ("fields.h5", None, "fields.h5 is missing"),
+                 ("fields.h5", "no HDF5", "not a readable HDF5 file")]
+        for i, (name, content, text) in enumerate(cases):
+            with self.subTest(name=name, content=content):
+                run = write_run(self.folder(f"bad{i}"))
+                os.remove(os.path.join(run, name))
+                if content is not None:
+                    with open(os.path.join(run, name), "w", encoding="utf-8") as file:
+                        file.write(content)
+                self.expect_one_line(run, text)
+
+    def test_bad_option_is_one_line_and_status_1(self):
+        run = write_run(self.folder("bad_options"))
+        self.expect_one_line(run, "--times", "--times", "a,b")
+        self.expect_one_line(run, "--step 99", "--step", "99")
+        self.expect_one_line(run, "--magnify", "--magnify", "-1")
+        self.expect_one_line(run, "unrecognized", "--unknown")
+        self.expect_one_line(run, "cannot write", "--output", os.path.join(run, "run.json"))
+
+
+if __name__ == "__main__":
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+    os.makedirs(SCRATCH)
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,140 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "kernels/fluid_up.hpp"
+#include "oracle/fluid_weak_form.hpp"
+#include "oracle/samples.hpp"
+
+namespace {
+
+using namespace tunica;
+using kernels::FluidCoefficients;
+using kernels::FluidState;
+using oracle::Deviation;
+using oracle::Samples;
+
+const FluidCoefficients blood{1.06, 3.5e-3, 8.0};
+const FluidCoefficients variants[] = {blood, {1.0, 3.5e-3, 0.0}, {1.3, 0.5, 8.0}};
+
+struct Case {
+  std::array<Vec3, 4> x;
+  kernels::Tet4 T;
+  FluidState s;
+
+  explicit Case(Samples& samples) : x(samples.tetrahedron()), T(kernels::make_tet4(x)) {
+    s.u = samples.vectors(2.0);
+    s.p = samples.numbers(2.0);
+    s.u_old = samples.vectors(2.0);
+    s.w = samples.vectors(0.5);
+    s.f = samples.vectors(3.0);
+  }
+
+  oracle::FluidWeakForm weak_form(const FluidCoefficients& c, double tau) const {
+    return {oracle::Element(x), c.density, c.viscosity, c.inv_dt, tau, s.u_old, s.w, s.f};
+  }
+
+  template <class S>
+  std::array<S, 16> unknowns() const {
+    std::array<S, 16> y;
+    for (int a = 0; a < 4; ++a) {
+      for (int i = 0; i < 3; ++i) oracle::seed(y[3 * a + i], 3 * a + i, s.u[a][i]);
+      oracle::seed(y[12 + a], 12 + a, s.p[a]);
+    }
+    return y;
+  }
+};
+
+TEUCHOS_UNIT_TEST(FluidUp, residual_is_that_of_the_weak_form) {
+  Samples samples(21);
+  for (const FluidCoefficients& c : variants)
+    for (int trial = 0; trial < 5; ++trial) {
+      const Case test(samples);
+      const double tau = fluid_tau(test.T, test.s, c);
+      const auto expected = test.weak_form(c, tau).residual(test.unknowns<double>());
+      const auto R = fluid_up_residual(test.T, test.s, c, tau);
+      Deviation of_u, of_p;
+      for (int a = 0; a < 4; ++a) {
+        for (int i = 0; i < 3; ++i) of_u.add(R.u[a][i], expected[3 * a + i]);
+        of_p.add(R.p[a], expected[12 + a]);
+      }
+      TEST_COMPARE(of_u.relative(), <, 1e-12);
+      TEST_COMPARE(of_p.relative(), <, 1e-12);
+    }
+}
+
+TEUCHOS_UNIT_TEST(FluidUp, jacobian_is_derivative_of_residual) {
+  Samples samples(22);
+  for (const FluidCoefficients& c : variants)
+    for (int trial = 0; trial < 5; ++trial) {
+      const Case test(samples);
+      const double tau = fluid_tau(test.T, test.s, c);
+      const auto expected = test.weak_form(c, tau).residual(test.unknowns<oracle::First<16>>());
+      kernels::MixedResidual R;
+      kernels::MixedJacobian K;
+      fluid_up_jacobian(test.T, test.s, c, tau, R, K);
+      Deviation A, B1T, B2, mC, of_R;
+      for (int a = 0; a < 4; ++a) {
+        of_R.add(R.p[a], expected[12 + a].val());
+        for (int i = 0; i < 3; ++i) of_R.add(R.u[a][i], expected[3 * a + i].val());
+        for (int b = 0; b < 4; ++b) {
+          mC.add(K.mC[a][b], expected[12 + a].dx(12 + b));
+          for (int i = 0; i < 3; ++i) {
+            B1T.add(K.B1T[a][b][i], expected[3 * a + i].dx(12 + b));
+            B2.add(K.B2[a][b][i], expected[12 + a].dx(3 * b + i));
+            for (int j = 0; j < 3; ++j) A.add(K.A[a][b][i][j], expected[3 * a + i].dx(3 * b + j));
+          }
+        }
+      }
+      TEST_COMPARE(of_R.relative(), <, 1e-12);
+      TEST_COMPARE(A.relative(), <, 1e-12);
+      TEST_COMPARE(B1T.relative(), <, 1e-12);
+      TEST_COMPARE(B2.relative(), <, 1e-12);
+      TEST_COMPARE(mC.relative(), <, 1e-12);
+    }
+}
+
+TEUCHOS_UNIT_TEST(FluidUp, uniform_flow_on_a_moving_mesh_has_no_residual) {
+  Samples samples(23);
+  for (int trial = 0; trial < 10; ++trial) {
+    Case test(samples);
+    const Vec3 uniform = samples.vector(2.0);
+    test.s.u = test.s.u_old = {uniform, uniform, uniform, uniform};
+    test.s.p = {0, 0, 0, 0};
+    test.s.f = {};
+    const double tau = fluid_tau(test.T, test.s, blood);
+    const auto R = fluid_up_residual(test.T, test.s, blood, tau);
+    for (int a = 0; a < 4; ++a) {
+      TEST_COMPARE(norm(R.u[a]), <, 1e-15);
+      TEST_COMPARE(std::abs(R.p[a]), <, 1e-15);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(FluidUp, rigid_rotation_meets_no_viscous_force) {
+  Samples samples(24);
+  Case test(samples);
+  const Vec3 spin = samples.vector(2.0);
+  for (int a = 0; a < 4; ++a) test.s.u[a] = cross(spin, test.x[a]);
+  test.s.w = test.s.u_old = test.s.u;  // no convection, no acceleration
+  test.s.p = {0, 0, 0, 0};
+  test.s.f = {};
+  const auto R = fluid_up_residual(test.T, test.s, {1.0, 1.0, 8.0}, 0.05);
+  for (int a = 0; a < 4; ++a) {
+    TEST_COMPARE(norm(R.u[a]), <, 1e-14);
+    TEST_COMPARE(std::abs(R.p[a]), <, 1e-14);
+  }
+}
+
+TEUCHOS_UNIT_TEST(FluidUp, tau_tends_to_its_three_limits) {
+  Samples samples(25);
+  Case test(samples);
+  const double h = kernels::element_length(test.T.volume);
+  const Vec3 c{3, 0, 4};
+  test.s.u_old = {c, c, c, c};
+  test.s.w = {};
+  TEST_FLOATING_EQUALITY(fluid_tau(test.T, test.s, {1.0, 0.0, 1e6}), 5e-7, 1e-8);
+  TEST_FLOATING_EQUALITY(fluid_tau(test.T, test.s, {1.0, 0.0, 0.0}), h / 10.0, 1e-13);
+  test.s.w = test.s.u_old;
+  TEST_FLOATING_EQUALITY(fluid_tau(test.T, test.s, {2.0, 0.5, 0.0}), h * h, 1e-13);
+}
+
+}  // namespace

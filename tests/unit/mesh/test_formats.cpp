@@ -1,0 +1,188 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <iterator>
+#include <sstream>
+
+#include "helpers.hpp"
+#include "mesh/faces.hpp"
+#include "mesh/gmsh.hpp"
+#include "mesh/hdf5.hpp"
+#include "mesh/read.hpp"
+#include "mesh/text_scanner.hpp"
+#include "mesh/write.hpp"
+
+using namespace tunica::mesh;
+
+namespace {
+
+const std::string nodes =
+    "$Nodes\n5\n10 0 0 0\n20 1 0 0\n30 0 1 0\n40 0 0 1\n50 9 9 9\n$EndNodes\n";
+const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+
+/// One tetrahedron in Gmsh 2.2 with sparse numbers, tags and an unused node.
+std::string one_tet(const std::string& corners) {
+  return head + nodes +
+         "$Elements\n6\n1 15 2 0 1 50\n2 2 2 11 1 10 20 30\n3 2 2 11 1 10 20 40\n"
+         "4 2 2 0 1 10 30 40\n5 2 2 -11 1 20 30 40\n77 4 2 7 1 " +
+         corners + "\n$EndElements\n";
+}
+
+Mesh read_text_as(const std::string& name, const std::string& text) {
+  const TemporaryFile file(name);
+  file.fill(text);
+  return read(file.path);
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, netgen_and_gmsh_files_of_one_mesh_agree) {
+  const Mesh gmsh = read(data_folder + "/mesh-tube-small.msh");
+  const Mesh netgen = read(data_folder + "/mesh-tube-small.vol");
+  TEST_EQUALITY(gmsh.vertices.size(), 647u);
+  TEST_EQUALITY(gmsh.tets.size(), 3031u);
+  TEST_ASSERT(gmsh.vertices == netgen.vertices);
+  TEST_ASSERT(gmsh.tet_region == netgen.tet_region);
+  TEST_ASSERT(gmsh.triangles == netgen.triangles);
+  TEST_ASSERT(gmsh.triangle_surface == netgen.triangle_surface);
+  for (std::size_t t = 0; t < gmsh.tets.size(); ++t) {
+    auto a = gmsh.tets[t], b = netgen.tets[t];
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    TEST_ASSERT(a == b);
+  }
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, round_trips_are_exact) {
+  for (const Mesh& mesh : {make_tube(Tube()), read(data_folder + "/mesh-tube-small.msh")}) {
+    const TemporaryFile h5("round.h5"), v22("round22.msh");
+    write(mesh, h5.path);
+    write(mesh, v22.path);
+    TEST_ASSERT(are_identical(read(h5.path), mesh));
+    TEST_ASSERT(are_identical(read(v22.path), mesh));
+  }
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, gmsh_41_groups_elements_and_keeps_the_mesh) {
+  const Mesh mesh = read(data_folder + "/mesh-tube-small.msh");
+  const TemporaryFile v41("round41.msh"), again("again41.msh");
+  write_gmsh(mesh, v41.path, GmshVersion::v41);
+  const Mesh grouped = read(v41.path);
+  TEST_ASSERT(grouped.vertices == mesh.vertices);
+  auto sorted = [](const Mesh& m) {
+    std::vector<std::pair<std::array<int, 4>, int>> tets;
+    for (std::size_t t = 0; t < m.tets.size(); ++t) tets.emplace_back(m.tets[t], m.tet_region[t]);
+    std::sort(tets.begin(), tets.end());
+    return tets;
+  };
+  TEST_ASSERT(sorted(grouped) == sorted(mesh));
+  write_gmsh(grouped, again.path, GmshVersion::v41);
+  TEST_ASSERT(are_identical(read(again.path), grouped));
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, partition_survives_the_hdf5_file) {
+  const Mesh mesh = make_tube(Tube());
+  const Partition parts = partition(mesh, 3, {true, false, false});
+  const TemporaryFile file("parts.h5"), plain("plain.h5");
+  write(mesh, file.path, &parts);
+  write(mesh, plain.path);
+  TEST_ASSERT(are_identical(read(file.path), mesh));
+  TEST_ASSERT(read_hdf5_partition(file.path)->tet_part == parts.tet_part);
+  TEST_ASSERT(read_hdf5_partition(file.path)->vertex_owner == parts.vertex_owner);
+  TEST_ASSERT(!read_hdf5_partition(plain.path));
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, vtu_holds_every_cell_with_its_tag) {
+  const Mesh mesh = make_tube(smallest_tube());
+  const TemporaryFile file("cells.vtu");
+  write(mesh, file.path);
+  const std::string text = read_text(file.path);
+  const auto values_of = [&](const std::string& name) {
+    const std::size_t start = text.find('\n', text.find("Name=\"" + name + "\""));
+    std::istringstream in(text.substr(start, text.find("</DataArray>", start) - start));
+    return std::vector<double>(std::istream_iterator<double>(in), std::istream_iterator<double>());
+  };
+  const std::size_t cells = mesh.tets.size() + mesh.triangles.size();
+  TEST_EQUALITY(values_of("points").size(), 3 * mesh.vertices.size());
+  TEST_EQUALITY(values_of("connectivity").size(), 4 * mesh.tets.size() + 3 * mesh.triangles.size());
+  TEST_EQUALITY(values_of("offsets").back(), 4.0 * mesh.tets.size() + 3.0 * mesh.triangles.size());
+  for (const std::string name : {"offsets", "types", "region", "surface"})
+    TEST_EQUALITY(values_of(name).size(), cells);
+  TEST_EQUALITY(values_of("region")[0], mesh.regions[mesh.tet_region[0]].id);
+  TEST_EQUALITY(values_of("surface").back(), mesh.surfaces[mesh.triangle_surface.back()].id);
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, gmsh_numbers_may_have_gaps_and_tags_may_have_no_names) {
+  const Mesh mesh = read_text_as("one.msh", one_tet("10 20 30 40"));
+  TEST_EQUALITY(mesh.vertices.size(), 4u);
+  TEST_EQUALITY(mesh.regions[0].name, "region-7");
+  TEST_EQUALITY(mesh.surfaces[0].name, "surface-0");
+  TEST_EQUALITY(mesh.surfaces[1].name, "surface-11");
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, negative_tetrahedra_are_flipped_if_all_are) {
+  const Mesh mesh = read_text_as("flip.msh", one_tet("10 20 40 30"));
+  TEST_FLOATING_EQUALITY(volume(mesh, 0), 1.0 / 6.0, 1e-15);
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, inverted_element_is_named_by_its_number_in_the_file) {
+  std::string text = read_text(data_folder + "/mesh-tube-small.msh");
+  const std::string last = "4261 4 2 3 3 24 43 422 44";
+  text.replace(text.find(last), last.size(), "4261 4 2 3 3 24 43 44 422");
+  TEST_ASSERT(fails_with("inverted element: element 4261 of region \"adventitia\"", out,
+                         [&] { read_text_as("inverted.msh", text); }));
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, untagged_triangles_inside_are_dropped) {
+  Mesh mesh = make_tube(Tube());
+  const std::size_t before = mesh.triangles.size();
+  for (Tag& tag : mesh.surfaces)
+    if (tag.name == "layer" || tag.name == "inlet") tag.id = tag.name == "layer" ? 0 : 50;
+  const TemporaryFile file("layer.msh");
+  write(mesh, file.path);
+  const Mesh found = read(file.path);
+  const auto layer = std::count_if(mesh.triangle_surface.begin(), mesh.triangle_surface.end(),
+                                   [&](int s) { return mesh.surfaces[s].name == "layer"; });
+  TEST_ASSERT(layer > 0);
+  TEST_EQUALITY(found.triangles.size(), before - layer);
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, unsupported_files_say_what_to_do) {
+  const auto fails = [&](const std::string& part, const std::string& text) {
+    return fails_with(part, out, [&] { read_text_as("odd.msh", text); });
+  };
+  TEST_ASSERT(fails("expected ASCII", "$MeshFormat\n4.1 1 8\n"));
+  TEST_ASSERT(fails("Gmsh version 4.0", "$MeshFormat\n4 0 8\n$EndMeshFormat\n"));
+  TEST_ASSERT(fails("expected $MeshFormat", "something else"));
+  TEST_ASSERT(fails("Gmsh type 11", head + nodes + "$Elements\n1\n1 11 2 1 1 10 20 30 40 10 20\n"));
+  TEST_ASSERT(fails(":7: found \"1.x\"", head + "$Nodes\n2\n1 0 0 0\n2 1.x 0 0\n$EndNodes\n"));
+  TEST_ASSERT(
+      fails("second node with the number 1", head + "$Nodes\n2\n1 0 0 0\n1 1 0 0\n$EndNodes"));
+  TEST_ASSERT(fails("can hold only", head + "$Nodes\n2000000000\n1 0 0 0\n"));
+  TEST_ASSERT(fails("expected 0 or more", head + "$Nodes\n-3\n1 0 0 0\n"));
+  TEST_ASSERT(fails("node 60 is not in $Nodes", one_tet("10 20 30 60")));
+  TEST_ASSERT(fails("partitioned", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PartitionedEntities\n"));
+  TEST_ASSERT(fails("2 physical groups",
+                    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n"
+                    "1 0 0 0 1 1 1 2 5 6 0\n$EndEntities\n"));
+  TEST_ASSERT(fails_with("no such file", out, [] { read("/nowhere/tube.msh"); }));
+  TEST_ASSERT(fails_with("not a mesh", out, [] { read(data_folder); }));
+  TEST_ASSERT(fails_with("not a mesh", out, [&] { read_text_as("odd.txt", "hello"); }));
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, failed_write_leaves_nothing) {
+  const Mesh mesh = make_tube(smallest_tube());
+  TEST_ASSERT(fails_with("folder does not exist", out, [&] { write(mesh, "/nowhere/a.h5"); }));
+  TEST_ASSERT(fails_with("unknown extension", out, [&] { write(mesh, "a.stl"); }));
+  const TemporaryFile folder("folder.h5");
+  std::filesystem::create_directory(folder.path);
+  TEST_ASSERT(fails_with("is a directory", out, [&] { write(mesh, folder.path); }));
+  TEST_ASSERT(std::filesystem::is_empty(folder.path));
+  for (const char* name : {"full.h5", "full.msh", "full.vtu"}) {
+    if (!std::filesystem::exists("/dev/full")) continue;
+    const TemporaryFile target(name);
+    const std::string part = target.path + ".part" + std::to_string(::getpid());
+    std::filesystem::create_symlink("/dev/full", part);
+    TEST_THROW(write(mesh, target.path), tunica::Error);
+    TEST_ASSERT(!std::filesystem::exists(target.path));
+    TEST_ASSERT(!std::filesystem::exists(std::filesystem::symlink_status(part)));
+  }
+}
+
+}  // namespace

@@ -1,0 +1,87 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "output/run_folder.hpp"
+#include "output/run_record.hpp"
+#include "scratch.hpp"
+
+namespace tunica::output::test {
+
+namespace {
+
+nlohmann::json parse(const std::string& path) { return nlohmann::json::parse(content(path)); }
+
+std::string record_file(const std::string& folder) {
+  return RunFolder(scratch(folder), world()).file("run.json");
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(run_record, tells_what_the_run_was) {
+  const std::string path = record_file("record");
+  RunRecord record(path, "tunica-fsi", "0.1.0", world());
+  record.set("sizes", "fluid points", 12345LL);
+  record.set("sizes", "fluid points", 54321LL);
+  record.set("case", "name", "a \"tube\"\n");
+  record.set("case", "dynamic", true);
+  record.set("case", "undefined", std::numeric_limits<double>::quiet_NaN());
+  record.add_time("assembly", 1.5);
+  record.add_time("assembly", 0.5);
+  record.save();
+
+  const auto json = parse(path);
+  TEST_EQUALITY(json["program"].get<std::string>(), "tunica-fsi");
+  TEST_EQUALITY(json["status"].get<std::string>(), "running");
+  TEST_ASSERT(json["ended"].is_null());
+  TEST_EQUALITY(json["ranks"].get<int>(), world()->getSize());
+  TEST_EQUALITY(json["sizes"]["fluid points"].get<long long>(), 54321LL);
+  TEST_EQUALITY(json["case"]["name"].get<std::string>(), "a \"tube\"\n");
+  TEST_ASSERT(json["case"]["dynamic"].get<bool>());
+  TEST_ASSERT(json["case"]["undefined"].is_null());
+  TEST_EQUALITY(json["timings"]["assembly"].get<double>(), 2.0);
+  for (const char* name : {"tunica", "Trilinos", "MPI", "HDF5", "compiler"}) {
+    TEST_ASSERT(!json["versions"][name].get<std::string>().empty());
+  }
+  world()->barrier();  // nobody replaces the file while another reads
+  record.finish(RunStatus::done);
+}
+
+TEUCHOS_UNIT_TEST(run_record, tells_how_the_run_ended) {
+  const std::string path = record_file("ended");
+  RunRecord record(path, "tunica-fsi", "0.1.0", world());
+  record.save();
+  record.finish(RunStatus::not_converged, "step 3: 40 coupling iterations");
+
+  const auto json = parse(path);
+  TEST_EQUALITY(json["status"].get<std::string>(), "not converged");
+  TEST_EQUALITY(json["message"].get<std::string>(), "step 3: 40 coupling iterations");
+  TEST_ASSERT(json["ended"].get<std::string>() >= json["started"].get<std::string>());
+  const double one = json["memory"]["peak of one rank [MB]"];
+  const double all = json["memory"]["peak of all ranks [MB]"];
+  TEST_COMPARE(one, >, 1.0);
+  TEST_COMPARE(all, >=, one);
+  TEST_COMPARE(all, <=, one * world()->getSize() * (1.0 + 1e-12));
+  TEST_ASSERT(!std::filesystem::exists(path + ".tmp"));
+}
+
+TEUCHOS_UNIT_TEST(run_record, that_nobody_finished_says_failed) {
+  const std::string path = record_file("abandoned");
+  { RunRecord(path, "tunica-fsi", "0.1.0", world()).save(); }
+  world()->barrier();
+  TEST_EQUALITY(parse(path)["status"].get<std::string>(), "failed");
+}
+
+TEUCHOS_UNIT_TEST(run_record, refuses_a_section_with_the_name_of_a_fixed_entry) {
+  RunRecord record(record_file("names"), "tunica-fsi", "0.1.0", world());
+  TEST_THROW(record.set("status", "key", 1), std::logic_error);
+  record.finish(RunStatus::done);
+}
+
+TEUCHOS_UNIT_TEST(run_record, unwritable_file_is_an_error_on_all_ranks) {
+  RunRecord record("/proc/run.json", "tunica-fsi", "0.1.0", world());
+  TEST_THROW(record.save(), std::runtime_error);
+  TEST_THROW(record.finish(RunStatus::done), std::runtime_error);
+}
+
+}  // namespace tunica::output::test
