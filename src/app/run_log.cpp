@@ -1,6 +1,7 @@
 #include "app/run_log.hpp"
 
 #include <cstdio>
+#include <sstream>
 
 #include "fields/reduce.hpp"
 
@@ -91,6 +92,29 @@ StepSummary summary_of(const coupling::Report& report) {
           report.newton_steps(&Iteration::wall),
           report.linear_iterations(&Iteration::fluid),
           report.linear_iterations(&Iteration::wall)};
+}
+
+StepSummary fluid_summary(const nonlinear::NewtonReport& report) {
+  StepSummary summary;
+  summary.is_converged = report.is_converged;
+  summary.fluid_newton = static_cast<int>(report.steps.size());
+  summary.fluid_linear = report.linear_iterations();
+  return summary;
+}
+
+StepSummary wall_summary(const nonlinear::NewtonReport& report) {
+  StepSummary summary;
+  summary.is_converged = report.is_converged;
+  summary.wall_newton = static_cast<int>(report.steps.size());
+  summary.wall_linear = report.linear_iterations();
+  return summary;
+}
+
+std::string failure(const stepping::Clock& clock, const std::string& field,
+                    const nonlinear::NewtonReport& report) {
+  std::ostringstream text;
+  text << "time " << clock.time() << " ms: Newton's method of " << field << ": " << report.reason;
+  return text.str();
 }
 
 problems::Observables joined(const std::vector<problems::Observables>& parts) {

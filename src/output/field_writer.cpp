@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "output/agreement.hpp"
+#include "base/agreement.hpp"
 #include "output/atomic_file.hpp"
 #include "output/hdf5_file.hpp"
 

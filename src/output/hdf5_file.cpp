@@ -9,7 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "output/agreement.hpp"
+#include "base/agreement.hpp"
 
 namespace tunica::output {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
-#include "output/agreement.hpp"
+#include "base/agreement.hpp"
 #include "output/atomic_file.hpp"
 
 namespace tunica::output {

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "output/agreement.hpp"
+#include "base/agreement.hpp"
 #include "output/atomic_file.hpp"
 
 namespace tunica::output {

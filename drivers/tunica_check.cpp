@@ -1,0 +1,64 @@
+// Validates a case and everything it names, and solves nothing.
+//
+//   tunica-check xml/pulse.xml
+//   tunica-check --reference > xml/PARAMETERS.md
+
+#include <Tpetra_Core.hpp>
+#include <iostream>
+
+#include "app/case.hpp"
+#include "app/domain.hpp"
+#include "app/exit_status.hpp"
+#include "app/schema.hpp"
+#include "base/error.hpp"
+#include "params/read_xml.hpp"
+
+namespace {
+
+using namespace tunica;
+
+/// A case names its fields by its lists.
+params::Table table_for(const std::string& file) {
+  const Teuchos::ParameterList list = params::read_xml(file);
+  if (list.isSublist("Fluid") && !list.isSublist("Wall")) return app::fluid_table();
+  if (list.isSublist("Wall") && !list.isSublist("Fluid")) return app::solid_table();
+  return app::fsi_table();
+}
+
+void print_reference() {
+  std::cout << "# Parameters\n\n"
+               "Printed by `tunica-check --reference`. `tunica-fsi` reads all lists, "
+               "`tunica-solid` leaves out Fluid,\nMesh Motion and Coupling, `tunica-fluid` "
+               "leaves out Wall, Mesh Motion and Coupling.\n\n";
+  app::fsi_table().print_markdown(std::cout, "Case");
+}
+
+int check(const app::CommandLine& command) {
+  const CommPtr comm = Tpetra::getDefaultComm();
+  const Teuchos::ParameterList list =
+      app::read_case(command, table_for(command.case_file), *comm);
+  app::load_domain(list, comm);
+  std::cout << command.case_file << ": the case and its mesh are valid." << std::endl;
+  return app::exit_done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string name = "tunica-check", sentence = "Validates a case and solves nothing.";
+  Tpetra::ScopeGuard scope(&argc, &argv);
+  try {
+    const app::CommandLine command = app::parse(argc, argv, name, sentence);
+    if (command.help) std::cout << app::usage(name, sentence);
+    if (command.reference) print_reference();
+    if (command.print_defaults) app::fsi_table().print_xml(std::cout, "Case");
+    if (command.help || command.reference || command.print_defaults) return app::exit_done;
+    return check(command);
+  } catch (const tunica::Error& error) {
+    std::cerr << name << ": " << error.what() << std::endl;
+    return app::exit_bad_input;
+  } catch (const std::exception& error) {
+    std::cerr << name << ": " << error.what() << std::endl;
+    return app::exit_fault;
+  }
+}

@@ -1,0 +1,47 @@
+// Solves a fluid alone in a rigid domain.
+//
+//   tunica-fluid xml/poiseuille.xml --output results/poiseuille
+
+#include "app/field_output.hpp"
+#include "app/probes.hpp"
+#include "app/run.hpp"
+#include "app/run_log.hpp"
+#include "app/schema.hpp"
+
+namespace {
+
+using namespace tunica;
+
+app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain,
+                   app::RunOutput& output) {
+  // 1. The fluid and what is written of it.
+  problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
+  stepping::Clock clock(list.sublist("Time"));
+  const app::Probes probes(list.sublist("Probes"), &*domain.fluid, nullptr);
+  const CommPtr comm = domain.fluid->comm;
+  app::RunLog log(output.folder, comm->getRank() == 0, clock.steps());
+  app::FieldSeries fields(output, {app::grid_of(*domain.fluid, "fluid")}, comm);
+
+  // 2. March.
+  for (; !clock.is_done(); clock.advance()) {
+    fluid.begin_step(clock);
+    const nonlinear::NewtonReport report = fluid.solve();
+    log.newton({clock.step(), clock.time(), 0}, "fluid", report);
+    log.step({clock.step(), clock.time(), 0}, app::fluid_summary(report),
+             app::joined({fluid.observe(), probes.observe(&fluid, nullptr)}));
+    if (!report.is_converged) return {false, app::failure(clock, "the fluid", report)};
+    fluid.end_step();
+    if (fields.is_due(clock)) fields.write(clock, {{"fluid", app::fluid_arrays(fluid, {}), {}}});
+  }
+  app::record_assembly(output.record, "fluid", fluid.jacobian_meter(), *comm);
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return tunica::app::run_program(
+      argc, argv,
+      {"tunica-fluid", "Solves a fluid alone in a rigid domain.", tunica::app::fluid_table()},
+      march);
+}

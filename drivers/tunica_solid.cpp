@@ -1,0 +1,46 @@
+// Solves a wall alone, static or dynamic.
+//
+//   tunica-solid xml/inflation.xml --output results/inflation
+
+#include "app/field_output.hpp"
+#include "app/probes.hpp"
+#include "app/run.hpp"
+#include "app/run_log.hpp"
+#include "app/schema.hpp"
+
+namespace {
+
+using namespace tunica;
+
+app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain,
+                   app::RunOutput& output) {
+  // 1. The wall and what is written of it.
+  problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
+  stepping::Clock clock(list.sublist("Time"));
+  const app::Probes probes(list.sublist("Probes"), nullptr, &*domain.wall);
+  const CommPtr comm = domain.wall->comm;
+  app::RunLog log(output.folder, comm->getRank() == 0, clock.steps());
+  app::FieldSeries fields(output, {app::grid_of(*domain.wall, "wall")}, comm);
+
+  // 2. March; in statics each step is an equilibrium.
+  for (; !clock.is_done(); clock.advance()) {
+    wall.begin_step(clock);
+    const nonlinear::NewtonReport report = wall.solve();
+    log.newton({clock.step(), clock.time(), 0}, "wall", report);
+    log.step({clock.step(), clock.time(), 0}, app::wall_summary(report),
+             app::joined({wall.observe(), probes.observe(nullptr, &wall)}));
+    if (!report.is_converged) return {false, app::failure(clock, "the wall", report)};
+    wall.end_step();
+    if (fields.is_due(clock))
+      fields.write(clock, {{"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});
+  }
+  app::record_assembly(output.record, "wall", wall.jacobian_meter(), *comm);
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return tunica::app::run_program(
+      argc, argv, {"tunica-solid", "Solves a wall alone.", tunica::app::solid_table()}, march);
+}
