@@ -16,8 +16,10 @@ struct Tag {
 /// A whole tetrahedral mesh of fluid and wall on one rank. Lengths in the user's unit (mm).
 ///
 /// Tetrahedra are positively oriented. Triangles cover every outer face and the interface
-/// between fluid and wall; each belongs to exactly one surface. Fluid and wall share the
-/// vertices of the interface.
+/// between fluid and wall; each belongs to exactly one surface. Further triangles between
+/// tetrahedra are permitted (the boundary of media and adventitia). The order of a triangle's
+/// vertices says nothing about its sides. Fluid and wall share the vertices of the interface.
+/// validate.hpp checks all this.
 struct Mesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<int, 4>> tets;

@@ -107,16 +107,16 @@ void FluidProblem::impose_velocities() {
     }
 }
 
-void FluidProblem::update_elements() {
+void FluidProblem::prepare() {
+  local_.p.resize(mesh_->n_nodes());
+  impose_velocities();
   elements_.tau = assembly::fluid_taus(*mesh_, elements_, local_);
   if (body_force_)
     for (int a = 0; a < mesh_->n_nodes(); ++a) local_.f[a] = body_force_(position_[a], time_);
 }
 
 nonlinear::NewtonReport FluidProblem::solve() {
-  local_.p.resize(mesh_->n_nodes());
-  impose_velocities();
-  update_elements();
+  prepare();
   return solve_newton(*this, newton_, x_);
 }
 

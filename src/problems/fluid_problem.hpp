@@ -26,6 +26,9 @@ public:
   /// Moves the mesh to the displacement d of all local nodes; the mesh velocity and the
   /// velocity on the interface are (d − d_old)/Δt. Says which element is inverted, if one is.
   std::optional<std::string> set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_old);
+  /// Imposes the prescribed velocities and fixes what stays constant in a Newton solve, which
+  /// solve() does by itself.
+  void prepare();
   nonlinear::NewtonReport solve();
   /// Accepts the present state as that of the new time.
   void end_step();
@@ -64,7 +67,6 @@ private:
   Vec3 prescribed_velocity(int node, const FlowCondition& condition, int surface) const;
   void assemble(const fields::BlockVector& x, assembly::BlockAssembler* K);
   void add_surface_terms(assembly::BlockAssembler* K);
-  void update_elements();
 
   FluidOptions options_;
   nonlinear::NewtonOptions newton_;

@@ -76,6 +76,29 @@ TEUCHOS_UNIT_TEST(mesh_formats, gmsh_41_groups_elements_and_keeps_the_mesh) {
   TEST_ASSERT(are_identical(read(again.path), grouped));
 }
 
+/// As Gmsh writes it: points and curves with groups and ends, parametric nodes, empty blocks,
+/// and a section that plays no role.
+const std::string as_gmsh_41 =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n0 5 \"corner\"\n2 11 \"the skin\"\n"
+    "3 7 \"fluid\"\n$EndPhysicalNames\n$Entities\n2 1 2 1\n1 0 0 0 1 5 \n2 1 0 0 0 \n"
+    "1 0 0 0 1 0 0 2 8 9 2 1 -2 \n1 0 0 0 1 1 0 1 11 1 1 \n2 0 0 0 1 1 1 1 -11 1 1 \n"
+    "3 0 0 0 1 1 1 1 7 2 1 -2 \n$EndEntities\n$Nodes\n5 4 1 9\n0 1 0 1\n1\n0 0 0\n0 2 0 1\n2\n"
+    "1 0 0\n1 1 1 0\n2 1 1 1\n3\n0 1 0 0.25 0.75\n3 3 0 1\n9\n0 0 1\n$EndNodes\n$Elements\n5 7 1 "
+    "7\n"
+    "0 1 15 1\n1 1 \n1 1 1 1\n2 1 2 \n2 1 2 1\n3 1 2 3 \n2 2 2 3\n4 1 2 9 \n5 1 3 9 \n6 2 3 9 \n"
+    "3 3 4 1\n7 1 2 3 9 \n$EndElements\n$NodeData\n1\n\"x\"\n$EndNodeData\n";
+
+TEUCHOS_UNIT_TEST(mesh_formats, gmsh_41_takes_the_groups_from_the_entities) {
+  const Mesh mesh = read_text_as("real41.msh", as_gmsh_41);
+  TEST_EQUALITY(mesh.vertices.size(), 4u);
+  TEST_EQUALITY(mesh.vertices[3][2], 1.0);
+  TEST_EQUALITY(mesh.tets.size(), 1u);
+  TEST_EQUALITY(mesh.regions[0].name, "fluid");
+  TEST_EQUALITY(mesh.triangles.size(), 4u);
+  TEST_EQUALITY(mesh.surfaces.size(), 1u);
+  TEST_EQUALITY(mesh.surfaces[0].name, "the skin");
+}
+
 TEUCHOS_UNIT_TEST(mesh_formats, partition_survives_the_hdf5_file) {
   const Mesh mesh = make_tube(Tube());
   const Partition parts = partition(mesh, 3, {true, false, false});

@@ -1,0 +1,79 @@
+// Tetrahedra per second of one whole assembly: gathering the state, element residuals and
+// Jacobians, scatter into the four matrices, surface terms, Dirichlet rows. One rank.
+//
+//   bench_assembly meshes/tube-coarse.h5
+
+#include <benchmark/benchmark.h>
+
+#include <Tpetra_Core.hpp>
+#include <memory>
+
+#include "app/domain.hpp"
+#include "app/schema.hpp"
+#include "params/read_xml.hpp"
+#include "problems/fluid_problem.hpp"
+#include "problems/solid_problem.hpp"
+
+namespace {
+
+using namespace tunica;
+
+/// The fields of a case in their initial state.
+struct Fields {
+  Teuchos::ParameterList list;
+  app::Domain domain;
+  std::unique_ptr<problems::FluidProblem> fluid;
+  std::unique_ptr<problems::SolidProblem> wall;
+
+  Fields(const std::string& case_file, const std::string& mesh)
+      : list(params::read_xml(case_file)) {
+    list.sublist("Mesh").set("file", mesh);
+    for (const char* field : {"Fluid", "Wall"})
+      list.sublist(field).sublist("Linear Solver") =
+          Teuchos::ParameterList("Linear Solver").set("preconditioner", "none");
+    app::fsi_table().resolve(list, "", "/");
+    domain = app::load_domain(list, Tpetra::getDefaultComm());
+    fluid = std::make_unique<problems::FluidProblem>(list.sublist("Fluid"), *domain.fluid);
+    wall = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), *domain.wall);
+    const stepping::Clock clock(list.sublist("Time"));
+    fluid->begin_step(clock);
+    wall->begin_step(clock);
+    const std::vector<Vec3> at_rest(domain.fluid->n_nodes());
+    fluid->set_domain(at_rest, at_rest);
+    fluid->prepare();
+  }
+};
+
+template <class Problem>
+void assemble(benchmark::State& state, Problem& problem) {
+  for (auto _ : state) problem.jacobian(problem.state());
+  state.SetItemsProcessed(static_cast<int64_t>(state.iterations()) *
+                          static_cast<int64_t>(problem.mesh().tets.size()));
+}
+
+template <class Problem>
+void residual(benchmark::State& state, Problem& problem) {
+  fields::BlockVector F(problem.mesh());
+  for (auto _ : state) problem.residual(problem.state(), F);
+  state.SetItemsProcessed(static_cast<int64_t>(state.iterations()) *
+                          static_cast<int64_t>(problem.mesh().tets.size()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard scope(&argc, &argv);
+  benchmark::Initialize(&argc, argv);
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: bench_assembly CASE.xml MESH\n");
+    return 1;
+  }
+  Fields fields(argv[1], argv[2]);
+  using benchmark::RegisterBenchmark;
+  RegisterBenchmark("wall residual and Jacobian", assemble<problems::SolidProblem>, std::ref(*fields.wall));
+  RegisterBenchmark("wall residual", residual<problems::SolidProblem>, std::ref(*fields.wall));
+  RegisterBenchmark("fluid residual and Jacobian", assemble<problems::FluidProblem>, std::ref(*fields.fluid));
+  RegisterBenchmark("fluid residual", residual<problems::FluidProblem>, std::ref(*fields.fluid));
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
