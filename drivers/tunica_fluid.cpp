@@ -30,7 +30,6 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
     log.step({clock.step(), clock.time(), 0}, app::fluid_summary(report),
              app::joined({fluid.observe(), probes.observe(&fluid, nullptr)}));
     if (!report.is_converged) return {false, app::failure(clock, "the fluid", report)};
-    fluid.end_step();
     if (fields.is_due(clock)) fields.write(clock, {{"fluid", app::fluid_arrays(fluid, {}), {}}});
   }
   app::record_assembly(output.record, "fluid", fluid.jacobian_meter(), *comm);

@@ -1,6 +1,6 @@
 // Marches a fluid-structure interaction problem in time.
 //
-//   tunica-fsi xml/pulse-tiny.xml --output results/pulse
+//   tunica-fsi xml/pulse.xml --output results/pulse
 //   mpirun -n 2 tunica-fsi xml/pulse-tiny.xml --steps 2 --set "Coupling/accelerator=aitken"
 
 #include "app/field_output.hpp"
@@ -43,6 +43,7 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report),
              app::joined({wall.observe(), fluid.observe(), probes.observe(&fluid, &wall)}));
     if (!report.is_accepted) return {false, report.reason};
+    if (!report.is_converged) log.warn(report.reason);
     if (fields.is_due(clock))
       fields.write(clock, {{"fluid", app::fluid_arrays(fluid, motion.displacement()), {}},
                            {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});

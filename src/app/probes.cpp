@@ -38,10 +38,13 @@ double wall_value(const std::string& quantity, const Vec3& x, const Vec3& d) {
 
 }  // namespace
 
-params::Table probe_table() {
+params::Table probe_table(bool has_fluid, bool has_wall) {
+  std::vector<std::string> quantities;
+  if (has_fluid) quantities.push_back(fluid_pressure);
+  if (has_wall) quantities.insert(quantities.end(), {wall_displacement, radial_displacement});
   params::Table table("A point whose value becomes a column of steps.csv.");
   table
-      .choice("quantity", std::nullopt, {fluid_pressure, wall_displacement, radial_displacement},
+      .choice("quantity", std::nullopt, quantities,
               "fluid pressure [kPa], length of the wall's displacement, or change of the "
               "distance from the z axis [mm]")
       .numbers("position", std::nullopt, params::any(), 3, "mm",
@@ -57,8 +60,7 @@ Probes::Probes(const Teuchos::ParameterList& list, const fields::FieldMesh* flui
     const auto& x = entry.get<Teuchos::Array<double>>("position");
     Probe probe{name, entry.get<std::string>("quantity"), {x[0], x[1], x[2]}, -1};
     const fields::FieldMesh* mesh = probe.quantity == fluid_pressure ? fluid : wall;
-    TUNICA_CHECK(mesh != nullptr, "Probes / " + name + ": \"quantity\" is \"" + probe.quantity +
-                                      "\", but the case has no such field.");
+    TUNICA_ASSERT(mesh != nullptr, "probe_table() permits only quantities of the case's fields");
     probe.node = nearest_node(*mesh, probe.position);
     if (probe.node >= 0) probe.position = mesh->x[probe.node];
     probes_.push_back(probe);

@@ -5,7 +5,8 @@
 
 namespace tunica::app {
 
-params::Table probe_table();
+/// The keys of a probe where the case has a fluid, a wall, or both.
+params::Table probe_table(bool has_fluid, bool has_wall);
 
 /// Values at the vertices nearest to given points of the undeformed mesh.
 class Probes {

@@ -56,6 +56,10 @@ void RunLog::open_steps(const problems::Observables& observables) {
   steps_table_ = std::make_unique<output::CsvTable>(steps_file_, columns, is_root_);
 }
 
+void RunLog::warn(const std::string& text) const {
+  if (is_root_) std::fprintf(stderr, "warning: %s\n", text.c_str());
+}
+
 void RunLog::step(const Moment& moment, const StepSummary& s,
                   const problems::Observables& observables) {
   if (!steps_table_) open_steps(observables);
@@ -77,8 +81,11 @@ void RunLog::print(const Moment& moment, const StepSummary& s, double seconds) c
   std::printf("step %d/%d  t %g ms", moment.step, steps_, moment.time);
   if (s.coupling_iterations > 0)
     std::printf("  coupling %d (|r| %.1e mm)", s.coupling_iterations, s.interface_residual);
-  if (s.fluid_newton > 0) std::printf("  fluid %d/%d", s.fluid_newton, s.fluid_linear);
-  if (s.wall_newton > 0) std::printf("  wall %d/%d", s.wall_newton, s.wall_linear);
+  const auto print_field = [](const char* name, int newton, int linear) {
+    if (newton > 0) std::printf("  %s %d Newton %d linear", name, newton, linear);
+  };
+  print_field("fluid", s.fluid_newton, s.fluid_linear);
+  print_field("wall", s.wall_newton, s.wall_linear);
   std::printf("  %.2f s, %.0f s left%s\n", seconds, left, s.is_converged ? "" : "  NOT CONVERGED");
   std::fflush(stdout);
 }

@@ -33,6 +33,8 @@ public:
   void newton(const Moment& moment, const std::string& field,
               const nonlinear::NewtonReport& report);
   void coupling(const Moment& moment, const coupling::Iteration& iteration);
+  /// A line on the screen for what the run goes on in spite of.
+  void warn(const std::string& text) const;
   void step(const Moment& moment, const StepSummary& summary,
             const problems::Observables& observables);
 

@@ -26,19 +26,20 @@ params::Table output_table() {
 }
 
 /// Keys that every case has.
-params::Table common_table(const std::string& sentence) {
+params::Table common_table(const std::string& sentence, bool has_fluid, bool has_wall) {
   params::Table table(sentence);
   table.sublist("Mesh", mesh_table())
       .sublist("Time", stepping::time_table())
       .sublist("Output", output_table())
-      .entries("Probes", probe_table(), "points whose values become columns of steps.csv");
+      .entries("Probes", probe_table(has_fluid, has_wall),
+               "points whose values become columns of steps.csv");
   return table;
 }
 
 }  // namespace
 
 params::Table fsi_table() {
-  params::Table table = common_table("A fluid-structure interaction problem.");
+  params::Table table = common_table("A fluid-structure interaction problem.", true, true);
   table.sublist("Fluid", problems::fluid_table())
       .sublist("Wall", problems::solid_table())
       .sublist("Mesh Motion", problems::mesh_motion_table())
@@ -47,13 +48,13 @@ params::Table fsi_table() {
 }
 
 params::Table solid_table() {
-  params::Table table = common_table("A wall alone.");
+  params::Table table = common_table("A wall alone.", false, true);
   table.sublist("Wall", problems::solid_table());
   return table;
 }
 
 params::Table fluid_table() {
-  params::Table table = common_table("A fluid alone, in a rigid domain.");
+  params::Table table = common_table("A fluid alone, in a rigid domain.", true, false);
   table.sublist("Fluid", problems::fluid_table());
   return table;
 }

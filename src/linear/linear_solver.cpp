@@ -104,7 +104,7 @@ public:
       : MergedSolver(K),
         options_{options.get<std::string>("method"), options.get<int>("max iterations"),
                  options.isParameter("restart") ? options.get<int>("restart") : 0},
-        keep_below_(options.get<int>("keep preconditioner up to")),
+        refresh_factor_(options.get<double>("refresh factor")),
         preconditioner_(options, K_.matrix()) {
     for (char& c : options_.method) c = static_cast<char>(std::toupper(c));
   }
@@ -112,21 +112,27 @@ public:
 private:
   void solve_merged(SolveReport& report) override {
     report.method = options_.method;
-    const bool was_kept = is_built_ && last_iterations_ <= keep_below_;
-    if (is_stale_ && !was_kept) refresh(report);
+    const bool is_kept = fresh_iterations_ >= 0 && last_iterations_ <= limit();
+    if (is_stale_ && !is_kept) refresh(report);
     iterate(report);
-    if (!report.is_converged && was_kept) {
+    if (!report.is_converged && is_kept && is_old_) {
       refresh(report);
       x_.putScalar(0.0);
       iterate(report);
     }
     last_iterations_ = report.iterations;
+    if (!is_old_) fresh_iterations_ = report.iterations;
+    is_old_ = true;
   }
+
+  /// Iterations up to which an old preconditioner is worth keeping. The few added keep one that
+  /// starts with a single iteration, as factors do.
+  double limit() const { return refresh_factor_ * (fresh_iterations_ + 5); }
 
   void refresh(SolveReport& report) {
     const double start = seconds();
     preconditioner_.refresh();
-    is_built_ = true;
+    is_old_ = false;
     report.setup_seconds += seconds() - start;
   }
 
@@ -143,9 +149,10 @@ private:
   }
 
   KrylovOptions options_;
-  int keep_below_;
+  double refresh_factor_;
+  int fresh_iterations_ = -1;  ///< of the first solve after a set-up; -1 before any
   int last_iterations_ = 0;
-  bool is_built_ = false;
+  bool is_old_ = false;        ///< the preconditioner has served a solve already
   Preconditioner preconditioner_;
 };
 
@@ -158,9 +165,9 @@ params::Table krylov_table(bool has_restart) {
                 "right preconditioner: incomplete LU with additive Schwarz between ranks, sparse "
                 "LU factors (worth it where they are kept), or none");
   table.integer("max iterations", 1000, params::between(1, 1e6), "cap on the iterations");
-  table.integer("keep preconditioner up to", 0, params::non_negative(),
-                "keep the preconditioner of an earlier matrix while solves take at most this "
-                "many iterations; 0 sets up a new one for each matrix");
+  table.number("refresh factor", 2.0, params::non_negative(), "1",
+               "set up a new preconditioner when a solve takes more than this times the "
+               "iterations of the first solve with it; 0 sets up a new one for each matrix");
   if (has_restart)
     table.integer("restart", 200, params::between(1, 1e6), "basis vectors between restarts");
   return table;

@@ -20,8 +20,9 @@ public:
   const std::vector<std::string>& problems() const { return problems_; }
 
 private:
-  void reject_strangers(const Table& table, const Active& valid, const ParameterList& list,
-                        const std::string& path);
+  /// Returns the valid keys that unknown ones were probably meant to be.
+  std::vector<std::string> reject_strangers(const Table& table, const Active& valid,
+                                            const ParameterList& list, const std::string& path);
   void visit_key(const Key& key, ParameterList& list, const std::string& path);
   void visit_value(const Key& key, ParameterList& list, const std::string& path);
   void visit_entries(const Key& key, ParameterList& list, const std::string& path);
@@ -76,8 +77,13 @@ std::string wanted(const Key& key) {
 void Resolver::visit(const Table& table, ParameterList& list, const std::string& path) {
   const std::size_t before = problems_.size();
   const Active valid = active(table, list);
-  reject_strangers(table, valid, list, path);
-  for (const Key* key : valid.keys) visit_key(*key, list, path);
+  const std::vector<std::string> meant = reject_strangers(table, valid, list, path);
+  for (const Key* key : valid.keys) {
+    // A required key that is there, but misspelled, is not missing as well.
+    const bool is_misspelled = key->is_required && list.getEntryPtr(key->name) == nullptr &&
+                               std::count(meant.begin(), meant.end(), key->name) > 0;
+    if (!is_misspelled) visit_key(*key, list, path);
+  }
   if (problems_.size() > before) return;
   for (const Table::Check* check : valid.checks) {
     try {
@@ -88,10 +94,11 @@ void Resolver::visit(const Table& table, ParameterList& list, const std::string&
   }
 }
 
-void Resolver::reject_strangers(const Table& table, const Active& valid, const ParameterList& list,
-                                const std::string& path) {
+std::vector<std::string> Resolver::reject_strangers(const Table& table, const Active& valid,
+                                                    const ParameterList& list,
+                                                    const std::string& path) {
   const std::vector<Owned> all = all_keys(table);
-  std::vector<std::string> valid_names, all_names;
+  std::vector<std::string> valid_names, all_names, meant;
   for (const Key* key : valid.keys)
     if (key->kind != Kind::removed) valid_names.push_back(key->name);
   for (const Owned& owned : all)
@@ -102,7 +109,8 @@ void Resolver::reject_strangers(const Table& table, const Active& valid, const P
     if (std::any_of(valid.keys.begin(), valid.keys.end(), has_name)) continue;
     const std::string conditions = owners(all, name, list);
     if (conditions.empty()) {
-      const bool is_near = !nearest(name, valid_names).empty();
+      meant.push_back(nearest(name, valid_names));
+      const bool is_near = !meant.back().empty();
       const bool is_near_elsewhere = !is_near && !nearest(name, all_names).empty();
       complain(path, "unknown key \"" + name + "\". " +
                          did_you_mean(name, is_near_elsewhere ? all_names : valid_names));
@@ -110,6 +118,7 @@ void Resolver::reject_strangers(const Table& table, const Active& valid, const P
       complain(path, "\"" + name + "\" belongs to " + conditions);
     }
   }
+  return meant;
 }
 
 void Resolver::visit_key(const Key& key, ParameterList& list, const std::string& path) {

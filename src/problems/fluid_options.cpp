@@ -2,6 +2,7 @@
 
 #include <Teuchos_Array.hpp>
 
+#include "base/error.hpp"
 #include "linear/linear_solver.hpp"
 #include "nonlinear/newton.hpp"
 
@@ -72,7 +73,11 @@ params::Table fluid_table() {
               "dynamic viscosity; 0.035 Poise are 3.5e-6 kPa s = 3.5e-3 kPa ms")
       .entries("Surfaces", condition_table(), "one list for each surface with a condition")
       .sublist("Newton", nonlinear::newton_table())
-      .sublist("Linear Solver", linear::linear_solver_table());
+      .sublist("Linear Solver", linear::linear_solver_table())
+      .check([](const Teuchos::ParameterList& list, const std::string& path) {
+        TUNICA_CHECK(!list.get<Teuchos::Array<std::string>>("regions").empty(),
+                     path + ": \"regions\" is empty. Name each region of the fluid.");
+      });
   return table;
 }
 

@@ -120,8 +120,6 @@ nonlinear::NewtonReport FluidProblem::solve() {
   return solve_newton(*this, newton_, x_);
 }
 
-void FluidProblem::end_step() {}
-
 void FluidProblem::set_initial_velocity(const std::function<Vec3(const Vec3& x)>& u) {
   std::vector<Vec3> values(mesh_->n_nodes());
   for (int a = 0; a < mesh_->n_nodes(); ++a) values[a] = u(mesh_->x[a]);

@@ -22,6 +22,7 @@ public:
   FluidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
   ~FluidProblem() override;
 
+  /// Accepts the present velocity as that of the old time.
   void begin_step(const stepping::Clock& clock);
   /// Moves the mesh to the displacement d of all local nodes; the mesh velocity and the
   /// velocity on the interface are (d − d_old)/Δt. Says which element is inverted, if one is.
@@ -30,8 +31,6 @@ public:
   /// solve() does by itself.
   void prepare();
   nonlinear::NewtonReport solve();
-  /// Accepts the present state as that of the new time.
-  void end_step();
 
   /// Consistent nodal forces [mN] on what bounds the fluid: minus the momentum residual of the
   /// last solve, on owned nodes. Meaningful where the velocity is prescribed.

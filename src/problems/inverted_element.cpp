@@ -1,5 +1,7 @@
 #include "problems/inverted_element.hpp"
 
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "fields/reduce.hpp"
@@ -10,21 +12,24 @@ std::optional<std::string> describe_inversion(const fields::FieldMesh& mesh, dou
                                               int element) {
   const bool is_fine = element < 0 || smallest > 0.0;  // false for NaN too
   if (fields::all_agree(*mesh.comm, is_fine)) return std::nullopt;
-  const double number = is_fine ? -1.0 : mesh.tet_number[element];
-  const double chosen = fields::global_max(*mesh.comm, number);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double badness = is_fine ? infinity : std::isnan(smallest) ? -infinity : smallest;
+  const double worst = fields::global_min(*mesh.comm, badness);
   const int rank = mesh.comm->getRank();
-  const double speaker =
-      fields::global_min(*mesh.comm, number == chosen ? rank : mesh.comm->getSize());
+  const double speaker = fields::global_min(
+      *mesh.comm, !is_fine && badness == worst ? rank : mesh.comm->getSize());
   Vec3 centre{};
-  double value = 0.0;
+  double value = 0.0, number = 0.0;
   if (rank == static_cast<int>(speaker)) {
     for (const int a : mesh.tets[element]) centre += 0.25 * mesh.x[a];
     value = smallest;
+    number = mesh.tet_number[element];
   }
   for (double& c : centre) c = fields::global_sum(*mesh.comm, c);
   value = fields::global_sum(*mesh.comm, value);
+  number = fields::global_sum(*mesh.comm, number);
   std::ostringstream text;
-  text << "element " << static_cast<long long>(chosen) << " at (" << centre[0] << ", " << centre[1]
+  text << "element " << static_cast<long long>(number) << " at (" << centre[0] << ", " << centre[1]
        << ", " << centre[2] << ") is inverted (determinant " << value << ")";
   return text.str();
 }

@@ -11,6 +11,16 @@ namespace tunica::problems {
 
 namespace {
 
+Layer layer_of(const std::string& region, const Teuchos::ParameterList& list) {
+  Layer layer{region, list.get<std::string>("law"), {}, list.get<double>("bulk modulus"),
+              list.get<double>("density")};
+  for (const materials::LawEntry& law : materials::laws())
+    if (law.name == layer.law)
+      for (const materials::Constant& c : law.constants)
+        layer.constants.emplace_back(c.name, list.get<double>(c.name));
+  return layer;
+}
+
 params::Table layer_table() {
   std::vector<params::Table::Case> laws;
   for (const materials::LawEntry& law : materials::laws()) {
@@ -23,7 +33,15 @@ params::Table layer_table() {
   params::Table table("One layer of the wall.");
   table.variant("law", laws.front().value, laws, "isochoric part of the hyperelastic law")
       .number("bulk modulus", 1e5, params::positive(), "kPa", "bulk modulus κ")
-      .number("density", 1.2, params::positive(), "mg/mm^3", "density of the unloaded wall");
+      .number("density", 1.2, params::positive(), "mg/mm^3", "density of the unloaded wall")
+      .check([](const Teuchos::ParameterList& list, const std::string& path) {
+        try {
+          const Layer layer = layer_of("", list);
+          materials::make_law(layer.law, {layer.constants.begin(), layer.constants.end()});
+        } catch (const Error& error) {
+          throw Error(path + ": " + error.what());
+        }
+      });
   return table;
 }
 
@@ -71,16 +89,6 @@ WallCondition condition_of(const std::string& surface, const Teuchos::ParameterL
   if (list.isSublist("Amplitude"))
     condition.amplitude = stepping::TimeFunction(list.sublist("Amplitude"));
   return condition;
-}
-
-Layer layer_of(const std::string& region, const Teuchos::ParameterList& list) {
-  Layer layer{region, list.get<std::string>("law"), {}, list.get<double>("bulk modulus"),
-              list.get<double>("density")};
-  for (const materials::LawEntry& law : materials::laws())
-    if (law.name == layer.law)
-      for (const materials::Constant& c : law.constants)
-        layer.constants.emplace_back(c.name, list.get<double>(c.name));
-  return layer;
 }
 
 template <class Visit>

@@ -1,0 +1,30 @@
+#!/bin/bash
+# Every find_package and find_library has its Debian package in cmake/apt-packages.txt.
+set -euo pipefail
+
+package_of() {
+  case $1 in
+    MPI) echo libopenmpi-dev ;;
+    Trilinos) echo trilinos-all-dev ;;
+    hdf5) echo libhdf5-openmpi-dev ;;
+    metis) echo libmetis-dev ;;
+    nlohmann_json) echo nlohmann-json3-dev ;;
+    benchmark) echo libbenchmark-dev ;;
+    *) echo "(unknown; name it in tests/house/package_list.sh)" ;;
+  esac
+}
+
+wanted() {
+  local files=(CMakeLists.txt cmake/*.cmake src/*/CMakeLists.txt drivers/CMakeLists.txt bench/CMakeLists.txt)
+  sed -nE 's/.*find_package\((\w+).*/\1/p; s/.*find_library\(\w+ (\w+).*/\1/p' "${files[@]}" | sort -u
+}
+
+status=0
+for name in $(wanted); do
+  package=$(package_of "$name")
+  if ! grep -qxF "$package" cmake/apt-packages.txt; then
+    echo "$name needs the package $package, which is not in cmake/apt-packages.txt"
+    status=1
+  fi
+done
+exit $status

@@ -1,0 +1,75 @@
+"""What the regression scripts share: starting a driver and reading what it leaves."""
+import csv
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_btl_vader_single_copy_mechanism="none",
+                   OMPI_MCA_hwloc_base_binding_policy="none")
+
+
+class Run:
+    """A finished process: status, out, err, seconds."""
+
+    def __init__(self, words, folder):
+        start = time.time()
+        done = subprocess.run(words, cwd=folder, env=ENVIRONMENT, text=True, timeout=580,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.seconds = time.time() - start
+        self.status, self.out, self.err = done.returncode, done.stdout, done.stderr
+
+
+def command(program, words, ranks=1):
+    prefix = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
+    return prefix + [str(program)] + [str(word) for word in words]
+
+
+def table(path):
+    """The columns of a CSV file: name -> values, numbers where they are numbers."""
+    def value(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+    with open(path, newline="") as file:
+        rows = list(csv.DictReader(file))
+    return {name: [value(row[name]) for row in rows] for name in (rows[0] if rows else [])}
+
+
+def fresh(folder):
+    """An empty folder of that name."""
+    folder = pathlib.Path(folder).resolve()
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    return folder
+
+
+class Verdict:
+    """Collects claims; a script ends with sys.exit(verdict.status())."""
+
+    def __init__(self):
+        self.failures = 0
+
+    def claim(self, holds, text):
+        print(("ok    " if holds else "FAIL  ") + text, flush=True)
+        self.failures += not holds
+        return holds
+
+    def status(self):
+        print(f"{self.failures} failures" if self.failures else "all claims hold")
+        return 1 if self.failures else 0
+
+
+def solved(verdict, words, folder, ranks=1):
+    """Runs a driver that must succeed; prints what it says if it does not."""
+    run = Run(words, folder)
+    name = pathlib.Path(words[-1] if ranks == 0 else words[0]).name
+    if not verdict.claim(run.status == 0, f"{name} ends with 0 ({run.seconds:.1f} s)"):
+        print(run.out + run.err, file=sys.stderr)
+    return run

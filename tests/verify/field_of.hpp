@@ -1,0 +1,58 @@
+#pragma once
+#include <Teuchos_XMLParameterListHelpers.hpp>
+#include <Tpetra_Core.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "fields/field_mesh.hpp"
+#include "fields/reduce.hpp"
+#include "mesh/partition.hpp"
+#include "params/table.hpp"
+
+namespace tunica::verify {
+
+/// The calling rank's share of a mesh that belongs to one field as a whole.
+inline fields::FieldMesh field_of(const mesh::Mesh& mesh) {
+  const CommPtr comm = Tpetra::getDefaultComm();
+  const mesh::Partition partition =
+      mesh::partition(mesh, comm->getSize(), std::vector<bool>(mesh.regions.size(), true));
+  std::vector<int> regions;
+  for (int r = 0; r < static_cast<int>(mesh.regions.size()); ++r) regions.push_back(r);
+  return fields::make_field_mesh(mesh, partition, regions, comm);
+}
+
+/// The list with these entries ("<Parameter .../>", "<ParameterList ...>") and all defaults.
+inline Teuchos::ParameterList resolved(const params::Table& table, const std::string& entries) {
+  Teuchos::ParameterList list = *Teuchos::getParametersFromXmlString(
+      "<ParameterList name=\"Verification\">" + entries + "</ParameterList>");
+  table.resolve(list, "Verification", "");
+  return list;
+}
+
+inline std::string entry(const std::string& name, const std::string& type,
+                         const std::string& value) {
+  return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>";
+}
+inline std::string sublist(const std::string& name, const std::string& entries) {
+  return "<ParameterList name=\"" + name + "\">" + entries + "</ParameterList>";
+}
+
+/// Sum over the ranks' owned nodes of f(node), divided by the number of nodes with f ≠ NaN.
+template <class Value>
+double mean_over_nodes(const fields::FieldMesh& mesh, const Value& f) {
+  double sum = 0.0, count = 0.0;
+  for (int a = 0; a < mesh.n_owned; ++a)
+    if (const double value = f(a); !std::isnan(value)) {
+      sum += value;
+      count += 1.0;
+    }
+  return fields::global_sum(*mesh.comm, sum) / fields::global_sum(*mesh.comm, count);
+}
+
+/// Exponent of h in the error between two meshes whose lengths differ by the factor.
+inline double order(double coarse_error, double fine_error, double factor = 2.0) {
+  return std::log(coarse_error / fine_error) / std::log(factor);
+}
+
+}  // namespace tunica::verify
