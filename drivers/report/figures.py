@@ -93,7 +93,7 @@ def _cuts(run, outputs, quantity, factor):
     for _, group in outputs:
         row = {}
         for grid, (points, tets) in meshes.items():
-            cut = Section(points + factor * run.displacement(group, grid), tets, plane)
+            cut = Section(points, tets, plane, factor * run.displacement(group, grid))
             values = _quantity(run, group, grid, quantity)
             if values is None or cut.is_empty():
                 continue
@@ -243,13 +243,22 @@ def coupling_history(run, step):
         label = "other steps" if i == 0 else None
         left.semilogy(rows["iteration"], _positive(rows["interface_residual"]), color="#d5d5d5",
                       linewidth=0.8, label=label, zorder=1)
-        right.plot(rows["iteration"], rows["relaxation"], color="#d5d5d5", linewidth=0.8, zorder=1)
+        right.plot(rows["iteration"], _positive(rows["relaxation"]), color="#d5d5d5",
+                   linewidth=0.8, zorder=1)
     left.semilogy(chosen["iteration"], _positive(chosen["interface_residual"]), "o-",
                   color=COLOUR["fluid"], label=f"step {step}")
-    right.plot(chosen["iteration"], chosen["relaxation"], "s-", color=COLOUR["wall"])
-    left.set(title="Interface residual", ylabel="residual")
-    right.set(title="Relaxation factor", ylabel="factor")
+    # The last iteration of a converged step makes no update: its factor is 0.
+    right.plot(chosen["iteration"], _positive(chosen["relaxation"]), "s-", color=COLOUR["wall"],
+               label="factor")
+    left.set(title="Interface residual", ylabel="residual [mm]")
+    right.set(title="Relaxation factor", ylabel="factor", ylim=(0.0, None))
     left.legend()
+    if max(chosen["columns"]) > 0:
+        columns = right.twinx()
+        columns.plot(chosen["iteration"], _positive(chosen["columns"]), "^-",
+                     color=COLOUR["fluid"], alpha=0.6)
+        columns.set(ylabel="columns of the least-squares model (triangles)", ylim=(0.0, None))
+        columns.yaxis.set_major_locator(MaxNLocator(integer=True))
     for axes in (left, right):
         axes.set_xlabel("coupling iteration")
         axes.xaxis.set_major_locator(MaxNLocator(integer=True))

@@ -30,10 +30,11 @@ _PATTERNS = _patterns()
 class Section:
     """Triangles of the cut, its outline, and the means to bring values onto it.
 
-    A vertex on the plane counts as above it, so the cut is watertight for any position.
+    The undeformed mesh is cut and the cut moves with the material, so that all times show the
+    same triangles. A vertex on the plane counts as above it: the cut is watertight.
     """
 
-    def __init__(self, points, tets, plane):
+    def __init__(self, points, tets, plane, displacement):
         above = points[:, 0] >= plane
         code = (above[tets] * (1, 2, 4, 8)).sum(axis=1)
         corners, parents = [], []
@@ -50,7 +51,7 @@ class Section:
         self._a, self._b = edges[:, 0], edges[:, 1]
         xa, xb = points[self._a, 0], points[self._b, 0]
         self._weight = (plane - xa) / np.where(xa == xb, 1.0, xb - xa)
-        position = self.at_corners(points)
+        position = self.at_corners(points + displacement)
         self.y, self.z = position[:, 1], position[:, 2]
 
     def is_empty(self):
@@ -60,7 +61,7 @@ class Section:
         """Triangles with an area; slivers left by vertices on the plane are drawn as stray lines."""
         y, z = self.y[self.triangles], self.z[self.triangles]
         area = abs((y[:, 1] - y[:, 0]) * (z[:, 2] - z[:, 0]) - (y[:, 2] - y[:, 0]) * (z[:, 1] - z[:, 0]))
-        return area > 1e-6 * area.max()
+        return area > 1e-3 * area.max()
 
     def at_corners(self, values):
         w = self._weight.reshape((-1,) + (1,) * (values.ndim - 1))
@@ -75,10 +76,14 @@ class Section:
 
 
 def plane_through(points):
-    """x = 0 if that is inside the mesh, else the nearest plane inside (symmetric halves)."""
+    """x = 0 if that is inside the mesh, else the nearest plane inside (symmetric halves).
+
+    A little beside it: vertices meant to lie on x = 0 do so up to round-off only, and must
+    all fall on the same side.
+    """
     low, high = points[:, 0].min(), points[:, 0].max()
     margin = 1e-6 * max(high - low, 1e-300)
-    return float(np.clip(0.0, low + margin, high - margin))
+    return float(np.clip(margin, low + margin, high - margin))
 
 
 def norm_of(values):
