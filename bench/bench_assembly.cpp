@@ -70,9 +70,11 @@ int main(int argc, char** argv) {
   }
   Fields fields(argv[1], argv[2]);
   using benchmark::RegisterBenchmark;
-  RegisterBenchmark("wall residual and Jacobian", assemble<problems::SolidProblem>, std::ref(*fields.wall));
+  RegisterBenchmark("wall residual and Jacobian", assemble<problems::SolidProblem>,
+                    std::ref(*fields.wall));
   RegisterBenchmark("wall residual", residual<problems::SolidProblem>, std::ref(*fields.wall));
-  RegisterBenchmark("fluid residual and Jacobian", assemble<problems::FluidProblem>, std::ref(*fields.fluid));
+  RegisterBenchmark("fluid residual and Jacobian", assemble<problems::FluidProblem>,
+                    std::ref(*fields.fluid));
   RegisterBenchmark("fluid residual", residual<problems::FluidProblem>, std::ref(*fields.fluid));
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -1,10 +1,11 @@
 # Common parts of ./quickstart and ./check, which read this file after they have set `root`.
 
-# Open MPI refuses root and more ranks than cores unless it is told otherwise, and wants no
-# system calls that containers forbid. One thread per rank.
+# Open MPI refuses root and more ranks than cores unless it is told otherwise, makes system calls
+# that containers forbid, and spins while it waits, which starves the others on a busy machine.
+# One thread per rank.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
-export OMPI_MCA_btl_vader_single_copy_mechanism=none
+export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_mpi_yield_when_idle=1
 export OMP_NUM_THREADS=1
 
 program=$(basename "$0")

@@ -3,7 +3,6 @@
 //   tunica-check xml/pulse.xml
 //   tunica-check --reference > xml/PARAMETERS.md
 
-#include <Tpetra_Core.hpp>
 #include <iostream>
 
 #include "app/case.hpp"
@@ -11,6 +10,7 @@
 #include "app/exit_status.hpp"
 #include "app/schema.hpp"
 #include "base/error.hpp"
+#include "base/session.hpp"
 #include "params/read_xml.hpp"
 
 namespace {
@@ -34,11 +34,11 @@ void print_reference() {
 }
 
 int check(const app::CommandLine& command) {
-  const CommPtr comm = Tpetra::getDefaultComm();
-  const Teuchos::ParameterList list =
-      app::read_case(command, table_for(command.case_file), *comm);
+  const CommPtr comm = all_ranks();
+  const Teuchos::ParameterList list = app::read_case(command, table_for(command.case_file), *comm);
   app::load_domain(list, comm);
-  std::cout << command.case_file << ": the case and its mesh are valid." << std::endl;
+  if (comm->getRank() == 0)
+    std::cout << command.case_file << ": the case and its mesh are valid." << std::endl;
   return app::exit_done;
 }
 
@@ -46,16 +46,17 @@ int check(const app::CommandLine& command) {
 
 int main(int argc, char** argv) {
   const std::string name = "tunica-check", sentence = "Validates a case and solves nothing.";
-  Tpetra::ScopeGuard scope(&argc, &argv);
+  const Session session;
+  const bool is_root = all_ranks()->getRank() == 0;
   try {
     const app::CommandLine command = app::parse(argc, argv, name, sentence);
-    if (command.help) std::cout << app::usage(name, sentence);
-    if (command.reference) print_reference();
-    if (command.print_defaults) app::fsi_table().print_xml(std::cout, "Case");
+    if (command.help && is_root) std::cout << app::usage(name, sentence);
+    if (command.reference && is_root) print_reference();
+    if (command.print_defaults && is_root) app::fsi_table().print_xml(std::cout, "Case");
     if (command.help || command.reference || command.print_defaults) return app::exit_done;
     return check(command);
   } catch (const tunica::Error& error) {
-    std::cerr << name << ": " << error.what() << std::endl;
+    if (is_root) std::cerr << name << ": " << error.what() << std::endl;
     return app::exit_bad_input;
   } catch (const std::exception& error) {
     std::cerr << name << ": " << error.what() << std::endl;

@@ -31,8 +31,8 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
   stepping::Clock clock(list.sublist("Time"));
   const app::Probes probes(list.sublist("Probes"), &*domain.fluid, &*domain.wall);
   app::RunLog log(output.folder, comm->getRank() == 0, clock.steps());
-  app::FieldSeries fields(output, {app::grid_of(*domain.fluid, "fluid"),
-                                   app::grid_of(*domain.wall, "wall")}, comm);
+  app::FieldSeries fields(
+      output, {app::grid_of(*domain.fluid, "fluid"), app::grid_of(*domain.wall, "wall")}, comm);
 
   // 4. March.
   for (; !clock.is_done(); clock.advance()) {

@@ -15,8 +15,7 @@ namespace {
 
 Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Table& table) {
   Teuchos::ParameterList list = params::read_xml(command.case_file);
-  for (const std::string& assignment : command.set)
-    params::set_from_text(list, table, assignment);
+  for (const std::string& assignment : command.set) params::set_from_text(list, table, assignment);
   const std::filesystem::path folder =
       std::filesystem::absolute(command.case_file).lexically_normal().parent_path();
   try {

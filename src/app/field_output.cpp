@@ -15,7 +15,7 @@ output::Array vector_array(const std::string& name, const std::vector<Vec3>& val
 }
 
 output::Array dof_array(const std::string& name, int components, const Vector& v) {
-  const auto view = v.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto view = v.getLocalViewHost(read_only);
   return {name, components, {view.data(), view.data() + view.extent(0)}};
 }
 
@@ -42,14 +42,12 @@ std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
   std::vector<output::Array> arrays{dof_array("velocity", 3, *fluid.state().u),
                                     dof_array("pressure", 1, *fluid.state().p)};
   if (!mesh_displacement.empty())
-    arrays.push_back(
-        vector_array("mesh_displacement", mesh_displacement, fluid.mesh().n_owned));
+    arrays.push_back(vector_array("mesh_displacement", mesh_displacement, fluid.mesh().n_owned));
   return arrays;
 }
 
 std::vector<output::Array> wall_arrays(const problems::SolidProblem& wall) {
-  return {dof_array("displacement", 3, *wall.state().u),
-          dof_array("pressure", 1, *wall.state().p),
+  return {dof_array("displacement", 3, *wall.state().u), dof_array("pressure", 1, *wall.state().p),
           vector_array("velocity", wall.velocity(), wall.mesh().n_owned)};
 }
 

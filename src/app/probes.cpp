@@ -72,14 +72,14 @@ problems::Observables Probes::observe(const problems::FluidProblem* fluid,
   problems::Observables found;
   const std::vector<Vec3> d = wall != nullptr ? wall->displacement() : std::vector<Vec3>{};
   for (const Probe& probe : probes_) {
-    std::string column = probe.quantity + "_" + probe.name +
-                         (probe.quantity == fluid_pressure ? "_kPa" : "_mm");
+    std::string column =
+        probe.quantity + "_" + probe.name + (probe.quantity == fluid_pressure ? "_kPa" : "_mm");
     for (char& c : column)
       if (c == ' ') c = '_';
     double value = 0.0;
     if (probe.node >= 0)
       value = probe.quantity == fluid_pressure
-                  ? fluid->state().p->getLocalViewHost(Tpetra::Access::ReadOnly)(probe.node, 0)
+                  ? fluid->state().p->getLocalViewHost(read_only)(probe.node, 0)
                   : wall_value(probe.quantity, probe.position, d[probe.node]);
     const Comm& comm = fluid != nullptr ? *fluid->mesh().comm : *wall->mesh().comm;
     found.push_back({column, fields::global_sum(comm, value)});

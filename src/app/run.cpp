@@ -1,11 +1,11 @@
 #include "app/run.hpp"
 
-#include <Tpetra_Core.hpp>
 #include <iostream>
 
 #include "app/exit_status.hpp"
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "base/session.hpp"
 #include "base/timer.hpp"
 #include "fields/reduce.hpp"
 #include "linear/direct_factor.hpp"
@@ -32,9 +32,9 @@ double jacobian_megabytes(const fields::FieldMesh& mesh) {
 }
 
 void describe(std::ostream& out, const std::string& name, const fields::FieldMesh& mesh) {
-  out << name << ": " << global_nodes(mesh) << " vertices, " << global_tets(mesh)
-      << " tetrahedra, " << 4 * global_nodes(mesh) << " unknowns, Jacobian about "
-      << jacobian_megabytes(mesh) << " MB\n";
+  out << name << ": " << global_nodes(mesh) << " vertices, " << global_tets(mesh) << " tetrahedra, "
+      << 4 * global_nodes(mesh) << " unknowns, Jacobian about " << jacobian_megabytes(mesh)
+      << " MB\n";
 }
 
 void describe_domain(const Domain& domain, const Comm& comm) {
@@ -71,9 +71,9 @@ int solve(const Program& program, const CommandLine& command, const March& march
   const Stopwatch marching;
   const Verdict verdict = march(list, domain, output);
   output.record.add_time("march", marching.seconds());
-  output.record.finish(verdict.is_converged ? output::RunStatus::done
-                                            : output::RunStatus::not_converged,
-                       verdict.reason);
+  output.record.finish(
+      verdict.is_converged ? output::RunStatus::done : output::RunStatus::not_converged,
+      verdict.reason);
   if (comm->getRank() == 0) {
     if (!verdict.is_converged) std::cerr << program.name << ": " << verdict.reason << std::endl;
     std::cout << "results in " << output.folder.path() << std::endl;
@@ -99,8 +99,8 @@ RunOutput::RunOutput(const Program& program, const Teuchos::ParameterList& list,
 }
 
 int run_program(int argc, char** argv, const Program& program, const March& march) {
-  Tpetra::ScopeGuard scope(&argc, &argv);
-  const CommPtr comm = Tpetra::getDefaultComm();
+  const Session session;
+  const CommPtr comm = all_ranks();
   const bool is_root = comm->getRank() == 0;
   try {
     const CommandLine command = parse(argc, argv, program.name, program.sentence);

@@ -48,10 +48,9 @@ void RunLog::coupling(const Moment& moment, const coupling::Iteration& iteration
 }
 
 void RunLog::open_steps(const problems::Observables& observables) {
-  std::vector<std::string> columns{"step",        "time",         "converged",
-                                   "coupling_iterations", "interface_residual",
-                                   "fluid_newton", "wall_newton", "fluid_linear",
-                                   "wall_linear", "seconds"};
+  std::vector<std::string> columns{
+      "step",         "time",        "converged",    "coupling_iterations", "interface_residual",
+      "fluid_newton", "wall_newton", "fluid_linear", "wall_linear",         "seconds"};
   for (const problems::Observable& o : observables) columns.push_back(o.name);
   steps_table_ = std::make_unique<output::CsvTable>(steps_file_, columns, is_root_);
 }
@@ -64,11 +63,9 @@ void RunLog::step(const Moment& moment, const StepSummary& s,
                   const problems::Observables& observables) {
   if (!steps_table_) open_steps(observables);
   const double now = run_.seconds();
-  std::vector<output::Cell> row{moment.step,          moment.time,
-                                s.is_converged,       s.coupling_iterations,
-                                s.interface_residual, s.fluid_newton,
-                                s.wall_newton,        s.fluid_linear,
-                                s.wall_linear,        now - last_};
+  std::vector<output::Cell> row{
+      moment.step,    moment.time,   s.is_converged, s.coupling_iterations, s.interface_residual,
+      s.fluid_newton, s.wall_newton, s.fluid_linear, s.wall_linear,         now - last_};
   for (const problems::Observable& o : observables) row.emplace_back(o.value);
   steps_table_->row(row);
   print(moment, s, now - last_);

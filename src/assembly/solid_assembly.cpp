@@ -21,10 +21,7 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
   kernels::MixedJacobian Ke;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     const auto& nodes = mesh.tets[e];
-    kernels::SolidState s{
-        gather(state.d, nodes),
-        gather(state.p, nodes),
-        gather(state.r, nodes)};
+    kernels::SolidState s{gather(state.d, nodes), gather(state.p, nodes), gather(state.r, nodes)};
     for (Vec3& r : s.r) r = elements.density[e] * r;
     const kernels::Tet4& T = elements.geometry[e];
     if (K == nullptr) {

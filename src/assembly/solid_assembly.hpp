@@ -8,7 +8,7 @@ namespace tunica::assembly {
 struct SolidElements {
   std::vector<kernels::Tet4> geometry;  ///< undeformed
   std::vector<const materials::HyperelasticLaw*> law;
-  std::vector<double> density;          ///< ρ [mg/mm³]
+  std::vector<double> density;  ///< ρ [mg/mm³]
   std::vector<kernels::SolidCoefficients> coefficients;
 };
 

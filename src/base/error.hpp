@@ -29,8 +29,8 @@ namespace detail {
 #ifdef NDEBUG
 #define TUNICA_ASSERT(condition, message) static_cast<void>(0)
 #else
-#define TUNICA_ASSERT(condition, message)                                                \
-  do {                                                                                   \
+#define TUNICA_ASSERT(condition, message)                                                        \
+  do {                                                                                           \
     if (!(condition)) ::tunica::detail::broken_promise(#condition, message, __FILE__, __LINE__); \
   } while (false)
 #endif

@@ -26,4 +26,11 @@ using RowMatrix = Tpetra::RowMatrix<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 using Comm = Teuchos::Comm<int>;
 using CommPtr = Teuchos::RCP<const Comm>;
 
+// How a view of a vector on the host will be used: v.getLocalViewHost(read_only).
+constexpr auto read_only = Tpetra::Access::ReadOnly;
+constexpr auto read_write = Tpetra::Access::ReadWrite;
+constexpr auto overwrite_all = Tpetra::Access::OverwriteAll;
+
+constexpr auto insert = Tpetra::INSERT;  ///< imported values replace those at the target
+
 }  // namespace tunica

@@ -24,8 +24,7 @@ InterfaceVector Aitken::next(const InterfaceVector& d, const InterfaceVector& re
     InterfaceVector change(residual);
     for (std::size_t i = 0; i < change.size(); ++i) change[i] -= last_residual_[i];
     const double size = inner_product(*comm_, change, change);
-    if (size > 0.0)
-      factor_ *= -inner_product(*comm_, last_residual_, change) / size;
+    if (size > 0.0) factor_ *= -inner_product(*comm_, last_residual_, change) / size;
     factor_ = std::clamp(factor_, smallest_factor_, largest_factor_);
   }
   is_first_ = false;

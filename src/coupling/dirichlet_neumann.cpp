@@ -13,8 +13,9 @@ DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
                                    problems::FluidProblem& fluid, problems::SolidProblem& wall,
                                    problems::MeshMotion& motion)
     : options_(coupling_options(list)), interface_(&interface), fluid_(&fluid), wall_(&wall),
-      motion_(&motion), accelerator_(make_accelerator(list, wall.mesh().comm)),
-      history_{InterfaceVector(3 * interface.n_owned(), 0.0)} {}
+      motion_(&motion),
+      accelerator_(make_accelerator(list, wall.mesh().comm)), history_{InterfaceVector(
+                                                                  3 * interface.n_owned(), 0.0)} {}
 
 InterfaceVector DirichletNeumann::wall_displacement() const {
   const std::vector<Vec3> d = wall_->displacement();
@@ -59,8 +60,7 @@ bool DirichletNeumann::respond(const InterfaceVector& d, Iteration& iteration,
     force[interface_->wall_nodes[k]] = reaction[interface_->fluid_nodes[k]];
   wall_->set_nodal_force(force);
   iteration.wall = wall_->solve();
-  if (!iteration.wall.is_converged)
-    reason = "the wall's Newton method: " + iteration.wall.reason;
+  if (!iteration.wall.is_converged) reason = "the wall's Newton method: " + iteration.wall.reason;
   answer = wall_displacement();
   return iteration.wall.is_converged;
 }

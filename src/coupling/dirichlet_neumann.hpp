@@ -12,10 +12,10 @@ namespace tunica::coupling {
 
 struct CouplingOptions {
   int max_iterations;
-  double tolerance;         ///< ε of |r|/√n < ε, n the vertices of the interface [mm]
-  int predictor_order;      ///< 0: last displacement, 1: linear, 2: quadratic in time
-  double largest_update;    ///< of a displacement component in one iteration [mm]; 0: any
-  bool accepts_unconverged; ///< go on with a warning where a step does not converge
+  double tolerance;          ///< ε of |r|/√n < ε, n the vertices of the interface [mm]
+  int predictor_order;       ///< 0: last displacement, 1: linear, 2: quadratic in time
+  double largest_update;     ///< of a displacement component in one iteration [mm]; 0: any
+  bool accepts_unconverged;  ///< go on with a warning where a step does not converge
 };
 params::Table coupling_table();
 CouplingOptions coupling_options(const Teuchos::ParameterList& list);

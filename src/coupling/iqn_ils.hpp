@@ -35,8 +35,8 @@ private:
   int reused_steps_;
   bool is_first_ = true;
   InterfaceVector last_residual_, last_answer_;
-  std::deque<InterfaceVector> V_, W_;      ///< newest first
-  std::deque<int> columns_of_step_;        ///< newest first; front is the present step
+  std::deque<InterfaceVector> V_, W_;  ///< newest first
+  std::deque<int> columns_of_step_;    ///< newest first; front is the present step
   double relaxation_ = 0.0;
   int columns_ = 0;
 };

@@ -50,8 +50,7 @@ Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mes
   const auto row_map = dofs_row == 3 ? mesh.vector_map : mesh.node_map;
   const auto domain_map = dofs_column == 3 ? mesh.vector_map : mesh.node_map;
   const auto column_map = dofs_column == 3 ? mesh.ghosted_vector_map : mesh.ghosted_map;
-  const auto matrix =
-      Teuchos::rcp(new CrsMatrix(row_map, column_map, row_start, columns, values));
+  const auto matrix = Teuchos::rcp(new CrsMatrix(row_map, column_map, row_start, columns, values));
   matrix->expertStaticFillComplete(domain_map, row_map);
   return matrix;
 }

@@ -10,10 +10,10 @@ namespace tunica::fields {
 /// Which nodes each owned node couples to, and where each element finds its pairs: row a of
 /// the node graph holds the local nodes columns[row_start[a] .. row_start[a+1]), ascending.
 struct NodeGraph {
-  std::vector<std::size_t> row_start;        ///< size n_owned + 1
-  std::vector<int> columns;                  ///< local nodes
-  std::vector<std::array<int, 16>> position; ///< per tet: offset of column b in row a at 4a + b;
-                                             ///< -1 where node a is not owned
+  std::vector<std::size_t> row_start;         ///< size n_owned + 1
+  std::vector<int> columns;                   ///< local nodes
+  std::vector<std::array<int, 16>> position;  ///< per tet: offset of column b in row a at 4a + b;
+                                              ///< -1 where node a is not owned
 };
 NodeGraph make_node_graph(const FieldMesh& mesh);
 

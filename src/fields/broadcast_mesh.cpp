@@ -18,8 +18,7 @@ void broadcast_items(const Comm& comm, std::vector<Item>& items) {
   constexpr std::size_t chunk = std::size_t{1} << 24;  // counts in MPI are 32 bit
   auto* numbers = reinterpret_cast<Number*>(items.data());
   for (std::size_t first = 0; first < width * items.size(); first += chunk)
-    Teuchos::broadcast(comm, 0,
-                       static_cast<int>(std::min(chunk, width * items.size() - first)),
+    Teuchos::broadcast(comm, 0, static_cast<int>(std::min(chunk, width * items.size() - first)),
                        numbers + first);
 }
 

@@ -48,8 +48,8 @@ Numbering number_nodes(const mesh::Mesh& mesh, const mesh::Partition& partition,
 }
 
 /// Adds the rank's nodes: owned ones in order, ghosts by their global number.
-std::vector<int> add_nodes(const mesh::Mesh& mesh, const Numbering& n,
-                           const std::vector<int>& tets, FieldMesh& field) {
+std::vector<int> add_nodes(const mesh::Mesh& mesh, const Numbering& n, const std::vector<int>& tets,
+                           FieldMesh& field) {
   std::vector<int> local(mesh.vertices.size(), -1);
   field.vertex = n.owned_vertices;
   field.n_owned = static_cast<int>(field.vertex.size());
@@ -61,8 +61,7 @@ std::vector<int> add_nodes(const mesh::Mesh& mesh, const Numbering& n,
         local[v] = 0;
         ghosts.push_back(v);
       }
-  std::sort(ghosts.begin(), ghosts.end(),
-            [&n](int a, int b) { return n.global[a] < n.global[b]; });
+  std::sort(ghosts.begin(), ghosts.end(), [&n](int a, int b) { return n.global[a] < n.global[b]; });
   for (const int v : ghosts) {
     local[v] = static_cast<int>(field.vertex.size());
     field.vertex.push_back(v);
@@ -123,8 +122,7 @@ Teuchos::RCP<const Map> map_of(const std::vector<long long>& numbers, int dofs, 
     for (int i = 0; i < dofs; ++i) dof_numbers.push_back(dofs * g + i);
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
   if (total >= 0) return Teuchos::rcp(new Map(dofs * total, dof_numbers.size(), 0, comm));
-  return Teuchos::rcp(
-      new Map(unknown, Teuchos::arrayViewFromVector(dof_numbers), 0, comm));
+  return Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(dof_numbers), 0, comm));
 }
 
 void add_maps(const Numbering& n, FieldMesh& field) {

@@ -7,7 +7,6 @@
 #include "base/types.hpp"
 #include "mesh/mesh.hpp"
 
-
 namespace tunica::mesh {
 struct Partition;
 }
@@ -29,22 +28,22 @@ struct FieldMesh {
   std::vector<std::string> regions;   ///< of the whole mesh
   std::vector<std::string> surfaces;  ///< of the whole mesh
 
-  int n_owned = 0;                    ///< owned nodes stand first in all node arrays
-  std::vector<Vec3> x;                ///< reference positions [mm]
-  std::vector<int> vertex;            ///< vertex number in the mesh file
+  int n_owned = 0;                        ///< owned nodes stand first in all node arrays
+  std::vector<Vec3> x;                    ///< reference positions [mm]
+  std::vector<int> vertex;                ///< vertex number in the mesh file
   std::vector<std::uint64_t> on_surface;  ///< bit s is set on the nodes of surface s
 
   std::vector<std::array<int, 4>> tets;
-  std::vector<int> region;            ///< per tet: index into regions
-  std::vector<int> tet_number;        ///< per tet: number in the mesh file, for messages
-  std::vector<char> is_counted;       ///< per tet: true on exactly one rank
+  std::vector<int> region;       ///< per tet: index into regions
+  std::vector<int> tet_number;   ///< per tet: number in the mesh file, for messages
+  std::vector<char> is_counted;  ///< per tet: true on exactly one rank
   std::vector<Face> faces;
 
   Teuchos::RCP<const Map> node_map;     ///< owned nodes, contiguous on each rank
   Teuchos::RCP<const Map> ghosted_map;  ///< owned nodes, then ghosts
   Teuchos::RCP<const Map> vector_map;   ///< 3*node + i of the owned nodes
   Teuchos::RCP<const Map> ghosted_vector_map;
-  Teuchos::RCP<const Import> import;    ///< node_map -> ghosted_map
+  Teuchos::RCP<const Import> import;  ///< node_map -> ghosted_map
   Teuchos::RCP<const Import> vector_import;
 
   int n_nodes() const { return static_cast<int>(x.size()); }

@@ -145,7 +145,7 @@ double fluid_tau(const Tet4& T, const FluidState& s, const FluidCoefficients& c)
   Vec3 velocity{0, 0, 0};
   for (int a = 0; a < 4; ++a) velocity += 0.25 * (s.u_old[a] - s.w[a]);
   const double transient = 2.0 * c.inv_dt;
-  const double diffusive = 4.0 * c.viscosity / c.density * inv_h * inv_h;
+  const double diffusive = c.viscous_factor * c.viscosity / c.density * inv_h * inv_h;
   const double convective2 = 4.0 * dot(velocity, velocity) * inv_h * inv_h;
   return 1.0 / std::sqrt(transient * transient + convective2 + diffusive * diffusive);
 }

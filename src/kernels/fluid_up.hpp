@@ -13,12 +13,13 @@ struct FluidState {
 };
 
 struct FluidCoefficients {
-  double density;    ///< ρ [mg/mm³]
-  double viscosity;  ///< μ [kPa ms]
-  double inv_dt;     ///< 1/Δt, zero for steady flow [1/ms]
+  double density;               ///< ρ [mg/mm³]
+  double viscosity;             ///< μ [kPa ms]
+  double inv_dt;                ///< 1/Δt, zero for steady flow [1/ms]
+  double viscous_factor = 4.0;  ///< c_ν in τ
 };
 
-/// SUPG/PSPG parameter τ = ((2/Δt)² + (2|c|/h)² + (4ν/h²)²)^(−1/2) [ms], c = u_old − w at the
+/// SUPG/PSPG parameter τ = ((2/Δt)² + (2|c|/h)² + (c_ν ν/h²)²)^(−1/2) [ms], c = u_old − w at the
 /// centroid, so that it is constant in a Newton solve.
 double fluid_tau(const Tet4& T, const FluidState& s, const FluidCoefficients& c);
 

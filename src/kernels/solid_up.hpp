@@ -24,8 +24,7 @@ double solid_jacobian_determinant(const Tet4& T, const std::array<Vec3, 4>& d);
 /// Residual of the P1–P1 mixed solid; see solid_up.cpp for the equations. det F > 0 is the
 /// caller's promise.
 MixedResidual solid_up_residual(const Tet4& T, const SolidState& s,
-                                const materials::HyperelasticLaw& law,
-                                const SolidCoefficients& c);
+                                const materials::HyperelasticLaw& law, const SolidCoefficients& c);
 
 /// Residual and its exact Jacobian.
 void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::HyperelasticLaw& law,

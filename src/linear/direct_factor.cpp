@@ -22,8 +22,8 @@ void DirectFactor::refresh() {
   solver_->klu2->numericFactorization();
 }
 
-void DirectFactor::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,
-                         Scalar alpha, Scalar beta) const {
+void DirectFactor::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,
+                         Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("DirectFactor: no transposed solve");
   MultiVector solution(Y.getMap(), Y.getNumVectors());
   solver_->klu2->solve(&solution, &X);

@@ -6,11 +6,13 @@ namespace tunica::linear {
 
 struct IluPreconditioner::Factors {
   Teuchos::RCP<Ifpack2::Preconditioner<Scalar, LocalOrdinal, GlobalOrdinal, Node>> ifpack2;
+  bool has_overlap = false;
 };
 
 IluPreconditioner::IluPreconditioner(const Teuchos::RCP<const CrsMatrix>& matrix, int fill_level,
                                      int overlap)
     : factors_(Teuchos::rcp(new Factors)) {
+  factors_->has_overlap = overlap > 0;
   const Teuchos::RCP<const RowMatrix> rows = matrix;
   factors_->ifpack2 = Ifpack2::Factory::create<RowMatrix>("SCHWARZ", rows);
   Teuchos::ParameterList list;
@@ -25,7 +27,11 @@ IluPreconditioner::IluPreconditioner(const Teuchos::RCP<const CrsMatrix>& matrix
 
 IluPreconditioner::~IluPreconditioner() = default;
 
-void IluPreconditioner::refresh() { factors_->ifpack2->compute(); }
+void IluPreconditioner::refresh() {
+  // Ifpack2 fetches the values of overlapping rows in initialize() only.
+  if (factors_->has_overlap) factors_->ifpack2->initialize();
+  factors_->ifpack2->compute();
+}
 
 Teuchos::RCP<Operator> IluPreconditioner::as_operator() const { return factors_->ifpack2; }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "linear/gcr.hpp"
+
 namespace tunica::linear {
 
 namespace {
@@ -14,7 +16,9 @@ Teuchos::RCP<Teuchos::ParameterList> belos_list(const KrylovOptions& options, do
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
   list->set("Maximum Iterations", options.max_iterations);
   list->set("Convergence Tolerance", tolerance);
-  if (options.method.find("GMRES") != std::string::npos) {
+  // CG starts from a guess; Belos would reduce the guess's residual, however small, further.
+  if (options.method == "CG") list->set("Implicit Residual Scaling", "Norm of RHS");
+  if (options.restart > 0) {
     list->set("Num Blocks", std::min(options.restart, options.max_iterations));
     list->set("Maximum Restarts", options.max_iterations / options.restart + 1);
   }
@@ -24,14 +28,15 @@ Teuchos::RCP<Teuchos::ParameterList> belos_list(const KrylovOptions& options, do
 }  // namespace
 
 KrylovResult solve_krylov(const KrylovOptions& options, const Teuchos::RCP<const Operator>& A,
-                          const Teuchos::RCP<const Operator>& preconditioner,
-                          const MultiVector& B, MultiVector& X, double tolerance) {
+                          const Teuchos::RCP<const Operator>& preconditioner, const MultiVector& B,
+                          MultiVector& X, double tolerance) {
   const auto x = Teuchos::rcpFromRef(X);
-  const auto problem = Teuchos::rcp(new Belos::LinearProblem<Scalar, MultiVector, Operator>(
-      A, x, Teuchos::rcpFromRef(B)));
+  const auto problem = Teuchos::rcp(
+      new Belos::LinearProblem<Scalar, MultiVector, Operator>(A, x, Teuchos::rcpFromRef(B)));
   if (!preconditioner.is_null()) problem->setRightPrec(preconditioner);
   problem->setProblem();
   Belos::SolverFactory<Scalar, MultiVector, Operator> factory;
+  factory.addFactory(Teuchos::rcp(new GcrFactory));
   const auto solver = factory.create(options.method, belos_list(options, tolerance));
   solver->setProblem(problem);
   try {

@@ -6,9 +6,9 @@
 namespace tunica::linear {
 
 struct KrylovOptions {
-  std::string method;  ///< name of a Belos solver manager
+  std::string method;  ///< name of a Belos solver manager, or GCR
   int max_iterations;
-  int restart;         ///< basis vectors kept, for the GMRES family
+  int restart;  ///< basis vectors kept, of methods that keep a basis; 0 for others
 };
 
 struct KrylovResult {
@@ -19,7 +19,7 @@ struct KrylovResult {
 /// Solves A X = B from the X given by a Belos method with right preconditioning (null: none).
 /// The residual is measured against |B|. Breakdown shows as a residual that is not small.
 KrylovResult solve_krylov(const KrylovOptions& options, const Teuchos::RCP<const Operator>& A,
-                          const Teuchos::RCP<const Operator>& preconditioner,
-                          const MultiVector& B, MultiVector& X, double tolerance);
+                          const Teuchos::RCP<const Operator>& preconditioner, const MultiVector& B,
+                          MultiVector& X, double tolerance);
 
 }  // namespace tunica::linear

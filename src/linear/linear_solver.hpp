@@ -3,6 +3,7 @@
 #include <string>
 
 #include "fields/block_operator.hpp"
+#include "linear/named_operators.hpp"
 #include "params/table.hpp"
 
 namespace tunica::linear {
@@ -35,8 +36,9 @@ public:
 /// The keys of a "Linear Solver" list.
 params::Table linear_solver_table();
 
-/// Builds the solver that the resolved list describes; K must outlive it.
+/// Builds the solver that the resolved list describes; K and operators must outlive it.
 std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& options,
-                                                 const fields::BlockOperator& K);
+                                                 const fields::BlockOperator& K,
+                                                 const NamedOperators& operators = no_operators());
 
 }  // namespace tunica::linear

@@ -11,8 +11,7 @@ Teuchos::RCP<const Map> merged_map(const Map& nodes) {
     for (int c = 0; c < 4; ++c)
       dofs.push_back(4 * nodes.getGlobalElement(static_cast<LocalOrdinal>(a)) + c);
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(
-      new Map(unknown, Teuchos::arrayViewFromVector(dofs), 0, nodes.getComm()));
+  return Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(dofs), 0, nodes.getComm()));
 }
 
 }  // namespace
@@ -34,8 +33,8 @@ MergedMatrix::MergedMatrix(const fields::BlockOperator& K) : K_(&K) {
       row_start(4 * a + c + 1) = next;
     }
   const auto rows = merged_map(*mesh.node_map);
-  matrix_ = Teuchos::rcp(
-      new CrsMatrix(rows, merged_map(*mesh.ghosted_map), row_start, columns, values));
+  matrix_ =
+      Teuchos::rcp(new CrsMatrix(rows, merged_map(*mesh.ghosted_map), row_start, columns, values));
   matrix_->expertStaticFillComplete(rows, rows);
 }
 
@@ -67,7 +66,7 @@ void MergedMatrix::refresh() {
   matrix_->fillComplete(matrix_->getDomainMap(), matrix_->getRangeMap());
 }
 
-void MergedMatrix::merge(const fields::BlockVector& x, Vector& merged) const {
+void MergedMatrix::merge(const fields::BlockVector& x, MultiVector& merged) const {
   const auto u = x.u->getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto p = x.p->getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto all = merged.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -77,7 +76,7 @@ void MergedMatrix::merge(const fields::BlockVector& x, Vector& merged) const {
   }
 }
 
-void MergedMatrix::split(const Vector& merged, fields::BlockVector& x) const {
+void MergedMatrix::split(const MultiVector& merged, fields::BlockVector& x) const {
   const auto all = merged.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto u = x.u->getLocalViewHost(Tpetra::Access::OverwriteAll);
   const auto p = x.p->getLocalViewHost(Tpetra::Access::OverwriteAll);

@@ -13,8 +13,8 @@ public:
   void refresh();
   Teuchos::RCP<CrsMatrix> matrix() const { return matrix_; }
 
-  void merge(const fields::BlockVector& x, Vector& merged) const;
-  void split(const Vector& merged, fields::BlockVector& x) const;
+  void merge(const fields::BlockVector& x, MultiVector& merged) const;
+  void split(const MultiVector& merged, fields::BlockVector& x) const;
 
 private:
   const fields::BlockOperator* K_;

@@ -1,6 +1,8 @@
 #include "linear/scalar_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "linear/amg.hpp"
 #include "linear/direct_factor.hpp"
@@ -17,8 +19,10 @@ double relative_residual(const CrsMatrix& K, const MultiVector& B, const MultiVe
   R.norm2(Teuchos::arrayViewFromVector(r));
   B.norm2(Teuchos::arrayViewFromVector(b));
   double largest = 0.0;
-  for (std::size_t j = 0; j < r.size(); ++j)
+  for (std::size_t j = 0; j < r.size(); ++j) {
+    if (!std::isfinite(r[j])) return std::numeric_limits<double>::infinity();
     if (b[j] > 0.0) largest = std::max(largest, r[j] / b[j]);
+  }
   return largest;
 }
 

@@ -5,9 +5,9 @@ namespace tunica::materials {
 
 /// Stress and tangent of a hyperelastic law at one point.
 struct Response {
-  Sym3 S;      ///< second Piola–Kirchhoff stress S' = 2 ∂Ψ'/∂C [kPa]
-  Sym3Map D;   ///< D[I][J] = dS_I / dE_J with E = (C − I)/2 and engineering shears
-               ///< (E_J = 2 E_xy for J = xy): maps Voigt strain to Voigt stress [kPa], symmetric
+  Sym3 S;     ///< second Piola–Kirchhoff stress S' = 2 ∂Ψ'/∂C [kPa]
+  Sym3Map D;  ///< D[I][J] = dS_I / dE_J with E = (C − I)/2 and engineering shears
+              ///< (E_J = 2 E_xy for J = xy): maps Voigt strain to Voigt stress [kPa], symmetric
 };
 
 /// Isochoric part of a hyperelastic law, as the mixed displacement–pressure solid sees it.

@@ -15,8 +15,8 @@ public:
 
 class GuardedLineSearchFactory : public NOX::LineSearch::UserDefinedFactory {
 public:
-  Teuchos::RCP<NOX::LineSearch::Generic> buildLineSearch(
-      const Teuchos::RCP<NOX::GlobalData>&, Teuchos::ParameterList&) const override {
+  Teuchos::RCP<NOX::LineSearch::Generic> buildLineSearch(const Teuchos::RCP<NOX::GlobalData>&,
+                                                         Teuchos::ParameterList&) const override {
     return Teuchos::rcp(new GuardedLineSearch);
   }
 };

@@ -1,6 +1,7 @@
 #include "nonlinear/increment_test.hpp"
 
 #include <NOX_Solver_Generic.H>
+
 #include <cmath>
 #include <sstream>
 

@@ -14,8 +14,7 @@ namespace tunica::nonlinear {
 
 params::Table newton_table() {
   params::Table table("Newton's method for one field.");
-  table
-      .integer("max iterations", 20, params::between(1, 1000), "cap on the Newton steps")
+  table.integer("max iterations", 20, params::between(1, 1000), "cap on the Newton steps")
       .number("relative increment", 1e-8, params::non_negative(), "1",
               "stop when the mass norm of the increment has fallen to this part of the first one")
       .number("absolute increment", 1e-9, params::non_negative(), "mixed",
@@ -35,7 +34,7 @@ params::Table newton_table() {
 }
 
 NewtonOptions newton_options(const Teuchos::ParameterList& list) {
-  return {list.get<int>("max iterations"),       list.get<double>("relative increment"),
+  return {list.get<int>("max iterations"),        list.get<double>("relative increment"),
           list.get<double>("absolute increment"), list.get<double>("growth limit"),
           list.get<double>("linear tolerance"),   list.get<std::string>("forcing"),
           list.get<std::string>("line search")};
@@ -69,8 +68,8 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options, int 
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
   list->set("Nonlinear Solver", "Line Search Based");
   list->sublist("Printing").set("Output Information", 0).set("MyPID", rank);
-  Teuchos::ParameterList& newton = list->sublist("Direction").set("Method", "Newton").sublist(
-      "Newton");
+  Teuchos::ParameterList& newton =
+      list->sublist("Direction").set("Method", "Newton").sublist("Newton");
   newton.sublist("Linear Solver").set("Tolerance", options.linear_tolerance);
   newton.set("Forcing Term Method", options.forcing == "constant" ? "Constant"
                                     : options.forcing == "type 1" ? "Type 1"

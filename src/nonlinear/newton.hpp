@@ -27,12 +27,12 @@ public:
 
 struct NewtonOptions {
   int max_iterations;
-  double relative_increment;   ///< ε2: stop at |dx_k| ≤ ε2 |dx_1|
-  double absolute_increment;   ///< or at |dx_k| ≤ this
-  double growth_limit;         ///< give up at |dx_k| > limit |dx_1|
-  double linear_tolerance;     ///< ε1
-  std::string forcing;         ///< "constant", "type 1", "type 2" (Eisenstat–Walker)
-  std::string line_search;     ///< "guarded", "full step", "backtrack", "polynomial"
+  double relative_increment;  ///< ε2: stop at |dx_k| ≤ ε2 |dx_1|
+  double absolute_increment;  ///< or at |dx_k| ≤ this
+  double growth_limit;        ///< give up at |dx_k| > limit |dx_1|
+  double linear_tolerance;    ///< ε1
+  std::string forcing;        ///< "constant", "type 1", "type 2" (Eisenstat–Walker)
+  std::string line_search;    ///< "guarded", "full step", "backtrack", "polynomial"
 };
 params::Table newton_table();
 NewtonOptions newton_options(const Teuchos::ParameterList& list);
@@ -41,8 +41,8 @@ struct NewtonStep {
   double increment = 0.0;           ///< mass norm
   double relative_increment = 0.0;  ///< to the first one
   double residual = 0.0;            ///< Euclidean norm of F after the step
-  double exponent = 0.0;            ///< log(e_k/e_{k−1}) / log(e_{k−1}/e_{k−2}); 0 until the third
-  double step_length = 0.0;         ///< of the line search
+  double exponent = 0.0;     ///< log(e_k/e_{k−1}) / log(e_{k−1}/e_{k−2}); 0 until the third
+  double step_length = 0.0;  ///< of the line search
   linear::SolveReport linear;
 };
 

@@ -7,12 +7,11 @@
 namespace tunica::nonlinear {
 
 fields::BlockVector blocks_of(const NOX::Abstract::Vector& v) {
-  using Extract =
-      Thyra::TpetraOperatorVectorExtraction<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  using Extract = Thyra::TpetraOperatorVectorExtraction<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
   // NOX hands out const vectors whose storage its own groups may write.
   auto& vector = const_cast<NOX::Thyra::Vector&>(dynamic_cast<const NOX::Thyra::Vector&>(v));
-  const auto product = Teuchos::rcp_dynamic_cast<Thyra::ProductVectorBase<double>>(
-      vector.getThyraRCPVector(), true);
+  const auto product =
+      Teuchos::rcp_dynamic_cast<Thyra::ProductVectorBase<double>>(vector.getThyraRCPVector(), true);
   fields::BlockVector blocks;
   blocks.u = Extract::getTpetraVector(product->getNonconstVectorBlock(0));
   blocks.p = Extract::getTpetraVector(product->getNonconstVectorBlock(1));
@@ -78,8 +77,8 @@ NOX::Abstract::Group::ReturnType NoxGroup::computeJacobian() {
 NOX::Abstract::Group::ReturnType NoxGroup::computeNewton(Teuchos::ParameterList& list) {
   if (is_newton_) return Ok;
   fields::BlockVector direction = blocks_of(newton_);
-  log_->linear.push_back(problem_->linear_solver().solve(blocks_of(f_), direction,
-                                                         list.get<double>("Tolerance")));
+  log_->linear.push_back(
+      problem_->linear_solver().solve(blocks_of(f_), direction, list.get<double>("Tolerance")));
   newton_.scale(-1.0);
   is_newton_ = true;
   return log_->linear.back().is_converged ? Ok : NotConverged;

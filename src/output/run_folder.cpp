@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/error.hpp"
 #include "base/agreement.hpp"
+#include "base/error.hpp"
 #include "output/atomic_file.hpp"
 
 namespace tunica::output {

@@ -23,8 +23,8 @@ Observables FluidProblem::observe() const {
       const auto v = assembly::gather(u, face.nodes);
       inflow -= dot(n, v[0] + v[1] + v[2]) / 3.0;
     }
-    found.push_back({"inflow_" + condition->surface + "_mm3_per_ms",
-                     fields::global_sum(comm, inflow)});
+    found.push_back(
+        {"inflow_" + condition->surface + "_mm3_per_ms", fields::global_sum(comm, inflow)});
   }
   double low = 1e300, high = -1e300, speed = 0.0, volume = 0.0;
   for (int a = 0; a < mesh_->n_owned; ++a) {

@@ -71,6 +71,9 @@ params::Table fluid_table() {
       .number("density", std::nullopt, params::positive(), "mg/mm^3", "density")
       .number("viscosity", std::nullopt, params::positive(), "kPa ms",
               "dynamic viscosity; 0.035 Poise are 3.5e-6 kPa s = 3.5e-3 kPa ms")
+      .number("stabilisation viscous factor", 4.0, params::positive(), "1",
+              "c of the viscous part c nu/h^2 in the SUPG and PSPG parameter; 12 is more accurate "
+              "in slow viscous flow at large time steps, where 4 blurs the pressure")
       .entries("Surfaces", condition_table(), "one list for each surface with a condition")
       .sublist("Newton", nonlinear::newton_table())
       .sublist("Linear Solver", linear::linear_solver_table())
@@ -86,6 +89,7 @@ FluidOptions fluid_options(const Teuchos::ParameterList& list) {
   options.regions = list.get<Teuchos::Array<std::string>>("regions").toVector();
   options.density = list.get<double>("density");
   options.viscosity = list.get<double>("viscosity");
+  options.viscous_factor = list.get<double>("stabilisation viscous factor");
   const Teuchos::ParameterList& surfaces = list.sublist("Surfaces");
   for (auto it = surfaces.begin(); it != surfaces.end(); ++it)
     options.conditions.push_back(

@@ -11,12 +11,12 @@ namespace tunica::problems {
 /// What happens on one surface of the fluid.
 struct FlowCondition {
   std::string surface;
-  std::string kind;              ///< "traction", "pressure", "velocity", "no slip", "interface"
-  Vec3 traction{};               ///< [kPa]
-  double pressure = 0.0;         ///< traction −p n [kPa]
-  double backflow = 0.0;         ///< β of the backflow stabilisation
-  Vec3 velocity{};               ///< at the centre of the profile [mm/ms]
-  bool is_parabolic = false;     ///< zero at the rim of a round surface
+  std::string kind;           ///< "traction", "pressure", "velocity", "no slip", "interface"
+  Vec3 traction{};            ///< [kPa]
+  double pressure = 0.0;      ///< traction −p n [kPa]
+  double backflow = 0.0;      ///< β of the backflow stabilisation
+  Vec3 velocity{};            ///< at the centre of the profile [mm/ms]
+  bool is_parabolic = false;  ///< zero at the rim of a round surface
   stepping::TimeFunction amplitude;
 
   bool is_open() const { return kind == "traction" || kind == "pressure"; }
@@ -26,6 +26,7 @@ struct FluidOptions {
   std::vector<std::string> regions;
   double density;
   double viscosity;
+  double viscous_factor;  ///< c_ν of the stabilisation parameter
   std::vector<FlowCondition> conditions;
 
   std::vector<std::string> interface_surfaces() const;

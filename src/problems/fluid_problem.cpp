@@ -15,11 +15,11 @@ namespace tunica::problems {
 FluidProblem::FluidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
     : options_(fluid_options(list)), newton_(nonlinear::newton_options(list.sublist("Newton"))),
       mesh_(&mesh), K_(mesh),
-      solver_(linear::make_linear_solver(list.sublist("Linear Solver"), K_)), R_(mesh), x_(mesh),
-      position_(mesh.x) {
+      solver_(linear::make_linear_solver(list.sublist("Linear Solver"), K_, *this)), R_(mesh),
+      x_(mesh), position_(mesh.x) {
   for (auto* field : {&local_.u, &local_.u_old, &local_.w, &local_.f})
     field->assign(mesh.n_nodes(), Vec3{});
-  elements_.coefficients = {options_.density, options_.viscosity, 0.0};
+  elements_.coefficients = {options_.density, options_.viscosity, 0.0, options_.viscous_factor};
   elements_.geometry = assembly::geometry_of(mesh, mesh.x);
   set_constraints();
 }
@@ -31,8 +31,7 @@ void FluidProblem::set_constraints() {
   condition_of_surface_.assign(mesh_->surfaces.size(), nullptr);
   round_.resize(mesh_->surfaces.size());
   for (const FlowCondition& condition : options_.conditions) {
-    const auto found =
-        std::find(mesh_->surfaces.begin(), mesh_->surfaces.end(), condition.surface);
+    const auto found = std::find(mesh_->surfaces.begin(), mesh_->surfaces.end(), condition.surface);
     if (found == mesh_->surfaces.end()) continue;  // the case was checked against the mesh
     const int surface = static_cast<int>(found - mesh_->surfaces.begin());
     condition_of_surface_[surface] = &condition;
@@ -44,8 +43,8 @@ void FluidProblem::set_constraints() {
     for (int a = 0; a < mesh_->n_nodes(); ++a)
       if (mesh_->is_on(a, surface)) fixed_[a] |= assembly::fixed_vector;
   }
-  const bool is_closed = std::all_of(
-      mesh_->faces.begin(), mesh_->faces.end(), [this](const fields::Face& face) {
+  const bool is_closed =
+      std::all_of(mesh_->faces.begin(), mesh_->faces.end(), [this](const fields::Face& face) {
         const FlowCondition* condition = condition_of_surface_[face.surface];
         return condition != nullptr && !condition->is_open();
       });
@@ -94,7 +93,7 @@ Vec3 FluidProblem::prescribed_velocity(int node, const FlowCondition& condition,
 
 void FluidProblem::impose_velocities() {
   // Where surfaces meet, the interface wins over no slip, and no slip over a velocity.
-  const auto u = x_.u->getLocalViewHost(Tpetra::Access::ReadWrite);
+  const auto u = x_.u->getLocalViewHost(read_write);
   for (const std::string kind : {"velocity", "no slip", "interface"})
     for (std::size_t s = 0; s < condition_of_surface_.size(); ++s) {
       const FlowCondition* condition = condition_of_surface_[s];
@@ -141,7 +140,8 @@ void FluidProblem::add_surface_terms(assembly::BlockAssembler* K) {
     const double amplitude = condition->amplitude(time_);
     R_.add(*mesh_, face, kernels::dead_traction(x, amplitude * traction));
     if (condition->backflow == 0.0) continue;
-    const auto u = assembly::gather(local_.u, face.nodes), w = assembly::gather(local_.w, face.nodes);
+    const auto u = assembly::gather(local_.u, face.nodes),
+               w = assembly::gather(local_.w, face.nodes);
     const double beta_rho = condition->backflow * options_.density;
     if (K == nullptr) {
       R = kernels::backflow(x, u, w, beta_rho);

@@ -14,7 +14,7 @@ namespace tunica::problems {
 
 /// The fluid on a moving mesh over time: velocity and pressure of one step by Newton's method,
 /// implicit Euler between the steps. Starts at rest on the undeformed mesh.
-class FluidProblem : public nonlinear::NonlinearProblem {
+class FluidProblem : public nonlinear::NonlinearProblem, public linear::NamedOperators {
 public:
   using VectorField = std::function<Vec3(const Vec3& x, double time)>;
 
@@ -59,6 +59,10 @@ public:
   linear::LinearSolver& linear_solver() override { return *solver_; }
   double increment_norm(const fields::BlockVector& dx) override;
   std::string refusal() const override { return "the residual is not a number"; }
+
+  // NamedOperators: the parts of the paper's Schur complement
+  std::vector<std::string> operator_names() const override;
+  Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
 
 private:
   void set_constraints();

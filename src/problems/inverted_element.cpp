@@ -16,8 +16,8 @@ std::optional<std::string> describe_inversion(const fields::FieldMesh& mesh, dou
   const double badness = is_fine ? infinity : std::isnan(smallest) ? -infinity : smallest;
   const double worst = fields::global_min(*mesh.comm, badness);
   const int rank = mesh.comm->getRank();
-  const double speaker = fields::global_min(
-      *mesh.comm, !is_fine && badness == worst ? rank : mesh.comm->getSize());
+  const double speaker =
+      fields::global_min(*mesh.comm, !is_fine && badness == worst ? rank : mesh.comm->getSize());
   Vec3 centre{};
   double value = 0.0, number = 0.0;
   if (rank == static_cast<int>(speaker)) {

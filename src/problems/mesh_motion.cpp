@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "assembly/gather.hpp"
-#include "fields/block_operator.hpp"
+#include "assembly/scalar_matrix.hpp"
 #include "kernels/laplace_p1.hpp"
 
 namespace tunica::problems {
@@ -23,41 +23,30 @@ MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMe
 
 void MeshMotion::assemble() {
   const fields::NodeGraph graph = fields::make_node_graph(*mesh_);
-  K_ = fields::make_matrix(graph, *mesh_, 1, 1);
-  coupling_ = fields::make_matrix(graph, *mesh_, 1, 1);
-  K_->resumeFill();
-  coupling_->resumeFill();
-  {
-    const auto K = K_->getLocalMatrixHost().values;
-    const auto coupling = coupling_->getLocalMatrixHost().values;
-    for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
-      const auto& nodes = mesh_->tets[e];
-      const auto Ke = kernels::laplace_p1(kernels::make_tet4(assembly::gather(mesh_->x, nodes)));
-      for (int a = 0; a < 4; ++a) {
-        if (nodes[a] >= mesh_->n_owned) continue;
-        for (int b = 0; b < 4; ++b) {
-          const std::size_t k = graph.row_start[nodes[a]] + graph.position[e][4 * a + b];
-          const bool are_free = kind_[nodes[a]] == Kind::free && kind_[nodes[b]] == Kind::free;
-          if (are_free || a == b) K(k) += Ke[a][b];
-          if (kind_[nodes[a]] == Kind::free && kind_[nodes[b]] == Kind::interface)
-            coupling(k) += Ke[a][b];
-        }
-      }
-    }
-  }
-  K_->fillComplete(mesh_->node_map, mesh_->node_map);
-  coupling_->fillComplete(mesh_->node_map, mesh_->node_map);
+  const auto element = [this](std::size_t e) {
+    return kernels::laplace_p1(kernels::make_tet4(assembly::gather(mesh_->x, mesh_->tets[e])));
+  };
+  std::vector<char> is_given(mesh_->n_nodes()), none(mesh_->n_nodes(), 0);
+  for (int a = 0; a < mesh_->n_nodes(); ++a) is_given[a] = kind_[a] != Kind::free;
+  K_ = assembly::scalar_matrix(*mesh_, graph, element, is_given);
+  whole_ = assembly::scalar_matrix(*mesh_, graph, element, none);
 }
 
 const std::vector<Vec3>& MeshMotion::extend(const std::vector<Vec3>& interface_displacement) {
   MultiVector given(mesh_->node_map, 3), right_side(mesh_->node_map, 3);
   {
-    const auto view = given.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    const auto view = given.getLocalViewHost(overwrite_all);
     for (int a = 0; a < mesh_->n_owned; ++a)
       for (int i = 0; i < 3; ++i)
         view(a, i) = kind_[a] == Kind::interface ? interface_displacement[a][i] : 0.0;
   }
-  coupling_->apply(given, right_side, Teuchos::NO_TRANS, -1.0, 0.0);
+  whole_->apply(given, right_side, Teuchos::NO_TRANS, -1.0, 0.0);
+  {
+    const auto view = right_side.getLocalViewHost(read_write);
+    for (int a = 0; a < mesh_->n_owned; ++a)
+      for (int i = 0; i < 3; ++i)
+        if (kind_[a] != Kind::free) view(a, i) = 0.0;
+  }
   const double residual = solver_->solve(right_side, solution_);
   if (!(residual < 1e-8))
     throw std::runtime_error("Mesh Motion: the linear solver left a relative residual of " +
@@ -65,8 +54,8 @@ const std::vector<Vec3>& MeshMotion::extend(const std::vector<Vec3>& interface_d
   MultiVector total(solution_, Teuchos::Copy);
   total.update(1.0, given, 1.0);
   MultiVector ghosted(mesh_->ghosted_map, 3);
-  ghosted.doImport(total, *mesh_->import, Tpetra::INSERT);
-  const auto view = ghosted.getLocalViewHost(Tpetra::Access::ReadOnly);
+  ghosted.doImport(total, *mesh_->import, insert);
+  const auto view = ghosted.getLocalViewHost(read_only);
   for (int a = 0; a < mesh_->n_nodes(); ++a) d_[a] = {view(a, 0), view(a, 1), view(a, 2)};
   return d_;
 }

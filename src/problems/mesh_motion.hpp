@@ -28,9 +28,9 @@ private:
 
   const fields::FieldMesh* mesh_;
   enum class Kind : char { free, fixed, interface };
-  std::vector<Kind> kind_;            ///< per local node
-  Teuchos::RCP<CrsMatrix> K_;         ///< with unit rows and zero columns at given nodes
-  Teuchos::RCP<CrsMatrix> coupling_;  ///< rows of free nodes, columns of interface nodes
+  std::vector<Kind> kind_;         ///< per local node
+  Teuchos::RCP<CrsMatrix> K_;      ///< rows and columns of given nodes are diagonal
+  Teuchos::RCP<CrsMatrix> whole_;  ///< the Laplacian without conditions
   std::unique_ptr<linear::ScalarSolver> solver_;
   MultiVector solution_;
   std::vector<Vec3> d_, d_old_;

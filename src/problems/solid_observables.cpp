@@ -41,15 +41,14 @@ Observables SolidProblem::observe() const {
     if (mesh_->is_counted[e])
       s.energy += elements_.geometry[e].volume *
                   elements_.law[e]->energy(kernels::right_cauchy_green(
-                                      kernels::deformation_gradient(elements_.geometry[e], de)));
+                      kernels::deformation_gradient(elements_.geometry[e], de)));
   }
-  Observables found{
-      {"max_displacement_wall_mm", fields::global_max(comm, s.displacement)},
-      {"min_det_F", fields::global_min(comm, s.low_J)},
-      {"max_det_F", fields::global_max(comm, s.high_J)},
-      {"wall_pressure_min_kPa", fields::global_min(comm, s.low_pressure)},
-      {"wall_pressure_max_kPa", fields::global_max(comm, s.high_pressure)},
-      {"elastic_energy_kPa_mm3", fields::global_sum(comm, s.energy)}};
+  Observables found{{"max_displacement_wall_mm", fields::global_max(comm, s.displacement)},
+                    {"min_det_F", fields::global_min(comm, s.low_J)},
+                    {"max_det_F", fields::global_max(comm, s.high_J)},
+                    {"wall_pressure_min_kPa", fields::global_min(comm, s.low_pressure)},
+                    {"wall_pressure_max_kPa", fields::global_max(comm, s.high_pressure)},
+                    {"elastic_energy_kPa_mm3", fields::global_sum(comm, s.energy)}};
   if (!options_.interface_surfaces().empty())
     found.insert(found.begin() + 1, {"max_displacement_interface_mm",
                                      fields::global_max(comm, s.interface_displacement)});

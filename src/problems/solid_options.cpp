@@ -12,7 +12,10 @@ namespace tunica::problems {
 namespace {
 
 Layer layer_of(const std::string& region, const Teuchos::ParameterList& list) {
-  Layer layer{region, list.get<std::string>("law"), {}, list.get<double>("bulk modulus"),
+  Layer layer{region,
+              list.get<std::string>("law"),
+              {},
+              list.get<double>("bulk modulus"),
               list.get<double>("density")};
   for (const materials::LawEntry& law : materials::laws())
     if (law.name == layer.law)

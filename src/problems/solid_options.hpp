@@ -21,10 +21,10 @@ struct Layer {
 /// What happens on one surface of the wall.
 struct WallCondition {
   std::string surface;
-  std::string kind;                  ///< "clamped", "held", "traction", "pressure", "interface"
-  std::vector<int> components;       ///< held: the displacement components that are zero
-  Vec3 traction{};                   ///< dead, per undeformed area [kPa]
-  double pressure = 0.0;             ///< follows the deformed surface, pushes against it [kPa]
+  std::string kind;             ///< "clamped", "held", "traction", "pressure", "interface"
+  std::vector<int> components;  ///< held: the displacement components that are zero
+  Vec3 traction{};              ///< dead, per undeformed area [kPa]
+  double pressure = 0.0;        ///< follows the deformed surface, pushes against it [kPa]
   stepping::TimeFunction amplitude;
 };
 
@@ -32,9 +32,9 @@ struct SolidOptions {
   std::vector<Layer> layers;
   std::vector<WallCondition> conditions;
   bool is_static;
-  double beta, gamma;            ///< Newmark
-  bool has_inertia_in_tau;       ///< τ = 1/(4μ_l/h² + α) instead of the paper's h²/(4μ_l)
-  double modulus_factor;         ///< multiplies μ_l in τ
+  double beta, gamma;       ///< Newmark
+  bool has_inertia_in_tau;  ///< τ = 1/(4μ_l/h² + α) instead of the paper's h²/(4μ_l)
+  double modulus_factor;    ///< multiplies μ_l in τ
 
   std::vector<std::string> regions() const;
   std::vector<std::string> interface_surfaces() const;

@@ -14,8 +14,8 @@ namespace tunica::problems {
 SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
     : options_(solid_options(list)), newton_(nonlinear::newton_options(list.sublist("Newton"))),
       mesh_(&mesh), K_(mesh),
-      solver_(linear::make_linear_solver(list.sublist("Linear Solver"), K_)), R_(mesh), x_(mesh),
-      d_old_(mesh.n_nodes()), v_old_(mesh.n_nodes()), a_old_(mesh.n_nodes()),
+      solver_(linear::make_linear_solver(list.sublist("Linear Solver"), K_, *this)), R_(mesh),
+      x_(mesh), d_old_(mesh.n_nodes()), v_old_(mesh.n_nodes()), a_old_(mesh.n_nodes()),
       nodal_force_(mesh.n_owned) {
   local_.r.assign(mesh.n_nodes(), Vec3{});
   set_constraints();
@@ -28,8 +28,7 @@ void SolidProblem::set_constraints() {
   fixed_.assign(mesh_->n_nodes(), 0);
   condition_of_surface_.assign(mesh_->surfaces.size(), nullptr);
   for (const WallCondition& condition : options_.conditions) {
-    const auto found =
-        std::find(mesh_->surfaces.begin(), mesh_->surfaces.end(), condition.surface);
+    const auto found = std::find(mesh_->surfaces.begin(), mesh_->surfaces.end(), condition.surface);
     if (found == mesh_->surfaces.end()) continue;  // the case was checked against the mesh
     const int surface = static_cast<int>(found - mesh_->surfaces.begin());
     condition_of_surface_[surface] = &condition;
@@ -66,8 +65,8 @@ void SolidProblem::set_coefficients(double dt) {
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
     const Layer& layer = options_.layers[layer_of_region_[mesh_->region[e]]];
     const double h = kernels::element_length(elements_.geometry[e].volume);
-    const double stiffness = 4.0 * options_.modulus_factor *
-                             elements_.law[e]->stabilisation_modulus() / (h * h);
+    const double stiffness =
+        4.0 * options_.modulus_factor * elements_.law[e]->stabilisation_modulus() / (h * h);
     const double alpha = alpha_of(layer);
     const double tau = 1.0 / (stiffness + (options_.has_inertia_in_tau ? alpha : 0.0));
     elements_.coefficients[e] = {alpha, 1.0 / layer.bulk_modulus, tau};
@@ -77,8 +76,7 @@ void SolidProblem::set_coefficients(double dt) {
 void SolidProblem::set_inertia_history() {
   const stepping::Newmark scheme{options_.beta, options_.gamma, dt_};
   for (int a = 0; a < mesh_->n_nodes(); ++a)
-    local_.r[a] =
-        options_.is_static ? Vec3{} : scheme.load(1.0, d_old_[a], v_old_[a], a_old_[a]);
+    local_.r[a] = options_.is_static ? Vec3{} : scheme.load(1.0, d_old_[a], v_old_[a], a_old_[a]);
 }
 
 void SolidProblem::begin_step(const stepping::Clock& clock) {
@@ -103,7 +101,7 @@ void SolidProblem::end_step() {
 }
 
 std::vector<Vec3> SolidProblem::displacement() const {
-  const auto u = x_.u->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto u = x_.u->getLocalViewHost(read_only);
   std::vector<Vec3> d(mesh_->n_owned);
   for (int a = 0; a < mesh_->n_owned; ++a) d[a] = {u(3 * a, 0), u(3 * a + 1, 0), u(3 * a + 2, 0)};
   return d;

@@ -14,7 +14,7 @@ namespace tunica::problems {
 /// The wall over time: displacement and pressure of one step by Newton's method, Newmark
 /// between the steps. Loads are follower pressures, dead tractions and nodal forces from the
 /// fluid. Starts at rest in the unloaded configuration.
-class SolidProblem : public nonlinear::NonlinearProblem {
+class SolidProblem : public nonlinear::NonlinearProblem, public linear::NamedOperators {
 public:
   /// list: the resolved "Wall" list. mesh must outlive the problem.
   SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
@@ -47,6 +47,10 @@ public:
   double increment_norm(const fields::BlockVector& dx) override;
   std::string refusal() const override { return refusal_; }
 
+  // NamedOperators: the parts of the paper's Schur complement
+  std::vector<std::string> operator_names() const override;
+  Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
+
 private:
   void set_constraints();
   void set_elements();
@@ -69,8 +73,8 @@ private:
   assembly::NodalResidual R_;
 
   fields::BlockVector x_;
-  assembly::SolidFields local_;                     ///< ghosted copy of the point of evaluation
-  std::vector<Vec3> d_old_, v_old_, a_old_;         ///< owned and ghost nodes
+  assembly::SolidFields local_;              ///< ghosted copy of the point of evaluation
+  std::vector<Vec3> d_old_, v_old_, a_old_;  ///< owned and ghost nodes
   std::vector<Vec3> nodal_force_;
   double time_ = 0.0;
   Meter meter_;

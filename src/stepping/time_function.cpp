@@ -47,9 +47,9 @@ void check_samples(const Teuchos::ParameterList& options, const std::string& pat
   if (options.get<std::string>("kind") == "constant") return;
   const Samples s = samples_of(options);
   TUNICA_CHECK(!s.times.empty(), path + ": the table is empty, expected at least one time.");
-  TUNICA_CHECK(s.times.size() == s.values.size(),
-               path + ": " + std::to_string(s.times.size()) + " times but " +
-                   std::to_string(s.values.size()) + " values.");
+  TUNICA_CHECK(s.times.size() == s.values.size(), path + ": " + std::to_string(s.times.size()) +
+                                                      " times but " +
+                                                      std::to_string(s.values.size()) + " values.");
   for (std::size_t i = 1; i < s.times.size(); ++i) {
     std::ostringstream message;
     message << path << ": the times must increase, but " << s.times[i] << " ms follows "
@@ -89,8 +89,7 @@ params::Table time_function_table() {
                  "between the times: linear, or the value of the last time passed");
   };
   params::Table arrays, file;
-  arrays
-      .numbers("times", std::nullopt, params::any(), 0, "ms", "increasing times")
+  arrays.numbers("times", std::nullopt, params::any(), 0, "ms", "increasing times")
       .numbers("values", std::nullopt, params::any(), 0, "1", "factor at each time");
   interpolation(arrays);
   file.file("file", std::nullopt, "text file with a time and a value on each line");

@@ -87,7 +87,8 @@ FAULTS = [
         replace('<ParameterList name="wall">', '<ParameterList name="walls">')),
     Bad("no_region", ["Fluid", '"regions"'],
         replace(parameter("density", "double", "1.0"),
-                parameter("density", "double", "1.0") + parameter("regions", "Array(string)", "{}"))),
+                parameter("density", "double", "1.0") +
+                parameter("regions", "Array(string)", "{}"))),
     Bad("surface_of_the_other_field", ["mesh.msh: Fluid / Surfaces", "outer", "does not touch"],
         replace('<ParameterList name="inlet">', '<ParameterList name="outer">')),
     Bad("interface_on_one_side_only", ["interface"],

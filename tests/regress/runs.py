@@ -4,7 +4,6 @@ import os
 import pathlib
 import shutil
 import subprocess
-import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -64,12 +63,3 @@ class Verdict:
     def status(self):
         print(f"{self.failures} failures" if self.failures else "all claims hold")
         return 1 if self.failures else 0
-
-
-def solved(verdict, words, folder, ranks=1):
-    """Runs a driver that must succeed; prints what it says if it does not."""
-    run = Run(words, folder)
-    name = pathlib.Path(words[-1] if ranks == 0 else words[0]).name
-    if not verdict.claim(run.status == 0, f"{name} ends with 0 ({run.seconds:.1f} s)"):
-        print(run.out + run.err, file=sys.stderr)
-    return run

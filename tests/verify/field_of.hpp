@@ -2,6 +2,7 @@
 #include <Teuchos_XMLParameterListHelpers.hpp>
 #include <Tpetra_Core.hpp>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ inline std::string sublist(const std::string& name, const std::string& entries) 
   return "<ParameterList name=\"" + name + "\">" + entries + "</ParameterList>";
 }
 
-/// Sum over the ranks' owned nodes of f(node), divided by the number of nodes with f ≠ NaN.
+/// Mean of f over the nodes where it is a number. Collective.
 template <class Value>
 double mean_over_nodes(const fields::FieldMesh& mesh, const Value& f) {
   double sum = 0.0, count = 0.0;

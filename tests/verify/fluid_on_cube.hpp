@@ -17,10 +17,7 @@ inline Teuchos::ParameterList enclosed_fluid(double density, double viscosity,
           sublist("Surfaces",
                   sublist("boundary", entry("condition", "string", "velocity") +
                                           entry("velocity", "Array(double)", "{0, 0, 0}"))) +
-          sublist("Newton", newton) +
-          sublist("Linear Solver", entry("method", "string", "flexible gmres") +
-                                       entry("preconditioner", "string", "direct") +
-                                       entry("keep preconditioner up to", "int", "25")));
+          sublist("Newton", newton));
 }
 
 }  // namespace tunica::verify

@@ -7,6 +7,21 @@
 
 namespace tunica::verify {
 
+/// Tags the boundary faces in x = 0 and y = 0 as "symmetry_x" and "symmetry_y".
+inline void add_symmetry_planes(mesh::Mesh& quarter) {
+  const int symmetry = static_cast<int>(quarter.surfaces.size());
+  quarter.surfaces.push_back({21, "symmetry_x"});
+  quarter.surfaces.push_back({22, "symmetry_y"});
+  for (const mesh::Face& face : mesh::faces(quarter)) {
+    const Vec3 c = mesh::centre(quarter, face.vertices);
+    for (const int i : {0, 1})
+      if (face.is_boundary() && std::abs(c[i]) < 1e-9) {
+        quarter.triangles.push_back(face.vertices);
+        quarter.triangle_surface.push_back(symmetry + i);
+      }
+  }
+}
+
 /// The quarter x ≥ 0, y ≥ 0 of a tube's wall: the regions and surfaces of mesh::make_tube and
 /// the planes of symmetry "symmetry_x" (x = 0) and "symmetry_y" (y = 0).
 inline mesh::Mesh quarter_of(const mesh::Mesh& tube) {
@@ -42,17 +57,7 @@ inline mesh::Mesh quarter_of(const mesh::Mesh& tube) {
       quarter.triangles.push_back(renumber(tube.triangles[t]));
       quarter.triangle_surface.push_back(tube.triangle_surface[t]);
     }
-  const int symmetry = static_cast<int>(quarter.surfaces.size());
-  quarter.surfaces.push_back({21, "symmetry_x"});
-  quarter.surfaces.push_back({22, "symmetry_y"});
-  for (const mesh::Face& face : mesh::faces(quarter)) {
-    const Vec3 c = mesh::centre(quarter, face.vertices);
-    for (const int i : {0, 1})
-      if (face.is_boundary() && std::abs(c[i]) < 1e-9) {
-        quarter.triangles.push_back(face.vertices);
-        quarter.triangle_surface.push_back(symmetry + i);
-      }
-  }
+  add_symmetry_planes(quarter);
   mesh::validate(quarter, "quarter tube");
   return quarter;
 }

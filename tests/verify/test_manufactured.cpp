@@ -1,14 +1,22 @@
-// A smooth flow on the unit cube with the body force that makes it exact:
+// Smooth flows on the unit cube with the body force that makes them exact:
 //
-//   u_i = (1 + t/2) sin(2k x_{i+1}) cos(k x_{i+2}),   p = cos(2x) sin(y) + z,   cyclic, div u = 0
-//   f   = ∂u/∂t + (u·∇)u − ν Δu + ∇p/ρ,               Δu = −5k² u
+//   u_i = (1 + t/2) sin(2k x_{i+1}) c(x_{i+2}),   p = cos(2x) sin(y) + z,   cyclic, div u = 0
+//   f   = ∂u/∂t + (u·∇)u − ν Δu + ∇p/ρ
+//
+//   general    c = cos(kx),        Δu = −5k² u
+//   harmonic   c = e^{2k(x−1)},    Δu = 0
 //
 // Implicit Euler is exact for a flow that is linear in t, so no error of time remains. The
 // pressure of an enclosed fluid is known up to a constant.
+//
+// The stabilisation's residual lacks the viscous part −μΔu, which linear elements do not see. A
+// harmonic flow has none: the scheme is consistent and shows its orders on coarse meshes. In
+// general PSPG adds τμΔu/ρ to the flux, up to h²/4 Δu: second order, but larger than the error
+// of interpolation, and not second order at all while τ is Δt/2 or h/(2|u|) instead of
+// h²/(4ν). With Δt ~ h² below h²/(2ν), τ is Δt/2 on all meshes.
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "assembly/gather.hpp"
 #include "base/error.hpp"
 #include "fluid_on_cube.hpp"
 #include "oracle/quadrature.hpp"
@@ -17,7 +25,7 @@ namespace {
 
 using namespace tunica;
 
-constexpr double k = 1.5, density = 2.0, viscosity = 0.1;  // Re = 20
+constexpr double k = 1.0, density = 2.0, viscosity = 0.1;  // Re about 20
 
 struct Flow {
   Vec3 u, dudt, laplacian, grad_p;
@@ -25,17 +33,22 @@ struct Flow {
   double p;
 };
 
-Flow flow_at(const Vec3& x, double time) {
+enum class Kind { general, harmonic };
+
+Flow flow_at(Kind kind, const Vec3& x, double time) {
   Flow flow;
   const double factor = 1.0 + 0.5 * time;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, l = (i + 2) % 3;
-    const double s = std::sin(2.0 * k * x[j]), c = std::cos(k * x[l]);
+    const bool is_harmonic = kind == Kind::harmonic;
+    const double s = std::sin(2.0 * k * x[j]);
+    const double c = is_harmonic ? std::exp(2.0 * k * (x[l] - 1.0)) : std::cos(k * x[l]);
+    const double dc = is_harmonic ? 2.0 * k * c : -k * std::sin(k * x[l]);
     flow.u[i] = factor * s * c;
     flow.dudt[i] = 0.5 * s * c;
-    flow.laplacian[i] = -5.0 * k * k * flow.u[i];
+    flow.laplacian[i] = is_harmonic ? 0.0 : -5.0 * k * k * flow.u[i];
     flow.G[i][j] = factor * 2.0 * k * std::cos(2.0 * k * x[j]) * c;
-    flow.G[i][l] = -factor * k * s * std::sin(k * x[l]);
+    flow.G[i][l] = factor * s * dc;
   }
   flow.p = std::cos(2.0 * x[0]) * std::sin(x[1]) + x[2];
   flow.grad_p = {-2.0 * std::sin(2.0 * x[0]) * std::sin(x[1]),
@@ -43,8 +56,8 @@ Flow flow_at(const Vec3& x, double time) {
   return flow;
 }
 
-Vec3 body_force(const Vec3& x, double time) {
-  const Flow flow = flow_at(x, time);
+Vec3 body_force(Kind kind, const Vec3& x, double time) {
+  const Flow flow = flow_at(kind, x, time);
   return flow.dudt + flow.G * flow.u - viscosity / density * flow.laplacian +
          1.0 / density * flow.grad_p;
 }
@@ -54,7 +67,7 @@ struct Errors {
 };
 
 /// L2 norms over the cube of volume one; the mean of the pressure's error is taken out.
-Errors errors_of(const problems::FluidProblem& fluid, double time) {
+Errors errors_of(Kind kind, const problems::FluidProblem& fluid, double time) {
   const fields::FieldMesh& mesh = fluid.mesh();
   const auto u = fields::ghosted_vectors(mesh, *fluid.state().u);
   const auto p = fields::ghosted_scalars(mesh, *fluid.state().p);
@@ -70,7 +83,7 @@ Errors errors_of(const problems::FluidProblem& fluid, double time) {
         u_h += point.N[a] * u[node];
         p_h += point.N[a] * p[node];
       }
-      const Flow flow = flow_at(x, time);
+      const Flow flow = flow_at(kind, x, time);
       const double dV = point.weight * fluid.elements().geometry[e].volume;
       u2 += dV * dot(u_h - flow.u, u_h - flow.u);
       p1 += dV * (p_h - flow.p);
@@ -82,32 +95,52 @@ Errors errors_of(const problems::FluidProblem& fluid, double time) {
   return {std::sqrt(sum(u2)), std::sqrt(sum(p2) - p1 * p1)};
 }
 
-Errors errors_on_cube(int n) {
+Errors errors_on_cube(Kind kind, int n, const stepping::Clock& times) {
   const fields::FieldMesh field = verify::field_of(verify::make_cube(n));
   problems::FluidProblem fluid(verify::enclosed_fluid(density, viscosity), field);
-  fluid.set_initial_velocity([](const Vec3& x) { return flow_at(x, 0.0).u; });
-  fluid.set_boundary_velocity([](const Vec3& x, double time) { return flow_at(x, time).u; });
-  fluid.set_body_force(body_force);
-  stepping::Clock clock(0.5, 2);
-  for (; !clock.is_done(); clock.advance()) {
+  const auto u = [kind](const Vec3& x, double time) { return flow_at(kind, x, time).u; };
+  fluid.set_initial_velocity([u](const Vec3& x) { return u(x, 0.0); });
+  fluid.set_boundary_velocity(u);
+  fluid.set_body_force([kind](const Vec3& x, double time) { return body_force(kind, x, time); });
+  for (stepping::Clock clock = times; !clock.is_done(); clock.advance()) {
     fluid.begin_step(clock);
     const nonlinear::NewtonReport report = fluid.solve();
     TUNICA_CHECK(report.is_converged, report.reason);
   }
-  return errors_of(fluid, 1.0);
+  return errors_of(kind, fluid, times.steps() * times.step_size());
 }
 
-TEUCHOS_UNIT_TEST(manufactured_flow, velocity_and_pressure_converge_at_their_orders) {
+/// Checks the orders between the last errors (none: zeros) and those on cells smaller by the
+/// factor.
+void compare(const Errors& last, const Errors& e, double factor, Teuchos::FancyOStream& out,
+             bool& success) {
+  out << "velocity " << e.u << ", pressure " << e.p << "\n";
+  if (last.u == 0.0) return;
+  TEST_COMPARE(verify::order(last.u, e.u, factor), >=, 1.9);
+  TEST_COMPARE(verify::order(last.p, e.p, factor), >=, 1.0);
+}
+
+TEUCHOS_UNIT_TEST(manufactured_flow, harmonic_flow_converges_at_second_and_first_order) {
   Errors last{};
-  for (const int n : {4, 8, 16}) {
-    const Errors error = errors_on_cube(n);
-    out << "n " << n << ": velocity " << error.u << " order " << verify::order(last.u, error.u)
-        << ", pressure " << error.p << " order " << verify::order(last.p, error.p) << "\n";
-    if (n > 4) {
-      TEST_COMPARE(verify::order(last.u, error.u), >=, 1.9);
-      TEST_COMPARE(verify::order(last.p, error.p), >=, 1.0);
-    }
+  int n_old = 1;
+  for (const int n : {4, 8, 12}) {
+    const Errors error = errors_on_cube(Kind::harmonic, n, stepping::Clock(0.5, 2));
+    compare(last, error, double(n) / n_old, out, success);
     last = error;
+    n_old = n;
+  }
+  TEST_COMPARE(last.u, <, 5e-3);
+}
+
+TEUCHOS_UNIT_TEST(manufactured_flow, general_flow_converges_at_second_and_first_order) {
+  Errors last{};
+  int n_old = 1;
+  for (const int n : {6, 9, 12}) {
+    const int steps = n * n / 9;
+    const Errors error = errors_on_cube(Kind::general, n, stepping::Clock(0.1 / steps, steps));
+    compare(last, error, double(n) / n_old, out, success);
+    last = error;
+    n_old = n;
   }
   TEST_COMPARE(last.u, <, 1e-2);
 }

@@ -35,7 +35,7 @@ std::vector<Vec3> motion(const fields::FieldMesh& mesh, int at_step, double cell
 }
 
 struct Worst {
-  double u = 0.0, p = 0.0, largest_u = 0.0;
+  double u = 0.0, p = 0.0;
 };
 
 /// Largest nodal errors over four steps, the pressure's up to a constant.

@@ -5,7 +5,6 @@
 
 #include "app/case.hpp"
 #include "app/schema.hpp"
-#include "base/error.hpp"
 #include "fluid_on_cube.hpp"
 #include "problems/solid_problem.hpp"
 #include "quarter_tube.hpp"
@@ -34,15 +33,11 @@ TEUCHOS_UNIT_TEST(newton, converges_quadratically_on_an_inflated_wall) {
   list.sublist("Wall").sublist("Newton").set("absolute increment", 0.0);
   const fields::FieldMesh field = verify::field_of(verify::make_quarter_tube(1));
   problems::SolidProblem wall(list.sublist("Wall"), field);
-  for (stepping::Clock clock(list.sublist("Time")); !clock.is_done(); clock.advance()) {
-    wall.begin_step(clock);
-    const nonlinear::NewtonReport report = wall.solve();
-    wall.end_step();
-    out << "step " << clock.step() << "\n";
-    TEST_ASSERT(report.is_converged);
-    TEST_COMPARE(report.steps.size(), >=, 4u);
-    TEST_COMPARE(last_exponent(report, out), >=, 1.8);
-  }
+  wall.begin_step(stepping::Clock(5.0, 1));  // 0.5 kPa at once
+  const nonlinear::NewtonReport report = wall.solve();
+  TEST_ASSERT(report.is_converged);
+  TEST_COMPARE(report.steps.size(), >=, 4u);
+  TEST_COMPARE(last_exponent(report, out), >=, 1.8);
 }
 
 TEUCHOS_UNIT_TEST(newton, converges_quadratically_on_a_convective_flow) {

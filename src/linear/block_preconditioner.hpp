@@ -1,0 +1,39 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+
+#include "linear/concatenated.hpp"
+#include "linear/named_operators.hpp"
+
+namespace tunica::linear {
+
+/// A preconditioner of the 2×2 block system from a Stratimikos list, as Trilinos users write
+/// them: "Preconditioner Type" = "Teko" with an "Inverse Factory Library", in which our block
+/// LU strategies (lu_strategy.hpp) stand beside Teko's own, MueLu, Ifpack2 and Amesos2.
+class BlockPreconditioner : public Operator {
+public:
+  /// The objects referred to must outlive the preconditioner. Throws tunica::Error, which lists
+  /// the known names, for an unknown strategy or inverse.
+  BlockPreconditioner(const Teuchos::ParameterList& stratimikos, const fields::BlockOperator& K,
+                      const NamedOperators& operators);
+  ~BlockPreconditioner() override;
+
+  /// Sets up for the present values of K, with what can be kept of the last set-up.
+  void refresh();
+
+  void set_scale(double s) { scale_ = s; }
+  void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
+             Scalar alpha = 1.0, Scalar beta = 0.0) const override;
+  Teuchos::RCP<const Map> getDomainMap() const override { return blocks_.map(); }
+  Teuchos::RCP<const Map> getRangeMap() const override { return blocks_.map(); }
+
+private:
+  struct Stack;
+  Concatenation blocks_;
+  Teuchos::RCP<Stack> stack_;
+  double scale_ = 1.0;
+};
+
+/// P_R with the algebraic Schur complement, incomplete factors for both blocks.
+Teuchos::ParameterList default_block_preconditioner();
+
+}  // namespace tunica::linear

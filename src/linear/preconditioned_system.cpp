@@ -1,0 +1,96 @@
+#include "linear/preconditioned_system.hpp"
+
+#include "linear/block_preconditioner.hpp"
+#include "linear/direct_factor.hpp"
+#include "linear/ilu.hpp"
+#include "linear/merged_matrix.hpp"
+
+namespace tunica::linear {
+
+namespace {
+
+/// One matrix with the unknowns of a node side by side; incomplete or complete factors of it.
+class MergedSystem final : public PreconditionedSystem {
+public:
+  MergedSystem(const Teuchos::ParameterList& list, const fields::BlockOperator& K) : K_(K) {
+    const auto& kind = list.get<std::string>("preconditioner");
+    if (kind == "direct") direct_ = Teuchos::rcp(new DirectFactor(K_.matrix()));
+    if (kind == "ilu")
+      ilu_ = std::make_unique<IluPreconditioner>(K_.matrix(), list.get<int>("fill level"),
+                                                 list.get<int>("overlap"));
+  }
+
+  Teuchos::RCP<const Map> map() const override { return K_.matrix()->getRowMap(); }
+  Teuchos::RCP<const Operator> matrix() const override { return K_.matrix(); }
+  Teuchos::RCP<const Operator> preconditioner() const override {
+    if (!direct_.is_null()) return direct_;
+    if (ilu_) return ilu_->as_operator();
+    return Teuchos::null;
+  }
+  void refresh_matrix() override { K_.refresh(); }
+  void refresh_preconditioner() override {
+    if (!direct_.is_null()) direct_->refresh();
+    if (ilu_) ilu_->refresh();
+  }
+  void gather(const fields::BlockVector& x, MultiVector& all) const override { K_.merge(x, all); }
+  void scatter(const MultiVector& all, fields::BlockVector& x) const override { K_.split(all, x); }
+
+private:
+  MergedMatrix K_;
+  Teuchos::RCP<DirectFactor> direct_;
+  std::unique_ptr<IluPreconditioner> ilu_;
+};
+
+/// The four blocks as they are, block preconditioners on them.
+class BlockSystem final : public PreconditionedSystem {
+public:
+  BlockSystem(const Teuchos::ParameterList& list, const fields::BlockOperator& K,
+              const NamedOperators& operators)
+      : blocks_(K.mesh()), matrix_(Teuchos::rcp(new ConcatenatedOperator(blocks_, K))),
+        preconditioner_(
+            Teuchos::rcp(new BlockPreconditioner(list.sublist("Stratimikos"), K, operators))) {}
+
+  Teuchos::RCP<const Map> map() const override { return blocks_.map(); }
+  Teuchos::RCP<const Operator> matrix() const override { return matrix_; }
+  Teuchos::RCP<const Operator> preconditioner() const override { return preconditioner_; }
+  void refresh_matrix() override {}  // the operator reads the blocks themselves
+  void refresh_preconditioner() override { preconditioner_->refresh(); }
+  void gather(const fields::BlockVector& x, MultiVector& all) const override {
+    blocks_.vector_part(all)->assign(*x.u);
+    blocks_.scalar_part(all)->assign(*x.p);
+  }
+  void scatter(const MultiVector& all, fields::BlockVector& x) const override {
+    x.u->assign(*blocks_.vector_part(all));
+    x.p->assign(*blocks_.scalar_part(all));
+  }
+
+private:
+  Concatenation blocks_;
+  Teuchos::RCP<ConcatenatedOperator> matrix_;
+  Teuchos::RCP<BlockPreconditioner> preconditioner_;
+};
+
+}  // namespace
+
+void add_preconditioner_keys(params::Table& table) {
+  params::Table ilu, block, direct, none;
+  ilu.integer("fill level", 0, params::non_negative(), "levels of fill k of ILU(k)")
+      .integer("overlap", 0, params::non_negative(), "overlap between ranks, in graph layers");
+  block.foreign("Stratimikos", default_block_preconditioner(), Teuchos::ParameterList(),
+                "a Stratimikos list with a Teko preconditioner, as Trilinos users write it; our "
+                "strategies in it are LU Upper, LU Lower and LU Full");
+  table.variant("preconditioner", "ilu",
+                {{"ilu", ilu}, {"block", block}, {"direct", direct}, {"none", none}},
+                "right preconditioner: incomplete LU with additive Schwarz between ranks, a "
+                "block preconditioner, sparse LU factors (worth it where they are kept), or none");
+}
+
+std::unique_ptr<PreconditionedSystem> make_system(const Teuchos::ParameterList& list,
+                                                  const fields::BlockOperator& K,
+                                                  const NamedOperators& operators) {
+  if (list.get<std::string>("preconditioner") == "block")
+    return std::make_unique<BlockSystem>(list, K, operators);
+  return std::make_unique<MergedSystem>(list, K);
+}
+
+}  // namespace tunica::linear

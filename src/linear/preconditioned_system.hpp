@@ -1,0 +1,38 @@
+#pragma once
+#include <memory>
+
+#include "fields/block_operator.hpp"
+#include "linear/named_operators.hpp"
+#include "params/table.hpp"
+
+namespace tunica::linear {
+
+/// A block system in the form of vector that its preconditioner works on.
+class PreconditionedSystem {
+public:
+  virtual ~PreconditionedSystem() = default;
+
+  virtual Teuchos::RCP<const Map> map() const = 0;
+  virtual Teuchos::RCP<const Operator> matrix() const = 0;
+  /// Null: none.
+  virtual Teuchos::RCP<const Operator> preconditioner() const = 0;
+
+  /// Takes over the present values of the block operator.
+  virtual void refresh_matrix() = 0;
+  /// Sets the preconditioner up for them.
+  virtual void refresh_preconditioner() = 0;
+
+  virtual void gather(const fields::BlockVector& x, MultiVector& all) const = 0;
+  virtual void scatter(const MultiVector& all, fields::BlockVector& x) const = 0;
+};
+
+/// Adds the key "preconditioner" and the keys of each preconditioner.
+void add_preconditioner_keys(params::Table& table);
+
+/// The system for the preconditioner that the resolved list names. K and operators must
+/// outlive it.
+std::unique_ptr<PreconditionedSystem> make_system(const Teuchos::ParameterList& list,
+                                                  const fields::BlockOperator& K,
+                                                  const NamedOperators& operators);
+
+}  // namespace tunica::linear

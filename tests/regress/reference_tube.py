@@ -1,0 +1,58 @@
+"""xml/reference-tube.xml agrees with an independent prototype: tests/data/fsi-tube-small.csv.
+
+Every physical column of steps.csv, to 1e-5 of its largest magnitude over the reference's 64 steps.
+
+Usage: reference_tube.py FOLDER_OF_PROGRAMS SCRATCH [--steps N] [--accelerator iqn-ils|aitken]
+"""
+import argparse
+import pathlib
+import sys
+
+from runs import ROOT, Run, Verdict, command, fresh, table
+
+TOLERANCE = 1e-5
+OURS = {"inflow_mm3_per_ms": "inflow_inlet_mm3_per_ms"}  # other columns have the same names
+NOT_COMPARED = {"step", "time_ms", "inlet_traction_kPa"}
+ITERATIONS = {"iqn-ils": (5, 25), "aitken": (40, 70)}  # of the coupling, in each step
+
+
+def compare(verdict, reference, steps):
+    count = len(steps["step"])
+    for name, expected in reference.items():
+        if name in NOT_COMPARED:
+            continue
+        scale = max(abs(value) for value in expected)
+        errors = [abs(a - b) / scale for a, b in zip(steps[OURS.get(name, name)], expected)]
+        verdict.claim(max(errors) < TOLERANCE,
+                      f"{name}: {max(errors):.1e} of {scale:.4g} in {count} steps")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("programs", type=pathlib.Path)
+    parser.add_argument("scratch", type=pathlib.Path)
+    parser.add_argument("--steps", type=int, default=4, help="1 .. 64")
+    parser.add_argument("--accelerator", default="iqn-ils", choices=sorted(ITERATIONS))
+    wanted = parser.parse_args()
+    verdict = Verdict()
+    folder = fresh(wanted.scratch)
+    words = [ROOT / "xml" / "reference-tube.xml", "--steps", wanted.steps, "--output", "results",
+             "--set", f"Coupling/accelerator={wanted.accelerator}",
+             "--set", "Output/fields every=0"]
+    run = Run(command(wanted.programs.resolve() / "tunica-fsi", words), folder)
+    if not verdict.claim(run.status == 0, f"the run ends with 0 ({run.seconds:.1f} s)"):
+        print(run.out + run.err)
+        return verdict.status()
+    steps = table(folder / "results" / "steps.csv")
+    verdict.claim(len(steps["step"]) == wanted.steps, f"{wanted.steps} steps were made")
+    compare(verdict, table(ROOT / "tests" / "data" / "fsi-tube-small.csv"), steps)
+    least, most = ITERATIONS[wanted.accelerator]
+    used = steps["coupling_iterations"]
+    verdict.claim(least <= min(used) and max(used) <= most,
+                  f"{min(used):.0f} to {max(used):.0f} coupling iterations, "
+                  f"expected {least} to {most}")
+    return verdict.status()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,151 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "assembly/block_assembler.hpp"
+#include "unit/fields/small_tube.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::SmallTube;
+
+/// A number for each element and pair of unknowns: component 3 is the scalar.
+double entry(int number, int v, int i, int w, int j) {
+  return test::scatter(97.0 * number + 13.0 * v + 5.0 * w + 4.0 * i + j + 0.01 * v * w);
+}
+
+kernels::MixedJacobian element_matrix(const fields::FieldMesh& mesh, std::size_t e) {
+  kernels::MixedJacobian K;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      const int v = mesh.vertex[mesh.tets[e][a]], w = mesh.vertex[mesh.tets[e][b]];
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) K.A[a][b][i][j] = entry(mesh.tet_number[e], v, i, w, j);
+        K.B1T[a][b][i] = entry(mesh.tet_number[e], v, i, w, 3);
+        K.B2[a][b][i] = entry(mesh.tet_number[e], v, 3, w, i);
+      }
+      K.mC[a][b] = entry(mesh.tet_number[e], v, 3, w, 3);
+    }
+  return K;
+}
+
+kernels::SurfaceJacobian face_matrix(const fields::FieldMesh& mesh, const fields::Face& face) {
+  kernels::SurfaceJacobian K;
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          K.A[a][b][i][j] = entry(-1 - face.surface, mesh.vertex[face.nodes[a]], i,
+                                  mesh.vertex[face.nodes[b]], j);
+  return K;
+}
+
+/// Some vertices without any, some with all, some with single constraints.
+std::uint8_t constraint(int vertex) {
+  const std::uint8_t kinds[] = {
+      0, assembly::fixed_vector,     0, 1,
+      0, 2 | assembly::fixed_scalar, 0, assembly::fixed_vector | assembly::fixed_scalar,
+      4};
+  return kinds[vertex % 9];
+}
+
+fields::BlockOperator assembled(const fields::FieldMesh& mesh, bool is_constrained) {
+  assembly::Constraints fixed(mesh.n_nodes(), 0);
+  if (is_constrained)
+    for (int a = 0; a < mesh.n_nodes(); ++a) fixed[a] = constraint(mesh.vertex[a]);
+  fields::BlockOperator K(mesh);
+  for (int pass = 0; pass < 2; ++pass) {  // the second pass must start from zeros
+    assembly::BlockAssembler assembler(K, fixed);
+    for (std::size_t e = 0; e < mesh.tets.size(); ++e) assembler.add(e, element_matrix(mesh, e));
+    for (const auto& face : mesh.faces) assembler.add(face, face_matrix(mesh, face));
+    assembler.finish();
+  }
+  return K;
+}
+
+/// The same by the definition: a dense matrix of the whole mesh, in which constrained rows and
+/// columns are cut at the end. Unknowns 4 v + i.
+std::vector<std::vector<double>> dense(const SmallTube& serial, bool is_constrained) {
+  const std::size_t n = 4 * serial.mesh.vertices.size();
+  std::vector<std::vector<double>> K(n, std::vector<double>(n, 0.0));
+  const fields::FieldMesh& mesh = serial.wall;
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
+    for (const int a : mesh.tets[e])
+      for (const int b : mesh.tets[e])
+        for (int i = 0; i < 4; ++i)
+          for (int j = 0; j < 4; ++j)
+            K[4 * mesh.vertex[a] + i][4 * mesh.vertex[b] + j] +=
+                entry(mesh.tet_number[e], mesh.vertex[a], i, mesh.vertex[b], j);
+  for (const auto& face : mesh.faces)
+    for (const int a : face.nodes)
+      for (const int b : face.nodes)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            K[4 * mesh.vertex[a] + i][4 * mesh.vertex[b] + j] +=
+                entry(-1 - face.surface, mesh.vertex[a], i, mesh.vertex[b], j);
+  const auto is_fixed = [](std::size_t dof) { return (constraint(dof / 4) >> (dof % 4)) & 1; };
+  if (is_constrained)
+    for (std::size_t r = 0; r < n; ++r)
+      for (std::size_t c = 0; c < n; ++c)
+        if (r != c && (is_fixed(r) || is_fixed(c))) K[r][c] = 0.0;
+  return K;
+}
+
+double worst_product(const SmallTube& tube, bool is_constrained) {
+  const auto K = assembled(tube.wall, is_constrained);
+  const auto reference = dense(SmallTube(test::alone()), is_constrained);
+  const std::size_t vertices = tube.mesh.vertices.size();
+  double worst = 0.0;
+  for (int seed = 1; seed <= 3; ++seed) {
+    const auto x = test::scattered(tube.wall, seed);
+    auto y = test::scattered(tube.wall, 9);
+    K.apply(x, y);
+    const auto all_x = test::by_vertex(tube.wall, x, vertices);
+    std::vector<double> expected(4 * vertices, 0.0);
+    for (std::size_t r = 0; r < expected.size(); ++r)
+      for (std::size_t c = 0; c < expected.size(); ++c) expected[r] += reference[r][c] * all_x[c];
+    worst = std::max(worst,
+                     test::largest_difference(test::by_vertex(tube.wall, y, vertices), expected));
+  }
+  return worst;
+}
+
+TEUCHOS_UNIT_TEST(block_assembler, agrees_with_a_dense_assembly) {
+  TEST_COMPARE(worst_product(SmallTube(), false), <, 1e-11);
+}
+
+TEUCHOS_UNIT_TEST(block_assembler, constrained_rows_and_columns_keep_only_their_diagonal) {
+  TEST_COMPARE(worst_product(SmallTube(), true), <, 1e-11);
+}
+
+TEUCHOS_UNIT_TEST(nodal_residual, sums_elements_and_faces_and_stores_zeros_in_fixed_rows) {
+  const SmallTube tube;
+  assembly::NodalResidual R(tube.wall);
+  for (std::size_t e = 0; e < tube.wall.tets.size(); ++e) {
+    kernels::MixedResidual one;
+    one.u.fill({1, 2, 3});
+    one.p.fill(4);
+    R.add(tube.wall, e, one);
+  }
+  for (const auto& face : tube.wall.faces) {
+    kernels::SurfaceResidual ten;
+    ten.u.fill({100, 0, 0});
+    R.add(tube.wall, face, ten);
+  }
+  std::vector<int> tets(tube.mesh.vertices.size(), 0), faces(tets);
+  const SmallTube serial(test::alone());
+  for (const auto& tet : serial.wall.tets)
+    for (const int a : tet) ++tets[serial.wall.vertex[a]];
+  for (const auto& face : serial.wall.faces)
+    for (const int a : face.nodes) ++faces[serial.wall.vertex[a]];
+  assembly::Constraints fixed(tube.wall.n_nodes());
+  for (int a = 0; a < tube.wall.n_nodes(); ++a) fixed[a] = constraint(tube.wall.vertex[a]);
+  fields::BlockVector F(tube.wall);
+  R.store(tube.wall, fixed, F);
+  const auto expected = test::block_vector(tube.wall, [&](int v, int i) {
+    const bool is_fixed = (constraint(v) >> i) & 1;
+    return is_fixed ? 0.0 : (i + 1.0) * tets[v] + (i == 0 ? 100.0 * faces[v] : 0.0);
+  });
+  TEST_EQUALITY(test::relative_difference(F, expected), 0.0);
+}
+
+}  // namespace

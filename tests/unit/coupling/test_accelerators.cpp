@@ -1,0 +1,219 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "base/error.hpp"
+#include "coupling/dirichlet_neumann.hpp"
+#include "unit/coupling/interface_vector.hpp"
+
+namespace {
+
+using namespace tunica;
+using coupling::InterfaceVector;
+
+Teuchos::ParameterList options(const std::string& accelerator,
+                               const std::vector<std::pair<std::string, double>>& numbers = {}) {
+  Teuchos::ParameterList list;
+  list.set("accelerator", accelerator);
+  for (const auto& [name, value] : numbers) list.set(name, value);
+  return list;
+}
+
+std::unique_ptr<coupling::Accelerator> make(Teuchos::ParameterList list,
+                                            const CommPtr& comm = test::world()) {
+  coupling::coupling_table().resolve(list, "Coupling", "");
+  return coupling::make_accelerator(list, comm);
+}
+
+/// One next() on a global vector.
+std::vector<double> next(coupling::Accelerator& accelerator, const std::vector<double>& d,
+                         const std::vector<double>& r) {
+  const Comm& comm = *test::world();
+  return test::whole(accelerator.next(test::share(d, comm), test::share(r, comm)), d.size(), comm);
+}
+
+/// A wall's answer d̃ = g + M d with M of the given size, whose fixed point is `solution`; with
+/// size > 2 plain iteration explodes.
+struct LinearResponse {
+  LinearResponse(int n, double size, int seed = 0) : M(n, std::vector<double>(n)), solution(n) {
+    for (int i = 0; i < n; ++i) {
+      solution[i] = test::scatter(500.0 + i + 31.0 * seed);
+      for (int j = 0; j < n; ++j) M[i][j] = size * test::scatter(1.0 + n * i + j) / n;
+      M[i][i] -= size;  // added mass: the answer overshoots to the other side
+    }
+  }
+  std::vector<double> residual(const std::vector<double>& d) const {  // (M − I)(d − solution)
+    std::vector<double> r(d.size());
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      r[i] = solution[i] - d[i];
+      for (std::size_t j = 0; j < d.size(); ++j) r[i] += M[i][j] * (d[j] - solution[j]);
+    }
+    return r;
+  }
+  std::vector<std::vector<double>> M;
+  std::vector<double> solution;
+};
+
+/// Iterations until the largest residual is below 1e-10; 100 if never.
+int iterations(coupling::Accelerator& accelerator, const LinearResponse& response) {
+  std::vector<double> d(response.solution.size(), 0.0);
+  accelerator.begin_step();
+  for (int k = 1; k < 100; ++k) {
+    const std::vector<double> r = response.residual(d);
+    if (test::largest_difference(r, std::vector<double>(r.size(), 0.0)) < 1e-10) {
+      accelerator.end_step();
+      return k;
+    }
+    d = next(accelerator, d, r);
+  }
+  return 100;
+}
+
+TEUCHOS_UNIT_TEST(inner_product, sums_over_all_ranks) {
+  const Comm& comm = *test::world();
+  TEST_EQUALITY(coupling::inner_product(comm, test::share({1, 2, 3, 4, 5}, comm),
+                                        test::share({1, 1, 1, 1, 2}, comm)),
+                20.0);
+}
+
+TEUCHOS_UNIT_TEST(constant_relaxation, adds_the_same_part_of_every_residual) {
+  const auto relaxation = make(options("constant", {{"factor", 0.25}}));
+  for (int k = 0; k < 2; ++k) {
+    relaxation->begin_step();
+    TEST_ASSERT(next(*relaxation, {1, 2, 3}, {4, 8, -4}) == std::vector<double>({2, 4, 2}));
+    TEST_EQUALITY(relaxation->relaxation(), 0.25);
+    TEST_EQUALITY(relaxation->columns(), 0);
+    relaxation->end_step();
+  }
+}
+
+TEUCHOS_UNIT_TEST(aitken, two_iterations_match_the_formula_by_hand) {
+  const auto aitken = make(options("aitken", {{"first factor", 0.5}}));
+  aitken->begin_step();
+  TEST_ASSERT(next(*aitken, {0, 0}, {1, 2}) == std::vector<double>({0.5, 1.0}));
+  // r₂ − r₁ = (−3, −1): ω = −0.5 (1·−3 + 2·−1)/10 = 0.25
+  TEST_ASSERT(next(*aitken, {0.5, 1.0}, {-2, 1}) == std::vector<double>({0.0, 1.25}));
+  TEST_EQUALITY(aitken->relaxation(), 0.25);
+  // r₃ − r₂ = (2, −2): ω = −0.25 (−2·2 + 1·−2)/8 = 0.1875
+  TEST_ASSERT(next(*aitken, {0.0, 1.25}, {0, -1}) == std::vector<double>({0.0, 1.0625}));
+  TEST_EQUALITY(aitken->relaxation(), 0.1875);
+}
+
+TEUCHOS_UNIT_TEST(aitken, is_exact_in_the_third_iteration_of_a_scalar_problem) {
+  const auto aitken = make(options("aitken"));
+  const int made = iterations(*aitken, LinearResponse(1, 5.0));
+  TEST_EQUALITY(made, 3);
+}
+
+TEUCHOS_UNIT_TEST(aitken, converges_where_plain_iteration_explodes) {
+  const auto aitken = make(options("aitken"));
+  const int made = iterations(*aitken, LinearResponse(12, 5.0));
+  TEST_COMPARE(made, <, 60);
+}
+
+TEUCHOS_UNIT_TEST(aitken, the_factor_keeps_its_bounds) {
+  const auto aitken = make(options(
+      "aitken", {{"first factor", 0.5}, {"smallest factor", 0.3}, {"largest factor", 0.6}}));
+  aitken->begin_step();
+  next(*aitken, {0}, {1});
+  next(*aitken, {0}, {0.9});  // the formula says 5
+  TEST_EQUALITY(aitken->relaxation(), 0.6);
+  next(*aitken, {0}, {-90});  // the formula says 0.006
+  TEST_EQUALITY(aitken->relaxation(), 0.3);
+  next(*aitken, {0}, {-90});  // the formula divides by zero
+  TEST_EQUALITY(aitken->relaxation(), 0.3);
+}
+
+TEUCHOS_UNIT_TEST(aitken, a_step_starts_as_the_case_says) {
+  for (const std::string start : {"first factor", "last factor"}) {
+    auto list = options("aitken", {{"first factor", 0.5}});
+    list.set("first factor of a step", start);
+    const auto aitken = make(list);
+    aitken->begin_step();
+    next(*aitken, {0}, {1});
+    next(*aitken, {0.5}, {-1});
+    TEST_EQUALITY(aitken->relaxation(), 0.25);
+    aitken->end_step();
+    aitken->begin_step();
+    next(*aitken, {0}, {1});
+    TEST_EQUALITY(aitken->relaxation(), start == "first factor" ? 0.5 : 0.25);
+  }
+}
+
+TEUCHOS_UNIT_TEST(aitken, crossed_bounds_are_refused) {
+  TEST_THROW(make(options("aitken", {{"smallest factor", 0.5}, {"largest factor", 0.4}})), Error);
+}
+
+TEUCHOS_UNIT_TEST(iqn_ils, solves_a_linear_problem_of_n_unknowns_in_n_plus_one_updates) {
+  for (const int n : {1, 2, 5, 9}) {
+    const auto iqn = make(options("iqn-ils"));
+    // One relaxation and n least-squares updates; the next iteration sees the end.
+    const int made = iterations(*iqn, LinearResponse(n, 5.0));
+    TEST_COMPARE(made, <=, n + 2);
+  }
+}
+
+TEUCHOS_UNIT_TEST(iqn_ils, starts_with_a_relaxation) {
+  const auto iqn = make(options("iqn-ils", {{"first factor", 0.125}}));
+  iqn->begin_step();
+  TEST_ASSERT(next(*iqn, {1, 1}, {8, -8}) == std::vector<double>({2, 0}));
+  TEST_EQUALITY(iqn->relaxation(), 0.125);
+  TEST_EQUALITY(iqn->columns(), 0);
+}
+
+TEUCHOS_UNIT_TEST(iqn_ils, columns_of_earlier_steps_make_the_next_step_short) {
+  const int n = 6;
+  auto list = options("iqn-ils");
+  list.set("reused steps", 1);
+  const auto reuses = make(list);
+  list.set("reused steps", 0);
+  const auto forgets = make(list);
+  const int first = iterations(*reuses, LinearResponse(n, 5.0));
+  const int made = iterations(*forgets, LinearResponse(n, 5.0));
+  TEST_EQUALITY(made, first);
+  const LinearResponse next_step(n, 5.0, 1);  // same M, another solution
+  const int with_columns = iterations(*reuses, next_step);
+  const int without = iterations(*forgets, next_step);
+  TEST_COMPARE(with_columns, <=, 5);
+  TEST_COMPARE(with_columns, <, first - 2);
+  TEST_COMPARE(without, >=, first - 1);
+}
+
+TEUCHOS_UNIT_TEST(iqn_ils, steps_beyond_the_reused_ones_are_forgotten) {
+  auto list = options("iqn-ils");
+  list.set("reused steps", 2);
+  const auto iqn = make(list);
+  for (int step = 1; step <= 4; ++step) {  // two iterations each: one column
+    iqn->begin_step();
+    const double s = step;
+    next(*iqn, {0, 0, 0, 0, 0}, {1, 0, 0, 0, s});
+    next(*iqn, {0, 0, 0, 0, 0}, {1, s, s * s, s * s * s, s});
+    TEST_EQUALITY(iqn->columns(), std::min(step, 3));  // its own and two earlier ones
+    iqn->end_step();
+  }
+}
+
+TEUCHOS_UNIT_TEST(iqn_ils, dependent_columns_are_dropped) {
+  const auto iqn = make(options("iqn-ils"));
+  iqn->begin_step();
+  next(*iqn, {0, 0, 0}, {1, 1, 1});
+  next(*iqn, {0, 0, 0}, {2, 1, 1});
+  TEST_EQUALITY(iqn->columns(), 1);
+  next(*iqn, {0, 0, 0}, {4, 1, 1});  // the same direction again
+  TEST_EQUALITY(iqn->columns(), 1);
+  next(*iqn, {0, 0, 0}, {4, 2, 1});
+  TEST_EQUALITY(iqn->columns(), 2);
+}
+
+TEUCHOS_UNIT_TEST(iqn_ils, update_is_independent_of_ranks) {
+  const LinearResponse response(11, 5.0);
+  const auto many = make(options("iqn-ils")), one = make(options("iqn-ils"), test::alone());
+  std::vector<double> d(11, 0.0), e(11, 0.0);
+  many->begin_step();
+  one->begin_step();
+  for (int k = 0; k < 6; ++k) {
+    d = next(*many, d, response.residual(d));
+    e = one->next(e, response.residual(e));
+    TEST_COMPARE(test::largest_difference(d, e), <, 1e-9);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,107 @@
+#pragma once
+#include <Teuchos_DefaultSerialComm.hpp>
+#include <Tpetra_Core.hpp>
+#include <cmath>
+#include <vector>
+
+#include "fields/block_vector.hpp"
+#include "fields/field_mesh.hpp"
+#include "fields/reduce.hpp"
+#include "mesh/partition.hpp"
+#include "mesh/tube.hpp"
+#include "mesh/validate.hpp"
+
+namespace tunica::test {
+
+inline CommPtr world() { return Tpetra::getDefaultComm(); }
+/// Each rank on its own: the reference for what must not depend on the ranks.
+inline CommPtr alone() { return Teuchos::rcp(new Teuchos::SerialComm<int>); }
+
+/// A tube of a few hundred tetrahedra with both fields and two layers, distributed.
+struct SmallTube {
+  explicit SmallTube(const CommPtr& comm = world())
+      : mesh(mesh::make_tube(options())),
+        partition(mesh::partition(mesh, comm->getSize(), {true, false, false})),
+        fluid(fields::make_field_mesh(mesh, partition, {0}, comm)),
+        wall(fields::make_field_mesh(mesh, partition, {1, 2}, comm)) {}
+
+  static mesh::Tube options() {
+    mesh::Tube tube;
+    tube.around = 8;
+    tube.axial = 3;
+    tube.length = 3.0;
+    tube.media_layers = tube.adventitia_layers = 1;
+    return tube;
+  }
+  int surface(const std::string& name) const { return mesh::surface_index(mesh, name); }
+
+  mesh::Mesh mesh;
+  mesh::Partition partition;
+  fields::FieldMesh fluid, wall;
+};
+
+/// Numbers without pattern in (-1, 1), the same wherever their key is the same.
+inline double scatter(double key) {
+  const double s = std::sin(12.9898 * key + 0.618) * 43758.5453;
+  return 2.0 * (s - std::floor(s)) - 1.0;
+}
+
+/// Sets each entry to f(vertex, component); the scalar is component 3.
+template <class Function>
+fields::BlockVector block_vector(const fields::FieldMesh& mesh, Function f) {
+  fields::BlockVector x(mesh);
+  const auto u = x.u->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  const auto p = x.p->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (int a = 0; a < mesh.n_owned; ++a) {
+    for (int i = 0; i < 3; ++i) u(3 * a + i, 0) = f(mesh.vertex[a], i);
+    p(a, 0) = f(mesh.vertex[a], 3);
+  }
+  return x;
+}
+
+inline fields::BlockVector scattered(const fields::FieldMesh& mesh, int seed, double size = 1.0) {
+  return block_vector(mesh, [=](int vertex, int i) {
+    return size * scatter(1000.0 * seed + 4.0 * vertex + i + 0.37 * seed);
+  });
+}
+
+inline double norm(const fields::BlockVector& x) { return std::hypot(x.u->norm2(), x.p->norm2()); }
+
+/// |a − b| / |b|
+inline double relative_difference(const fields::BlockVector& a, const fields::BlockVector& b) {
+  fields::BlockVector c(a);
+  c.u = Teuchos::rcp(new Vector(*a.u, Teuchos::Copy));
+  c.p = Teuchos::rcp(new Vector(*a.p, Teuchos::Copy));
+  c.u->update(-1.0, *b.u, 1.0);
+  c.p->update(-1.0, *b.p, 1.0);
+  return norm(c) / norm(b);
+}
+
+/// y ← a x + y
+inline void add(double a, const fields::BlockVector& x, fields::BlockVector& y) {
+  y.u->update(a, *x.u, 1.0);
+  y.p->update(a, *x.p, 1.0);
+}
+
+/// The values of a distributed block vector by vertex of the mesh, on every rank: 4 v + i.
+inline std::vector<double> by_vertex(const fields::FieldMesh& mesh, const fields::BlockVector& x,
+                                     std::size_t vertices) {
+  std::vector<double> mine(4 * vertices, 0.0), all(4 * vertices, 0.0);
+  const auto u = x.u->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto p = x.p->getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (int a = 0; a < mesh.n_owned; ++a) {
+    for (int i = 0; i < 3; ++i) mine[4 * mesh.vertex[a] + i] = u(3 * a + i, 0);
+    mine[4 * mesh.vertex[a] + 3] = p(a, 0);
+  }
+  Teuchos::reduceAll(*mesh.comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
+                     all.data());
+  return all;
+}
+
+inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = a.size() == b.size() ? 0.0 : 1e300;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+}  // namespace tunica::test

@@ -1,0 +1,29 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "fields/interface.hpp"
+#include "unit/fields/small_tube.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::SmallTube;
+
+TEUCHOS_UNIT_TEST(interface, pairs_are_the_same_vertex_owned_by_the_same_rank) {
+  const SmallTube tube;
+  const fields::Interface interface(tube.fluid, tube.wall, {tube.surface("interface")});
+  TEST_EQUALITY(interface.fluid_nodes.size(), interface.wall_nodes.size());
+  for (int k = 0; k < interface.n_owned(); ++k) {
+    const int fluid = interface.fluid_nodes[k], wall = interface.wall_nodes[k];
+    TEST_EQUALITY(tube.fluid.vertex[fluid], tube.wall.vertex[wall]);
+    TEST_ASSERT(fluid < tube.fluid.n_owned && wall < tube.wall.n_owned);
+  }
+}
+
+TEUCHOS_UNIT_TEST(interface, every_vertex_of_the_inner_surface_is_paired_once) {
+  const SmallTube tube;
+  const fields::Interface interface(tube.fluid, tube.wall, {tube.surface("interface")});
+  TEST_EQUALITY(interface.n_total(), 8 * 4);  // 8 around, 4 along
+  TEST_EQUALITY(fields::global_sum(*test::world(), interface.n_owned()), 32.0);
+}
+
+}  // namespace

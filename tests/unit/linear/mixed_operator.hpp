@@ -1,0 +1,51 @@
+#pragma once
+#include "assembly/block_assembler.hpp"
+#include "assembly/mass_norm.hpp"
+#include "assembly/solid_assembly.hpp"
+#include "materials/registry.hpp"
+#include "unit/fields/small_tube.hpp"
+
+namespace tunica::test {
+
+/// The Jacobian of a clamped Mooney–Rivlin tube wall, at rest or somewhat deformed: a real
+/// indefinite block system.
+class WallJacobian {
+public:
+  explicit WallJacobian(const SmallTube& tube)
+      : mesh_(&tube.wall), law_(materials::make_law("mooney-rivlin", {})), K(tube.wall),
+        fixed_(tube.wall.n_nodes(), 0) {
+    elements_.geometry = assembly::geometry_of(tube.wall, tube.wall.x);
+    const std::size_t n = tube.wall.tets.size();
+    elements_.law.assign(n, law_.get());
+    elements_.density.assign(n, 1.2);
+    elements_.coefficients.assign(n, {1.2 / (0.625 * 0.125 * 0.125), 1e-5, 1e-3});
+    for (int a = 0; a < tube.wall.n_nodes(); ++a)
+      if (tube.wall.is_on(a, tube.surface("struct_in"))) fixed_[a] = assembly::fixed_vector;
+    set(0.0);
+  }
+
+  /// The Jacobian at a displacement without pattern of the given size [mm].
+  void set(double size) {
+    const auto x = scattered(*mesh_, 5, size);
+    const assembly::SolidFields state{fields::ghosted_vectors(*mesh_, *x.u),
+                                      std::vector<double>(mesh_->n_nodes(), 0.0),
+                                      std::vector<Vec3>(mesh_->n_nodes())};
+    assembly::NodalResidual R(*mesh_);
+    assembly::BlockAssembler assembler(K, fixed_);
+    assembly::assemble_solid(*mesh_, elements_, state, R, &assembler);
+    assembler.finish();
+  }
+
+private:
+  const fields::FieldMesh* mesh_;
+  std::unique_ptr<materials::HyperelasticLaw> law_;
+  assembly::SolidElements elements_;
+
+public:
+  fields::BlockOperator K;
+
+private:
+  assembly::Constraints fixed_;
+};
+
+}  // namespace tunica::test

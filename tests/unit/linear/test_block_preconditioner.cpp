@@ -1,0 +1,273 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "base/error.hpp"
+#include "linear/block_preconditioner.hpp"
+#include "linear/linear_solver.hpp"
+#include "unit/linear/mixed_operator.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::SmallTube;
+
+/// A Stratimikos list with one of our strategies, complete factors for A and S.
+Teuchos::ParameterList strategy(const std::string& type, const std::string& schur) {
+  Teuchos::ParameterList list;
+  list.set("Preconditioner Type", "Teko");
+  Teuchos::ParameterList& teko = list.sublist("Preconditioner Types").sublist("Teko");
+  teko.set("Inverse Type", "LU");
+  teko.sublist("Inverse Factory Library")
+      .sublist("LU")
+      .set("Type", type)
+      .set("Inverse Velocity Type", "Amesos2")
+      .set("Schur Complement", schur)
+      .set("Inverse Schur Type", "Amesos2");
+  return list;
+}
+
+Teuchos::ParameterList solver_list(const std::string& method,
+                                   const Teuchos::ParameterList& stratimikos) {
+  Teuchos::ParameterList list;
+  list.set("method", method).set("preconditioner", "block");
+  list.sublist("Stratimikos") = stratimikos;
+  linear::linear_solver_table().resolve(list, "Linear Solver", "");
+  return list;
+}
+
+/// Takes everything but the diagonal out of A, so that diag(A)⁻¹ is its inverse.
+void make_diagonal(CrsMatrix& A) {
+  const auto map = A.getColMap();
+  A.resumeFill();
+  {
+    const auto local = A.getLocalMatrixHost();
+    for (int i = 0; i < local.numRows(); ++i) {
+      auto row = local.row(i);
+      for (int k = 0; k < row.length; ++k)
+        if (map->getGlobalElement(row.colidx(k)) != A.getRowMap()->getGlobalElement(i))
+          row.value(k) = 0.0;
+    }
+  }
+  A.fillComplete(A.getDomainMap(), A.getRangeMap());
+}
+
+fields::BlockVector apply(const linear::BlockPreconditioner& P, const fields::FieldMesh& mesh,
+                          const fields::BlockVector& r) {
+  const linear::Concatenation blocks(mesh);
+  MultiVector all_r(blocks.map(), 1), all_z(blocks.map(), 1);
+  blocks.vector_part(all_r)->assign(*r.u);
+  blocks.scalar_part(all_r)->assign(*r.p);
+  P.apply(all_r, all_z);
+  fields::BlockVector z(mesh);
+  z.u->assign(*blocks.vector_part(all_z));
+  z.p->assign(*blocks.scalar_part(all_z));
+  return z;
+}
+
+/// (C + B2 diag(A)⁻¹ B1ᵀ) p.
+Vector schur_times(const fields::BlockOperator& K, const Vector& p) {
+  Vector diagonal(K.A->getRowMap()), u(K.A->getRowMap()), Sp(K.mC->getRowMap());
+  K.A->getLocalDiagCopy(diagonal);
+  diagonal.reciprocal(diagonal);
+  K.B1T->apply(p, u);
+  u.elementWiseMultiply(1.0, diagonal, u, 0.0);
+  K.B2->apply(u, Sp);
+  K.mC->apply(p, Sp, Teuchos::NO_TRANS, -1.0, 1.0);
+  return Sp;
+}
+
+double distance(const Vector& a, const Vector& b) {
+  Vector d(a, Teuchos::Copy);
+  d.update(-1.0, b, 1.0);
+  return d.norm2() / b.norm2();
+}
+
+/// Operators of unit size: a diagonal of the given value.
+class Diagonals final : public linear::NamedOperators {
+public:
+  Diagonals(const fields::BlockOperator& K, std::map<std::string, double> values)
+      : K_(&K), values_(std::move(values)) {}
+  std::vector<std::string> operator_names() const override {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : values_) names.push_back(name);
+    return names;
+  }
+  Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override {
+    const auto D = Teuchos::rcp(new CrsMatrix(*K_->mC, Teuchos::Copy));
+    D->resumeFill();
+    D->setAllToScalar(0.0);
+    for (std::size_t i = 0; i < D->getNodeNumRows(); ++i) {
+      const GlobalOrdinal g = D->getRowMap()->getGlobalElement(static_cast<LocalOrdinal>(i));
+      D->replaceGlobalValues(g, Teuchos::tuple<GlobalOrdinal>(g),
+                             Teuchos::tuple<Scalar>(values_.at(name)));
+    }
+    D->fillComplete(K_->mC->getDomainMap(), K_->mC->getRangeMap());
+    return D;
+  }
+
+private:
+  const fields::BlockOperator* K_;
+  std::map<std::string, double> values_;
+};
+
+TEUCHOS_UNIT_TEST(block_lu, with_exact_blocks_it_solves_in_at_most_two_iterations) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  make_diagonal(*jacobian.K.A);
+  const auto b = test::scattered(tube.wall, 1);
+  for (const std::string type : {"LU Upper", "LU Lower", "LU Full"}) {
+    const auto solver =
+        linear::make_linear_solver(solver_list("gcr", strategy(type, "Algebraic")), jacobian.K);
+    solver->matrix_changed();
+    fields::BlockVector x(tube.wall);
+    const auto report = solver->solve(b, x, 1e-8);
+    TEST_ASSERT(report.is_converged);
+    TEST_COMPARE(report.iterations, <=, type == "LU Full" ? 1 : 2);
+  }
+}
+
+TEUCHOS_UNIT_TEST(block_lu, upper_and_lower_are_the_inverses_of_their_block_formulas) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  jacobian.set(0.005);
+  const fields::BlockOperator& K = jacobian.K;
+  const auto r = test::scattered(tube.wall, 3);
+  for (const std::string type : {"LU Upper", "LU Lower", "LU Full"}) {
+    linear::BlockPreconditioner P(strategy(type, "Algebraic"), K, linear::no_operators());
+    P.refresh();
+    const auto z = apply(P, tube.wall, r);
+    Vector u(*r.u, Teuchos::Copy), p(*r.p, Teuchos::Copy);
+    K.A->apply(*z.u, u);  // P z must give r back
+    Vector minus_Sz = schur_times(K, *z.p);
+    minus_Sz.scale(-1.0);
+    p.assign(minus_Sz);
+    if (type != "LU Lower") K.B1T->apply(*z.p, u, Teuchos::NO_TRANS, 1.0, 1.0);
+    if (type == "LU Lower") K.B2->apply(*z.u, p, Teuchos::NO_TRANS, 1.0, 1.0);
+    if (type == "LU Full") {  // second row: B2 A⁻¹ r_u − S z_p, and A⁻¹ r_u = z_u + A⁻¹ B1ᵀ z_p
+      linear::BlockPreconditioner L(strategy("LU Lower", "Algebraic"), K, linear::no_operators());
+      L.refresh();
+      const auto A_inverse_r = apply(L, tube.wall, r);
+      K.B2->apply(*A_inverse_r.u, p, Teuchos::NO_TRANS, 1.0, 1.0);
+    }
+    TEST_COMPARE(distance(u, *r.u), <, 1e-9);
+    TEST_COMPARE(distance(p, *r.p), <, 1e-9);
+  }
+}
+
+TEUCHOS_UNIT_TEST(block_lu, the_papers_schur_complements_follow_their_formulas) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto r = test::scattered(tube.wall, 3);
+  const Diagonals operators(jacobian.K, {{"Schur Laplacian", 2.0},
+                                         {"Schur Mass", 4.0},
+                                         {"Schur Convection", 3.0},
+                                         {"Schur Shear Mass", 5.0},
+                                         {"Schur Bulk Mass", 0.5}});
+  const auto factor_of = [&](const std::string& schur, const std::string& key, bool value,
+                             double theta) {
+    Teuchos::ParameterList list = strategy("LU Upper", schur);
+    Teuchos::ParameterList& own = list.sublist("Preconditioner Types")
+                                      .sublist("Teko")
+                                      .sublist("Inverse Factory Library")
+                                      .sublist("LU");
+    if (schur == "Operator Splitting")
+      own.set("Stabilisation", false).set(key, value);
+    else
+      own.set("Theta Factor", theta);
+    linear::BlockPreconditioner P(list, jacobian.K, operators);
+    P.refresh();
+    const auto z = apply(P, tube.wall, r);
+    return -z.p->dot(*r.p) / r.p->dot(*r.p);
+  };
+  // L⁻¹ + M⁻¹, L⁻¹ + M⁻¹ + M⁻¹ N L⁻¹, and the inverse of M_s/θ + M_b
+  TEST_FLOATING_EQUALITY(factor_of("Operator Splitting", "Convection", false, 0), 0.75, 1e-12);
+  TEST_FLOATING_EQUALITY(factor_of("Operator Splitting", "Convection", true, 0), 1.125, 1e-12);
+  TEST_FLOATING_EQUALITY(factor_of("Scaled Mass", "", false, 1.0), 1.0 / 5.5, 1e-12);
+  TEST_FLOATING_EQUALITY(factor_of("Scaled Mass", "", false, 2.0), 1.0 / 3.0, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(block_lu, the_stabilisation_joins_the_laplacian) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto r = test::scattered(tube.wall, 3);
+  const Diagonals operators(jacobian.K, {{"Schur Laplacian", 2.0}, {"Schur Mass", 1e30}});
+  linear::BlockPreconditioner P(strategy("LU Upper", "Operator Splitting"), jacobian.K, operators);
+  P.refresh();
+  const auto z = apply(P, tube.wall, r);
+  Vector back(*z.p, Teuchos::Copy);  // −(L + C) z = r
+  jacobian.K.mC->apply(*z.p, back, Teuchos::NO_TRANS, 1.0, -2.0);
+  TEST_COMPARE(distance(back, *r.p), <, 1e-9);
+}
+
+TEUCHOS_UNIT_TEST(block_lu, unknown_names_are_refused_with_the_known_ones) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto message_of = [&](const Teuchos::ParameterList& list) -> std::string {
+    try {
+      linear::BlockPreconditioner P(list, jacobian.K, linear::no_operators());
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const std::string& message :
+       {message_of(strategy("LU Uper", "Algebraic")), message_of(strategy("LU Upper", "Algebra"))})
+    TEST_ASSERT(message.find("\"LU Upper\"") != std::string::npos);
+  Teuchos::ParameterList wrong = strategy("LU Upper", "Algebraic");
+  wrong.set("Preconditioner Type", "MueLu");
+  TEST_ASSERT(message_of(wrong).find("expected \"Teko\"") != std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(block_lu, the_default_solves_a_real_jacobian_by_every_method) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  jacobian.set(0.005);
+  const auto b = test::scattered(tube.wall, 1);
+  for (const std::string method : {"gcr", "flexible gmres", "gmres", "bicgstab", "tfqmr"}) {
+    const auto solver = linear::make_linear_solver(
+        solver_list(method, linear::default_block_preconditioner()), jacobian.K);
+    solver->matrix_changed();
+    fields::BlockVector x(tube.wall);
+    const auto report = solver->solve(b, x, 1e-8);
+    out << method << ": " << report.iterations << "\n";
+    TEST_ASSERT(report.is_converged);
+    TEST_COMPARE(report.iterations, <, 60);
+  }
+}
+
+TEUCHOS_UNIT_TEST(gcr, takes_the_iterations_of_flexible_gmres) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  std::vector<int> iterations;
+  for (const std::string method : {"gcr", "flexible gmres"}) {
+    const auto solver = linear::make_linear_solver(
+        solver_list(method, strategy("LU Upper", "Algebraic")), jacobian.K);
+    solver->matrix_changed();
+    fields::BlockVector x(tube.wall);
+    const auto report = solver->solve(b, x, 1e-8);
+    TEST_ASSERT(report.is_converged);
+    iterations.push_back(report.iterations);
+  }
+  TEST_EQUALITY(iterations[0], iterations[1]);
+}
+
+TEUCHOS_UNIT_TEST(gcr, restarts_and_keeps_to_its_cap) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  Teuchos::ParameterList list = solver_list("gcr", linear::default_block_preconditioner());
+  list.set("restart", 5);
+  fields::BlockVector x(tube.wall);
+  const auto restarted = linear::make_linear_solver(list, jacobian.K);
+  restarted->matrix_changed();
+  TEST_ASSERT(restarted->solve(b, x, 1e-8).is_converged);
+  list.set("max iterations", 3);
+  const auto capped = linear::make_linear_solver(list, jacobian.K);
+  capped->matrix_changed();
+  const auto report = capped->solve(b, x, 1e-8);
+  TEST_ASSERT(!report.is_converged);
+  TEST_EQUALITY(report.iterations, 3);
+  TEST_FLOATING_EQUALITY(report.recurrence_residual, report.true_residual, 1e-6);
+}
+
+}  // namespace

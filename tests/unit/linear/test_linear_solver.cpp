@@ -1,0 +1,154 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "linear/linear_solver.hpp"
+#include "unit/linear/mixed_operator.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::SmallTube;
+
+Teuchos::ParameterList resolved(const std::vector<std::pair<std::string, std::string>>& choices,
+                                const std::vector<std::pair<std::string, int>>& numbers = {}) {
+  Teuchos::ParameterList list;
+  for (const auto& [name, value] : choices) list.set(name, value);
+  for (const auto& [name, value] : numbers) list.set(name, value);
+  linear::linear_solver_table().resolve(list, "Linear Solver", "");
+  return list;
+}
+
+double true_error(const fields::BlockOperator& K, const fields::BlockVector& b,
+                  const fields::BlockVector& x) {
+  fields::BlockVector Kx(K.mesh());
+  K.apply(x, Kx);
+  return test::relative_difference(Kx, b);
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, every_method_and_preconditioner_solves_a_real_jacobian) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  jacobian.set(0.005);
+  const auto b = test::scattered(tube.wall, 1);
+  std::vector<Teuchos::ParameterList> lists{resolved({{"method", "direct"}})};
+  for (const std::string method : {"flexible gmres", "gmres", "bicgstab"})
+    for (const std::string preconditioner : {"ilu", "direct"})
+      lists.push_back(resolved({{"method", method}, {"preconditioner", preconditioner}}));
+  for (const std::string method : {"flexible gmres", "gmres"})
+    lists.push_back(resolved({{"method", method}, {"preconditioner", "none"}}, {{"restart", 500}}));
+  lists.push_back(resolved({{"method", "gmres"}}, {{"fill level", 1}, {"overlap", 1}}));
+  lists.push_back(resolved({{"method", "flexible gmres"}}, {{"restart", 20}}));
+  for (const auto& list : lists) {
+    const auto solver = linear::make_linear_solver(list, jacobian.K);
+    solver->matrix_changed();
+    auto x = test::scattered(tube.wall, 7);  // the start must not matter
+    const auto report = solver->solve(b, x, 1e-8);
+    out << report.method << ": " << report.iterations << " iterations, " << report.true_residual
+        << "\n";
+    TEST_ASSERT(report.is_converged);
+    TEST_COMPARE(true_error(jacobian.K, b, x), <, 2.1e-8);
+    TEST_FLOATING_EQUALITY(report.true_residual + 1.0, true_error(jacobian.K, b, x) + 1.0, 1e-10);
+    TEST_EQUALITY(report.tolerance, 1e-8);
+  }
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, a_method_that_stagnates_says_so) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  const auto solver = linear::make_linear_solver(
+      resolved({{"method", "bicgstab"}, {"preconditioner", "none"}}, {{"max iterations", 40}}),
+      jacobian.K);
+  solver->matrix_changed();
+  fields::BlockVector x(tube.wall);
+  const auto report = solver->solve(b, x, 1e-8);
+  TEST_ASSERT(!report.is_converged);
+  TEST_COMPARE(report.true_residual, >, 2e-8);
+  TEST_EQUALITY(report.iterations, 40);
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, a_cap_of_one_iteration_is_reported_as_not_converged) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  for (const std::string method : {"flexible gmres", "gmres", "bicgstab"}) {
+    const auto solver = linear::make_linear_solver(
+        resolved({{"method", method}}, {{"max iterations", 1}}), jacobian.K);
+    solver->matrix_changed();
+    fields::BlockVector x(tube.wall);
+    const auto report = solver->solve(b, x, 1e-8);
+    TEST_ASSERT(!report.is_converged);
+    TEST_EQUALITY(report.iterations, 1);
+    TEST_COMPARE(report.true_residual, >, 1e-8);
+  }
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, a_zero_right_side_has_the_zero_solution) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  for (const std::string method : {"direct", "gmres"}) {
+    const auto solver = linear::make_linear_solver(resolved({{"method", method}}), jacobian.K);
+    solver->matrix_changed();
+    auto x = test::scattered(tube.wall, 7);
+    const auto report = solver->solve(fields::BlockVector(tube.wall), x, 1e-8);
+    TEST_ASSERT(report.is_converged);
+    TEST_EQUALITY(test::norm(x), 0.0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, factors_are_kept_while_the_matrix_hardly_changes) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  const auto solver = linear::make_linear_solver(
+      resolved({{"method", "flexible gmres"}, {"preconditioner", "direct"}}), jacobian.K);
+  fields::BlockVector x(tube.wall);
+  solver->matrix_changed();
+  TEST_ASSERT(solver->solve(b, x, 1e-8).setup_seconds > 0.0);
+  jacobian.set(1e-5);
+  solver->matrix_changed();
+  const auto kept = solver->solve(b, x, 1e-8);
+  TEST_ASSERT(kept.is_converged);
+  TEST_COMPARE(kept.iterations, >, 1);                    // new factors need one
+  TEST_COMPARE(true_error(jacobian.K, b, x), <, 2.1e-8);  // the new matrix, old factors
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, kept_factors_are_renewed_when_they_have_become_too_weak) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  auto list = resolved({{"method", "flexible gmres"}, {"preconditioner", "direct"}});
+  list.set("refresh factor", 0.5);
+  const auto solver = linear::make_linear_solver(list, jacobian.K);
+  fields::BlockVector x(tube.wall);
+  std::vector<linear::SolveReport> reports;
+  for (const double size : {0.0, 0.01, 0.01}) {
+    jacobian.set(size);
+    solver->matrix_changed();
+    reports.push_back(solver->solve(b, x, 1e-8));
+    TEST_ASSERT(reports.back().is_converged);
+  }
+  TEST_COMPARE(reports[1].iterations, >, 3);  // the old factors are weak, 0.5 (1 + 5) the limit
+  TEST_COMPARE(reports[2].iterations, <, reports[1].iterations);  // new factors
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, factors_too_weak_to_converge_are_renewed_in_the_same_solve) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  const auto solver = linear::make_linear_solver(
+      resolved({{"method", "flexible gmres"}, {"preconditioner", "direct"}},
+               {{"max iterations", 6}}),
+      jacobian.K);
+  fields::BlockVector x(tube.wall);
+  solver->matrix_changed();
+  solver->solve(b, x, 1e-8);
+  jacobian.set(0.01);
+  solver->matrix_changed();
+  const auto report = solver->solve(b, x, 1e-8);
+  TEST_ASSERT(report.is_converged);
+  TEST_ASSERT(report.setup_seconds > 0.0);
+  TEST_COMPARE(report.iterations, >, 6);  // the failed attempt is not hidden
+  TEST_COMPARE(true_error(jacobian.K, b, x), <, 2.1e-8);
+}
+
+}  // namespace

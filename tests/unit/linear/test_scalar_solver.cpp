@@ -1,0 +1,102 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "assembly/mass_norm.hpp"
+#include "fields/block_operator.hpp"
+#include "kernels/laplace_p1.hpp"
+#include "linear/krylov.hpp"
+#include "linear/scalar_solver.hpp"
+#include "unit/fields/small_tube.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::SmallTube;
+
+/// Laplacian plus a multiple of the identity: symmetric positive definite.
+Teuchos::RCP<CrsMatrix> laplacian(const fields::FieldMesh& mesh) {
+  const auto graph = fields::make_node_graph(mesh);
+  const auto K = fields::make_matrix(graph, mesh, 1, 1);
+  const auto geometry = assembly::geometry_of(mesh, mesh.x);
+  K->resumeFill();
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    const auto Ke = kernels::laplace_p1(geometry[e]);
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b)
+        if (mesh.tets[e][a] < mesh.n_owned)
+          K->sumIntoLocalValues(mesh.tets[e][a], Teuchos::tuple<int>(mesh.tets[e][b]),
+                                Teuchos::tuple<double>(Ke[a][b] + (a == b ? 0.01 : 0.0)));
+  }
+  K->fillComplete(mesh.node_map, mesh.node_map);
+  return K;
+}
+
+std::unique_ptr<linear::ScalarSolver> solver(const std::string& method,
+                                             const Teuchos::RCP<CrsMatrix>& K, int cap = 200) {
+  Teuchos::ParameterList list;
+  list.set("method", method);
+  if (method == "cg") list.set("max iterations", cap);
+  linear::scalar_solver_table().resolve(list, "Linear Solver", "");
+  return linear::make_scalar_solver(list, K);
+}
+
+TEUCHOS_UNIT_TEST(scalar_solver, conjugate_gradients_and_factors_agree_in_every_column) {
+  const SmallTube tube;
+  const auto K = laplacian(tube.wall);
+  const auto map = tube.wall.node_map;
+  MultiVector exact(map, 3), B(map, 3), cg(map, 3), direct(map, 3);
+  exact.randomize();
+  K->apply(exact, B);
+  TEST_COMPARE(solver("cg", K)->solve(B, cg), <, 1e-11);
+  TEST_COMPARE(solver("direct", K)->solve(B, direct), <, 1e-11);
+  std::vector<double> error(3);
+  for (const MultiVector* X : {&cg, &direct}) {
+    MultiVector difference(*X, Teuchos::Copy);
+    difference.update(-1.0, exact, 1.0);
+    difference.normInf(Teuchos::arrayViewFromVector(error));
+    for (const double e : error) TEST_COMPARE(e, <, 1e-8);
+  }
+}
+
+TEUCHOS_UNIT_TEST(scalar_solver, a_column_of_zeros_has_the_zero_solution) {
+  const SmallTube tube;
+  const auto K = laplacian(tube.wall);
+  MultiVector B(tube.wall.node_map, 2), X(tube.wall.node_map, 2);
+  B.getVectorNonConst(1)->randomize();
+  TEST_COMPARE(solver("cg", K)->solve(B, X), <, 1e-11);
+  TEST_EQUALITY(X.getVector(0)->normInf(), 0.0);
+  TEST_COMPARE(X.getVector(1)->normInf(), >, 0.0);
+}
+
+TEUCHOS_UNIT_TEST(scalar_solver, an_answer_that_is_no_number_has_no_small_residual) {
+  const SmallTube tube;
+  const auto K = laplacian(tube.wall);
+  MultiVector B(tube.wall.node_map, 2), X(tube.wall.node_map, 2);
+  B.randomize();
+  B.getVectorNonConst(0)->putScalar(std::nan(""));
+  TEST_ASSERT(!(solver("direct", K)->solve(B, X) < 1e-8));
+}
+
+TEUCHOS_UNIT_TEST(scalar_solver, a_good_start_is_kept) {
+  const SmallTube tube;
+  const auto K = laplacian(tube.wall);
+  MultiVector X(tube.wall.node_map, 1), B(tube.wall.node_map, 1);
+  X.randomize();
+  K->apply(X, B);
+  MultiVector start(X, Teuchos::Copy);
+  TEST_COMPARE(solver("cg", K, 1)->solve(B, X), <, 1e-12);
+  X.update(-1.0, start, 1.0);
+  TEST_COMPARE(X.getVector(0)->normInf(), <, 1e-9);
+}
+
+TEUCHOS_UNIT_TEST(krylov, conjugate_gradients_measure_the_residual_against_the_right_side) {
+  const SmallTube tube;
+  const auto K = laplacian(tube.wall);
+  MultiVector X(tube.wall.node_map, 1), B(tube.wall.node_map, 1);
+  X.randomize();
+  K->apply(X, B);
+  X.scale(1.0 + 1e-10);  // good enough already
+  const auto result = linear::solve_krylov({"CG", 200, 0}, K, Teuchos::null, B, X, 1e-8);
+  TEST_EQUALITY(result.iterations, 0);
+}
+
+}  // namespace

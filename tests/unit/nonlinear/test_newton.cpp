@@ -1,0 +1,292 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
+#include <functional>
+
+#include "assembly/mass_norm.hpp"
+#include "nonlinear/newton.hpp"
+#include "unit/fields/small_tube.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::SmallTube;
+
+/// u = 1 in each component, and f(p) = 0 at every node by itself: Newton's method does on each
+/// pressure what it does on one number. Solves its diagonal systems up to the tolerance asked
+/// for, always off by its full extent; or fails in a given solve.
+class NodewiseProblem : public nonlinear::NonlinearProblem, public linear::LinearSolver {
+public:
+  using Function = std::function<double(double)>;
+
+  NodewiseProblem(const fields::FieldMesh& mesh, Function f, Function slope)
+      : mesh_(&mesh), geometry_(assembly::geometry_of(mesh, mesh.x)), f_(f), slope_(slope),
+        diagonal_(mesh) {}
+
+  void refuse_where(std::function<bool(double)> refuses) { refuses_ = refuses; }
+  void fail_in_solve(int number) { failing_ = number; }
+  const std::vector<double>& tolerances() const { return tolerances_; }
+
+  const fields::FieldMesh& mesh() const override { return *mesh_; }
+  bool residual(const fields::BlockVector& x, fields::BlockVector& F) override {
+    const auto u = x.u->getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto p = x.p->getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto Fu = F.u->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    const auto Fp = F.p->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    bool is_admissible = true;
+    for (std::size_t k = 0; k < u.extent(0); ++k) Fu(k, 0) = u(k, 0) - 1.0;
+    for (std::size_t k = 0; k < p.extent(0); ++k) {
+      is_admissible = is_admissible && !(refuses_ && refuses_(p(k, 0)));
+      Fp(k, 0) = f_(p(k, 0));
+    }
+    return fields::all_agree(*mesh_->comm, is_admissible);
+  }
+  void jacobian(const fields::BlockVector& x) override {
+    diagonal_.u->putScalar(1.0);
+    const auto p = x.p->getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto d = diagonal_.p->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t k = 0; k < p.extent(0); ++k) d(k, 0) = slope_(p(k, 0));
+  }
+  void apply_jacobian(const fields::BlockVector& x, fields::BlockVector& y) const override {
+    y.u->elementWiseMultiply(1.0, *diagonal_.u, *x.u, 0.0);
+    y.p->elementWiseMultiply(1.0, *diagonal_.p, *x.p, 0.0);
+  }
+  linear::LinearSolver& linear_solver() override { return *this; }
+  double increment_norm(const fields::BlockVector& dx) override {
+    return assembly::mass_norm(*mesh_, geometry_, dx);
+  }
+  std::string refusal() const override { return "p is out of range"; }
+
+  void matrix_changed() override {}
+  linear::SolveReport solve(const fields::BlockVector& b, fields::BlockVector& x,
+                            double tolerance) override {
+    tolerances_.push_back(tolerance);
+    Vector inverse(mesh_->node_map);
+    inverse.reciprocal(*diagonal_.p);
+    x.u->update(1.0, *b.u, 0.0);
+    x.p->elementWiseMultiply(1.0 - tolerance, inverse, *b.p, 0.0);
+    linear::SolveReport report;
+    report.method = "stub";
+    report.is_converged = static_cast<int>(tolerances_.size()) != failing_;
+    report.iterations = 3;
+    report.tolerance = tolerance;
+    report.true_residual = report.is_converged ? tolerance : 0.5;
+    return report;
+  }
+
+private:
+  const fields::FieldMesh* mesh_;
+  std::vector<kernels::Tet4> geometry_;
+  Function f_, slope_;
+  std::function<bool(double)> refuses_;
+  fields::BlockVector diagonal_;
+  int failing_ = 0;
+  std::vector<double> tolerances_;
+};
+
+NodewiseProblem square_root_of_two(const fields::FieldMesh& mesh) {
+  return {mesh, [](double p) { return p * p - 2.0; }, [](double p) { return 2.0 * p; }};
+}
+NodewiseProblem logarithm(const fields::FieldMesh& mesh) {
+  return {mesh, [](double p) { return std::log(p); }, [](double p) { return 1.0 / p; }};
+}
+NodewiseProblem arc_tangent(const fields::FieldMesh& mesh) {
+  return {mesh, [](double p) { return std::atan(p); },
+          [](double p) { return 1.0 / (1.0 + p * p); }};
+}
+
+nonlinear::NewtonOptions options() {
+  Teuchos::ParameterList list;
+  nonlinear::newton_table().resolve(list, "Newton", "");
+  auto found = nonlinear::newton_options(list);
+  found.linear_tolerance = 1e-12;
+  return found;
+}
+
+fields::BlockVector start(const fields::FieldMesh& mesh, double p) {
+  return test::block_vector(mesh, [p](int, int i) { return i < 3 ? 1.0 : p; });
+}
+
+double worst_pressure(const fields::BlockVector& x, double expected) {
+  Vector difference(*x.p, Teuchos::Copy);
+  for (std::size_t k = 0; k < difference.getLocalLength(); ++k)
+    difference.sumIntoLocalValue(static_cast<int>(k), -expected);
+  return difference.normInf();
+}
+
+TEUCHOS_UNIT_TEST(newton, converges_quadratically) {
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  auto x = start(tube.fluid, 2.0);
+  const auto report = nonlinear::solve_newton(problem, options(), x);
+  TEST_ASSERT(report.is_converged && report.reason.empty());
+  TEST_COMPARE(worst_pressure(x, std::sqrt(2.0)), <, 1e-12);
+  TEST_EQUALITY(report.steps.size(), 5u);  // 2, 1.5, 1.41667, 1.414216, 1.41421356237
+  TEST_FLOATING_EQUALITY(report.steps[3].exponent, 2.0, 0.05);
+  TEST_EQUALITY(report.steps[1].exponent, 0.0);  // three increments are needed
+}
+
+TEUCHOS_UNIT_TEST(newton, steps_report_increment_residual_and_linear_solve) {
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  auto x = start(tube.fluid, 2.0);
+  const auto report = nonlinear::solve_newton(problem, options(), x);
+  const double root_volume =
+      problem.increment_norm(test::block_vector(tube.fluid, [](int, int i) { return i == 3; }));
+  const double nodes = tube.fluid.node_map->getGlobalNumElements();
+  TEST_FLOATING_EQUALITY(report.steps[0].increment, 0.5 * root_volume, 1e-10);
+  TEST_EQUALITY(report.steps[0].relative_increment, 1.0);
+  TEST_FLOATING_EQUALITY(report.steps[1].relative_increment, 1.0 / 6.0, 1e-10);
+  TEST_FLOATING_EQUALITY(report.steps[0].residual, 0.25 * std::sqrt(nodes), 1e-10);
+  TEST_EQUALITY(report.steps[0].step_length, 1.0);
+  TEST_EQUALITY(report.steps[0].linear.method, "stub");
+  TEST_EQUALITY(report.linear_iterations(), 15);
+}
+
+TEUCHOS_UNIT_TEST(newton, every_line_search_and_forcing_term_converges) {
+  const SmallTube tube;
+  for (const std::string search : {"guarded", "full step", "backtrack", "polynomial"})
+    for (const std::string forcing : {"constant", "type 1", "type 2"}) {
+      auto problem = square_root_of_two(tube.fluid);
+      auto chosen = options();
+      chosen.line_search = search;
+      chosen.forcing = forcing;
+      chosen.linear_tolerance = forcing == "constant" ? 1e-12 : 0.1;
+      auto x = start(tube.fluid, 2.0);
+      const auto report = nonlinear::solve_newton(problem, chosen, x);
+      out << search << ", " << forcing << ": " << report.steps.size() << " steps " << report.reason
+          << "\n";
+      TEST_ASSERT(report.is_converged);
+      TEST_COMPARE(worst_pressure(x, std::sqrt(2.0)), <, 1e-7);
+    }
+}
+
+TEUCHOS_UNIT_TEST(newton, forcing_terms_tighten_the_linear_tolerance) {
+  const SmallTube tube;
+  for (const std::string forcing : {"type 1", "type 2"}) {
+    auto problem = square_root_of_two(tube.fluid);
+    auto chosen = options();
+    chosen.forcing = forcing;
+    chosen.linear_tolerance = 0.1;
+    auto x = start(tube.fluid, 2.0);
+    nonlinear::solve_newton(problem, chosen, x);
+    TEST_EQUALITY(problem.tolerances().front(), 0.1);
+    TEST_COMPARE(problem.tolerances().back(), <, 0.01);
+  }
+}
+
+TEUCHOS_UNIT_TEST(newton, guarded_line_search_halves_where_the_residual_refuses) {
+  // From 4 the full step of log p leads to −1.545, half of it to 1.227.
+  const SmallTube tube;
+  auto problem = logarithm(tube.fluid);
+  problem.refuse_where([](double p) { return p <= 0.0; });
+  auto x = start(tube.fluid, 4.0);
+  const auto report = nonlinear::solve_newton(problem, options(), x);
+  TEST_ASSERT(report.is_converged);
+  TEST_EQUALITY(report.steps[0].step_length, 0.5);
+  TEST_EQUALITY(report.steps[1].step_length, 1.0);
+  TEST_COMPARE(worst_pressure(x, 1.0), <, 1e-10);
+}
+
+TEUCHOS_UNIT_TEST(newton, guarded_line_search_halves_where_the_residual_is_no_number) {
+  const SmallTube tube;
+  auto problem = logarithm(tube.fluid);  // log of −1.545 is NaN
+  auto x = start(tube.fluid, 4.0);
+  const auto report = nonlinear::solve_newton(problem, options(), x);
+  TEST_ASSERT(report.is_converged);
+  TEST_EQUALITY(report.steps[0].step_length, 0.5);
+}
+
+TEUCHOS_UNIT_TEST(newton, a_direction_without_admissible_step_is_reported) {
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  problem.refuse_where([](double p) { return p < 2.0; });
+  auto x = start(tube.fluid, 2.0);
+  const auto report = nonlinear::solve_newton(problem, options(), x);
+  TEST_ASSERT(!report.is_converged);
+  TEST_EQUALITY(report.reason, "no admissible step along the Newton direction: p is out of range");
+  TEST_COMPARE(worst_pressure(x, 2.0), <, 1e-15);  // the start is kept
+}
+
+TEUCHOS_UNIT_TEST(newton, a_start_without_residual_is_reported) {
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  problem.refuse_where([](double) { return true; });
+  auto x = start(tube.fluid, 2.0);
+  const auto report = nonlinear::solve_newton(problem, options(), x);
+  TEST_ASSERT(!report.is_converged && report.steps.empty());
+  TEST_ASSERT(report.reason.find("at the start: p is out of range") != std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(newton, divergence_is_reported_at_the_growth_limit) {
+  const SmallTube tube;
+  auto problem = arc_tangent(tube.fluid);
+  auto chosen = options();
+  chosen.growth_limit = 10.0;
+  auto x = start(tube.fluid, 2.0);  // full steps alternate and grow beyond 1.39
+  const auto report = nonlinear::solve_newton(problem, chosen, x);
+  TEST_ASSERT(!report.is_converged);
+  TEST_ASSERT(report.reason.find("the increment grew to") == 0);
+  TEST_COMPARE(report.steps.back().relative_increment, >, 10.0);
+}
+
+TEUCHOS_UNIT_TEST(newton, a_decrease_condition_saves_what_full_steps_lose) {
+  const SmallTube tube;
+  for (const std::string search : {"backtrack", "polynomial"}) {
+    auto problem = arc_tangent(tube.fluid);
+    auto chosen = options();
+    chosen.line_search = search;
+    auto x = start(tube.fluid, 2.0);
+    const auto report = nonlinear::solve_newton(problem, chosen, x);
+    TEST_ASSERT(report.is_converged);
+    TEST_COMPARE(report.steps[0].step_length, <, 1.0);
+    TEST_COMPARE(worst_pressure(x, 0.0), <, 1e-8);
+  }
+}
+
+TEUCHOS_UNIT_TEST(newton, the_cap_is_reported) {
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  auto chosen = options();
+  chosen.max_iterations = 2;
+  auto x = start(tube.fluid, 2.0);
+  const auto report = nonlinear::solve_newton(problem, chosen, x);
+  TEST_ASSERT(!report.is_converged);
+  TEST_EQUALITY(report.steps.size(), 2u);
+  TEST_ASSERT(report.reason.find("after 2 iterations") != std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(newton, a_failed_linear_solve_is_reported) {
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  problem.fail_in_solve(2);
+  auto x = start(tube.fluid, 2.0);
+  const auto report = nonlinear::solve_newton(problem, options(), x);
+  TEST_ASSERT(!report.is_converged);
+  TEST_EQUALITY(report.steps.size(), 2u);
+  TEST_EQUALITY(report.reason,
+                "the linear solver (stub) reached a relative residual of 0.5 "
+                "instead of 1e-12 in 3 iterations");
+}
+
+TEUCHOS_UNIT_TEST(newton, an_increment_below_the_absolute_limit_is_enough) {
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  auto chosen = options();
+  chosen.relative_increment = 0.0;
+  chosen.absolute_increment = 100.0;
+  auto x = start(tube.fluid, 2.0);
+  const auto report = nonlinear::solve_newton(problem, chosen, x);
+  TEST_ASSERT(report.is_converged);
+  TEST_EQUALITY(report.steps.size(), 1u);
+}
+
+TEUCHOS_UNIT_TEST(newton, the_solution_as_start_converges_in_one_step) {
+  const SmallTube tube;
+  auto problem = arc_tangent(tube.fluid);
+  auto x = start(tube.fluid, 0.0);
+  const auto report = nonlinear::solve_newton(problem, options(), x);
+  TEST_ASSERT(report.is_converged);
+  TEST_COMPARE(report.steps.size(), <=, 1u);
+}
+
+}  // namespace

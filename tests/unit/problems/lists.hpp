@@ -1,0 +1,82 @@
+#pragma once
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+
+#include "params/table.hpp"
+#include "problems/fluid_options.hpp"
+#include "problems/observable.hpp"
+#include "problems/solid_options.hpp"
+#include "unit/fields/small_tube.hpp"
+
+namespace tunica::test {
+
+/// Adds a surface condition to a "Fluid" or "Wall" list and returns it.
+inline Teuchos::ParameterList& condition(Teuchos::ParameterList& list, const std::string& surface,
+                                         const std::string& kind) {
+  return list.sublist("Surfaces").sublist(surface).set("condition", kind);
+}
+
+inline void set_vector(Teuchos::ParameterList& list, const std::string& key, const Vec3& v) {
+  list.set(key, Teuchos::Array<double>(std::vector<double>(v.begin(), v.end())));
+}
+
+inline Teuchos::ParameterList fluid_list(double density, double viscosity) {
+  Teuchos::ParameterList list;
+  list.set("density", density);
+  list.set("viscosity", viscosity);
+  list.sublist("Linear Solver").set("method", std::string("direct"));
+  return list;
+}
+
+inline Teuchos::ParameterList wall_list() {
+  Teuchos::ParameterList list;
+  list.sublist("Layers").sublist("media");
+  list.sublist("Layers").sublist("adventitia");
+  list.sublist("Linear Solver").set("method", std::string("direct"));
+  return list;
+}
+
+inline Teuchos::ParameterList resolved(Teuchos::ParameterList list, const params::Table& table) {
+  table.resolve(list, "Case", "");
+  return list;
+}
+
+/// x without the entries of nodes on the given surfaces, where conditions fix the vector.
+inline fields::BlockVector free_part(const fields::FieldMesh& mesh, fields::BlockVector x,
+                                     const std::vector<int>& surfaces) {
+  const auto u = x.u->getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int a = 0; a < mesh.n_owned; ++a)
+    for (const int s : surfaces)
+      if (mesh.is_on(a, s))
+        for (int i = 0; i < 3; ++i) u(3 * a + i, 0) = 0.0;
+  return x;
+}
+
+/// |K v − (F(x + εv) − F(x − εv))/2ε| / |K v|
+template <class Problem>
+double jacobian_error(Problem& problem, const fields::BlockVector& x, const fields::BlockVector& v,
+                      double epsilon) {
+  const fields::FieldMesh& mesh = problem.mesh();
+  fields::BlockVector plus(mesh), minus(mesh), F(mesh), quotient(mesh), Kv(mesh);
+  plus.assign(x);
+  minus.assign(x);
+  add(epsilon, v, plus);
+  add(-epsilon, v, minus);
+  problem.residual(plus, quotient);
+  problem.residual(minus, F);
+  add(-1.0, F, quotient);
+  quotient.u->scale(0.5 / epsilon);
+  quotient.p->scale(0.5 / epsilon);
+  problem.jacobian(x);
+  problem.apply_jacobian(v, Kv);
+  return relative_difference(quotient, Kv);
+}
+
+inline double observed(const problems::Observables& all, const std::string& name) {
+  for (const auto& o : all)
+    if (o.name == name) return o.value;
+  return std::nan("");
+}
+
+}  // namespace tunica::test

@@ -1,0 +1,72 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "problems/mesh_motion.hpp"
+#include "unit/problems/lists.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::SmallTube;
+
+Teuchos::ParameterList options(const std::string& method) {
+  Teuchos::ParameterList list;
+  list.sublist("Linear Solver").set("method", method);
+  return test::resolved(list, problems::mesh_motion_table());
+}
+
+Vec3 linear_field(const Vec3& x) {
+  return {0.1 * x[0] - 0.02 * x[2], 0.3 + 0.05 * x[1] + 0.01 * x[0], 0.04 * x[2]};
+}
+
+double largest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double found = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) found = std::max(found, norm(a[k] - b[k]));
+  return fields::global_max(*test::world(), found);
+}
+
+TEUCHOS_UNIT_TEST(mesh_motion, a_linear_field_on_the_whole_boundary_is_reproduced_inside) {
+  const SmallTube tube;
+  for (const std::string method : {"cg", "direct"}) {
+    problems::MeshMotion motion(
+        options(method), tube.fluid,
+        {tube.surface("inlet"), tube.surface("outlet"), tube.surface("interface")});
+    std::vector<Vec3> given(tube.fluid.n_owned), expected(tube.fluid.n_nodes());
+    for (int a = 0; a < tube.fluid.n_nodes(); ++a) expected[a] = linear_field(tube.fluid.x[a]);
+    for (int a = 0; a < tube.fluid.n_owned; ++a)
+      given[a] = tube.fluid.on_surface[a] != 0 ? expected[a] : Vec3{7, 7, 7};  // 7 is ignored
+    TEST_COMPARE(largest(motion.extend(given), expected), <, 1e-10);
+  }
+}
+
+TEUCHOS_UNIT_TEST(mesh_motion, other_surfaces_stay_and_the_interface_moves_as_given) {
+  const SmallTube tube;
+  problems::MeshMotion motion(options("cg"), tube.fluid, {tube.surface("interface")});
+  std::vector<Vec3> given(tube.fluid.n_owned);
+  for (int a = 0; a < tube.fluid.n_owned; ++a) given[a] = linear_field(tube.fluid.x[a]);
+  const auto& d = motion.extend(given);
+  bool moves_inside = false;
+  for (int a = 0; a < tube.fluid.n_nodes(); ++a) {
+    if (tube.fluid.is_on(a, tube.surface("interface")))
+      TEST_ASSERT(d[a] == linear_field(tube.fluid.x[a]))
+    else if (tube.fluid.on_surface[a] != 0)
+      TEST_ASSERT(d[a] == Vec3{})
+    else
+      moves_inside = moves_inside || norm(d[a]) > 1e-3;
+  }
+  TEST_ASSERT(fields::global_max(*test::world(), moves_inside) > 0.5);
+}
+
+TEUCHOS_UNIT_TEST(mesh_motion, the_old_displacement_is_that_of_the_last_accepted_step) {
+  const SmallTube tube;
+  problems::MeshMotion motion(options("direct"), tube.fluid, {tube.surface("interface")});
+  const std::vector<Vec3> zero(tube.fluid.n_nodes());
+  const std::vector<Vec3> given(tube.fluid.n_owned, Vec3{0.01, 0.02, 0.03});
+  const std::vector<Vec3> first = motion.extend(given);
+  TEST_EQUALITY(largest(motion.old_displacement(), zero), 0.0);
+  motion.end_step();
+  motion.extend(std::vector<Vec3>(tube.fluid.n_owned));
+  TEST_EQUALITY(largest(motion.old_displacement(), first), 0.0);
+  TEST_COMPARE(largest(motion.displacement(), zero), <, 1e-12);
+}
+
+}  // namespace

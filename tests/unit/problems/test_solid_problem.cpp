@@ -1,0 +1,166 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "assembly/gather.hpp"
+#include "kernels/surface_tri3.hpp"
+#include "problems/solid_problem.hpp"
+#include "unit/problems/lists.hpp"
+
+namespace {
+
+using namespace tunica;
+using problems::SolidProblem;
+using test::SmallTube;
+
+Teuchos::ParameterList clamped() {
+  auto list = test::wall_list();
+  test::condition(list, "struct_in", "clamped");
+  test::condition(list, "struct_out", "clamped");
+  return list;
+}
+
+Teuchos::ParameterList resolved(const Teuchos::ParameterList& list) {
+  return test::resolved(list, problems::solid_table());
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, jacobian_is_the_derivative_of_the_residual) {
+  const SmallTube tube;
+  auto list = clamped();
+  test::condition(list, "interface", "pressure").set("pressure", 2.0);  // follows the surface
+  test::set_vector(test::condition(list, "outer", "traction"), "traction", {0.1, 0.2, 0.3});
+  const std::vector<int> fixed{tube.surface("struct_in"), tube.surface("struct_out")};
+  for (const std::string analysis : {"dynamic", "static"}) {
+    list.set("analysis", analysis);
+    SolidProblem wall(resolved(list), tube.wall);
+    wall.begin_step(stepping::Clock(0.125, 1));
+    const auto x = test::free_part(tube.wall, test::scattered(tube.wall, 1, 0.005), fixed);
+    for (int direction = 2; direction < 5; ++direction) {
+      const auto v = test::free_part(tube.wall, test::scattered(tube.wall, direction), fixed);
+      TEST_COMPARE(test::jacobian_error(wall, x, v, 1e-6), <, 1e-6);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, at_rest_nothing_moves_and_no_energy_is_stored) {
+  const SmallTube tube;
+  SolidProblem wall(resolved(clamped()), tube.wall);
+  wall.begin_step(stepping::Clock(0.125, 1));
+  TEST_ASSERT(wall.solve().is_converged);
+  const auto found = wall.observe();
+  for (const std::string name : {"max_displacement_wall_mm", "wall_pressure_min_kPa",
+                                 "wall_pressure_max_kPa", "elastic_energy_kPa_mm3"})
+    TEST_COMPARE(std::abs(test::observed(found, name)), <, 1e-14);
+  TEST_FLOATING_EQUALITY(test::observed(found, "min_det_F"), 1.0, 1e-14);
+  TEST_FLOATING_EQUALITY(test::observed(found, "max_det_F"), 1.0, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, a_traction_and_its_nodal_forces_do_the_same) {
+  const SmallTube tube;
+  const Vec3 t{0.02, 0.0, 0.01};
+  auto loaded = clamped();
+  test::set_vector(test::condition(loaded, "outer", "traction"), "traction", t);
+  SolidProblem by_traction(resolved(loaded), tube.wall), by_forces(resolved(clamped()), tube.wall);
+  std::vector<Vec3> force(tube.wall.n_owned);  // area/3 to each node of a face
+  for (const auto& face : tube.wall.faces) {
+    if (face.surface != tube.surface("outer")) continue;
+    const double area = norm(kernels::area_normal(assembly::gather(tube.wall.x, face.nodes)));
+    for (const int a : face.nodes)
+      if (a < tube.wall.n_owned) force[a] += area / 3.0 * t;
+  }
+  by_forces.set_nodal_force(force);
+  for (SolidProblem* wall : {&by_traction, &by_forces}) {
+    wall->begin_step(stepping::Clock(0.125, 1));
+    TEST_ASSERT(wall->solve().is_converged);
+  }
+  TEST_COMPARE(test::norm(by_traction.state()), >, 1e-4);
+  TEST_COMPARE(test::relative_difference(by_forces.state(), by_traction.state()), <, 1e-8);
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, clamped_and_held_components_stay) {
+  const SmallTube tube;
+  auto list = test::wall_list();
+  test::condition(list, "struct_in", "clamped");
+  test::condition(list, "struct_out", "held")
+      .set("components", Teuchos::Array<std::string>(1, "z"));
+  test::condition(list, "interface", "pressure").set("pressure", 0.05);
+  SolidProblem wall(resolved(list), tube.wall);
+  wall.begin_step(stepping::Clock(0.125, 1));
+  TEST_ASSERT(wall.solve().is_converged);
+  const auto d = wall.displacement();
+  double moved = 0.0;
+  for (int a = 0; a < tube.wall.n_owned; ++a) {
+    if (tube.wall.is_on(a, tube.surface("struct_in"))) TEST_EQUALITY(norm(d[a]), 0.0);
+    if (!tube.wall.is_on(a, tube.surface("struct_out"))) continue;
+    TEST_EQUALITY(d[a][2], 0.0);
+    moved = std::max(moved, norm(d[a]));
+  }
+  TEST_COMPARE(fields::global_max(*test::world(), moved), >, 1e-5);
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, layers_have_their_own_density_bulk_modulus_and_law) {
+  const SmallTube tube;
+  auto list = clamped();
+  auto& layers = list.sublist("Layers");
+  layers.sublist("media").set("density", 1.0).set("bulk modulus", 100.0);
+  layers.sublist("adventitia").set("density", 2.0).set("c10", 6.0);
+  SolidProblem wall(resolved(list), tube.wall);
+  wall.begin_step(stepping::Clock(0.5, 1));
+  const auto& elements = wall.elements();
+  for (std::size_t e = 0; e < tube.wall.tets.size(); ++e) {
+    const bool is_media = tube.wall.regions[tube.wall.region[e]] == "media";
+    const auto& c = elements.coefficients[e];
+    TEST_EQUALITY(elements.density[e], is_media ? 1.0 : 2.0);
+    TEST_FLOATING_EQUALITY(c.alpha, (is_media ? 1.0 : 2.0) / (0.625 * 0.25), 1e-14);
+    TEST_EQUALITY(c.inv_kappa, is_media ? 0.01 : 1e-5);
+    const double mu = is_media ? 2.0 * 3.3 : 2.0 * 6.3;
+    TEST_FLOATING_EQUALITY(elements.law[e]->stabilisation_modulus(), mu, 1e-14);
+    const double h = kernels::element_length(elements.geometry[e].volume);
+    TEST_FLOATING_EQUALITY(c.tau, 1.0 / (4.0 * mu / (h * h) + c.alpha), 1e-13);
+  }
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, the_papers_stabilisation_ignores_inertia) {
+  const SmallTube tube;
+  auto list = clamped();
+  list.set("stabilisation", std::string("paper"));
+  list.set("stabilisation modulus factor", 0.5);
+  SolidProblem wall(resolved(list), tube.wall);
+  wall.begin_step(stepping::Clock(0.5, 1));
+  const auto& elements = wall.elements();
+  for (std::size_t e = 0; e < tube.wall.tets.size(); ++e) {
+    const double h = kernels::element_length(elements.geometry[e].volume);
+    TEST_FLOATING_EQUALITY(elements.coefficients[e].tau, h * h / (4.0 * 0.5 * 6.6), 1e-13);
+  }
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, an_inverting_displacement_is_refused_on_all_ranks_alike) {
+  const SmallTube tube, serial(test::alone());
+  const auto refusal = [](const SmallTube& t) {
+    SolidProblem wall(resolved(clamped()), t.wall);
+    wall.begin_step(stepping::Clock(0.125, 1));
+    const auto x = test::scattered(t.wall, 3, 0.3);  // no two elements alike
+    fields::BlockVector F(t.wall);
+    const bool is_admissible = wall.residual(x, F);
+    return is_admissible ? std::string("admissible") : wall.refusal();
+  };
+  TEST_ASSERT(refusal(serial).find("element ") == 0);
+  TEST_EQUALITY(refusal(tube), refusal(serial));
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, a_step_does_not_depend_on_the_ranks) {
+  const SmallTube many, one(test::alone());
+  const auto solved = [](const SmallTube& tube) {
+    auto list = clamped();
+    test::condition(list, "interface", "pressure").set("pressure", 0.1);
+    SolidProblem wall(resolved(list), tube.wall);
+    stepping::Clock clock(0.125, 2);
+    for (; !clock.is_done(); clock.advance()) {
+      wall.begin_step(clock);
+      wall.solve();
+      wall.end_step();
+    }
+    return test::by_vertex(tube.wall, wall.state(), tube.mesh.vertices.size());
+  };
+  TEST_COMPARE(test::largest_difference(solved(many), solved(one)), <, 1e-9);
+}
+
+}  // namespace
