@@ -47,7 +47,7 @@ def draw_all(run, folder, outputs, step, magnify):
             if drawn is None:
                 continue
             canvas, figure = drawn
-            canvas.savefig(os.path.join(folder, figure.file), dpi=DPI)
+            canvas.savefig(os.path.join(folder, figure.file), dpi=DPI, bbox_inches="tight")
             plt.close(canvas)
             figures.append(figure)
     return figures

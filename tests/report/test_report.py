@@ -101,7 +101,7 @@ class Report(unittest.TestCase):
         self.expect_one_line(run, "--times", "--times", "a,b")
         self.expect_one_line(run, "--step 99", "--step", "99")
         self.expect_one_line(run, "--magnify", "--magnify", "-1")
-        self.expect_one_line(run, "unrecognized", "--unknown")
+        self.expect_one_line(run, "unknown option", "--unknown")
         self.expect_one_line(run, "cannot write", "--output", os.path.join(run, "run.json"))
 
 
