@@ -5,6 +5,7 @@
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "fields/broadcast_mesh.hpp"
+#include "mesh/faces.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/read.hpp"
 #include "mesh/validate.hpp"
@@ -65,10 +66,10 @@ std::vector<int> region_indices(const mesh::Mesh& mesh, const std::vector<std::s
 /// Every surface the case names must exist and bound the field.
 void check_surfaces(const mesh::Mesh& mesh, const std::vector<std::string>& names,
                     const std::vector<int>& regions, const std::string& where) {
-  std::vector<char> is_vertex_of_field(mesh.vertices.size(), 0);
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
-    if (std::count(regions.begin(), regions.end(), mesh.tet_region[e]) > 0)
-      for (const int v : mesh.tets[e]) is_vertex_of_field[v] = 1;
+  const std::vector<mesh::Face> faces = mesh::faces(mesh);
+  const auto is_in_field = [&](int tet) {
+    return tet >= 0 && std::count(regions.begin(), regions.end(), mesh.tet_region[tet]) > 0;
+  };
   for (const std::string& name : names) {
     int surface = 0;
     try {
@@ -78,11 +79,12 @@ void check_surfaces(const mesh::Mesh& mesh, const std::vector<std::string>& name
     }
     bool bounds_field = false;
     for (std::size_t t = 0; t < mesh.triangles.size() && !bounds_field; ++t) {
-      const auto& v = mesh.triangles[t];
-      bounds_field = mesh.triangle_surface[t] == surface && is_vertex_of_field[v[0]] &&
-                     is_vertex_of_field[v[1]] && is_vertex_of_field[v[2]];
+      if (mesh.triangle_surface[t] != surface) continue;
+      const mesh::Face& face = *mesh::find_face(faces, mesh.triangles[t]);  // a valid mesh has it
+      bounds_field = is_in_field(face.tets[0]) != is_in_field(face.tets[1]);
     }
-    TUNICA_CHECK(bounds_field, where + ": the surface \"" + name + "\" does not touch this field.");
+    TUNICA_CHECK(bounds_field, where + ": the surface \"" + name +
+                                   "\" does not bound this field: it lies outside or inside.");
   }
 }
 

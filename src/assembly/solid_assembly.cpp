@@ -1,5 +1,7 @@
 #include "assembly/solid_assembly.hpp"
 
+#include <cmath>
+
 #include "assembly/gather.hpp"
 
 namespace tunica::assembly {
@@ -11,6 +13,7 @@ WorstElement worst_solid_element(const fields::FieldMesh& mesh, const SolidEleme
     const double J =
         kernels::solid_jacobian_determinant(elements.geometry[e], gather(d, mesh.tets[e]));
     if (worst.element < 0 || !(J >= worst.determinant)) worst = {J, static_cast<int>(e)};
+    if (std::isnan(worst.determinant)) break;  // no other element may hide it
   }
   return worst;
 }

@@ -70,7 +70,7 @@ std::optional<std::string> FluidProblem::set_domain(const std::vector<Vec3>& d,
   elements_.geometry = assembly::geometry_of(*mesh_, position_);
   double smallest = 1.0;
   int worst = -1;
-  for (std::size_t e = 0; e < elements_.geometry.size(); ++e)
+  for (std::size_t e = 0; e < elements_.geometry.size() && !std::isnan(smallest); ++e)
     if (worst < 0 || !(elements_.geometry[e].volume >= smallest)) {
       smallest = elements_.geometry[e].volume;
       worst = static_cast<int>(e);

@@ -89,8 +89,15 @@ FAULTS = [
         replace(parameter("density", "double", "1.0"),
                 parameter("density", "double", "1.0") +
                 parameter("regions", "Array(string)", "{}"))),
-    Bad("surface_of_the_other_field", ["mesh.msh: Fluid / Surfaces", "outer", "does not touch"],
+    Bad("surface_of_the_other_field", ["mesh.msh: Fluid / Surfaces", "outer", "does not bound"],
         replace('<ParameterList name="inlet">', '<ParameterList name="outer">')),
+    Bad("surface_inside_the_field", ["mesh.msh: Wall / Surfaces", "interface", "does not bound"],
+        lambda text: text.replace(
+            text[text.index('  <ParameterList name="Fluid">'):
+                 text.index('  <ParameterList name="Wall">')], "")
+        .replace('<ParameterList name="wall">', '<ParameterList name="fluid"/><ParameterList '
+                 'name="wall">').replace('value="interface"', 'value="clamped"'),
+        program="tunica-solid"),
     Bad("interface_on_one_side_only", ["interface"],
         replace('value="clamped"', 'value="interface"')),
     Bad("non_conforming_interface", ["mesh.msh", "interface", "share"], mesh=split_interface),

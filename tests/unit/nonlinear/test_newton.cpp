@@ -187,6 +187,20 @@ TEUCHOS_UNIT_TEST(newton, guarded_line_search_halves_where_the_residual_refuses)
   TEST_COMPARE(worst_pressure(x, 1.0), <, 1e-10);
 }
 
+TEUCHOS_UNIT_TEST(newton, a_damped_step_does_not_pass_for_convergence) {
+  // From 2 towards √2, but nothing below 1.9998 is admissible: steps of 1/4096 of the way.
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  problem.refuse_where([](double p) { return p < 1.9998; });
+  auto chosen = options();
+  chosen.absolute_increment = 0.1 * problem.increment_norm(start(tube.fluid, 0.5));
+  auto x = start(tube.fluid, 2.0);
+  const auto report = nonlinear::solve_newton(problem, chosen, x);
+  TEST_ASSERT(!report.is_converged);
+  TEST_COMPARE(report.steps[0].step_length, <, 1e-3);
+  TEST_COMPARE(report.steps[0].increment, >, chosen.absolute_increment);
+}
+
 TEUCHOS_UNIT_TEST(newton, guarded_line_search_halves_where_the_residual_is_no_number) {
   const SmallTube tube;
   auto problem = logarithm(tube.fluid);  // log of −1.545 is NaN

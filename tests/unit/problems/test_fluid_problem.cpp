@@ -167,6 +167,15 @@ TEUCHOS_UNIT_TEST(fluid_problem, an_inverted_element_is_named_on_all_ranks) {
   TEST_ASSERT(!fluid.set_domain(bulge(tube.fluid, 0.0), bulge(tube.fluid, 0.0)));
 }
 
+TEUCHOS_UNIT_TEST(fluid_problem, a_position_that_is_no_number_is_named) {
+  const SmallTube tube;
+  FluidProblem fluid(open_tube(), tube.fluid);
+  fluid.begin_step(stepping::Clock(0.5, 1));
+  std::vector<Vec3> d(tube.fluid.n_nodes());
+  d[0][0] = std::nan("");
+  TEST_ASSERT(fluid.set_domain(d, d).value_or("").find("nan") != std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(describe_inversion, the_most_inverted_element_of_all_ranks_is_chosen) {
   const SmallTube tube;
   const int rank = test::world()->getRank(), last = test::world()->getSize() - 1;

@@ -1,4 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
 
 #include "assembly/gather.hpp"
 #include "kernels/surface_tri3.hpp"
@@ -144,6 +145,16 @@ TEUCHOS_UNIT_TEST(solid_problem, an_inverting_displacement_is_refused_on_all_ran
   };
   TEST_ASSERT(refusal(serial).find("element ") == 0);
   TEST_EQUALITY(refusal(tube), refusal(serial));
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, a_displacement_that_is_no_number_is_refused_with_its_element) {
+  const SmallTube tube;
+  SolidProblem wall(resolved(clamped()), tube.wall);
+  wall.begin_step(stepping::Clock(0.125, 1));
+  fields::BlockVector x(tube.wall), F(tube.wall);
+  if (tube.wall.comm->getRank() == 0) x.u->replaceLocalValue(0, std::nan(""));
+  TEST_ASSERT(!wall.residual(x, F));
+  TEST_ASSERT(wall.refusal().find("nan") != std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(solid_problem, a_step_does_not_depend_on_the_ranks) {
