@@ -8,7 +8,9 @@
 #include "app/case.hpp"
 #include "app/domain.hpp"
 #include "app/exit_status.hpp"
+#include "app/run.hpp"
 #include "app/schema.hpp"
+#include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "base/session.hpp"
 #include "params/read_xml.hpp"
@@ -18,10 +20,16 @@ namespace {
 using namespace tunica;
 
 /// A case names its fields by its lists.
-params::Table table_for(const std::string& file) {
-  const Teuchos::ParameterList list = params::read_xml(file);
-  if (list.isSublist("Fluid") && !list.isSublist("Wall")) return app::fluid_table();
-  if (list.isSublist("Wall") && !list.isSublist("Fluid")) return app::solid_table();
+params::Table table_for(const std::string& file, const Comm& comm) {
+  std::string fields;
+  on_root(comm, [&] {
+    const Teuchos::ParameterList list = params::read_xml(file);
+    if (list.isSublist("Fluid")) fields += "fluid";
+    if (list.isSublist("Wall")) fields += "wall";
+  });
+  broadcast(comm, fields);
+  if (fields == "fluid") return app::fluid_table();
+  if (fields == "wall") return app::solid_table();
   return app::fsi_table();
 }
 
@@ -35,7 +43,8 @@ void print_reference() {
 
 int check(const app::CommandLine& command) {
   const CommPtr comm = all_ranks();
-  const Teuchos::ParameterList list = app::read_case(command, table_for(command.case_file), *comm);
+  const Teuchos::ParameterList list =
+      app::read_case(command, table_for(command.case_file, *comm), *comm);
   app::load_domain(list, comm);
   if (comm->getRank() == 0)
     std::cout << command.case_file << ": the case and its mesh are valid." << std::endl;
@@ -59,7 +68,6 @@ int main(int argc, char** argv) {
     if (is_root) std::cerr << name << ": " << error.what() << std::endl;
     return app::exit_bad_input;
   } catch (const std::exception& error) {
-    std::cerr << name << ": " << error.what() << std::endl;
-    return app::exit_fault;
+    return app::fault(name + ": " + error.what(), *all_ranks());
   }
 }

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "params/read_xml.hpp"
 #include "params/xml_text.hpp"
+#include "stepping/time_function.hpp"
 
 namespace tunica::app {
 
@@ -20,6 +21,7 @@ Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Ta
       std::filesystem::absolute(command.case_file).lexically_normal().parent_path();
   try {
     table.resolve(list, "", folder.string());
+    stepping::inline_files(list);
   } catch (const Error& error) {
     throw Error(command.case_file + ": " + error.what());
   }

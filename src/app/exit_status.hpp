@@ -5,7 +5,7 @@ namespace tunica::app {
 /// What a driver returns to the shell.
 constexpr int exit_done = 0;
 constexpr int exit_bad_input = 1;      ///< the user's input or data is wrong
-constexpr int exit_not_converged = 2;  ///< a diagnosis and the last good state are on disk
+constexpr int exit_not_converged = 2;  ///< a diagnosis and the steps before are on disk
 constexpr int exit_fault = 3;          ///< ours, or of the machine
 
 }  // namespace tunica::app

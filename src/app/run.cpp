@@ -81,14 +81,13 @@ int solve(const Program& program, const CommandLine& command, const March& march
   return verdict.is_converged ? exit_done : exit_not_converged;
 }
 
-/// A fault of one rank would leave the others waiting in a collective call: end them too.
+}  // namespace
+
 int fault(const std::string& message, const Comm& comm) {
   std::cerr << message << std::endl;
   if (comm.getSize() > 1) MPI_Abort(MPI_COMM_WORLD, exit_fault);
   return exit_fault;
 }
-
-}  // namespace
 
 RunOutput::RunOutput(const Program& program, const Teuchos::ParameterList& list,
                      const CommPtr& comm)

@@ -34,6 +34,10 @@ struct Verdict {
   std::string reason;
 };
 
+/// Ends a program by a fault of ours or of the machine. A fault of one rank would leave the
+/// others waiting in a collective call: it ends them too.
+int fault(const std::string& message, const Comm& comm);
+
 using March = std::function<Verdict(const Teuchos::ParameterList&, const Domain&, RunOutput&)>;
 
 /// The frame of every solving driver: command line, case, mesh, --dry-run, the march, and the

@@ -48,6 +48,8 @@ params::Table aitken_table() {
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         TUNICA_CHECK(list.get<double>("smallest factor") <= list.get<double>("largest factor"),
                      path + ": \"smallest factor\" exceeds \"largest factor\".");
+        TUNICA_CHECK(list.get<double>("first factor") <= list.get<double>("largest factor"),
+                     path + ": \"first factor\" exceeds \"largest factor\".");
       });
   return table;
 }

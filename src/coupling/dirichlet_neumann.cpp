@@ -39,7 +39,10 @@ bool DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& iterat
   std::vector<Vec3> on_fluid(fluid_->mesh().n_owned);
   for (int k = 0; k < interface_->n_owned(); ++k)
     on_fluid[interface_->fluid_nodes[k]] = {d[3 * k], d[3 * k + 1], d[3 * k + 2]};
-  motion_->extend(on_fluid);
+  if (const auto failure = motion_->extend(on_fluid)) {
+    reason = "the mesh motion: " + *failure;
+    return false;
+  }
   const auto inversion = fluid_->set_domain(motion_->displacement(), motion_->old_displacement());
   if (inversion) {
     reason = "the fluid's mesh: " + *inversion;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <functional>
 #include <memory>
 
@@ -22,7 +23,7 @@ CouplingOptions coupling_options(const Teuchos::ParameterList& list);
 
 /// One Dirichlet–Neumann iteration.
 struct Iteration {
-  double residual = 0.0;  ///< |r|/√n [mm]
+  double residual = std::nan("");  ///< |r|/√n [mm]; not a number where a field failed
   double relaxation = 0.0;
   int columns = 0;
   nonlinear::NewtonReport fluid, wall;

@@ -18,10 +18,6 @@ struct BlockVector {
     u->assign(*other.u);
     p->assign(*other.p);
   }
-  void set_zero() {
-    u->putScalar(0.0);
-    p->putScalar(0.0);
-  }
 };
 
 }  // namespace tunica::fields

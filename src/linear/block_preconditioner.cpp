@@ -72,9 +72,8 @@ std::string known_types(const Teuchos::RCP<Stratimikos::DefaultLinearSolverBuild
 void check_teko_list(Teuchos::ParameterList stratimikos,
                      const Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder>& builder,
                      const Teuchos::RCP<Teko::RequestHandler>& handler) {
-  const std::string where = "Linear Solver / Stratimikos: ";
   const auto kind = stratimikos.get<std::string>("Preconditioner Type", "");
-  TUNICA_CHECK(kind == "Teko", where + "\"Preconditioner Type\" is \"" + kind +
+  TUNICA_CHECK(kind == "Teko", "\"Preconditioner Type\" is \"" + kind +
                                    "\", expected \"Teko\": the matrix is one of blocks.");
   Teuchos::ParameterList& teko = stratimikos.sublist("Preconditioner Types").sublist("Teko");
   const auto name = teko.get<std::string>("Inverse Type", "Amesos2");
@@ -87,15 +86,27 @@ void check_teko_list(Teuchos::ParameterList stratimikos,
   } catch (const std::exception& error) {  // Teko prints the better half of its message itself
     cause = error.what();
   }
-  TUNICA_CHECK(cause.empty(), where + "the inverse \"" + name + "\" cannot be built: " + cause +
-                                  "\n" + known_types(builder));
+  TUNICA_CHECK(cause.empty(), "the inverse \"" + name + "\" cannot be built: " + cause + "\n" +
+                                  known_types(builder));
+}
+
+/// A builder that knows MueLu and Ifpack2; the strategies of ours are registered with it.
+/// Teko copies the builder, so that it must come last.
+Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder> make_builder() {
+  register_lu_strategies();
+  const auto builder = Teuchos::rcp(new Stratimikos::DefaultLinearSolverBuilder);
+  Stratimikos::enableMueLu<LocalOrdinal, GlobalOrdinal, Node>(*builder);
+  builder->setPreconditioningStrategyFactory(
+      Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>,
+                                  Thyra::Ifpack2PreconditionerFactory<CrsMatrix>>(),
+      "Ifpack2", true);
+  return builder;
 }
 
 }  // namespace
 
 struct BlockPreconditioner::Stack {
-  Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder> builder =
-      Teuchos::rcp(new Stratimikos::DefaultLinearSolverBuilder);
+  Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder> builder = make_builder();
   Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> factory;
   Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner;
   Teko::LinearOp K;
@@ -119,13 +130,7 @@ BlockPreconditioner::BlockPreconditioner(const Teuchos::ParameterList& stratimik
                                          const NamedOperators& operators)
     : blocks_(K.mesh()), stack_(Teuchos::rcp(new Stack)) {
   using Space = Thyra::TpetraVectorSpace<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
-  register_lu_strategies();
   auto& builder = *stack_->builder;
-  Stratimikos::enableMueLu<LocalOrdinal, GlobalOrdinal, Node>(builder);
-  builder.setPreconditioningStrategyFactory(
-      Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>,
-                                  Thyra::Ifpack2PreconditionerFactory<CrsMatrix>>(),
-      "Ifpack2", true);
   const auto handler = Teuchos::rcp(new Teko::RequestHandler);
   handler->addRequestCallback(Teuchos::rcp(new Callback(operators)));
   Teko::addTekoToStratimikosBuilder(builder, handler);
@@ -152,6 +157,10 @@ BlockPreconditioner::BlockPreconditioner(const Teuchos::ParameterList& stratimik
 
 BlockPreconditioner::~BlockPreconditioner() = default;
 
+void check_block_preconditioner(const Teuchos::ParameterList& stratimikos) {
+  check_teko_list(stratimikos, make_builder(), Teuchos::null);
+}
+
 void BlockPreconditioner::refresh() {
   Thyra::initializePrec<double>(*stack_->factory, stack_->K, stack_->preconditioner.ptr());
 }
@@ -159,13 +168,10 @@ void BlockPreconditioner::refresh() {
 void BlockPreconditioner::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,
                                 Scalar alpha, Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("BlockPreconditioner: no transpose");
-  MultiVector scaled(X, Teuchos::Copy);
-  blocks_.scalar_part(scaled)->scale(1.0 / scale_);
-  const auto x = stack_->view(blocks_.vector_part(scaled), blocks_.scalar_part(scaled));
+  const auto x = stack_->view(blocks_.vector_part(X), blocks_.scalar_part(X));
   const auto y = stack_->view(blocks_.vector_part(Y), blocks_.scalar_part(Y));
   const auto P = stack_->preconditioner->getUnspecifiedPrecOp();
   Thyra::apply<double>(*P, Thyra::NOTRANS, *x, y.ptr(), alpha, beta);
-  blocks_.scalar_part(Y)->scale(1.0 / scale_);
 }
 
 Teuchos::ParameterList default_block_preconditioner() {

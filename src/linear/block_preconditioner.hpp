@@ -11,8 +11,9 @@ namespace tunica::linear {
 /// LU strategies (lu_strategy.hpp) stand beside Teko's own, MueLu, Ifpack2 and Amesos2.
 class BlockPreconditioner : public Operator {
 public:
-  /// The objects referred to must outlive the preconditioner. Throws tunica::Error, which lists
-  /// the known names, for an unknown strategy or inverse.
+  /// The objects referred to must outlive the preconditioner. The list has passed
+  /// check_block_preconditioner(). Throws tunica::Error for a strategy that needs an operator
+  /// which operators lack.
   BlockPreconditioner(const Teuchos::ParameterList& stratimikos, const fields::BlockOperator& K,
                       const NamedOperators& operators);
   ~BlockPreconditioner() override;
@@ -20,7 +21,6 @@ public:
   /// Sets up for the present values of K, with what can be kept of the last set-up.
   void refresh();
 
-  void set_scale(double s) { scale_ = s; }
   void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
              Scalar alpha = 1.0, Scalar beta = 0.0) const override;
   Teuchos::RCP<const Map> getDomainMap() const override { return blocks_.map(); }
@@ -30,8 +30,11 @@ private:
   struct Stack;
   Concatenation blocks_;
   Teuchos::RCP<Stack> stack_;
-  double scale_ = 1.0;
 };
+
+/// Builds every inverse of the list once, without a matrix. Throws tunica::Error, which lists the
+/// known names, for an unknown strategy or inverse or a key that a strategy of ours lacks.
+void check_block_preconditioner(const Teuchos::ParameterList& stratimikos);
 
 /// P_R with the algebraic Schur complement, incomplete factors for both blocks.
 Teuchos::ParameterList default_block_preconditioner();

@@ -31,9 +31,9 @@ void ConcatenatedOperator::apply(const MultiVector& X, MultiVector& Y, Teuchos::
   const auto xu = blocks_.vector_part(X), xp = blocks_.scalar_part(X);
   const auto yu = blocks_.vector_part(Y), yp = blocks_.scalar_part(Y);
   K_->A->apply(*xu, *yu, mode, alpha, beta);
-  K_->B1T->apply(*xp, *yu, mode, scale_ * alpha, 1.0);
-  K_->B2->apply(*xu, *yp, mode, scale_ * alpha, beta);
-  K_->mC->apply(*xp, *yp, mode, scale_ * scale_ * alpha, 1.0);
+  K_->B1T->apply(*xp, *yu, mode, alpha, 1.0);
+  K_->B2->apply(*xu, *yp, mode, alpha, beta);
+  K_->mC->apply(*xp, *yp, mode, alpha, 1.0);
 }
 
 }  // namespace tunica::linear

@@ -24,7 +24,6 @@ public:
   ConcatenatedOperator(const Concatenation& blocks, const fields::BlockOperator& K)
       : blocks_(blocks), K_(&K) {}
 
-  void set_scale(double s) { scale_ = s; }
   void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
              Scalar alpha = 1.0, Scalar beta = 0.0) const override;
   Teuchos::RCP<const Map> getDomainMap() const override { return blocks_.map(); }
@@ -33,7 +32,6 @@ public:
 private:
   Concatenation blocks_;
   const fields::BlockOperator* K_;
-  double scale_ = 1.0;
 };
 
 }  // namespace tunica::linear

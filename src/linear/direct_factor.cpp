@@ -19,7 +19,11 @@ DirectFactor::~DirectFactor() = default;
 
 void DirectFactor::refresh() {
   solver_->klu2->setA(matrix_, Amesos2::SYMBFACT);
-  solver_->klu2->numericFactorization();
+  try {
+    solver_->klu2->numericFactorization();
+  } catch (const std::exception&) {  // Amesos2 tells of its source lines
+    throw SetupFailure("the matrix is singular: are all rigid motions held, is a pressure given?");
+  }
 }
 
 void DirectFactor::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,

@@ -1,7 +1,16 @@
 #pragma once
+#include <stdexcept>
+
 #include "base/types.hpp"
 
 namespace tunica::linear {
+
+/// A matrix that cannot be factored; on all ranks alike. A result for Newton's method, not a
+/// fault.
+class SetupFailure : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Sparse LU factors of a matrix by Amesos2's KLU2; the factors live on rank 0. For small
 /// systems. The graph must not change after construction.
@@ -10,7 +19,7 @@ public:
   explicit DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix);
   ~DirectFactor() override;
 
-  /// Factors the present values. Throws std::runtime_error where the matrix is singular.
+  /// Factors the present values. Throws SetupFailure where the matrix is singular.
   void refresh();
 
   /// Y = alpha K⁻¹ X + beta Y.

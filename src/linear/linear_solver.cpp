@@ -80,7 +80,7 @@ public:
     report.method = options_.method;
     report.tolerance = tolerance;
     system_->gather(b, b_);
-    const bool is_kept = fresh_iterations_ >= 0 && last_iterations_ <= limit();
+    const bool is_kept = fresh_iterations_ >= 0 && last_iterations_ < limit();
     if (is_stale_) system_->refresh_matrix();
     if (is_stale_ && !is_kept) refresh(report);
     iterate(report);
@@ -135,9 +135,10 @@ params::Table krylov_table(bool has_restart) {
   params::Table table;
   add_preconditioner_keys(table);
   table.integer("max iterations", 1000, params::between(1, 1e6), "cap on the iterations")
-      .number("refresh factor", 2.0, params::non_negative(), "1",
-              "set up a new preconditioner when a solve takes more than this times the "
-              "iterations of the first solve with it; 0 sets up a new one for each matrix");
+      .number(
+          "refresh factor", 2.0, params::non_negative(), "1",
+          "set up a new preconditioner when a solve takes more than this times the "
+          "iterations of the first solve with it and five; 0 sets up a new one for each matrix");
   if (has_restart)
     table.integer("restart", 200, params::between(1, 1e6), "basis vectors between restarts");
   return table;

@@ -7,14 +7,32 @@
 #include <Teko_InverseLibrary.hpp>
 #include <Teko_LU2x2InverseOp.hpp>
 #include <Teko_PreconditionerFactory.hpp>
+#include <algorithm>
+#include <stdexcept>
 
 #include "linear/schur.hpp"
+#include "params/nearest.hpp"
 
 namespace tunica::linear {
 
 namespace {
 
 enum class Form { upper, lower, full };
+
+/// Teko hands over what the user wrote; what nobody has read by now is a slip.
+void check_keys(const Teuchos::ParameterList& list) {
+  const std::vector<std::string> known{"Type",
+                                       "Inverse Velocity Type",
+                                       "Schur Complement",
+                                       "Inverse Schur Type",
+                                       "Stabilisation",
+                                       "Convection",
+                                       "Theta Factor"};
+  for (auto it = list.begin(); it != list.end(); ++it)
+    if (std::find(known.begin(), known.end(), list.name(it)) == known.end())
+      throw std::invalid_argument("unknown key \"" + list.name(it) + "\". " +
+                                  params::did_you_mean(list.name(it), known));
+}
 
 template <Form form>
 class LuStrategy : public Teko::BlockPreconditionerFactory {
@@ -25,6 +43,7 @@ public:
         own.get<std::string>("Inverse Velocity Type", "Amesos2"));
     schur_ =
         Teuchos::rcp(make_schur_inverse(own, *getInverseLibrary(), getRequestHandler()).release());
+    check_keys(own);
   }
 
   Teko::LinearOp buildPreconditionerOperator(Teko::BlockedLinearOp& K,

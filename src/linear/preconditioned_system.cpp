@@ -1,5 +1,6 @@
 #include "linear/preconditioned_system.hpp"
 
+#include "base/error.hpp"
 #include "linear/block_preconditioner.hpp"
 #include "linear/direct_factor.hpp"
 #include "linear/ilu.hpp"
@@ -74,11 +75,20 @@ private:
 
 void add_preconditioner_keys(params::Table& table) {
   params::Table ilu, block, direct, none;
-  ilu.integer("fill level", 0, params::non_negative(), "levels of fill k of ILU(k)")
-      .integer("overlap", 0, params::non_negative(), "overlap between ranks, in graph layers");
-  block.foreign("Stratimikos", default_block_preconditioner(), Teuchos::ParameterList(),
-                "a Stratimikos list with a Teko preconditioner, as Trilinos users write it; our "
-                "strategies in it are LU Upper, LU Lower and LU Full");
+  ilu.integer("fill level", 0, params::between(0, 20), "levels of fill k of ILU(k)")
+      .integer("overlap", 0, params::between(0, 20), "overlap between ranks, in graph layers");
+  block
+      .foreign("Stratimikos", default_block_preconditioner(), Teuchos::ParameterList(),
+               "a Stratimikos list with a Teko preconditioner, as Trilinos users write it; our "
+               "strategies in it are LU Upper, LU Lower and LU Full")
+      .check([](const Teuchos::ParameterList& list, const std::string& path) {
+        if (!list.isSublist("Stratimikos")) return;  // another preconditioner
+        try {
+          check_block_preconditioner(list.sublist("Stratimikos"));
+        } catch (const Error& error) {
+          throw Error(path + " / Stratimikos: " + error.what());
+        }
+      });
   table.variant("preconditioner", "ilu",
                 {{"ilu", ilu}, {"block", block}, {"direct", direct}, {"none", none}},
                 "right preconditioner: incomplete LU with additive Schwarz between ranks, a "

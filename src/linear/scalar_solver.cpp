@@ -35,6 +35,7 @@ public:
     factor_.apply(B, X);
     return relative_residual(*K_, B, X);
   }
+  double tolerance() const override { return 1e-10; }
 
 private:
   Teuchos::RCP<CrsMatrix> K_;
@@ -53,6 +54,7 @@ public:
       solve_krylov(options_, K_, multigrid_, *B.getVector(j), *X.getVectorNonConst(j), tolerance_);
     return relative_residual(*K_, B, X);
   }
+  double tolerance() const override { return tolerance_; }
 
 private:
   Teuchos::RCP<CrsMatrix> K_;

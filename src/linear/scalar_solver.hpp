@@ -12,6 +12,8 @@ public:
   virtual ~ScalarSolver() = default;
   /// X = K⁻¹ B for every column, started from the X given. Returns the relative residual.
   virtual double solve(const MultiVector& B, MultiVector& X) = 0;
+  /// The relative residual that solve() aims at.
+  virtual double tolerance() const = 0;
 };
 
 /// The keys of a "Linear Solver" list for symmetric positive definite scalar problems.

@@ -111,14 +111,23 @@ std::unique_ptr<SchurInverse> make_schur_inverse(
     Teuchos::ParameterList& list, const Teko::InverseLibrary& library,
     const Teuchos::RCP<Teko::RequestHandler>& handler) {
   const auto kind = list.get<std::string>("Schur Complement", "Algebraic");
-  if (kind == "Scaled Mass")
+  const auto need = [&handler](const std::string& name) {  // throws where nobody offers it
+    if (!handler.is_null()) handler->preRequest<Teko::LinearOp>(Teko::RequestMesg(name));
+  };
+  if (kind == "Scaled Mass") {
+    need("Schur Shear Mass");
+    need("Schur Bulk Mass");
     return std::make_unique<ScaledMass>(handler, list.get<double>("Theta Factor", 1.0));
+  }
   const auto inverse =
       library.getInverseFactory(list.get<std::string>("Inverse Schur Type", "Amesos2"));
   if (kind == "Algebraic") return std::make_unique<Algebraic>(inverse);
-  if (kind == "Operator Splitting")
+  if (kind == "Operator Splitting") {
+    need("Schur Laplacian");
+    need("Schur Mass");
     return std::make_unique<OperatorSplitting>(inverse, handler, list.get("Stabilisation", true),
                                                list.get("Convection", false));
+  }
   throw std::invalid_argument("\"Schur Complement\" is \"" + kind +
                               "\", expected \"Algebraic\", \"Operator Splitting\" or "
                               "\"Scaled Mass\".");

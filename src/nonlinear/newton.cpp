@@ -6,6 +6,7 @@
 #include <Thyra_TpetraThyraWrappers.hpp>
 #include <Thyra_VectorStdOps.hpp>
 
+#include "linear/direct_factor.hpp"
 #include "nonlinear/guarded_line_search.hpp"
 #include "nonlinear/increment_test.hpp"
 #include "nonlinear/nox_group.hpp"
@@ -108,8 +109,11 @@ NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& option
     status = solver->solve();
   } catch (const char* message) {  // NOX throws plain strings
     report.reason = message;
-  } catch (const std::exception& error) {
+  } catch (const linear::SetupFailure& error) {
     report.reason = error.what();
+  } catch (const std::runtime_error& error) {  // or the same string in an exception
+    if (std::string(error.what()) != "NOX Error") throw;
+    report.reason = "NOX gave up";
   }
   report.is_converged = status == NOX::StatusTest::Converged;
   if (!report.is_converged && report.reason.empty())

@@ -5,6 +5,7 @@
 
 #include "assembly/gather.hpp"
 #include "assembly/mass_norm.hpp"
+#include "base/error.hpp"
 #include "fields/reduce.hpp"
 #include "kernels/surface_tri3.hpp"
 #include "problems/inverted_element.hpp"
@@ -49,7 +50,8 @@ void FluidProblem::set_constraints() {
         return condition != nullptr && !condition->is_open();
       });
   // Without an open surface the pressure is known up to a constant: pin it at one node.
-  if (fields::all_agree(*mesh_->comm, is_closed)) {
+  is_closed_ = fields::all_agree(*mesh_->comm, is_closed);
+  if (is_closed_) {
     const int first = mesh_->ghosted_map->getLocalElement(0);
     if (first >= 0) fixed_[first] |= assembly::fixed_scalar;
   }
@@ -75,7 +77,7 @@ std::optional<std::string> FluidProblem::set_domain(const std::vector<Vec3>& d,
       smallest = elements_.geometry[e].volume;
       worst = static_cast<int>(e);
     }
-  return describe_inversion(*mesh_, smallest, worst);
+  return describe_inversion(*mesh_, smallest, worst, "volume in mm^3");
 }
 
 Vec3 FluidProblem::prescribed_velocity(int node, const FlowCondition& condition,
@@ -106,9 +108,31 @@ void FluidProblem::impose_velocities() {
     }
 }
 
+void FluidProblem::check_closed_flow() const {
+  const std::vector<Vec3> u = fields::ghosted_vectors(*mesh_, *x_.u);
+  double net = 0.0, total = 0.0;
+  for (const fields::Face& face : mesh_->faces) {
+    if (!face.is_counted) continue;
+    const auto v = assembly::gather(u, face.nodes);
+    const double flux =
+        dot(kernels::area_normal(assembly::gather(position_, face.nodes)), v[0] + v[1] + v[2]) /
+        3.0;
+    net += flux;
+    total += std::abs(flux);
+  }
+  net = fields::global_sum(*mesh_->comm, net);
+  total = fields::global_sum(*mesh_->comm, total);
+  // A velocity that conserves mass does so up to the interpolation on the surface only.
+  TUNICA_CHECK(std::abs(net) <= 0.05 * total,
+               "Fluid / Surfaces: " + std::to_string(-net) +
+                   " mm^3/ms flow into a fluid that no surface lets out. Give one a traction or "
+                   "a pressure, or leave it out of the list.");
+}
+
 void FluidProblem::prepare() {
   local_.p.resize(mesh_->n_nodes());
   impose_velocities();
+  if (is_closed_) check_closed_flow();
   elements_.tau = assembly::fluid_taus(*mesh_, elements_, local_);
   if (body_force_)
     for (int a = 0; a < mesh_->n_nodes(); ++a) local_.f[a] = body_force_(position_[a], time_);

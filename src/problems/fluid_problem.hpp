@@ -67,6 +67,7 @@ public:
 private:
   void set_constraints();
   void impose_velocities();
+  void check_closed_flow() const;
   Vec3 prescribed_velocity(int node, const FlowCondition& condition, int surface) const;
   void assemble(const fields::BlockVector& x, assembly::BlockAssembler* K);
   void add_surface_terms(assembly::BlockAssembler* K);
@@ -90,6 +91,7 @@ private:
   fields::BlockVector x_;
   std::vector<Vec3> position_;
   assembly::FluidFields local_;  ///< ghosted copies; u and p at the point of evaluation
+  bool is_closed_ = false;       ///< no surface lets the fluid out
   double time_ = 0.0;
   Meter meter_;
 };

@@ -9,7 +9,7 @@
 namespace tunica::problems {
 
 std::optional<std::string> describe_inversion(const fields::FieldMesh& mesh, double smallest,
-                                              int element) {
+                                              int element, const std::string& measure) {
   const bool is_fine = element < 0 || smallest > 0.0;  // false for NaN too
   if (fields::all_agree(*mesh.comm, is_fine)) return std::nullopt;
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -30,7 +30,8 @@ std::optional<std::string> describe_inversion(const fields::FieldMesh& mesh, dou
   number = fields::global_sum(*mesh.comm, number);
   std::ostringstream text;
   text << "element " << static_cast<long long>(number) << " at (" << centre[0] << ", " << centre[1]
-       << ", " << centre[2] << ") is inverted (determinant " << value << ")";
+       << ", " << centre[2] << ") of the undeformed mesh is inverted (" << measure << " = " << value
+       << ")";
   return text.str();
 }
 

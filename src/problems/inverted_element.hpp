@@ -8,8 +8,8 @@ namespace tunica::problems {
 
 /// The most inverted element over all ranks, where there is one. smallest and element are the
 /// calling rank's smallest determinant (or volume) and its local element (-1: none).
-/// Collective; the answer is the same on all ranks.
+/// measure: what smallest is, "det F". Collective; the same on all ranks.
 std::optional<std::string> describe_inversion(const fields::FieldMesh& mesh, double smallest,
-                                              int element);
+                                              int element, const std::string& measure);
 
 }  // namespace tunica::problems

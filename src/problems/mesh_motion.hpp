@@ -1,5 +1,7 @@
 #pragma once
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "fields/field_mesh.hpp"
 #include "linear/scalar_solver.hpp"
@@ -15,9 +17,9 @@ public:
   MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
              const std::vector<int>& surfaces);
 
-  /// Displacement of all local nodes from that of the owned interface nodes (other entries are
-  /// ignored). Throws std::runtime_error where the linear solver fails.
-  const std::vector<Vec3>& extend(const std::vector<Vec3>& interface_displacement);
+  /// Sets displacement() from that of the owned interface nodes (other entries are ignored).
+  /// Says why where the linear solver fails. Collective.
+  std::optional<std::string> extend(const std::vector<Vec3>& interface_displacement);
 
   const std::vector<Vec3>& displacement() const { return d_; }          ///< local nodes
   const std::vector<Vec3>& old_displacement() const { return d_old_; }  ///< of the last step

@@ -53,6 +53,8 @@ params::Table condition_table() {
       pressure;
   held.names("components", std::nullopt, "components without displacement, of x, y and z")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
+        TUNICA_CHECK(!list.get<Teuchos::Array<std::string>>("components").empty(),
+                     path + ": \"components\" is empty, expected x, y or z.");
         for (const auto& c : list.get<Teuchos::Array<std::string>>("components"))
           TUNICA_CHECK(c == "x" || c == "y" || c == "z",
                        path + ": \"components\" holds \"" + c + "\", expected x, y or z.");

@@ -146,7 +146,7 @@ void SolidProblem::assemble(const fields::BlockVector& x, assembly::BlockAssembl
 bool SolidProblem::residual(const fields::BlockVector& x, fields::BlockVector& F) {
   local_.d = fields::ghosted_vectors(*mesh_, *x.u);
   const auto worst = assembly::worst_solid_element(*mesh_, elements_, local_.d);
-  const auto inversion = describe_inversion(*mesh_, worst.determinant, worst.element);
+  const auto inversion = describe_inversion(*mesh_, worst.determinant, worst.element, "det F");
   refusal_ = inversion.value_or("");
   if (inversion) return false;
   assemble(x, nullptr);

@@ -45,7 +45,9 @@ public:
   void apply_jacobian(const fields::BlockVector& x, fields::BlockVector& y) const override;
   linear::LinearSolver& linear_solver() override { return *solver_; }
   double increment_norm(const fields::BlockVector& dx) override;
-  std::string refusal() const override { return refusal_; }
+  std::string refusal() const override {
+    return refusal_.empty() ? "the residual is not a number" : refusal_;
+  }
 
   // NamedOperators: the parts of the paper's Schur complement
   std::vector<std::string> operator_names() const override;

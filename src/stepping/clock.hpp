@@ -3,7 +3,7 @@
 
 namespace tunica::stepping {
 
-/// Equidistant time steps t^n = n Δt. Steady problems have one step of infinite length.
+/// Equidistant time steps t^n = n Δt.
 class Clock {
 public:
   Clock(double step_size, int steps) : step_size_(step_size), steps_(steps) {}

@@ -2,6 +2,7 @@
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <sstream>
 
@@ -26,8 +27,10 @@ Samples read_samples(const std::string& file) {
     std::replace(line.begin(), line.end(), ',', ' ');
     std::istringstream words(line);
     double time = 0.0, value = 0.0;
-    const bool is_pair = static_cast<bool>(words >> time >> value);
-    if (!is_pair && samples.times.empty() && number == 1) continue;  // a header
+    std::string rest;
+    const bool is_pair = static_cast<bool>(words >> time >> value) && !(words >> rest);
+    if (!is_pair && number == 1 && std::isalpha(static_cast<unsigned char>(line[0])))
+      continue;  // a heading
     TUNICA_CHECK(is_pair, file + ":" + std::to_string(number) +
                               ": expected a time and a value, found \"" + line + "\".");
     samples.times.push_back(time);
@@ -66,6 +69,19 @@ TimeFunction::TimeFunction(const Teuchos::ParameterList& options) {
   times_ = samples.times;
   values_ = samples.values;
   has_steps_ = options.get<std::string>("interpolation") == "steps";
+}
+
+void inline_files(Teuchos::ParameterList& list) {
+  const bool is_amplitude = list.isParameter("kind") && list.isParameter("interpolation");
+  if (is_amplitude && list.get<std::string>("kind") == "file") {
+    const Samples samples = read_samples(list.get<std::string>("file"));
+    list.set("kind", "table");
+    list.set("times", Teuchos::Array<double>(samples.times));
+    list.set("values", Teuchos::Array<double>(samples.values));
+    list.remove("file");
+  }
+  for (auto it = list.begin(); it != list.end(); ++it)
+    if (list.isSublist(list.name(it))) inline_files(list.sublist(list.name(it)));
 }
 
 double TimeFunction::operator()(double time) const {

@@ -24,4 +24,8 @@ private:
 
 params::Table time_function_table();
 
+/// Replaces the files of all amplitudes in the list and below it by their samples, so that one
+/// rank alone reads them and the list stands alone.
+void inline_files(Teuchos::ParameterList& list);
+
 }  // namespace tunica::stepping

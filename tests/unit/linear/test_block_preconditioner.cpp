@@ -217,6 +217,33 @@ TEUCHOS_UNIT_TEST(block_lu, unknown_names_are_refused_with_the_known_ones) {
   TEST_ASSERT(message_of(wrong).find("expected \"Teko\"") != std::string::npos);
 }
 
+TEUCHOS_UNIT_TEST(block_lu, a_case_with_a_slip_in_its_list_is_refused) {
+  const auto message_of = [](const std::string& key) -> std::string {
+    Teuchos::ParameterList list = strategy("LU Upper", "Algebraic");
+    list.sublist("Preconditioner Types")
+        .sublist("Teko")
+        .sublist("Inverse Factory Library")
+        .sublist("LU")
+        .set(key, "Amesos2");
+    try {
+      solver_list("gcr", list);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  TEST_EQUALITY(message_of("Inverse Velocity Type"), "");
+  TEST_ASSERT(message_of("Inverse Velocity Tipe").find("Linear Solver") == 0);
+}
+
+TEUCHOS_UNIT_TEST(block_lu, an_operator_that_nobody_offers_is_missed_at_once) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  TEST_THROW(linear::BlockPreconditioner(strategy("LU Upper", "Scaled Mass"), jacobian.K,
+                                         linear::no_operators()),
+             Error);
+}
+
 TEUCHOS_UNIT_TEST(block_lu, the_default_solves_a_real_jacobian_by_every_method) {
   const SmallTube tube;
   test::WallJacobian jacobian(tube);

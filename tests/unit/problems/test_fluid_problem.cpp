@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "assembly/gather.hpp"
+#include "base/error.hpp"
 #include "kernels/surface_tri3.hpp"
 #include "problems/fluid_problem.hpp"
 #include "problems/inverted_element.hpp"
@@ -88,6 +89,17 @@ TEUCHOS_UNIT_TEST(fluid_problem, a_parabolic_profile_is_zero_at_the_rim_and_full
     highest = std::max(highest, u[a][2]);
   }
   TEST_FLOATING_EQUALITY(fields::global_max(*test::world(), highest), 0.5, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(fluid_problem, inflow_into_a_closed_fluid_is_refused) {
+  const SmallTube tube;
+  Teuchos::ParameterList list = test::fluid_list(1.0, 0.1);
+  test::set_vector(test::condition(list, "inlet", "velocity"), "velocity", {0, 0, 1});
+  test::condition(list, "outlet", "no slip");
+  test::condition(list, "interface", "no slip");
+  problems::FluidProblem fluid(test::resolved(list, problems::fluid_table()), tube.fluid);
+  fluid.begin_step(stepping::Clock(0.1, 1));
+  TEST_THROW(fluid.solve(), Error);
 }
 
 TEUCHOS_UNIT_TEST(fluid_problem, in_creeping_flow_the_wall_carries_the_load_of_the_inlet) {
@@ -181,8 +193,8 @@ TEUCHOS_UNIT_TEST(describe_inversion, the_most_inverted_element_of_all_ranks_is_
   const int rank = test::world()->getRank(), last = test::world()->getSize() - 1;
   // The last rank holds the worst element; on rank 0 everything is fine if there are others.
   const double smallest = rank == last ? -5.0 : rank == 0 ? 0.1 : -1.0;
-  const auto text = problems::describe_inversion(tube.fluid, smallest, 0).value_or("");
-  TEST_ASSERT(text.find("(determinant -5)") != std::string::npos);
+  const auto text = problems::describe_inversion(tube.fluid, smallest, 0, "det F").value_or("");
+  TEST_ASSERT(text.find("(det F = -5)") != std::string::npos);
   const double mine = rank == last ? tube.fluid.tet_number[0] : 0.0;
   const int number = static_cast<int>(fields::global_sum(*test::world(), mine));
   TEST_ASSERT(text.find("element " + std::to_string(number) + " at") == 0);
@@ -191,10 +203,10 @@ TEUCHOS_UNIT_TEST(describe_inversion, the_most_inverted_element_of_all_ranks_is_
 TEUCHOS_UNIT_TEST(describe_inversion, what_is_no_number_is_inverted) {
   const SmallTube tube;
   const bool is_first = test::world()->getRank() == 0;
-  TEST_ASSERT(
-      problems::describe_inversion(tube.fluid, is_first ? std::nan("") : 1.0, 0).has_value());
-  TEST_ASSERT(!problems::describe_inversion(tube.fluid, 1.0, 0));
-  TEST_ASSERT(!problems::describe_inversion(tube.fluid, -1.0, -1));  // no element at all
+  TEST_ASSERT(problems::describe_inversion(tube.fluid, is_first ? std::nan("") : 1.0, 0, "det F")
+                  .has_value());
+  TEST_ASSERT(!problems::describe_inversion(tube.fluid, 1.0, 0, "det F"));
+  TEST_ASSERT(!problems::describe_inversion(tube.fluid, -1.0, -1, "det F"));  // no element at all
 }
 
 TEUCHOS_UNIT_TEST(surface_geometry, inlet_is_an_octagon_about_the_axis) {

@@ -1,4 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
 
 #include "problems/mesh_motion.hpp"
 #include "unit/problems/lists.hpp"
@@ -34,7 +35,8 @@ TEUCHOS_UNIT_TEST(mesh_motion, a_linear_field_on_the_whole_boundary_is_reproduce
     for (int a = 0; a < tube.fluid.n_nodes(); ++a) expected[a] = linear_field(tube.fluid.x[a]);
     for (int a = 0; a < tube.fluid.n_owned; ++a)
       given[a] = tube.fluid.on_surface[a] != 0 ? expected[a] : Vec3{7, 7, 7};  // 7 is ignored
-    TEST_COMPARE(largest(motion.extend(given), expected), <, 1e-10);
+    TEST_ASSERT(!motion.extend(given));
+    TEST_COMPARE(largest(motion.displacement(), expected), <, 1e-10);
   }
 }
 
@@ -43,7 +45,8 @@ TEUCHOS_UNIT_TEST(mesh_motion, other_surfaces_stay_and_the_interface_moves_as_gi
   problems::MeshMotion motion(options("cg"), tube.fluid, {tube.surface("interface")});
   std::vector<Vec3> given(tube.fluid.n_owned);
   for (int a = 0; a < tube.fluid.n_owned; ++a) given[a] = linear_field(tube.fluid.x[a]);
-  const auto& d = motion.extend(given);
+  TEST_ASSERT(!motion.extend(given));
+  const auto& d = motion.displacement();
   bool moves_inside = false;
   for (int a = 0; a < tube.fluid.n_nodes(); ++a) {
     if (tube.fluid.is_on(a, tube.surface("interface")))
@@ -56,12 +59,26 @@ TEUCHOS_UNIT_TEST(mesh_motion, other_surfaces_stay_and_the_interface_moves_as_gi
   TEST_ASSERT(fields::global_max(*test::world(), moves_inside) > 0.5);
 }
 
+TEUCHOS_UNIT_TEST(mesh_motion, the_tolerance_asked_for_is_enough_and_no_number_is_a_failure) {
+  const SmallTube tube;
+  const std::vector<Vec3> given(tube.fluid.n_owned, Vec3{0.01, 0.02, 0.03});
+  Teuchos::ParameterList loose = options("cg");
+  loose.sublist("Linear Solver").set("tolerance", 1e-4);
+  problems::MeshMotion coarse(loose, tube.fluid, {tube.surface("interface")});
+  TEST_ASSERT(!coarse.extend(given));
+  problems::MeshMotion motion(options("cg"), tube.fluid, {tube.surface("interface")});
+  const std::vector<Vec3> nowhere(tube.fluid.n_owned, Vec3{std::nan(""), 0, 0});
+  const auto failure = motion.extend(nowhere);
+  TEST_ASSERT(failure && failure->find("relative residual") != std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(mesh_motion, the_old_displacement_is_that_of_the_last_accepted_step) {
   const SmallTube tube;
   problems::MeshMotion motion(options("direct"), tube.fluid, {tube.surface("interface")});
   const std::vector<Vec3> zero(tube.fluid.n_nodes());
   const std::vector<Vec3> given(tube.fluid.n_owned, Vec3{0.01, 0.02, 0.03});
-  const std::vector<Vec3> first = motion.extend(given);
+  motion.extend(given);
+  const std::vector<Vec3> first = motion.displacement();
   TEST_EQUALITY(largest(motion.old_displacement(), zero), 0.0);
   motion.end_step();
   motion.extend(std::vector<Vec3>(tube.fluid.n_owned));

@@ -74,6 +74,20 @@ TEUCHOS_UNIT_TEST(time_function, rounding_of_n_steps_does_not_pass_the_end_of_a_
   }
 }
 
+TEUCHOS_UNIT_TEST(time_function, files_are_replaced_by_their_samples_at_any_depth) {
+  const std::string file = "inline_files.csv";
+  std::ofstream(file) << "time,factor\n0,1\n2,5\n";
+  Teuchos::ParameterList amplitude;
+  amplitude.set("kind", std::string("file"));
+  amplitude.set("file", file);
+  stepping::time_function_table().resolve(amplitude, "Amplitude", ".");
+  Teuchos::ParameterList list;
+  list.sublist("Fluid").sublist("Amplitude") = amplitude;
+  stepping::inline_files(list);
+  std::remove(file.c_str());
+  TEST_EQUALITY(TimeFunction(list.sublist("Fluid").sublist("Amplitude"))(1.0), 3.0);
+}
+
 TEUCHOS_UNIT_TEST(time_function, tables_that_make_no_sense_are_refused) {
   TEST_ASSERT(refusal(table_list({0, 2, 1}, {1, 1, 1}, "linear")).find("1 ms follows 2 ms") !=
               std::string::npos);
