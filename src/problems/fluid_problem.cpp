@@ -14,10 +14,8 @@
 namespace tunica::problems {
 
 FluidProblem::FluidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
-    : options_(fluid_options(list)), newton_(nonlinear::newton_options(list.sublist("Newton"))),
-      mesh_(&mesh), K_(mesh),
-      solver_(linear::make_linear_solver(list.sublist("Linear Solver"), K_, *this)), R_(mesh),
-      x_(mesh), position_(mesh.x) {
+    : FieldProblem(list, mesh), options_(fluid_options(list)), position_(mesh.x) {
+  make_solver(list);
   for (auto* field : {&local_.u, &local_.u_old, &local_.w, &local_.f})
     field->assign(mesh.n_nodes(), Vec3{});
   elements_.coefficients = {options_.density, options_.viscosity, 0.0, options_.viscous_factor};
@@ -28,7 +26,6 @@ FluidProblem::FluidProblem(const Teuchos::ParameterList& list, const fields::Fie
 FluidProblem::~FluidProblem() = default;
 
 void FluidProblem::set_constraints() {
-  fixed_.assign(mesh_->n_nodes(), 0);
   condition_of_surface_.assign(mesh_->surfaces.size(), nullptr);
   round_.resize(mesh_->surfaces.size());
   for (const FlowCondition& condition : options_.conditions) {
@@ -140,7 +137,7 @@ void FluidProblem::prepare() {
 
 nonlinear::NewtonReport FluidProblem::solve() {
   prepare();
-  return solve_newton(*this, newton_, x_);
+  return find_state();
 }
 
 void FluidProblem::set_initial_velocity(const std::function<Vec3(const Vec3& x)>& u) {
@@ -177,43 +174,23 @@ void FluidProblem::add_surface_terms(assembly::BlockAssembler* K) {
   }
 }
 
-void FluidProblem::assemble(const fields::BlockVector& x, assembly::BlockAssembler* K) {
+void FluidProblem::read(const fields::BlockVector& x) {
   local_.u = fields::ghosted_vectors(*mesh_, *x.u);
   local_.p = fields::ghosted_scalars(*mesh_, *x.p);
+}
+
+void FluidProblem::assemble(assembly::BlockAssembler* K) {
   R_.set_zero();
   assembly::assemble_fluid(*mesh_, elements_, local_, R_, K);
   add_surface_terms(K);
 }
 
-bool FluidProblem::residual(const fields::BlockVector& x, fields::BlockVector& F) {
-  assemble(x, nullptr);
-  R_.store(*mesh_, fixed_, F);
-  return true;
-}
-
-void FluidProblem::jacobian(const fields::BlockVector& x) {
-  const Stopwatch watch;
-  assembly::BlockAssembler assembler(K_, fixed_);
-  assemble(x, &assembler);
-  assembler.finish();
-  meter_.items += static_cast<long long>(mesh_->tets.size());
-  meter_.seconds += watch.seconds();
-  solver_->matrix_changed();
-}
-
-void FluidProblem::apply_jacobian(const fields::BlockVector& x, fields::BlockVector& y) const {
-  K_.apply(x, y);
-}
-
 std::vector<Vec3> FluidProblem::reaction() {
-  assemble(x_, nullptr);
+  read(x_);
+  assemble(nullptr);
   std::vector<Vec3> force(R_.u);
   for (Vec3& f : force) f = -1.0 * f;
   return force;
-}
-
-double FluidProblem::increment_norm(const fields::BlockVector& dx) {
-  return assembly::mass_norm(*mesh_, elements_.geometry, dx);
 }
 
 }  // namespace tunica::problems

@@ -4,8 +4,7 @@
 #include <optional>
 
 #include "assembly/fluid_assembly.hpp"
-#include "base/timer.hpp"
-#include "nonlinear/newton.hpp"
+#include "problems/field_problem.hpp"
 #include "problems/fluid_options.hpp"
 #include "problems/observable.hpp"
 #include "stepping/clock.hpp"
@@ -14,7 +13,7 @@ namespace tunica::problems {
 
 /// The fluid on a moving mesh over time: velocity and pressure of one step by Newton's method,
 /// implicit Euler between the steps. Starts at rest on the undeformed mesh.
-class FluidProblem : public nonlinear::NonlinearProblem, public linear::NamedOperators {
+class FluidProblem : public FieldProblem {
 public:
   using VectorField = std::function<Vec3(const Vec3& x, double time)>;
 
@@ -42,22 +41,12 @@ public:
   void set_boundary_velocity(VectorField u) { boundary_velocity_ = std::move(u); }
   void set_initial_velocity(const std::function<Vec3(const Vec3& x)>& u);
 
-  const fields::BlockVector& state() const { return x_; }
-  const FluidOptions& options() const { return options_; }
   const std::vector<Vec3>& positions() const { return position_; }  ///< current, local nodes
   const assembly::FluidElements& elements() const { return elements_; }
 
   Observables observe() const;
-  /// Elements of all Jacobians so far and the time they took on this rank.
-  const Meter& jacobian_meter() const { return meter_; }
 
-  // NonlinearProblem
-  const fields::FieldMesh& mesh() const override { return *mesh_; }
-  bool residual(const fields::BlockVector& x, fields::BlockVector& F) override;
-  void jacobian(const fields::BlockVector& x) override;
-  void apply_jacobian(const fields::BlockVector& x, fields::BlockVector& y) const override;
-  linear::LinearSolver& linear_solver() override { return *solver_; }
-  double increment_norm(const fields::BlockVector& dx) override;
+  // FieldProblem
   std::string refusal() const override { return "the residual is not a number"; }
 
   // NamedOperators: the parts of the paper's Schur complement
@@ -69,12 +58,12 @@ private:
   void impose_velocities();
   void check_closed_flow() const;
   Vec3 prescribed_velocity(int node, const FlowCondition& condition, int surface) const;
-  void assemble(const fields::BlockVector& x, assembly::BlockAssembler* K);
+  void read(const fields::BlockVector& x) override;
+  void assemble(assembly::BlockAssembler* K) override;
+  const std::vector<kernels::Tet4>& geometry() const override { return elements_.geometry; }
   void add_surface_terms(assembly::BlockAssembler* K);
 
   FluidOptions options_;
-  nonlinear::NewtonOptions newton_;
-  const fields::FieldMesh* mesh_;
   std::vector<const FlowCondition*> condition_of_surface_;
   struct Round {
     Vec3 centre;
@@ -82,18 +71,12 @@ private:
   };
   std::vector<Round> round_;  ///< per surface, for parabolic profiles
   assembly::FluidElements elements_;
-  assembly::Constraints fixed_;
-  fields::BlockOperator K_;
-  std::unique_ptr<linear::LinearSolver> solver_;
-  assembly::NodalResidual R_;
   VectorField body_force_, boundary_velocity_;
 
-  fields::BlockVector x_;
   std::vector<Vec3> position_;
   assembly::FluidFields local_;  ///< ghosted copies; u and p at the point of evaluation
   bool is_closed_ = false;       ///< no surface lets the fluid out
   double time_ = 0.0;
-  Meter meter_;
 };
 
 }  // namespace tunica::problems

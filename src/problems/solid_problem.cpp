@@ -12,12 +12,10 @@
 namespace tunica::problems {
 
 SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
-    : options_(solid_options(list)), newton_(nonlinear::newton_options(list.sublist("Newton"))),
-      mesh_(&mesh), K_(mesh),
-      solver_(linear::make_linear_solver(list.sublist("Linear Solver"), K_, *this)), R_(mesh),
-      x_(mesh), d_old_(mesh.n_nodes()), v_old_(mesh.n_nodes()), a_old_(mesh.n_nodes()),
-      nodal_force_(mesh.n_owned) {
+    : FieldProblem(list, mesh), options_(solid_options(list)), d_old_(mesh.n_nodes()),
+      v_old_(mesh.n_nodes()), a_old_(mesh.n_nodes()), nodal_force_(mesh.n_owned) {
   local_.r.assign(mesh.n_nodes(), Vec3{});
+  make_solver(list);
   set_constraints();
   set_elements();
 }
@@ -25,7 +23,6 @@ SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::Fie
 SolidProblem::~SolidProblem() = default;
 
 void SolidProblem::set_constraints() {
-  fixed_.assign(mesh_->n_nodes(), 0);
   condition_of_surface_.assign(mesh_->surfaces.size(), nullptr);
   for (const WallCondition& condition : options_.conditions) {
     const auto found = std::find(mesh_->surfaces.begin(), mesh_->surfaces.end(), condition.surface);
@@ -85,7 +82,7 @@ void SolidProblem::begin_step(const stepping::Clock& clock) {
   set_inertia_history();
 }
 
-nonlinear::NewtonReport SolidProblem::solve() { return solve_newton(*this, newton_, x_); }
+nonlinear::NewtonReport SolidProblem::solve() { return find_state(); }
 
 void SolidProblem::end_step() {
   const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, *x_.u);
@@ -135,42 +132,23 @@ void SolidProblem::add_surface_loads(const std::vector<Vec3>& d, assembly::Block
   }
 }
 
-void SolidProblem::assemble(const fields::BlockVector& x, assembly::BlockAssembler* K) {
+void SolidProblem::read(const fields::BlockVector& x) {
+  local_.d = fields::ghosted_vectors(*mesh_, *x.u);
   local_.p = fields::ghosted_scalars(*mesh_, *x.p);
+}
+
+bool SolidProblem::is_admissible() {
+  const auto worst = assembly::worst_solid_element(*mesh_, elements_, local_.d);
+  const auto inversion = describe_inversion(*mesh_, worst.determinant, worst.element, "det F");
+  refusal_ = inversion.value_or("");
+  return !inversion;
+}
+
+void SolidProblem::assemble(assembly::BlockAssembler* K) {
   R_.set_zero();
   assembly::assemble_solid(*mesh_, elements_, local_, R_, K);
   add_surface_loads(local_.d, K);
   for (int a = 0; a < mesh_->n_owned; ++a) R_.u[a] += -1.0 * nodal_force_[a];
-}
-
-bool SolidProblem::residual(const fields::BlockVector& x, fields::BlockVector& F) {
-  local_.d = fields::ghosted_vectors(*mesh_, *x.u);
-  const auto worst = assembly::worst_solid_element(*mesh_, elements_, local_.d);
-  const auto inversion = describe_inversion(*mesh_, worst.determinant, worst.element, "det F");
-  refusal_ = inversion.value_or("");
-  if (inversion) return false;
-  assemble(x, nullptr);
-  R_.store(*mesh_, fixed_, F);
-  return true;
-}
-
-void SolidProblem::jacobian(const fields::BlockVector& x) {
-  local_.d = fields::ghosted_vectors(*mesh_, *x.u);
-  const Stopwatch watch;
-  assembly::BlockAssembler assembler(K_, fixed_);
-  assemble(x, &assembler);
-  assembler.finish();
-  meter_.items += static_cast<long long>(mesh_->tets.size());
-  meter_.seconds += watch.seconds();
-  solver_->matrix_changed();
-}
-
-void SolidProblem::apply_jacobian(const fields::BlockVector& x, fields::BlockVector& y) const {
-  K_.apply(x, y);
-}
-
-double SolidProblem::increment_norm(const fields::BlockVector& dx) {
-  return assembly::mass_norm(*mesh_, elements_.geometry, dx);
 }
 
 }  // namespace tunica::problems

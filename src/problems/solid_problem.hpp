@@ -3,8 +3,7 @@
 #include <optional>
 
 #include "assembly/solid_assembly.hpp"
-#include "base/timer.hpp"
-#include "nonlinear/newton.hpp"
+#include "problems/field_problem.hpp"
 #include "problems/observable.hpp"
 #include "problems/solid_options.hpp"
 #include "stepping/clock.hpp"
@@ -14,7 +13,7 @@ namespace tunica::problems {
 /// The wall over time: displacement and pressure of one step by Newton's method, Newmark
 /// between the steps. Loads are follower pressures, dead tractions and nodal forces from the
 /// fluid. Starts at rest in the unloaded configuration.
-class SolidProblem : public nonlinear::NonlinearProblem, public linear::NamedOperators {
+class SolidProblem : public FieldProblem {
 public:
   /// list: the resolved "Wall" list. mesh must outlive the problem.
   SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
@@ -28,23 +27,13 @@ public:
   /// Accepts the present state as that of the new time.
   void end_step();
 
-  const fields::BlockVector& state() const { return x_; }
   std::vector<Vec3> displacement() const;  ///< of owned nodes [mm]
   std::vector<Vec3> velocity() const;      ///< of owned nodes, of the last accepted step [mm/ms]
-  const SolidOptions& options() const { return options_; }
   const assembly::SolidElements& elements() const { return elements_; }
 
   Observables observe() const;
-  /// Elements of all Jacobians so far and the time they took on this rank.
-  const Meter& jacobian_meter() const { return meter_; }
 
-  // NonlinearProblem
-  const fields::FieldMesh& mesh() const override { return *mesh_; }
-  bool residual(const fields::BlockVector& x, fields::BlockVector& F) override;
-  void jacobian(const fields::BlockVector& x) override;
-  void apply_jacobian(const fields::BlockVector& x, fields::BlockVector& y) const override;
-  linear::LinearSolver& linear_solver() override { return *solver_; }
-  double increment_norm(const fields::BlockVector& dx) override;
+  // FieldProblem
   std::string refusal() const override {
     return refusal_.empty() ? "the residual is not a number" : refusal_;
   }
@@ -58,28 +47,23 @@ private:
   void set_elements();
   void set_coefficients(double dt);
   void set_inertia_history();
-  void assemble(const fields::BlockVector& x, assembly::BlockAssembler* K);
+  void read(const fields::BlockVector& x) override;
+  bool is_admissible() override;
+  void assemble(assembly::BlockAssembler* K) override;
+  const std::vector<kernels::Tet4>& geometry() const override { return elements_.geometry; }
   void add_surface_loads(const std::vector<Vec3>& d, assembly::BlockAssembler* K);
   double alpha_of(const Layer& layer) const;
 
   SolidOptions options_;
-  nonlinear::NewtonOptions newton_;
-  const fields::FieldMesh* mesh_;
   std::vector<std::unique_ptr<materials::HyperelasticLaw>> laws_;  ///< per layer
   std::vector<int> layer_of_region_;
   std::vector<const WallCondition*> condition_of_surface_;
   assembly::SolidElements elements_;
-  assembly::Constraints fixed_;
-  fields::BlockOperator K_;
-  std::unique_ptr<linear::LinearSolver> solver_;
-  assembly::NodalResidual R_;
 
-  fields::BlockVector x_;
   assembly::SolidFields local_;              ///< ghosted copy of the point of evaluation
   std::vector<Vec3> d_old_, v_old_, a_old_;  ///< owned and ghost nodes
   std::vector<Vec3> nodal_force_;
   double time_ = 0.0;
-  Meter meter_;
   double dt_ = 0.0;
   std::string refusal_;
 };

@@ -1,0 +1,58 @@
+#pragma once
+#include <memory>
+
+#include "assembly/block_assembler.hpp"
+#include "base/timer.hpp"
+#include "nonlinear/newton.hpp"
+
+namespace tunica::problems {
+
+/// What fluid and wall have in common: a state of two blocks per node, its residual and
+/// Jacobian by loops over elements, and the solvers for them.
+class FieldProblem : public nonlinear::NonlinearProblem, public linear::NamedOperators {
+public:
+  ~FieldProblem() override;
+
+  const fields::BlockVector& state() const { return x_; }
+  /// Elements of all Jacobians so far and the time they took on this rank.
+  const Meter& jacobian_meter() const { return meter_; }
+
+  // NonlinearProblem
+  const fields::FieldMesh& mesh() const override { return *mesh_; }
+  bool residual(const fields::BlockVector& x, fields::BlockVector& F) override;
+  void jacobian(const fields::BlockVector& x) override;
+  void apply_jacobian(const fields::BlockVector& x, fields::BlockVector& y) const override;
+  linear::LinearSolver& linear_solver() override { return *solver_; }
+  double increment_norm(const fields::BlockVector& dx) override;
+
+protected:
+  /// list: the resolved "Fluid" or "Wall" list. mesh must outlive the problem. The derived
+  /// constructor calls make_solver().
+  FieldProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
+  /// Not part of the constructor: preconditioners ask for the names of operators at once.
+  void make_solver(const Teuchos::ParameterList& list);
+  /// Newton's method from the present state.
+  nonlinear::NewtonReport find_state() { return solve_newton(*this, newton_, x_); }
+
+  /// Takes the values at x to owned and ghost nodes. Collective.
+  virtual void read(const fields::BlockVector& x) = 0;
+  /// False where the values read cannot be assembled, on all ranks alike.
+  virtual bool is_admissible() { return true; }
+  /// Fills R_, and K where it is not null, for the values read.
+  virtual void assemble(assembly::BlockAssembler* K) = 0;
+  /// The elements on which masses are taken.
+  virtual const std::vector<kernels::Tet4>& geometry() const = 0;
+
+  const fields::FieldMesh* mesh_;
+  assembly::Constraints fixed_;  ///< per local node
+  fields::BlockOperator K_;
+  assembly::NodalResidual R_;
+  fields::BlockVector x_;
+
+private:
+  nonlinear::NewtonOptions newton_;
+  std::unique_ptr<linear::LinearSolver> solver_;
+  Meter meter_;
+};
+
+}  // namespace tunica::problems
