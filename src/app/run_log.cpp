@@ -1,5 +1,6 @@
 #include "app/run_log.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -76,8 +77,9 @@ void RunLog::print(const Moment& moment, const StepSummary& s, double seconds) c
   if (!is_root_) return;
   const double left = run_.seconds() / moment.step * (steps_ - moment.step);
   std::printf("step %d/%d  t %g ms", moment.step, steps_, moment.time);
-  if (s.coupling_iterations > 0)
-    std::printf("  coupling %d (|r| %.1e mm)", s.coupling_iterations, s.interface_residual);
+  if (s.coupling_iterations > 0) std::printf("  coupling %d", s.coupling_iterations);
+  if (s.coupling_iterations > 0 && std::isfinite(s.interface_residual))
+    std::printf(" (|r| %.1e mm)", s.interface_residual);
   const auto print_field = [](const char* name, int newton, int linear) {
     if (newton > 0) std::printf("  %s %d Newton %d linear", name, newton, linear);
   };

@@ -83,8 +83,10 @@ void check_teko_list(Teuchos::ParameterList stratimikos,
         teko.sublist("Inverse Factory Library"), builder);
     library->setRequestHandler(handler);
     if (library->getInverseFactory(name).is_null()) cause = "no such inverse";
-  } catch (const std::exception& error) {  // Teko prints the better half of its message itself
+  } catch (const std::exception& error) {
     cause = error.what();
+    // Teko prints the telling half of its message itself and throws its source lines.
+    if (cause.find("Throw number") != std::string::npos) cause = "Teko has said why.";
   }
   TUNICA_CHECK(cause.empty(), "the inverse \"" + name + "\" cannot be built: " + cause + "\n" +
                                   known_types(builder));
