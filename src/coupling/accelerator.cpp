@@ -1,11 +1,11 @@
 #include "coupling/accelerator.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <numeric>
 
 #include "coupling/aitken.hpp"
 #include "coupling/constant_relaxation.hpp"
 #include "coupling/iqn_ils.hpp"
+#include "fields/reduce.hpp"
 
 namespace tunica::coupling {
 
@@ -26,10 +26,7 @@ std::unique_ptr<Accelerator> make_accelerator(const Teuchos::ParameterList& list
 }
 
 double inner_product(const Comm& comm, const InterfaceVector& a, const InterfaceVector& b) {
-  const double mine = std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-  double sum = 0.0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &mine, &sum);
-  return sum;
+  return fields::global_sum(comm, std::inner_product(a.begin(), a.end(), b.begin(), 0.0));
 }
 
 }  // namespace tunica::coupling

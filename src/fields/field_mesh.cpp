@@ -4,13 +4,12 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "mesh/faces.hpp"
 #include "mesh/partition.hpp"
 
 namespace tunica::fields {
 
 namespace {
-
-constexpr int faces_of_tet[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 using Triple = std::array<int, 3>;
 
@@ -86,7 +85,7 @@ void add_faces(const mesh::Mesh& mesh, const mesh::Partition& partition,
     owners[sorted(mesh.triangles[t])].surface = mesh.triangle_surface[t];
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!is_in_field[mesh.tet_region[e]]) continue;
-    for (const auto& f : faces_of_tet) {
+    for (const auto& f : mesh::tet_faces) {
       const Triple face{mesh.tets[e][f[0]], mesh.tets[e][f[1]], mesh.tets[e][f[2]]};
       const auto found = owners.find(sorted(face));
       if (found == owners.end()) continue;
@@ -171,6 +170,11 @@ FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partiti
   add_faces(mesh, partition, is_in_field, local, field);
   add_maps(n, field);
   return field;
+}
+
+int FieldMesh::surface_index(const std::string& name) const {
+  const auto found = std::find(surfaces.begin(), surfaces.end(), name);
+  return found == surfaces.end() ? -1 : static_cast<int>(found - surfaces.begin());
 }
 
 std::vector<Vec3> ghosted_vectors(const FieldMesh& mesh, const Vector& v) {

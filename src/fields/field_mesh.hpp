@@ -46,6 +46,8 @@ struct FieldMesh {
   Teuchos::RCP<const Import> import;  ///< node_map -> ghosted_map
   Teuchos::RCP<const Import> vector_import;
 
+  /// Index into surfaces; -1 for an unknown name.
+  int surface_index(const std::string& name) const;
   int n_nodes() const { return static_cast<int>(x.size()); }
   bool is_on(int node, int surface) const { return (on_surface[node] >> surface) & 1U; }
 };

@@ -18,15 +18,12 @@
 
 #include "base/error.hpp"
 #include "linear/lu_strategy.hpp"
+#include "linear/thyra_operator.hpp"
+#include "params/nearest.hpp"
 
 namespace tunica::linear {
 
 namespace {
-
-Teko::LinearOp thyra_operator(const Teuchos::RCP<CrsMatrix>& matrix) {
-  const Teuchos::RCP<const Operator> op = matrix;
-  return Thyra::createConstLinearOp<Scalar, LocalOrdinal, GlobalOrdinal, Node>(op);
-}
 
 /// Hands named operators to Teko.
 class Callback : public Teko::RequestCallback<Teko::LinearOp> {
@@ -39,20 +36,12 @@ public:
   }
   void preRequest(const Teko::RequestMesg&) override {}
   Teko::LinearOp request(const Teko::RequestMesg& message) override {
-    const Teuchos::RCP<const Operator> op = operators_->assemble_operator(message.getName());
-    return Thyra::createConstLinearOp<Scalar, LocalOrdinal, GlobalOrdinal, Node>(op);
+    return thyra_operator(operators_->assemble_operator(message.getName()));
   }
 
 private:
   const NamedOperators* operators_;
 };
-
-std::string joined(std::vector<std::string> names) {
-  std::sort(names.begin(), names.end());
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "\"" : ", \"") + name + "\"";
-  return text;
-}
 
 /// Every strategy and inverse that a library can hold.
 std::string known_types(const Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder>& builder) {
@@ -64,7 +53,10 @@ std::string known_types(const Teuchos::RCP<Stratimikos::DefaultLinearSolverBuild
     const Teuchos::ParameterList& list = valid->sublist(kind);
     for (auto it = list.begin(); it != list.end(); ++it) inverses.push_back(list.name(it));
   }
-  return "Strategies: " + joined(strategies) + ".\nInverses: " + joined(inverses) + ".";
+  std::sort(strategies.begin(), strategies.end());
+  std::sort(inverses.begin(), inverses.end());
+  return "Strategies: " + params::quoted(strategies) + ".\nInverses: " + params::quoted(inverses) +
+         ".";
 }
 
 /// Builds the inverse that the list asks for once, without a matrix, so that wrong names are

@@ -6,7 +6,7 @@
 #include <TpetraExt_MatrixMatrix.hpp>
 #include <stdexcept>
 
-#include "base/types.hpp"
+#include "linear/thyra_operator.hpp"
 
 namespace tunica::linear {
 
@@ -15,11 +15,6 @@ namespace {
 Teuchos::RCP<const CrsMatrix> matrix_of(const Teko::LinearOp& op) {
   using Extract = Thyra::TpetraOperatorVectorExtraction<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
   return Teuchos::rcp_dynamic_cast<const CrsMatrix>(Extract::getConstTpetraOperator(op), true);
-}
-
-Teko::LinearOp operator_of(const Teuchos::RCP<const CrsMatrix>& matrix) {
-  const Teuchos::RCP<const Operator> op = matrix;
-  return Thyra::createConstLinearOp<Scalar, LocalOrdinal, GlobalOrdinal, Node>(op);
 }
 
 /// a A + b B.
@@ -51,7 +46,7 @@ public:
     scaled.leftScale(diagonal);  // diag(A)⁻¹ B1ᵀ
     CrsMatrix product(B2->getRowMap(), 0);
     Tpetra::MatrixMatrix::Multiply(*B2, false, scaled, false, product);
-    return invert(*inverse_, operator_of(sum(1.0, product, -1.0, *mC)), "inverse S", state);
+    return invert(*inverse_, thyra_operator(sum(1.0, product, -1.0, *mC)), "inverse S", state);
   }
 
 private:
@@ -74,7 +69,7 @@ public:
                        Teko::BlockPreconditionerState& state) const override {
     Teko::LinearOp L = ask(*handler_, "Schur Laplacian");
     if (has_stabilisation_)
-      L = operator_of(sum(1.0, *matrix_of(L), -1.0, *matrix_of(Teko::getBlock(1, 1, K))));
+      L = thyra_operator(sum(1.0, *matrix_of(L), -1.0, *matrix_of(Teko::getBlock(1, 1, K))));
     const Teko::LinearOp inverse_L = invert(*inverse_, L, "inverse L", state);
     const Teko::LinearOp inverse_M = Teko::getInvDiagonalOp(ask(*handler_, "Schur Mass"));
     const Teko::LinearOp S = Teko::add(inverse_L, inverse_M);
@@ -97,7 +92,7 @@ public:
                        Teko::BlockPreconditionerState&) const override {
     const auto shear = matrix_of(ask(*handler_, "Schur Shear Mass"));
     const auto bulk = matrix_of(ask(*handler_, "Schur Bulk Mass"));
-    return Teko::getInvDiagonalOp(operator_of(sum(1.0 / theta_factor_, *shear, 1.0, *bulk)));
+    return Teko::getInvDiagonalOp(thyra_operator(sum(1.0 / theta_factor_, *shear, 1.0, *bulk)));
   }
 
 private:

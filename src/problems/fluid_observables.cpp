@@ -1,8 +1,6 @@
 #include <algorithm>
 
-#include "assembly/gather.hpp"
 #include "fields/reduce.hpp"
-#include "kernels/surface_tri3.hpp"
 #include "problems/fluid_problem.hpp"
 
 namespace tunica::problems {
@@ -19,9 +17,7 @@ Observables FluidProblem::observe() const {
     double inflow = 0.0;
     for (const fields::Face& face : mesh_->faces) {
       if (face.surface != static_cast<int>(s) || !face.is_counted) continue;
-      const Vec3 n = kernels::area_normal(assembly::gather(position_, face.nodes));
-      const auto v = assembly::gather(u, face.nodes);
-      inflow -= dot(n, v[0] + v[1] + v[2]) / 3.0;
+      inflow -= outflow(face, u);
     }
     found.push_back(
         {"inflow_" + condition->surface + "_mm3_per_ms", fields::global_sum(comm, inflow)});

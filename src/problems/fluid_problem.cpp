@@ -9,7 +9,6 @@
 #include "fields/reduce.hpp"
 #include "kernels/surface_tri3.hpp"
 #include "problems/inverted_element.hpp"
-#include "problems/surface_geometry.hpp"
 
 namespace tunica::problems {
 
@@ -29,14 +28,10 @@ void FluidProblem::set_constraints() {
   condition_of_surface_.assign(mesh_->surfaces.size(), nullptr);
   round_.resize(mesh_->surfaces.size());
   for (const FlowCondition& condition : options_.conditions) {
-    const auto found = std::find(mesh_->surfaces.begin(), mesh_->surfaces.end(), condition.surface);
-    if (found == mesh_->surfaces.end()) continue;  // the case was checked against the mesh
-    const int surface = static_cast<int>(found - mesh_->surfaces.begin());
+    const int surface = mesh_->surface_index(condition.surface);
+    if (surface < 0) continue;  // the case was checked against the mesh
     condition_of_surface_[surface] = &condition;
-    if (condition.is_parabolic) {
-      const SurfaceGeometry geometry = surface_geometry(*mesh_, surface);
-      round_[surface] = {geometry.centre, geometry.radius};
-    }
+    if (condition.is_parabolic) round_[surface] = surface_geometry(*mesh_, surface);
     if (condition.is_open()) continue;
     for (int a = 0; a < mesh_->n_nodes(); ++a)
       if (mesh_->is_on(a, surface)) fixed_[a] |= assembly::fixed_vector;
@@ -105,15 +100,18 @@ void FluidProblem::impose_velocities() {
     }
 }
 
+double FluidProblem::outflow(const fields::Face& face, const std::vector<Vec3>& u) const {
+  const auto v = assembly::gather(u, face.nodes);
+  const Vec3 n = kernels::area_normal(assembly::gather(position_, face.nodes));
+  return dot(n, v[0] + v[1] + v[2]) / 3.0;
+}
+
 void FluidProblem::check_closed_flow() const {
   const std::vector<Vec3> u = fields::ghosted_vectors(*mesh_, *x_.u);
   double net = 0.0, total = 0.0;
   for (const fields::Face& face : mesh_->faces) {
     if (!face.is_counted) continue;
-    const auto v = assembly::gather(u, face.nodes);
-    const double flux =
-        dot(kernels::area_normal(assembly::gather(position_, face.nodes)), v[0] + v[1] + v[2]) /
-        3.0;
+    const double flux = outflow(face, u);
     net += flux;
     total += std::abs(flux);
   }

@@ -7,6 +7,7 @@
 #include "problems/field_problem.hpp"
 #include "problems/fluid_options.hpp"
 #include "problems/observable.hpp"
+#include "problems/surface_geometry.hpp"
 #include "stepping/clock.hpp"
 
 namespace tunica::problems {
@@ -56,6 +57,8 @@ public:
 private:
   void set_constraints();
   void impose_velocities();
+  /// Volume of fluid that leaves through the face [mm³/ms]; u on local nodes.
+  double outflow(const fields::Face& face, const std::vector<Vec3>& u) const;
   void check_closed_flow() const;
   Vec3 prescribed_velocity(int node, const FlowCondition& condition, int surface) const;
   void read(const fields::BlockVector& x) override;
@@ -65,11 +68,7 @@ private:
 
   FluidOptions options_;
   std::vector<const FlowCondition*> condition_of_surface_;
-  struct Round {
-    Vec3 centre;
-    double radius;
-  };
-  std::vector<Round> round_;  ///< per surface, for parabolic profiles
+  std::vector<SurfaceGeometry> round_;  ///< per surface, for parabolic profiles
   assembly::FluidElements elements_;
   VectorField body_force_, boundary_velocity_;
 

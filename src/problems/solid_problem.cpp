@@ -25,9 +25,8 @@ SolidProblem::~SolidProblem() = default;
 void SolidProblem::set_constraints() {
   condition_of_surface_.assign(mesh_->surfaces.size(), nullptr);
   for (const WallCondition& condition : options_.conditions) {
-    const auto found = std::find(mesh_->surfaces.begin(), mesh_->surfaces.end(), condition.surface);
-    if (found == mesh_->surfaces.end()) continue;  // the case was checked against the mesh
-    const int surface = static_cast<int>(found - mesh_->surfaces.begin());
+    const int surface = mesh_->surface_index(condition.surface);
+    if (surface < 0) continue;  // the case was checked against the mesh
     condition_of_surface_[surface] = &condition;
     for (int a = 0; a < mesh_->n_nodes(); ++a)
       if (mesh_->is_on(a, surface))
