@@ -19,26 +19,28 @@ namespace {
 
 using namespace tunica;
 
-/// A case names its fields by its lists.
+/// A case names its fields, and the program it is for, by its lists.
 params::Table table_for(const std::string& file, const Comm& comm) {
   std::string fields;
   on_root(comm, [&] {
     const Teuchos::ParameterList list = params::read_xml(file);
     if (list.isSublist("Fluid")) fields += "fluid";
     if (list.isSublist("Wall")) fields += "wall";
+    if (list.isSublist("Solvers")) fields = "solvers";
   });
   broadcast(comm, fields);
   if (fields == "fluid") return app::fluid_table();
   if (fields == "wall") return app::solid_table();
+  if (fields == "solvers") return app::solvers_table();
   return app::fsi_table();
 }
 
 void print_reference() {
   std::cout << "# Parameters\n\n"
-               "Printed by `tunica-check --reference`. `tunica-fsi` reads all lists, "
-               "`tunica-solid` leaves out Fluid,\nMesh Motion and Coupling, `tunica-fluid` "
-               "leaves out Wall, Mesh Motion and Coupling.\n\n";
-  app::fsi_table().print_markdown(std::cout, "Case");
+               "Printed by `tunica-check --reference`. `tunica-solvers` reads all lists, "
+               "`tunica-fsi` leaves out\nSolvers, `tunica-solid` also Fluid, Mesh Motion and "
+               "Coupling, `tunica-fluid` Wall, Mesh Motion and\nCoupling.\n\n";
+  app::solvers_table().print_markdown(std::cout, "Case");
 }
 
 int check(const app::CommandLine& command) {

@@ -27,6 +27,8 @@ Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Ta
   }
   if (command.steps) list.sublist("Time").set("steps", *command.steps);
   if (!command.output.empty()) list.sublist("Output").set("folder", command.output);
+  if (!command.export_folder.empty())
+    list.sublist("Solvers").set("export folder", command.export_folder);
   return list;
 }
 

@@ -25,6 +25,8 @@ std::vector<Option> options_of(const std::string& program) {
       {"--help", "", "print this text"}};
   if (program == "tunica-check")
     options.push_back({"--reference", "", "print the parameter reference (Markdown)"});
+  if (program == "tunica-solvers")
+    options.push_back({"--export", "DIR", "write the systems there as Matrix Market files"});
   return options;
 }
 
@@ -54,6 +56,7 @@ void store(CommandLine& line, const std::string& name, const std::string& value)
   if (name == "--print-defaults") line.print_defaults = true;
   if (name == "--help") line.help = true;
   if (name == "--reference") line.reference = true;
+  if (name == "--export") line.export_folder = value;
 }
 
 void store_case(CommandLine& line, const std::string& name) {

@@ -14,6 +14,7 @@ struct CommandLine {
   bool print_defaults = false;     ///< a complete, commented XML; no case file needed
   bool help = false;               ///< no case file needed
   bool reference = false;          ///< tunica-check only; no case file needed
+  std::string export_folder;       ///< tunica-solvers only; "" if not given
   std::vector<std::string> set{};  ///< assignments in their order, see params::set_from_text
 };
 

@@ -65,6 +65,7 @@ int solve(const Program& program, const CommandLine& command, const March& march
   if (command.dry_run) return exit_done;
   linear::check_direct_solver(comm);
   RunOutput output(program, list, comm);
+  output.record.set("case", "file", command.case_file);
   record_sizes(domain, output.record);
   output.record.add_time("set-up", set_up.seconds());
   output.record.save();

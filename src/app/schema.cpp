@@ -1,6 +1,10 @@
 #include "app/schema.hpp"
 
 #include "app/probes.hpp"
+#include "app/solver_table.hpp"
+#include "app/system_capture.hpp"
+#include "app/system_export.hpp"
+#include "base/error.hpp"
 #include "coupling/dirichlet_neumann.hpp"
 #include "problems/fluid_options.hpp"
 #include "problems/mesh_motion.hpp"
@@ -23,6 +27,19 @@ params::Table output_table() {
       .integer("fields every", 1, params::non_negative(),
                "write the fields after every so many steps; 0 never");
   return table;
+}
+
+/// The wanted step and iteration must come to pass.
+void check_wish(const Teuchos::ParameterList& list, const std::string&) {
+  const auto check = [&](const char* key, const std::string& where, const char* limit) {
+    const int wanted = list.sublist("Solvers").get<int>(key);
+    const int most = list.sublist(where).get<int>(limit);
+    TUNICA_CHECK(wanted <= most, std::string("Solvers: \"") + key + "\" is " +
+                                     std::to_string(wanted) + ", but " + where + " / " + limit +
+                                     " is " + std::to_string(most) + ".");
+  };
+  check("step", "Time", "steps");
+  check("coupling iteration", "Coupling", "max iterations");
 }
 
 /// Keys that every case has.
@@ -56,6 +73,16 @@ params::Table solid_table() {
 params::Table fluid_table() {
   params::Table table = common_table("A fluid alone, in a rigid domain.", true, false);
   table.sublist("Fluid", problems::fluid_table());
+  return table;
+}
+
+params::Table solvers_table() {
+  params::Table solvers("What tunica-solvers compares, and on which linear systems.");
+  add_capture_keys(solvers);
+  add_setting_keys(solvers);
+  add_export_keys(solvers);
+  params::Table table = fsi_table();
+  table.sublist("Solvers", solvers).check(check_wish);
   return table;
 }
 

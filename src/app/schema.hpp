@@ -7,5 +7,7 @@ namespace tunica::app {
 params::Table fsi_table();
 params::Table solid_table();
 params::Table fluid_table();
+/// Of tunica-solvers: every case of tunica-fsi, with the list "Solvers" beside the others.
+params::Table solvers_table();
 
 }  // namespace tunica::app

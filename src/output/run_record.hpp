@@ -41,11 +41,13 @@ public:
   /// Writes the end of the run. Collective, throws as save().
   void finish(RunStatus status, const std::string& message = "");
 
+  /// What the file holds (JSON), for other files of the run that repeat a part of it.
+  std::string text() const;
+
 private:
   using Section = std::vector<std::pair<std::string, Value>>;
 
   void measure_memory();
-  std::string text() const;
   void replace();
 
   std::string path_, program_, message_, started_, ended_;

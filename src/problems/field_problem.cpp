@@ -4,6 +4,28 @@
 
 namespace tunica::problems {
 
+namespace {
+
+/// A solver that shows each right-hand side before it solves.
+class WatchedSolver final : public linear::LinearSolver {
+public:
+  WatchedSolver(std::unique_ptr<linear::LinearSolver> solver, FieldProblem::SolveWatch watch)
+      : solver_(std::move(solver)), watch_(std::move(watch)) {}
+
+  void matrix_changed() override { solver_->matrix_changed(); }
+  linear::SolveReport solve(const fields::BlockVector& b, fields::BlockVector& x,
+                            double tolerance) override {
+    watch_(b);
+    return solver_->solve(b, x, tolerance);
+  }
+
+private:
+  std::unique_ptr<linear::LinearSolver> solver_;
+  FieldProblem::SolveWatch watch_;
+};
+
+}  // namespace
+
 FieldProblem::FieldProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
     : mesh_(&mesh), fixed_(mesh.n_nodes(), 0), K_(mesh), R_(mesh), x_(mesh),
       newton_(nonlinear::newton_options(list.sublist("Newton"))) {}
@@ -12,6 +34,10 @@ FieldProblem::~FieldProblem() = default;
 
 void FieldProblem::make_solver(const Teuchos::ParameterList& list) {
   solver_ = linear::make_linear_solver(list.sublist("Linear Solver"), K_, *this);
+}
+
+void FieldProblem::watch_solves(SolveWatch watch) {
+  solver_ = std::make_unique<WatchedSolver>(std::move(solver_), std::move(watch));
 }
 
 bool FieldProblem::residual(const fields::BlockVector& x, fields::BlockVector& F) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 
 #include "assembly/block_assembler.hpp"
@@ -16,6 +17,12 @@ public:
   const fields::BlockVector& state() const { return x_; }
   /// Elements of all Jacobians so far and the time they took on this rank.
   const Meter& jacobian_meter() const { return meter_; }
+
+  /// Calls watch with the right-hand side before each linear solve. The Jacobian and the named
+  /// operators are then those of the system.
+  using SolveWatch = std::function<void(const fields::BlockVector& b)>;
+  void watch_solves(SolveWatch watch);
+  const fields::BlockOperator& last_jacobian() const { return K_; }
 
   // NonlinearProblem
   const fields::FieldMesh& mesh() const override { return *mesh_; }

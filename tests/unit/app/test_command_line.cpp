@@ -57,6 +57,11 @@ TEUCHOS_UNIT_TEST(command_line, reference_belongs_to_tunica_check) {
   TEST_ASSERT(!refusal({"case.xml", "--reference"}).empty());
 }
 
+TEUCHOS_UNIT_TEST(command_line, export_belongs_to_tunica_solvers) {
+  TEST_EQUALITY(parsed({"case.xml", "--export", "DIR"}, "tunica-solvers").export_folder, "DIR");
+  TEST_ASSERT(!refusal({"case.xml", "--export", "DIR"}).empty());
+}
+
 TEUCHOS_UNIT_TEST(command_line, a_missing_case_file_shows_the_usage) {
   const std::string message = refusal({"--dry-run"});
   TEST_ASSERT(message.rfind("the case file is missing", 0) == 0);

@@ -22,11 +22,15 @@ struct Named {
 };
 
 std::vector<Named> schemas() {
-  return {{"fsi", app::fsi_table()}, {"solid", app::solid_table()}, {"fluid", app::fluid_table()}};
+  return {{"fsi", app::fsi_table()},
+          {"solid", app::solid_table()},
+          {"fluid", app::fluid_table()},
+          {"solvers", app::solvers_table()}};
 }
 
-/// A case's fields decide which program solves it.
+/// A case's lists decide which program solves it.
 params::Table table_for(const Teuchos::ParameterList& list) {
+  if (list.isSublist("Solvers")) return app::solvers_table();
   if (!list.isSublist("Wall")) return app::fluid_table();
   return list.isSublist("Fluid") ? app::fsi_table() : app::solid_table();
 }
@@ -109,6 +113,21 @@ TEUCHOS_UNIT_TEST(schema, unknown_keys_stop_at_every_depth_and_name_the_nearest)
   }
 }
 
+TEUCHOS_UNIT_TEST(schema, solver_settings_are_checked_like_a_case) {
+  const std::string file = xml_folder + "/solvers-tiny.xml";
+  const std::pair<std::string, std::string> faults[] = {
+      {"Solvers/newtn step=1", "Solvers: unknown key \"newtn step\". Did you mean"},
+      {"Solvers/Wall/direct/fil level=1", "Solvers / Wall / direct: unknown key \"fil level\""},
+      {"Solvers/Fluid/direct/method=gmrs", "Solvers / Fluid / direct"},
+      {"Solvers/step=17", "Solvers: \"step\" is 17, but Time / steps is 16."},
+      {"Solvers/coupling iteration=101", "but Coupling / max iterations is 100."}};
+  for (const auto& [assignment, part] : faults) {
+    const std::string message = refusal(file, {assignment});
+    out << message << "\n";
+    TEST_ASSERT(message.find(part) != std::string::npos);
+  }
+}
+
 TEUCHOS_UNIT_TEST(schema, probes_are_limited_to_the_fields_of_the_case) {
   Teuchos::ParameterList probe;
   probe.set("quantity", std::string("fluid pressure"));
@@ -140,6 +159,20 @@ TEUCHOS_UNIT_TEST(read_case, all_ranks_receive_the_same_list) {
   TEST_EQUALITY(list.sublist("Output").get<std::string>("folder"), "elsewhere");
   TEST_EQUALITY(list.sublist("Coupling").get<std::string>("accelerator"), "iqn-ils");
   TEST_ASSERT(std::filesystem::path(list.sublist("Mesh").get<std::string>("file")).is_absolute());
+}
+
+TEUCHOS_UNIT_TEST(read_case, the_export_folder_of_the_command_line_wins) {
+  app::CommandLine command;
+  command.case_file = xml_folder + "/solvers-tiny.xml";
+  command.set = {"Solvers/export folder=here"};
+  const Comm& comm = *Tpetra::getDefaultComm();
+  const auto folder = [&] {
+    const auto list = app::read_case(command, app::solvers_table(), comm);
+    return list.sublist("Solvers").get<std::string>("export folder");
+  };
+  TEST_EQUALITY(folder(), "here");
+  command.export_folder = "there";
+  TEST_EQUALITY(folder(), "there");
 }
 
 TEUCHOS_UNIT_TEST(read_case, a_fault_of_the_file_is_thrown_on_all_ranks) {

@@ -1,0 +1,87 @@
+// Takes real Jacobians out of a fluid-structure interaction problem, solves each with a list of
+// settings, and compares them in one table.
+//
+//   tunica-solvers xml/solvers-tiny.xml --output results/solvers
+//   mpirun -n 2 tunica-solvers xml/solvers-tiny.xml --export systems
+
+#include "app/run.hpp"
+#include "app/run_log.hpp"
+#include "app/schema.hpp"
+#include "app/solver_table.hpp"
+#include "app/system_capture.hpp"
+#include "app/system_export.hpp"
+#include "coupling/dirichlet_neumann.hpp"
+
+namespace {
+
+using namespace tunica;
+
+/// Leaves the march when the wanted coupling iteration is over.
+struct Complete {};
+
+/// Marches until the wanted coupling iteration is over. Not converging before it is a result.
+app::Verdict march_to_wanted(app::SystemCapture& capture, coupling::DirichletNeumann& scheme,
+                             stepping::Clock clock, app::RunLog& log) {
+  for (; !clock.is_done(); clock.advance()) {
+    capture.enter(clock.step(), 1);
+    const coupling::Report report =
+        scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
+          log.coupling({clock.step(), clock.time(), k}, iteration);
+          const bool is_solved = iteration.fluid.is_converged && iteration.wall.is_converged;
+          if (is_solved && capture.is_complete(clock.step(), k)) throw Complete();
+          capture.enter(clock.step(), k + 1);
+        });
+    log.step({clock.step(), clock.time(), 0}, app::summary_of(report), {});
+    if (!report.is_accepted) return {false, report.reason};
+  }
+  return {};
+}
+
+app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain,
+                   app::RunOutput& output) {
+  // 1. The coupled problem of the case, as in tunica_fsi.cpp.
+  problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
+  problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
+  problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid,
+                              domain.interface_surfaces);
+  coupling::DirichletNeumann scheme(list.sublist("Coupling"), *domain.interface, fluid, wall,
+                                    motion);
+
+  // 2. Every wanted system is written and goes through all settings before it is solved.
+  const CommPtr comm = domain.fluid->comm;
+  const Teuchos::ParameterList& solvers = list.sublist("Solvers");
+  const app::SystemExport files(solvers.get<std::string>("export folder"), output.record, comm);
+  app::SolverTable table(list, output, comm->getRank() == 0);
+  app::SystemCapture capture(solvers, [&](const app::LinearSystem& system) {
+    files.write(system);
+    files.write(system, table.run(system));
+  });
+  capture.watch("fluid", fluid);
+  capture.watch("wall", wall);
+
+  // 3. March as far as needed.
+  const stepping::Clock clock(list.sublist("Time"));
+  app::RunLog log(output.folder, comm->getRank() == 0, clock.steps());
+  app::Verdict verdict;
+  try {
+    verdict = march_to_wanted(capture, scheme, clock, log);
+  } catch (const Complete&) {  // what was wanted is in the table
+  }
+
+  // 4. Report.
+  table.print();
+  if (verdict.is_converged && capture.count() == 0)
+    verdict = {false, "there is no linear system at " + capture.wish() +
+                          "; coupling.csv counts those there were"};
+  return verdict;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return tunica::app::run_program(
+      argc, argv,
+      {"tunica-solvers", "Compares settings of linear solvers on the systems of a coupled problem.",
+       tunica::app::solvers_table()},
+      march);
+}

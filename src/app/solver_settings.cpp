@@ -1,0 +1,86 @@
+#include "app/solver_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/agreement.hpp"
+#include "base/timer.hpp"
+#include "fields/reduce.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+/// The telling line of an exception: Trilinos puts its source lines before it.
+std::string telling_line(std::string text) {
+  const std::size_t preamble = text.find("Throw test that evaluated to true");
+  if (preamble != std::string::npos)
+    text.erase(0, std::min(text.find('\n', preamble), text.size()));
+  text.erase(0, std::min(text.find_first_not_of(" \n"), text.size()));
+  text.erase(std::min(text.find('\n'), text.size()));
+  return text.empty() ? "an exception without a message" : text;
+}
+
+std::string verdict_of(const SolverSetting& setting, const linear::SolveReport& solve) {
+  if (solve.is_converged) return "converged";
+  if (!std::isfinite(solve.recurrence_residual)) return "breakdown";
+  if (!(solve.true_residual < 1.0)) return "diverged";
+  if (solve.recurrence_residual <= solve.tolerance) return "drifted";
+  const bool has_cap = setting.list.isParameter("max iterations");
+  return has_cap && solve.iterations >= setting.list.get<int>("max iterations") ? "cap"
+                                                                                : "stagnated";
+}
+
+double norm_of_difference(const Vector& x, const Vector& y) {
+  Vector difference(x, Teuchos::Copy);
+  difference.update(-1.0, y, 1.0);
+  return difference.norm2();
+}
+
+}  // namespace
+
+double SolverRow::convergence_factor() const {
+  if (solve.iterations == 0) return std::numeric_limits<double>::quiet_NaN();
+  return std::pow(solve.true_residual, 1.0 / solve.iterations);
+}
+
+SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, double tolerance,
+                      fields::BlockVector& x) {
+  const Comm& comm = *system.K->mesh().comm;
+  SolverRow row;
+  row.field = system.field;
+  row.newton_step = system.newton_step;
+  row.setting = setting.name;
+  row.method = setting.list.get<std::string>("method");
+  if (setting.list.isParameter("preconditioner"))
+    row.preconditioner = setting.list.get<std::string>("preconditioner");
+  row.unknowns = 4 * static_cast<long long>(system.K->mesh().node_map->getGlobalNumElements());
+  row.solve.true_residual = row.solve.recurrence_residual =
+      std::numeric_limits<double>::quiet_NaN();
+  std::string failure;
+  comm.barrier();
+  const Stopwatch watch;
+  try {
+    const auto solver = linear::make_linear_solver(setting.list, *system.K, *system.operators);
+    row.solve = solver->solve(*system.b, x, tolerance);
+  } catch (const std::exception& error) {
+    failure = telling_line(error.what());
+  }
+  const double seconds = watch.seconds() - row.solve.solve_seconds;
+  row.solve.setup_seconds = fields::global_max(comm, seconds);
+  row.solve.solve_seconds = fields::global_max(comm, row.solve.solve_seconds);
+  failure = agreed_message(comm, failure);
+  row.verdict = failure.empty() ? verdict_of(setting, row.solve) : failure;
+  row.solve.is_converged = row.verdict == "converged";
+  return row;
+}
+
+double relative_difference(const fields::BlockVector& x, const fields::BlockVector& y) {
+  const auto part = [](const Vector& a, const Vector& b) {
+    const double difference = norm_of_difference(a, b), size = b.norm2();
+    return size > 0.0 ? difference / size : difference;
+  };
+  return std::max(part(*x.u, *y.u), part(*x.p, *y.p));
+}
+
+}  // namespace tunica::app

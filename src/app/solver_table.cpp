@@ -1,0 +1,124 @@
+#include "app/solver_table.hpp"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "base/timer.hpp"
+#include "output/atomic_file.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> columns() {
+  return {"field",          "newton_step",
+          "setting",        "method",
+          "preconditioner", "unknowns",
+          "iterations",     "convergence_factor",
+          "true_residual",  "recurrence_residual",
+          "setup_seconds",  "solve_seconds",
+          "difference",     "verdict"};
+}
+
+std::vector<output::Cell> cells(const SolverRow& row) {
+  const linear::SolveReport& s = row.solve;
+  return {row.field,          row.newton_step,
+          row.setting,        row.method,
+          row.preconditioner, row.unknowns,
+          s.iterations,       row.convergence_factor(),
+          s.true_residual,    s.recurrence_residual,
+          s.setup_seconds,    s.solve_seconds,
+          row.difference,     row.verdict};
+}
+
+std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,
+                                       const std::string& field) {
+  const Teuchos::ParameterList& entries = list.sublist("Solvers").sublist(field);
+  std::vector<SolverSetting> settings;
+  for (auto it = entries.begin(); it != entries.end(); ++it)
+    settings.push_back({entries.name(it), entries.sublist(entries.name(it))});
+  if (settings.empty()) settings.push_back({"case", list.sublist(field).sublist("Linear Solver")});
+  return settings;
+}
+
+}  // namespace
+
+void add_setting_keys(params::Table& table) {
+  const std::string sentence =
+      "settings to compare, each like a \"Linear Solver\" list; the first "
+      "is the measure of the others";
+  table
+      .number("tolerance", 1e-8, params::Range{0.0, 1.0, true, true}, "1",
+              "reduction of the residual that every setting has to reach")
+      .entries("Fluid", linear::linear_solver_table(), sentence)
+      .entries("Wall", linear::linear_solver_table(), sentence);
+}
+
+SolverTable::SolverTable(const Teuchos::ParameterList& list, const RunOutput& output, bool is_root)
+    : settings_{{"fluid", settings_of(list, "Fluid")}, {"wall", settings_of(list, "Wall")}},
+      tolerance_(list.sublist("Solvers").get<double>("tolerance")),
+      step_(list.sublist("Solvers").get<int>("step")),
+      coupling_iteration_(list.sublist("Solvers").get<int>("coupling iteration")),
+      is_root_(is_root), record_(&output.record), json_file_(output.folder.file("solvers.json")),
+      csv_(output.folder.file("solvers.csv"), columns(), is_root) {
+  save();  // so that it never tells of an earlier run
+}
+
+std::optional<BestSolution> SolverTable::run(const LinearSystem& system) {
+  std::optional<BestSolution> best;
+  std::optional<fields::BlockVector> first;
+  const Stopwatch watch;
+  for (const SolverSetting& setting : settings_.at(system.field)) {
+    fields::BlockVector x(system.K->mesh());
+    SolverRow row = run_setting(setting, system, tolerance_, x);
+    if (row.solve.is_converged) {
+      if (!first) first = x;
+      row.difference = relative_difference(x, *first);
+    }
+    if (row.solve.true_residual < (best ? best->true_residual : 1.0))
+      best = {setting.name, row.solve.true_residual, x};
+    add(row);
+  }
+  save();
+  if (is_root_)
+    std::cout << system.name() << ": " << settings_.at(system.field).size() << " settings, "
+              << watch.seconds() << " s" << std::endl;
+  return best;
+}
+
+void SolverTable::add(const SolverRow& row) {
+  csv_.row(cells(row));
+  rows_.push_back(row);
+}
+
+void SolverTable::save() const {
+  if (!is_root_) return;
+  const Json record = Json::parse(record_->text());
+  Json out;
+  for (const char* section : {"program", "case", "ranks", "versions", "sizes"})
+    out[section] = record.at(section);
+  out["step"] = step_;
+  out["coupling iteration"] = coupling_iteration_;
+  out["tolerance"] = tolerance_;
+  out["solves"] = Json::array();
+  for (const SolverRow& row : rows_) {
+    Json& solve = out["solves"].emplace_back();
+    const std::vector<output::Cell> values = cells(row);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      std::visit([&](const auto& value) { solve[csv_.columns()[i]] = value; }, values[i]);
+  }
+  const std::string problem = output::replace_file(
+      json_file_, out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (!problem.empty()) throw std::runtime_error(problem);
+}
+
+void SolverTable::print() const {
+  if (!is_root_) return;
+  for (const char* field : {"fluid", "wall"}) std::cout << text_of(rows_, field);
+  std::cout << std::flush;
+}
+
+}  // namespace tunica::app
