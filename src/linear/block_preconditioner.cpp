@@ -18,7 +18,9 @@
 
 #include "base/error.hpp"
 #include "linear/lu_strategy.hpp"
+#include "linear/nodal_multigrid.hpp"
 #include "linear/thyra_operator.hpp"
+#include "multigrid/nodal_coarsening.hpp"
 #include "params/nearest.hpp"
 
 namespace tunica::linear {
@@ -59,6 +61,24 @@ std::string known_types(const Teuchos::RCP<Stratimikos::DefaultLinearSolverBuild
          ".";
 }
 
+/// Hands the nodes of the blocks to "Nodal Multigrid".
+class NodesCallback : public Teko::RequestCallback<Teuchos::RCP<multigrid::NodalCoarsening>> {
+public:
+  explicit NodesCallback(const Teuchos::RCP<const CrsMatrix>& nodes)
+      : nodes_(Teuchos::rcp(new multigrid::NodalCoarsening(nodes))) {}
+
+  bool handlesRequest(const Teko::RequestMesg& message) override {
+    return message.getName() == "Nodal Coarsening";
+  }
+  void preRequest(const Teko::RequestMesg&) override {}
+  Teuchos::RCP<multigrid::NodalCoarsening> request(const Teko::RequestMesg&) override {
+    return nodes_;
+  }
+
+private:
+  Teuchos::RCP<multigrid::NodalCoarsening> nodes_;
+};
+
 /// Builds the inverse that the list asks for once, without a matrix, so that wrong names are
 /// found before anything is solved.
 void check_teko_list(Teuchos::ParameterList stratimikos,
@@ -88,6 +108,7 @@ void check_teko_list(Teuchos::ParameterList stratimikos,
 /// Teko copies the builder, so that it must come last.
 Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder> make_builder() {
   register_lu_strategies();
+  register_nodal_multigrid();
   const auto builder = Teuchos::rcp(new Stratimikos::DefaultLinearSolverBuilder);
   Stratimikos::enableMueLu<LocalOrdinal, GlobalOrdinal, Node>(*builder);
   builder->setPreconditioningStrategyFactory(
@@ -127,6 +148,7 @@ BlockPreconditioner::BlockPreconditioner(const Teuchos::ParameterList& stratimik
   auto& builder = *stack_->builder;
   const auto handler = Teuchos::rcp(new Teko::RequestHandler);
   handler->addRequestCallback(Teuchos::rcp(new Callback(operators)));
+  handler->addRequestCallback(Teuchos::rcp(new NodesCallback(K.mC)));
   Teko::addTekoToStratimikosBuilder(builder, handler);
   check_teko_list(stratimikos, stack_->builder, handler);
   builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(stratimikos)));

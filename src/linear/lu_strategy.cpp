@@ -7,32 +7,16 @@
 #include <Teko_InverseLibrary.hpp>
 #include <Teko_LU2x2InverseOp.hpp>
 #include <Teko_PreconditionerFactory.hpp>
-#include <algorithm>
-#include <stdexcept>
 
+#include "linear/inverse_sum.hpp"
+#include "linear/known_keys.hpp"
 #include "linear/schur.hpp"
-#include "params/nearest.hpp"
 
 namespace tunica::linear {
 
 namespace {
 
 enum class Form { upper, lower, full };
-
-/// Teko hands over what the user wrote; what nobody has read by now is a slip.
-void check_keys(const Teuchos::ParameterList& list) {
-  const std::vector<std::string> known{"Type",
-                                       "Inverse Velocity Type",
-                                       "Schur Complement",
-                                       "Inverse Schur Type",
-                                       "Stabilisation",
-                                       "Convection",
-                                       "Theta Factor"};
-  for (auto it = list.begin(); it != list.end(); ++it)
-    if (std::find(known.begin(), known.end(), list.name(it)) == known.end())
-      throw std::invalid_argument("unknown key \"" + list.name(it) + "\". " +
-                                  params::did_you_mean(list.name(it), known));
-}
 
 template <Form form>
 class LuStrategy : public Teko::BlockPreconditionerFactory {
@@ -43,7 +27,8 @@ public:
         own.get<std::string>("Inverse Velocity Type", "Amesos2"));
     schur_ =
         Teuchos::rcp(make_schur_inverse(own, *getInverseLibrary(), getRequestHandler()).release());
-    check_keys(own);
+    check_keys(own, {"Type", "Inverse Velocity Type", "Schur Complement", "Inverse Schur Type",
+                     "Inverse Mass Type", "Stabilisation", "Convection", "Theta Factor"});
   }
 
   Teko::LinearOp buildPreconditionerOperator(Teko::BlockedLinearOp& K,
@@ -54,10 +39,11 @@ public:
       inverse_A = Teko::buildInverse(*inverse_A_, A);
     else
       Teko::rebuildInverse(*inverse_A_, A, inverse_A);
-    Teko::LinearOp for_A = inverse_A;
-    Teko::LinearOp for_S = schur_->build(K, state);
+    // Teko's full factorisation wants S̃, the others −S̃.
+    Teko::LinearOp for_A = inverse_sum({{1.0, inverse_A}});
+    Teko::LinearOp for_S =
+        inverse_sum({{form == Form::full ? 1.0 : -1.0, schur_->build(K, state)}});
     if constexpr (form == Form::full) return Teko::createLU2x2InverseOp(K, for_A, for_S);
-    for_S = Teko::scale(-1.0, for_S);  // Teko's full factorisation wants S̃, the others −S̃
     const std::vector<Teko::LinearOp> diagonal{for_A, for_S};
     if constexpr (form == Form::upper) {
       Teko::BlockedLinearOp U = Teko::getUpperTriBlocks(K);

@@ -4,18 +4,16 @@
 #include <Teko_RequestHandler.hpp>
 #include <Thyra_TpetraThyraWrappers.hpp>
 #include <TpetraExt_MatrixMatrix.hpp>
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
+#include "linear/inverse_sum.hpp"
 #include "linear/thyra_operator.hpp"
 
 namespace tunica::linear {
 
 namespace {
-
-Teuchos::RCP<const CrsMatrix> matrix_of(const Teko::LinearOp& op) {
-  using Extract = Thyra::TpetraOperatorVectorExtraction<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
-  return Teuchos::rcp_dynamic_cast<const CrsMatrix>(Extract::getConstTpetraOperator(op), true);
-}
 
 /// a A + b B.
 Teuchos::RCP<CrsMatrix> sum(double a, const CrsMatrix& A, double b, const CrsMatrix& B) {
@@ -31,22 +29,32 @@ Teko::LinearOp invert(const Teko::InverseFactory& factory, const Teko::LinearOp&
   return inverse;
 }
 
+/// C + B2 D⁻¹ B1ᵀ.
+Teuchos::RCP<CrsMatrix> schur_matrix(const Teko::BlockedLinearOp& K, Vector D) {
+  const auto B2 = matrix_of(Teko::getBlock(1, 0, K)), mC = matrix_of(Teko::getBlock(1, 1, K));
+  CrsMatrix scaled(*matrix_of(Teko::getBlock(0, 1, K)), Teuchos::Copy);
+  D.reciprocal(D);
+  scaled.leftScale(D);
+  CrsMatrix product(B2->getRowMap(), 0);
+  Tpetra::MatrixMatrix::Multiply(*B2, false, scaled, false, product);
+  return sum(1.0, product, -1.0, *mC);
+}
+
+Vector diagonal_of(const CrsMatrix& A) {
+  Vector diagonal(A.getRowMap());
+  A.getLocalDiagCopy(diagonal);
+  return diagonal;
+}
+
 class Algebraic final : public SchurInverse {
 public:
   explicit Algebraic(const Teuchos::RCP<const Teko::InverseFactory>& inverse) : inverse_(inverse) {}
 
   Teko::LinearOp build(const Teko::BlockedLinearOp& K,
                        Teko::BlockPreconditionerState& state) const override {
-    const auto A = matrix_of(Teko::getBlock(0, 0, K)), mC = matrix_of(Teko::getBlock(1, 1, K));
-    const auto B2 = matrix_of(Teko::getBlock(1, 0, K));
-    CrsMatrix scaled(*matrix_of(Teko::getBlock(0, 1, K)), Teuchos::Copy);
-    Vector diagonal(A->getRowMap());
-    A->getLocalDiagCopy(diagonal);
-    diagonal.reciprocal(diagonal);
-    scaled.leftScale(diagonal);  // diag(A)⁻¹ B1ᵀ
-    CrsMatrix product(B2->getRowMap(), 0);
-    Tpetra::MatrixMatrix::Multiply(*B2, false, scaled, false, product);
-    return invert(*inverse_, thyra_operator(sum(1.0, product, -1.0, *mC)), "inverse S", state);
+    const auto A = matrix_of(Teko::getBlock(0, 0, K));
+    const auto S = schur_matrix(K, diagonal_of(*A));
+    return invert(*inverse_, thyra_operator(S), "inverse S", state);
   }
 
 private:
@@ -56,6 +64,52 @@ private:
 Teko::LinearOp ask(Teko::RequestHandler& handler, const std::string& name) {
   return handler.request<Teko::LinearOp>(Teko::RequestMesg(name));
 }
+
+/// The part of A that does not see translations of the whole body: per row the sum over the
+/// unknowns of its own component, which is the lumped inertia. Rows whose sum says nothing (next
+/// to fixed nodes, or without inertia) keep a small share of the diagonal.
+Vector lumped_inertia(const CrsMatrix& A) {
+  const Vector diagonal = diagonal_of(A);
+  Vector inertia(A.getRowMap());
+  const auto local = A.getLocalMatrixHost();
+  const auto D = diagonal.getLocalViewHost(read_only);
+  const auto sums = inertia.getLocalViewHost(overwrite_all);
+  for (int i = 0; i < local.numRows(); ++i) {
+    const auto component = A.getRowMap()->getGlobalElement(i) % 3;
+    const auto row = local.rowConst(i);
+    double row_sum = 0.0;
+    for (int k = 0; k < row.length; ++k)
+      if (A.getColMap()->getGlobalElement(row.colidx(k)) % 3 == component) row_sum += row.value(k);
+    sums(i, 0) = std::max(row_sum, 1e-3 * std::abs(D(i, 0)));
+  }
+  return inertia;
+}
+
+/// With a = k² the symbol of the Laplacian, A behaves as α + μ a and C as τ a, hence
+///
+///   S⁻¹ = (α + μ a) / (a (β + τ μ a)) ≈ (a/α + τ a)⁻¹ + (1/μ + τ a)⁻¹,  β = 1 + τ α ≈ 1:
+///
+/// two elliptic solves with the stabilisation in both [Cahouet, Chabard 1988, without C].
+class TwoScale final : public SchurInverse {
+public:
+  TwoScale(const Teuchos::RCP<const Teko::InverseFactory>& inverse,
+           const Teuchos::RCP<const Teko::InverseFactory>& inverse_mass,
+           const Teuchos::RCP<Teko::RequestHandler>& handler)
+      : inverse_(inverse), inverse_mass_(inverse_mass), handler_(handler) {}
+
+  Teko::LinearOp build(const Teko::BlockedLinearOp& K,
+                       Teko::BlockPreconditionerState& state) const override {
+    const auto L = schur_matrix(K, lumped_inertia(*matrix_of(Teko::getBlock(0, 0, K))));
+    const auto M = sum(1.0, *matrix_of(ask(*handler_, "Schur Mass")), -1.0,
+                       *matrix_of(Teko::getBlock(1, 1, K)));
+    return inverse_sum({{1.0, invert(*inverse_, thyra_operator(L), "inverse L", state)},
+                        {1.0, invert(*inverse_mass_, thyra_operator(M), "inverse M", state)}});
+  }
+
+private:
+  Teuchos::RCP<const Teko::InverseFactory> inverse_, inverse_mass_;
+  Teuchos::RCP<Teko::RequestHandler> handler_;
+};
 
 class OperatorSplitting final : public SchurInverse {
 public:
@@ -72,9 +126,11 @@ public:
       L = thyra_operator(sum(1.0, *matrix_of(L), -1.0, *matrix_of(Teko::getBlock(1, 1, K))));
     const Teko::LinearOp inverse_L = invert(*inverse_, L, "inverse L", state);
     const Teko::LinearOp inverse_M = Teko::getInvDiagonalOp(ask(*handler_, "Schur Mass"));
-    const Teko::LinearOp S = Teko::add(inverse_L, inverse_M);
-    if (!has_convection_) return S;
-    return Teko::add(S, Teko::multiply(inverse_M, ask(*handler_, "Schur Convection"), inverse_L));
+    std::vector<std::pair<Scalar, InverseOp>> terms{{1.0, inverse_L}, {1.0, inverse_M}};
+    if (has_convection_)
+      terms.emplace_back(1.0,
+                         Teko::multiply(inverse_M, ask(*handler_, "Schur Convection"), inverse_L));
+    return inverse_sum(terms);
   }
 
 private:
@@ -90,7 +146,7 @@ public:
 
   Teko::LinearOp build(const Teko::BlockedLinearOp&,
                        Teko::BlockPreconditionerState&) const override {
-    const auto shear = matrix_of(ask(*handler_, "Schur Shear Mass"));
+    const auto shear = matrix_of(ask(*handler_, "Schur Mass"));
     const auto bulk = matrix_of(ask(*handler_, "Schur Bulk Mass"));
     return Teko::getInvDiagonalOp(thyra_operator(sum(1.0 / theta_factor_, *shear, 1.0, *bulk)));
   }
@@ -110,12 +166,20 @@ std::unique_ptr<SchurInverse> make_schur_inverse(
     if (!handler.is_null()) handler->preRequest<Teko::LinearOp>(Teko::RequestMesg(name));
   };
   if (kind == "Scaled Mass") {
-    need("Schur Shear Mass");
+    need("Schur Mass");
     need("Schur Bulk Mass");
     return std::make_unique<ScaledMass>(handler, list.get<double>("Theta Factor", 1.0));
   }
   const auto inverse =
       library.getInverseFactory(list.get<std::string>("Inverse Schur Type", "Amesos2"));
+  if (kind == "Two Scale") {
+    need("Schur Mass");
+    return std::make_unique<TwoScale>(
+        inverse,
+        library.getInverseFactory(list.get<std::string>(
+            "Inverse Mass Type", list.get<std::string>("Inverse Schur Type"))),
+        handler);
+  }
   if (kind == "Algebraic") return std::make_unique<Algebraic>(inverse);
   if (kind == "Operator Splitting") {
     need("Schur Laplacian");
@@ -123,9 +187,10 @@ std::unique_ptr<SchurInverse> make_schur_inverse(
     return std::make_unique<OperatorSplitting>(inverse, handler, list.get("Stabilisation", true),
                                                list.get("Convection", false));
   }
-  throw std::invalid_argument("\"Schur Complement\" is \"" + kind +
-                              "\", expected \"Algebraic\", \"Operator Splitting\" or "
-                              "\"Scaled Mass\".");
+  throw std::invalid_argument(
+      "\"Schur Complement\" is \"" + kind +
+      "\", expected \"Algebraic\", \"Two Scale\", \"Operator Splitting\" or "
+      "\"Scaled Mass\".");
 }
 
 }  // namespace tunica::linear

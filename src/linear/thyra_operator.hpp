@@ -12,4 +12,11 @@ inline Teuchos::RCP<const Thyra::LinearOpBase<Scalar>> thyra_operator(
   return Thyra::createConstLinearOp<Scalar, LocalOrdinal, GlobalOrdinal, Node>(op);
 }
 
+/// The matrix behind such an operator. Throws Teuchos::m_bad_cast where there is none.
+inline Teuchos::RCP<const CrsMatrix> matrix_of(
+    const Teuchos::RCP<const Thyra::LinearOpBase<Scalar>>& op) {
+  using Extract = Thyra::TpetraOperatorVectorExtraction<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  return Teuchos::rcp_dynamic_cast<const CrsMatrix>(Extract::getConstTpetraOperator(op), true);
+}
+
 }  // namespace tunica::linear

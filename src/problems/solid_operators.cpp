@@ -5,17 +5,17 @@ namespace tunica::problems {
 
 namespace {
 
-constexpr const char* shear_mass = "Schur Shear Mass";
+constexpr const char* mass = "Schur Mass";
 constexpr const char* bulk_mass = "Schur Bulk Mass";
 
 }  // namespace
 
-std::vector<std::string> SolidProblem::operator_names() const { return {shear_mass, bulk_mass}; }
+std::vector<std::string> SolidProblem::operator_names() const { return {mass, bulk_mass}; }
 
 // The parts of [LY1] eq:lpreschur, S̃ = (1/θ + 1/κ) diag(Mp). θ is O(c10) there, chosen by
 // trials on a coarse mesh; here it is the law's own modulus c10 + c01, layer by layer.
 Teuchos::RCP<const CrsMatrix> SolidProblem::assemble_operator(const std::string& name) const {
-  if (name != shear_mass && name != bulk_mass) return Teuchos::null;
+  if (name != mass && name != bulk_mass) return Teuchos::null;
   const std::vector<char> none_fixed(mesh_->n_nodes(), 0);
   return assembly::scalar_matrix(
       *mesh_, K_.graph(),

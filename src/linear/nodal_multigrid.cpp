@@ -1,0 +1,54 @@
+#include "linear/nodal_multigrid.hpp"
+
+#include <Teko_BlockPreconditionerFactory.hpp>
+#include <Teko_CloneFactory.hpp>
+#include <Teko_PreconditionerFactory.hpp>
+#include <Teko_RequestHandler.hpp>
+#include <stdexcept>
+
+#include "linear/known_keys.hpp"
+#include "linear/thyra_operator.hpp"
+#include "multigrid/cycle.hpp"
+
+namespace tunica::linear {
+
+namespace {
+
+class NodalMultigrid : public Teko::PreconditionerFactory {
+public:
+  void initializeFromParameterList(const Teuchos::ParameterList& list) override {
+    check_keys(list, {"Type", "Sweeps", "Coarse Size", "MueLu"});
+    Teuchos::ParameterList own(list);
+    const int sweeps = own.get("Sweeps", 1), coarse_size = own.get("Coarse Size", 500);
+    if (sweeps < 1 || coarse_size < 1)
+      throw std::invalid_argument("\"Sweeps\" and \"Coarse Size\" must be at least 1.");
+    muelu_ = own.isSublist("MueLu") ? own.sublist("MueLu")
+                                    : multigrid::nodal_cycle_list(sweeps, coarse_size);
+  }
+
+  Teko::LinearOp buildPreconditionerOperator(Teko::LinearOp& op,
+                                             Teko::PreconditionerState&) const override {
+    using Coarsening = Teuchos::RCP<multigrid::NodalCoarsening>;
+    const auto nodes =
+        getRequestHandler()->request<Coarsening>(Teko::RequestMesg("Nodal Coarsening"));
+    const auto A = Teuchos::rcp_const_cast<CrsMatrix>(matrix_of(op));
+    const Teuchos::RCP<const Operator> cycle = multigrid::make_cycle(A, nodes, muelu_);
+    return Thyra::createConstLinearOp<Scalar, LocalOrdinal, GlobalOrdinal, Node>(cycle);
+  }
+
+private:
+  Teuchos::ParameterList muelu_;
+};
+
+}  // namespace
+
+void register_nodal_multigrid() {
+  static const bool is_registered = [] {
+    const Teuchos::RCP<Teko::Cloneable> clone = Teuchos::rcp(new Teko::AutoClone<NodalMultigrid>());
+    Teko::PreconditionerFactory::addPreconditionerFactory("Nodal Multigrid", clone);
+    return true;
+  }();
+  static_cast<void>(is_registered);
+}
+
+}  // namespace tunica::linear

@@ -1,0 +1,18 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+
+#include "multigrid/nodal_coarsening.hpp"
+
+namespace tunica::multigrid {
+
+/// One multigrid cycle for A by a MueLu list in the form of factories and a hierarchy.
+/// Throws std::exception for a list that MueLu refuses. Collective.
+Teuchos::RCP<Operator> make_cycle(const Teuchos::RCP<CrsMatrix>& A,
+                                  const Teuchos::RCP<NodalCoarsening>& coarsening,
+                                  const Teuchos::ParameterList& muelu);
+
+/// V-cycles on the levels of the nodal coarsening with sweeps of symmetric Gauss-Seidel before
+/// and after, sparse LU at the coarsest level of at most coarse_size unknowns.
+Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,13 @@
+#pragma once
+#include <MueLu_FactoryFactory.hpp>
+
+#include "multigrid/nodal_coarsening.hpp"
+
+namespace tunica::multigrid {
+
+using FactoryFactory = MueLu::FactoryFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+
+/// Knows the factories of MueLu and ours by name: they mix freely in one list.
+Teuchos::RCP<FactoryFactory> make_factory_factory(const Teuchos::RCP<NodalCoarsening>& coarsening);
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "base/types.hpp"
+
+namespace tunica::multigrid {
+
+/// The values of a vector on the rows of a matrix, at its columns (own and ghost). Collective.
+Vector on_columns(const CrsMatrix& matrix, const Vector& rows);
+
+/// A maximal independent set of the graph of a square matrix, one flag per local column: no two
+/// nodes of it are neighbours, every other node has a neighbour in it. Picked greedily in the
+/// order of the global numbers, so that it does not depend on where ranks meet. Collective.
+std::vector<char> independent_set(const CrsMatrix& nodes);
+
+}  // namespace tunica::multigrid
