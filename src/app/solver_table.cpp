@@ -6,6 +6,8 @@
 
 #include "base/timer.hpp"
 #include "output/atomic_file.hpp"
+#include "problems/fluid_options.hpp"
+#include "problems/solid_options.hpp"
 
 namespace tunica::app {
 
@@ -53,8 +55,8 @@ void add_setting_keys(params::Table& table) {
   table
       .number("tolerance", 1e-8, params::Range{0.0, 1.0, true, true}, "1",
               "reduction of the residual that every setting has to reach")
-      .entries("Fluid", linear::linear_solver_table(), sentence)
-      .entries("Wall", linear::linear_solver_table(), sentence);
+      .entries("Fluid", problems::fluid_solver_table(), sentence)
+      .entries("Wall", problems::solid_solver_table(), sentence);
 }
 
 SolverTable::SolverTable(const Teuchos::ParameterList& list, const RunOutput& output, bool is_root)

@@ -9,14 +9,17 @@
 #include <Teko_StratimikosFactory.hpp>
 #include <Teko_Utilities.hpp>
 #include <Teuchos_AbstractFactoryStd.hpp>
+#include <Teuchos_VerboseObject.hpp>
 #include <Thyra_DefaultProductMultiVector.hpp>
 #include <Thyra_DefaultProductVectorSpace.hpp>
 #include <Thyra_Ifpack2PreconditionerFactory.hpp>
 #include <Thyra_PreconditionerFactoryHelpers.hpp>
 #include <Thyra_TpetraThyraWrappers.hpp>
 #include <algorithm>
+#include <sstream>
 
 #include "base/error.hpp"
+#include "linear/direct_factor.hpp"
 #include "linear/lu_strategy.hpp"
 #include "linear/nodal_multigrid.hpp"
 #include "linear/thyra_operator.hpp"
@@ -79,6 +82,33 @@ private:
   Teuchos::RCP<multigrid::NodalCoarsening> nodes_;
 };
 
+/// Takes in what Teko prints while this lives: it prints the causes of its failures and throws
+/// empty exceptions.
+class TekoOutput {
+public:
+  TekoOutput() : before_(Teuchos::VerboseObjectBase::getDefaultOStream()) {
+    Teuchos::VerboseObjectBase::setDefaultOStream(
+        Teuchos::fancyOStream(Teuchos::rcpFromRef<std::ostream>(text_)));
+  }
+  ~TekoOutput() { Teuchos::VerboseObjectBase::setDefaultOStream(before_); }
+  TekoOutput(const TekoOutput&) = delete;
+  TekoOutput& operator=(const TekoOutput&) = delete;
+
+  /// The innermost cause that was printed, otherwise what the exception says.
+  std::string cause_of(const std::exception& error) const {
+    const std::string start = "*** THROWN EXCEPTION ***\n", end = "****", text = text_.str();
+    const auto from = text.find(start);
+    if (from == std::string::npos) return text.empty() ? error.what() : text;
+    const auto first = text.find_first_not_of(" \n", from + start.size());
+    const auto last = text.find_last_not_of(" \n", text.find(end, first) - 1);
+    return text.substr(first, last + 1 - first);
+  }
+
+private:
+  std::ostringstream text_;
+  Teuchos::RCP<Teuchos::FancyOStream> before_;
+};
+
 /// Builds the inverse that the list asks for once, without a matrix, so that wrong names are
 /// found before anything is solved.
 void check_teko_list(Teuchos::ParameterList stratimikos,
@@ -90,15 +120,14 @@ void check_teko_list(Teuchos::ParameterList stratimikos,
   Teuchos::ParameterList& teko = stratimikos.sublist("Preconditioner Types").sublist("Teko");
   const auto name = teko.get<std::string>("Inverse Type", "Amesos2");
   std::string cause;
+  const TekoOutput output;
   try {
     const auto library = Teko::InverseLibrary::buildFromParameterList(
         teko.sublist("Inverse Factory Library"), builder);
     library->setRequestHandler(handler);
     if (library->getInverseFactory(name).is_null()) cause = "no such inverse";
   } catch (const std::exception& error) {
-    cause = error.what();
-    // Teko prints the telling half of its message itself and throws its source lines.
-    if (cause.find("Throw number") != std::string::npos) cause = "Teko has said why.";
+    cause = output.cause_of(error);
   }
   TUNICA_CHECK(cause.empty(), "the inverse \"" + name + "\" cannot be built: " + cause + "\n" +
                                   known_types(builder));
@@ -178,7 +207,12 @@ void check_block_preconditioner(const Teuchos::ParameterList& stratimikos) {
 }
 
 void BlockPreconditioner::refresh() {
-  Thyra::initializePrec<double>(*stack_->factory, stack_->K, stack_->preconditioner.ptr());
+  const TekoOutput output;
+  try {
+    Thyra::initializePrec<double>(*stack_->factory, stack_->K, stack_->preconditioner.ptr());
+  } catch (const std::exception& error) {
+    throw SetupFailure("the block preconditioner cannot be set up: " + output.cause_of(error));
+  }
 }
 
 void BlockPreconditioner::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,
@@ -190,7 +224,7 @@ void BlockPreconditioner::apply(const MultiVector& X, MultiVector& Y, Teuchos::E
   Thyra::apply<double>(*P, Thyra::NOTRANS, *x, y.ptr(), alpha, beta);
 }
 
-Teuchos::ParameterList default_block_preconditioner() {
+Teuchos::ParameterList default_block_preconditioner(int velocity_sweeps, int schur_sweeps) {
   Teuchos::ParameterList list("Stratimikos");
   list.set("Preconditioner Type", "Teko");
   Teuchos::ParameterList& teko = list.sublist("Preconditioner Types").sublist("Teko");
@@ -198,16 +232,12 @@ Teuchos::ParameterList default_block_preconditioner() {
   Teuchos::ParameterList& library = teko.sublist("Inverse Factory Library");
   library.sublist("Block LU")
       .set("Type", "LU Upper")
-      .set("Inverse Velocity Type", "Incomplete Factors")
-      .set("Schur Complement", "Algebraic")
-      .set("Inverse Schur Type", "Incomplete Factors");
-  // MueLu's cycles are one word away, but at the time steps of a pulse A is mostly mass, and on
-  // the wide stencil of the algebraic Schur complement their aggregates come out too large: on
-  // the wall of the coarse tube BiCGStab takes 35 iterations with them, 10 with these factors.
-  library.sublist("Incomplete Factors")
-      .set("Type", "Ifpack2")
-      .set("Prec Type", "RILUK")
-      .set("Overlap", 0);
+      .set("Inverse Velocity Type", "Velocity Cycle")
+      .set("Schur Complement", "Two Scale")
+      .set("Inverse Schur Type", "Pressure Cycle")
+      .set("Inverse Mass Type", "Pressure Cycle");
+  library.sublist("Velocity Cycle").set("Type", "Nodal Multigrid").set("Sweeps", velocity_sweeps);
+  library.sublist("Pressure Cycle").set("Type", "Nodal Multigrid").set("Sweeps", schur_sweeps);
   return list;
 }
 

@@ -18,7 +18,8 @@ public:
                       const NamedOperators& operators);
   ~BlockPreconditioner() override;
 
-  /// Sets up for the present values of K, with what can be kept of the last set-up.
+  /// Sets up for the present values of K, with what can be kept of the last set-up. Throws
+  /// SetupFailure where a block is singular.
   void refresh();
 
   void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
@@ -36,7 +37,8 @@ private:
 /// known names, for an unknown strategy or inverse or a key that a strategy of ours lacks.
 void check_block_preconditioner(const Teuchos::ParameterList& stratimikos);
 
-/// P_R with the algebraic Schur complement, incomplete factors for both blocks.
-Teuchos::ParameterList default_block_preconditioner();
+/// P_R with the two-scale Schur complement and a nodal multigrid cycle for each inverse, with
+/// the given sweeps of symmetric Gauss-Seidel before and after the coarse correction.
+Teuchos::ParameterList default_block_preconditioner(int velocity_sweeps, int schur_sweeps);
 
 }  // namespace tunica::linear

@@ -34,7 +34,7 @@ struct Basis {
         new_z->update(-c, *z[i], 1.0);
       }
     const double after = norm(*new_q);
-    if (!(after > 1e-14 * before)) return false;
+    if (!(after > 1e-10 * before)) return false;
     new_q->scale(1.0 / after);
     new_z->scale(1.0 / after);
     z.push_back(new_z);
@@ -75,7 +75,7 @@ Belos::ReturnType Gcr::solve() {
   problem_->applyOp(x, r);
   r.update(1.0, b, -1.0);
   const double scale = norm(b);
-  relative_residual_ = scale > 0.0 ? norm(r) / scale : 0.0;
+  relative_residual_ = scale == 0.0 ? 0.0 : norm(r) / scale;
   Basis basis;
   for (iterations_ = 0; relative_residual_ > tolerance && iterations_ < cap; ++iterations_) {
     if (basis.z.size() == kept) basis = Basis();

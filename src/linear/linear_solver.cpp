@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "base/timer.hpp"
 #include "linear/direct_factor.hpp"
@@ -20,7 +21,7 @@ double relative_residual(const Operator& K, const MultiVector& b, const MultiVec
   double size = 0.0, rest = 0.0;
   b.norm2(Teuchos::ArrayView<double>(&size, 1));
   r.norm2(Teuchos::ArrayView<double>(&rest, 1));
-  return size > 0.0 ? rest / size : 0.0;
+  return size == 0.0 ? 0.0 : rest / size;
 }
 
 class DirectSolver final : public LinearSolver {
@@ -116,6 +117,10 @@ private:
     report.iterations += result.iterations;
     report.recurrence_residual = result.recurrence_residual;
     report.true_residual = relative_residual(*system_->matrix(), b_, x_);
+    if (!std::isfinite(report.true_residual)) {  // a breakdown: keep the start
+      x_.putScalar(0.0);
+      report.true_residual = 1.0;
+    }
     // The recurrence of a Krylov method may drift from the truth by round-off, not by more.
     report.is_converged = report.true_residual <= 2.0 * report.tolerance + 1e-14;
     report.solve_seconds += watch.seconds();
@@ -131,9 +136,9 @@ private:
   bool is_old_ = false;        ///< the preconditioner has served a solve already
 };
 
-params::Table krylov_table(bool has_restart) {
+params::Table krylov_table(const SolverDefaults& defaults, bool has_restart) {
   params::Table table;
-  add_preconditioner_keys(table);
+  add_preconditioner_keys(table, defaults.preconditioner, defaults.block);
   table.integer("max iterations", 1000, params::between(1, 1e6), "cap on the iterations")
       .number(
           "refresh factor", 2.0, params::non_negative(), "1",
@@ -146,15 +151,15 @@ params::Table krylov_table(bool has_restart) {
 
 }  // namespace
 
-params::Table linear_solver_table() {
+params::Table linear_solver_table(const SolverDefaults& defaults) {
   params::Table table("Solves the linear systems of Newton's method.");
-  table.variant("method", "flexible gmres",
+  table.variant("method", "gcr",
                 {{"direct", params::Table("sparse LU on rank 0, for small systems")},
-                 {"flexible gmres", krylov_table(true)},
-                 {"gmres", krylov_table(true)},
-                 {"gcr", krylov_table(true)},
-                 {"bicgstab", krylov_table(false)},
-                 {"tfqmr", krylov_table(false)}},
+                 {"flexible gmres", krylov_table(defaults, true)},
+                 {"gmres", krylov_table(defaults, true)},
+                 {"gcr", krylov_table(defaults, true)},
+                 {"bicgstab", krylov_table(defaults, false)},
+                 {"tfqmr", krylov_table(defaults, false)}},
                 "sparse direct (Amesos2 KLU2) or a Krylov method (Belos, GCR ours)");
   return table;
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "fields/block_operator.hpp"
+#include "linear/block_preconditioner.hpp"
 #include "linear/named_operators.hpp"
 #include "params/table.hpp"
 
@@ -33,8 +34,15 @@ public:
                             double tolerance) = 0;
 };
 
+/// What a field makes of keys that are not given.
+struct SolverDefaults {
+  std::string preconditioner = "block";
+  /// The Stratimikos list of the block preconditioner.
+  Teuchos::ParameterList block = default_block_preconditioner(1, 1);
+};
+
 /// The keys of a "Linear Solver" list.
-params::Table linear_solver_table();
+params::Table linear_solver_table(const SolverDefaults& defaults = {});
 
 /// Builds the solver that the resolved list describes; K and operators must outlive it.
 std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& options,

@@ -73,12 +73,13 @@ private:
 
 }  // namespace
 
-void add_preconditioner_keys(params::Table& table) {
+void add_preconditioner_keys(params::Table& table, const std::string& fallback,
+                             const Teuchos::ParameterList& block_list) {
   params::Table ilu, block, direct, none;
   ilu.integer("fill level", 0, params::between(0, 20), "levels of fill k of ILU(k)")
       .integer("overlap", 0, params::between(0, 20), "overlap between ranks, in graph layers");
   block
-      .foreign("Stratimikos", default_block_preconditioner(), Teuchos::ParameterList(),
+      .foreign("Stratimikos", block_list, Teuchos::ParameterList(),
                "a Stratimikos list with a Teko preconditioner, as Trilinos users write it; our "
                "strategies in it are LU Upper, LU Lower and LU Full")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
@@ -89,10 +90,10 @@ void add_preconditioner_keys(params::Table& table) {
           throw Error(path + " / Stratimikos: " + error.what());
         }
       });
-  table.variant("preconditioner", "ilu",
+  table.variant("preconditioner", fallback,
                 {{"ilu", ilu}, {"block", block}, {"direct", direct}, {"none", none}},
-                "right preconditioner: incomplete LU with additive Schwarz between ranks, a "
-                "block preconditioner, sparse LU factors (worth it where they are kept), or none");
+                "right preconditioner: a block preconditioner, incomplete LU with additive "
+                "Schwarz between ranks, sparse LU factors (worth it where they are kept), or none");
 }
 
 std::unique_ptr<PreconditionedSystem> make_system(const Teuchos::ParameterList& list,

@@ -26,8 +26,10 @@ public:
   virtual void scatter(const MultiVector& all, fields::BlockVector& x) const = 0;
 };
 
-/// Adds the key "preconditioner" and the keys of each preconditioner.
-void add_preconditioner_keys(params::Table& table);
+/// Adds the key "preconditioner" with its default and the keys of each preconditioner; block is
+/// the default list of the block preconditioner.
+void add_preconditioner_keys(params::Table& table, const std::string& fallback,
+                             const Teuchos::ParameterList& block);
 
 /// The system for the preconditioner that the resolved list names. K and operators must
 /// outlive it.

@@ -17,12 +17,15 @@ public:
 /// The approximation that a strategy's list describes: its key "Schur Complement" is
 ///
 ///   Algebraic           C + B2 diag(A)⁻¹ B1ᵀ, inverted by "Inverse Schur Type"
+///   Two Scale           S̃⁻¹ = (C + B2 D⁻¹ B1ᵀ)⁻¹ + (C + M)⁻¹ with D the lumped inertia in A (its
+///                       row sums) and the operator "Schur Mass" for M, inverted by "Inverse
+///                       Schur Type" and "Inverse Mass Type"; [CC88] with stabilisation
 ///   Operator Splitting  S̃⁻¹ = L⁻¹ + diag(M)⁻¹ (+ diag(M)⁻¹ N L⁻¹ with "Convection"), with the
 ///                       operators "Schur Laplacian", "Schur Mass", "Schur Convection";
 ///                       "Stabilisation" adds C to L, which "Inverse Schur Type" inverts
 ///                       ([LY1] eq:rpreschur without it)
 ///   Scaled Mass         diag(M_s)/"Theta Factor" + diag(M_b), with the operators
-///                       "Schur Shear Mass" and "Schur Bulk Mass" ([LY1] eq:lpreschur)
+///                       "Schur Mass" and "Schur Bulk Mass" ([LY1] eq:lpreschur)
 ///
 /// Throws std::invalid_argument that lists the known ones for any other value.
 std::unique_ptr<SchurInverse> make_schur_inverse(Teuchos::ParameterList& list,

@@ -20,8 +20,13 @@ Teuchos::RCP<Operator> make_cycle(const Teuchos::RCP<CrsMatrix>& A,
   hierarchy->GetLevel(0)->Set("A", wrapped(A));
   interpreter.SetupHierarchy(*hierarchy);
   hierarchy->IsPreconditioner(true);
-  return Teuchos::rcp(
-      new MueLu::TpetraOperator<Scalar, LocalOrdinal, GlobalOrdinal, Node>(hierarchy));
+  const Teuchos::RCP<Operator> cycle =
+      Teuchos::rcp(new MueLu::TpetraOperator<Scalar, LocalOrdinal, GlobalOrdinal, Node>(hierarchy));
+  // MueLu factors the coarsest matrix when it is first needed: a singular one must fail here.
+  const MultiVector zero(A->getRangeMap(), 1);
+  MultiVector nothing(A->getDomainMap(), 1);
+  cycle->apply(zero, nothing);
+  return cycle;
 }
 
 Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
@@ -38,7 +43,7 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
   smoother.sublist("ParameterList")
       .set("relaxation: type", "Symmetric Gauss-Seidel")
       .set("relaxation: sweeps", sweeps);
-  factories.sublist("Coarsest").set("factory", "DirectSolver");
+  factories.sublist("Coarsest").set("factory", "DirectSolver").set("type", "Klu");
   Teuchos::ParameterList& hierarchy = list.sublist("Hierarchy");
   hierarchy.set("max levels", 10).set("coarse: max size", coarse_size).set("verbosity", "None");
   hierarchy.sublist("All")

@@ -1,6 +1,10 @@
 #include "multigrid/factory_factory.hpp"
 
+#include <MueLu_SmootherFactory.hpp>
+
 #include "multigrid/nodal_p_factory.hpp"
+#include "multigrid/stabilised_rap_factory.hpp"
+#include "multigrid/vanka_smoother.hpp"
 
 namespace tunica::multigrid {
 
@@ -8,6 +12,13 @@ namespace {
 
 using Factories = std::map<std::string, Teuchos::RCP<const MueLu::FactoryBase>>;
 using Managers = std::map<std::string, Teuchos::RCP<MueLu::FactoryManagerBase>>;
+
+Teuchos::RCP<const MueLu::FactoryBase> smoother(
+    const Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>>&
+        prototype) {
+  return Teuchos::rcp(
+      new MueLu::SmootherFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>(prototype));
+}
 
 class OurFactories final : public FactoryFactory {
 public:
@@ -18,16 +29,17 @@ public:
                                                       const Factories& factories,
                                                       const Managers& managers) const override {
     const bool is_list = entry.isList();
+    auto list =
+        is_list ? Teuchos::getValue<Teuchos::ParameterList>(entry) : Teuchos::ParameterList();
     const auto name =
-        is_list ? Teuchos::getValue<Teuchos::ParameterList>(entry).get<std::string>("factory")
-                : Teuchos::getValue<std::string>(entry);
+        is_list ? list.get<std::string>("factory") : Teuchos::getValue<std::string>(entry);
+    if (name == "StabilisedRAPFactory")
+      return Build2<StabilisedRapFactory>(list, factories, managers);
+    if (name == "VankaSmoother") return smoother(Build2<VankaSmoother>(list, factories, managers));
     if (name != "NodalPFactory") return FactoryFactory::BuildFactory(entry, factories, managers);
     const auto factory = Teuchos::rcp(new NodalPFactory(coarsening_));
-    if (is_list) {
-      const auto& list = Teuchos::getValue<Teuchos::ParameterList>(entry);
-      if (list.isParameter("A"))
-        factory->SetFactory("A", BuildFactory(list.getEntry("A"), factories, managers));
-    }
+    if (list.isParameter("A"))
+      factory->SetFactory("A", BuildFactory(list.getEntry("A"), factories, managers));
     return factory;
   }
 

@@ -6,7 +6,7 @@
 
 namespace tunica::multigrid {
 
-/// Coarser and coarser sets of nodes, picked from a graph of nodes [Kickinger 1998]: a maximal
+/// Coarser and coarser sets of nodes, picked from a graph of nodes [Ki98]: a maximal
 /// independent set becomes the next level, and every other node takes the mean of its
 /// neighbours in it. All blocks of a field share the nodes, so that each level keeps the
 /// pairing of one pressure and three vector components. Depends on the graph alone: made once

@@ -41,23 +41,34 @@ std::vector<std::string> names_of(const ParameterList& list) {
   return names;
 }
 
+/// Conditions on the way to a key that the list does not meet.
+std::vector<const Owned::Condition*> unmet(const Owned& owned, const ParameterList& list) {
+  std::vector<const Owned::Condition*> conditions;
+  for (const Owned::Condition& condition : owned.conditions)
+    if (chosen(*condition.variant, list) != condition.value) conditions.push_back(&condition);
+  return conditions;
+}
+
 /// `"condition" = "traction" or "pressure", but it is "velocity"` if only cases that are not
-/// chosen have a key of that name; "" if none has.
+/// chosen have a key of that name; "" if none has. Of nested cases the nearest to the choice.
 std::string owners(const std::vector<Owned>& all, const std::string& name,
                    const ParameterList& list) {
-  const Key* variant = nullptr;
+  std::vector<std::vector<const Owned::Condition*>> candidates;
+  for (const Owned& owned : all)
+    if (owned.key->name == name) candidates.push_back(unmet(owned, list));
+  const auto nearest_one =
+      std::min_element(candidates.begin(), candidates.end(),
+                       [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  if (nearest_one == candidates.end() || nearest_one->empty()) return "";
+  const std::size_t distance = nearest_one->size();
+  const Key* variant = nearest_one->front()->variant;
   std::vector<std::string> values;
-  for (const Owned& owned : all) {
-    if (owned.key->name != name) continue;
-    for (const Owned::Condition& condition : owned.conditions) {
-      if (chosen(*condition.variant, list) == condition.value) continue;
-      if (variant == nullptr) variant = condition.variant;
-      const bool is_new = std::find(values.begin(), values.end(), condition.value) == values.end();
-      if (condition.variant == variant && is_new) values.push_back(condition.value);
-      break;
-    }
+  for (const auto& conditions : candidates) {
+    if (conditions.size() != distance || conditions.front()->variant->name != variant->name)
+      continue;
+    const std::string& value = conditions.front()->value;
+    if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
   }
-  if (variant == nullptr) return "";
   std::string text = "\"" + variant->name + "\" = ";
   for (std::size_t i = 0; i < values.size(); ++i)
     text += (i == 0 ? "\"" : " or \"") + values[i] + "\"";

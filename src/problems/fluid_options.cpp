@@ -65,6 +65,8 @@ FlowCondition condition_of(const std::string& surface, const Teuchos::ParameterL
 
 }  // namespace
 
+params::Table fluid_solver_table() { return linear::linear_solver_table(); }
+
 params::Table fluid_table() {
   params::Table table("The fluid: ALE Navier-Stokes, P1-P1 with SUPG and PSPG, implicit Euler.");
   table.names("regions", std::vector<std::string>{"fluid"}, "regions of the mesh that are fluid")
@@ -76,7 +78,7 @@ params::Table fluid_table() {
               "in slow viscous flow at large time steps, where 4 blurs the pressure")
       .entries("Surfaces", condition_table(), "one list for each surface with a condition")
       .sublist("Newton", nonlinear::newton_table())
-      .sublist("Linear Solver", linear::linear_solver_table())
+      .sublist("Linear Solver", fluid_solver_table())
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         TUNICA_CHECK(!list.get<Teuchos::Array<std::string>>("regions").empty(),
                      path + ": \"regions\" is empty. Name each region of the fluid.");

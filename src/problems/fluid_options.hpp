@@ -33,6 +33,8 @@ struct FluidOptions {
 };
 
 params::Table fluid_table();
+/// The keys of its "Linear Solver". One sweep per level is enough: its A is mostly mass.
+params::Table fluid_solver_table();
 FluidOptions fluid_options(const Teuchos::ParameterList& list);
 
 }  // namespace tunica::problems

@@ -104,6 +104,10 @@ void for_each_sublist(const Teuchos::ParameterList& list, Visit visit) {
 
 }  // namespace
 
+params::Table solid_solver_table() {
+  return linear::linear_solver_table({"ilu", linear::default_block_preconditioner(4, 2)});
+}
+
 params::Table solid_table() {
   params::Table table("The wall: mixed displacement-pressure hyperelasticity, P1-P1 with PSPG.");
   table.entries("Layers", layer_table(), "one list for each region of the mesh that is wall")
@@ -117,7 +121,7 @@ params::Table solid_table() {
       .number("stabilisation modulus factor", 1.0, params::positive(), "1",
               "multiplies the modulus mu of the PSPG parameter")
       .sublist("Newton", nonlinear::newton_table())
-      .sublist("Linear Solver", linear::linear_solver_table())
+      .sublist("Linear Solver", solid_solver_table())
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         TUNICA_CHECK(list.sublist("Layers").numParams() > 0,
                      path + " / Layers: no layer. Name each region of the wall.");

@@ -41,6 +41,11 @@ struct SolidOptions {
 };
 
 params::Table solid_table();
+/// The keys of its "Linear Solver". Incomplete factors by default: on walls of some elements'
+/// thickness they are faster than the block preconditioner, whose iterations, in turn, do not
+/// grow. As the mesh gets finer A turns from mass to elasticity, for which the cycles need more
+/// sweeps than those of the fluid.
+params::Table solid_solver_table();
 SolidOptions solid_options(const Teuchos::ParameterList& list);
 
 }  // namespace tunica::problems

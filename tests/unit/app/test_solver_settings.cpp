@@ -11,6 +11,7 @@ using namespace tunica;
 app::SolverSetting setting(const std::string& method, int cap = 0) {
   Teuchos::ParameterList list;
   list.set("method", method);
+  if (method != "direct") list.set("preconditioner", "ilu");
   if (cap > 0) list.set("max iterations", cap);
   linear::linear_solver_table().resolve(list, "", "");
   return {method, list};

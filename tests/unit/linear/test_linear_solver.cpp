@@ -1,7 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "linear/linear_solver.hpp"
+#include "linear/direct_factor.hpp"
 #include "unit/linear/mixed_operator.hpp"
+#include "unit/linear/strategies.hpp"
 
 namespace {
 
@@ -11,7 +12,9 @@ using test::SmallTube;
 Teuchos::ParameterList resolved(const std::vector<std::pair<std::string, std::string>>& choices,
                                 const std::vector<std::pair<std::string, int>>& numbers = {}) {
   Teuchos::ParameterList list;
+  list.set("preconditioner", "ilu");
   for (const auto& [name, value] : choices) list.set(name, value);
+  if (list.get<std::string>("method") == "direct") list.remove("preconditioner");
   for (const auto& [name, value] : numbers) list.set(name, value);
   linear::linear_solver_table().resolve(list, "Linear Solver", "");
   return list;
@@ -149,6 +152,136 @@ TEUCHOS_UNIT_TEST(linear_solver, factors_too_weak_to_converge_are_renewed_in_the
   TEST_ASSERT(report.setup_seconds > 0.0);
   TEST_COMPARE(report.iterations, >, 6);  // the failed attempt is not hidden
   TEST_COMPARE(true_error(jacobian.K, b, x), <, 2.1e-8);
+}
+
+const std::vector<std::string> krylov_methods{"gcr", "flexible gmres", "gmres", "bicgstab",
+                                              "tfqmr"};
+
+/// Takes the equation with this number of the vector unknowns out of the system.
+void clear_row(const fields::BlockOperator& K, GlobalOrdinal number) {
+  for (const auto& M : {K.A, K.B1T}) {
+    M->resumeFill();
+    const LocalOrdinal row = M->getRowMap()->getLocalElement(number);
+    if (row >= 0) {
+      const auto local = M->getLocalMatrixHost();
+      auto entries = local.row(row);
+      for (int k = 0; k < entries.length; ++k) entries.value(k) = 0.0;
+    }
+    M->fillComplete(M->getDomainMap(), M->getRangeMap());
+  }
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, an_equation_without_unknowns_is_reported_with_what_remains) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  clear_row(jacobian.K, 4);
+  const auto only_that_row = test::scattered(tube.wall, 1);
+  for (const GlobalOrdinal row : b.u->getMap()->getNodeElementList())
+    if (row != 4) only_that_row.u->replaceGlobalValue(row, 0.0);
+  const double least = only_that_row.u->norm2() / test::norm(b);  // no x gives less
+  for (const std::string preconditioner : {"none", "ilu"})
+    for (const std::string& method : krylov_methods) {
+      const auto solver = linear::make_linear_solver(
+          resolved({{"method", method}, {"preconditioner", preconditioner}},
+                   {{"max iterations", 200}}),
+          jacobian.K);
+      solver->matrix_changed();
+      fields::BlockVector x(tube.wall);
+      const auto report = solver->solve(b, x, 1e-8);
+      out << report.method << ", " << preconditioner << ": " << report.iterations << " iterations, "
+          << report.true_residual << "\n";
+      TEST_ASSERT(!report.is_converged);
+      TEST_COMPARE(report.iterations, <=, 200);
+      TEST_COMPARE(report.true_residual, >=, 0.999 * least);
+      TEST_FLOATING_EQUALITY(report.true_residual, true_error(jacobian.K, b, x), 1e-10);
+    }
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, factors_of_a_singular_matrix_fail_on_all_ranks) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  clear_row(jacobian.K, 4);
+  fields::BlockVector x(tube.wall);
+  for (const auto& list : {resolved({{"method", "direct"}}),
+                           resolved({{"method", "gcr"}, {"preconditioner", "direct"}})}) {
+    const auto solver = linear::make_linear_solver(list, jacobian.K);
+    solver->matrix_changed();
+    TEST_THROW(solver->solve(test::scattered(tube.wall, 1), x, 1e-8), linear::SetupFailure);
+  }
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, a_block_preconditioner_fails_as_factors_do) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  clear_row(jacobian.K, 4);
+  const test::Diagonals operators(jacobian.K, {{"Schur Mass", 1e-6}});
+  fields::BlockVector x(tube.wall);
+  for (const auto& list :
+       {test::strategy("LU Upper", "Algebraic"), linear::default_block_preconditioner(1, 1)}) {
+    const auto solver =
+        linear::make_linear_solver(test::solver_list("gcr", list), jacobian.K, operators);
+    solver->matrix_changed();
+    TEST_THROW(solver->solve(test::scattered(tube.wall, 1), x, 1e-8), linear::SetupFailure);
+  }
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, a_right_side_that_is_no_number_has_no_solution) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  b.p->putScalar(std::nan(""));
+  std::vector<Teuchos::ParameterList> lists{resolved({{"method", "direct"}})};
+  for (const std::string& method : krylov_methods)
+    for (const std::string preconditioner : {"none", "ilu", "direct"})
+      lists.push_back(resolved({{"method", method}, {"preconditioner", preconditioner}}));
+  for (const auto& list : lists) {
+    const auto solver = linear::make_linear_solver(list, jacobian.K);
+    solver->matrix_changed();
+    fields::BlockVector x(tube.wall);
+    TEST_ASSERT(!solver->solve(b, x, 1e-8).is_converged);
+  }
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, a_singular_preconditioner_ends_with_an_honest_report) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  jacobian.set(0.005);
+  const auto b = test::scattered(tube.wall, 1);
+  // S̃⁻¹ = 0: the pressure stays where it is.
+  const test::Diagonals operators(jacobian.K, {{"Schur Mass", 1e300}, {"Schur Bulk Mass", 1e300}});
+  for (const std::string& method : krylov_methods) {
+    auto list = test::solver_list(method, test::strategy("LU Upper", "Scaled Mass"));
+    list.set("max iterations", 60);
+    const auto solver = linear::make_linear_solver(list, jacobian.K, operators);
+    solver->matrix_changed();
+    fields::BlockVector x(tube.wall);
+    const auto report = solver->solve(b, x, 1e-8);
+    out << report.method << ": " << report.iterations << " iterations, "
+        << report.recurrence_residual << ", in truth " << report.true_residual << "\n";
+    TEST_ASSERT(!report.is_converged);
+    TEST_COMPARE(report.iterations, <=, 60);
+    TEST_COMPARE(report.true_residual, >, 2e-8);
+    TEST_FLOATING_EQUALITY(report.true_residual, true_error(jacobian.K, b, x), 1e-8);
+  }
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, a_preconditioner_that_gives_no_numbers_leaves_the_start) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  const test::Diagonals operators(jacobian.K, {{"Schur Mass", 0.0}, {"Schur Bulk Mass", 0.0}});
+  for (const std::string& method : krylov_methods) {
+    const auto solver = linear::make_linear_solver(
+        test::solver_list(method, test::strategy("LU Upper", "Scaled Mass")), jacobian.K,
+        operators);
+    solver->matrix_changed();
+    fields::BlockVector x(tube.wall);
+    const auto report = solver->solve(b, x, 1e-8);
+    TEST_ASSERT(!report.is_converged);
+    TEST_EQUALITY(report.true_residual, 1.0);
+    TEST_EQUALITY(test::norm(x), 0.0);
+  }
 }
 
 }  // namespace

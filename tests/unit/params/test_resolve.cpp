@@ -135,6 +135,17 @@ TEUCHOS_UNIT_TEST(resolve, a_key_of_another_case_says_to_which_it_belongs) {
                 "\"traction\", but it is \"velocity\"");
 }
 
+TEUCHOS_UNIT_TEST(resolve, of_nested_cases_the_nearest_to_the_choice_is_named) {
+  const Table inner = Table().variant(
+      "law", "linear", {{"linear", Table()}, {"cubic", Table().number("c", 1.0, any(), "", "C.")}},
+      "Law.");
+  const Table table = Table().variant("kind", "solid", {{"fluid", inner}, {"solid", inner}}, "K.");
+  ParameterList list;
+  list.set("c", 2.0);
+  TEST_EQUALITY(resolve_message(table, list, "wall"),
+                "wall: \"c\" belongs to \"law\" = \"cubic\", but it is \"linear\"");
+}
+
 TEUCHOS_UNIT_TEST(resolve, an_unknown_variant_does_not_blame_the_keys_of_its_cases) {
   ParameterList list;
   list.set("condition", "tractoin");

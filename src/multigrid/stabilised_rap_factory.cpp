@@ -1,0 +1,44 @@
+#include "multigrid/stabilised_rap_factory.hpp"
+
+#include "multigrid/xpetra.hpp"
+
+namespace tunica::multigrid {
+
+namespace {
+
+using Galerkin = MueLu::RAPFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+
+bool is_pressure(GlobalOrdinal number) { return number % 4 == 3; }
+
+void scale_stabilisation(CrsMatrix& K, double factor) {
+  const auto domain = K.getDomainMap(), range = K.getRangeMap();
+  K.resumeFill();
+  {
+    const auto local = K.getLocalMatrixHost();
+    for (int i = 0; i < local.numRows(); ++i) {
+      if (!is_pressure(K.getRowMap()->getGlobalElement(i))) continue;
+      auto row = local.row(i);
+      for (int k = 0; k < row.length; ++k)
+        if (is_pressure(K.getColMap()->getGlobalElement(row.colidx(k)))) row.value(k) *= factor;
+    }
+  }
+  K.fillComplete(domain, range);
+}
+
+}  // namespace
+
+Teuchos::RCP<const Teuchos::ParameterList> StabilisedRapFactory::GetValidParameterList() const {
+  const auto list = Teuchos::rcp(new Teuchos::ParameterList(*Galerkin::GetValidParameterList()));
+  list->set("stabilisation scaling", 1.0, "factor of the stabilisation block per level");
+  return list;
+}
+
+void StabilisedRapFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
+  Galerkin::Build(fine, coarse);
+  const double factor = GetParameterList().get<double>("stabilisation scaling");
+  if (factor == 1.0) return;
+  const auto K = Get<Teuchos::RCP<XMatrix>>(coarse, "A");
+  scale_stabilisation(*unwrapped(K), factor);
+}
+
+}  // namespace tunica::multigrid

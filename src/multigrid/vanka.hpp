@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "multigrid/vanka_patches.hpp"
+
+namespace tunica::multigrid {
+
+struct VankaOptions {
+  int sweeps = 1;
+  double damping = 1.0;             ///< ω: each patch moves by ω times its solution
+  std::string order = "symmetric";  ///< of the patches: "forward", "backward", "symmetric"
+  bool is_additive = false;         ///< all patches at once, each row's moves averaged
+  bool is_single = false;           ///< keep the inverses in single precision
+};
+
+/// Vanka's smoother [Va86]: x += ω Σ Pᵀ (P K Pᵀ)⁻¹ P (b − K x), patch after patch, each with the
+/// newest x of its rank. Values of other ranks are those at the beginning of the sweep.
+class Vanka {
+public:
+  virtual ~Vanka() = default;
+  /// Inverts the patches for the present values of K. Throws std::runtime_error for a singular
+  /// patch.
+  virtual void refresh() = 0;
+  /// x ← x after the sweeps. Collective.
+  virtual void smooth(const MultiVector& b, MultiVector& x) const = 0;
+  /// Bytes of patches and inverses on this rank.
+  virtual double bytes() const = 0;
+};
+
+/// K must outlive the smoother, as must its graph.
+std::unique_ptr<Vanka> make_vanka(const CrsMatrix& K, const std::vector<char>& is_pressure,
+                                  const VankaOptions& options);
+
+}  // namespace tunica::multigrid

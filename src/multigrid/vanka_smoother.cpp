@@ -1,0 +1,68 @@
+#include "multigrid/vanka_smoother.hpp"
+
+#include <stdexcept>
+
+namespace tunica::multigrid {
+
+namespace {
+
+/// Throws std::invalid_argument for a word that is not one of the known.
+std::string choice(const Teuchos::ParameterList& list, const std::string& key,
+                   const std::vector<std::string>& known) {
+  const auto& value = list.get<std::string>(key);
+  std::string text;
+  for (const std::string& word : known) {
+    if (value == word) return value;
+    text += (text.empty() ? "\"" : ", \"") + word + "\"";
+  }
+  throw std::invalid_argument("VankaSmoother: \"" + key + "\" is \"" + value +
+                              "\", expected one of " + text + ".");
+}
+
+VankaOptions options_of(const Teuchos::ParameterList& list) {
+  VankaOptions options;
+  options.sweeps = list.get<int>("sweeps");
+  options.damping = list.get<double>("damping");
+  options.order = choice(list, "order", {"forward", "backward", "symmetric"});
+  options.is_additive = choice(list, "combine", {"multiplicative", "additive"}) == "additive";
+  options.is_single = choice(list, "precision", {"double", "single"}) == "single";
+  return options;
+}
+
+}  // namespace
+
+Teuchos::RCP<const Teuchos::ParameterList> VankaSmoother::GetValidParameterList() const {
+  const auto list = Teuchos::rcp(new Teuchos::ParameterList);
+  list->set<Teuchos::RCP<const MueLu::FactoryBase>>("A", Teuchos::null, "the mixed matrix");
+  list->set("sweeps", 1);
+  list->set("damping", 1.0);
+  list->set<std::string>("order", "symmetric");
+  list->set<std::string>("combine", "multiplicative");
+  list->set<std::string>("precision", "double");
+  return list;
+}
+
+void VankaSmoother::DeclareInput(MueLu::Level& level) const { this->Input(level, "A"); }
+
+void VankaSmoother::Setup(MueLu::Level& level) {
+  K_ = unwrapped(this->Get<Teuchos::RCP<XMatrix>>(level, "A"));
+  vanka_ = make_vanka(*K_, fourth_rows(*K_), options_of(this->GetParameterList()));
+  vanka_->refresh();
+  this->IsSetup(true);
+}
+
+void VankaSmoother::Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const {
+  if (is_zero) x.putScalar(0.0);
+  vanka_->smooth(*unwrapped(b), *unwrapped(x));
+}
+
+Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>>
+VankaSmoother::Copy() const {
+  return Teuchos::rcp(new VankaSmoother(*this));
+}
+
+std::size_t VankaSmoother::getNodeSmootherComplexity() const {
+  return static_cast<std::size_t>(vanka_->bytes() / sizeof(Scalar));
+}
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,93 @@
+#pragma once
+#include <map>
+
+#include "linear/block_preconditioner.hpp"
+#include "linear/linear_solver.hpp"
+#include "unit/fields/small_tube.hpp"
+
+namespace tunica::test {
+
+/// The "Inverse Factory Library" of a Stratimikos list.
+inline Teuchos::ParameterList& library_of(Teuchos::ParameterList& stratimikos) {
+  return stratimikos.sublist("Preconditioner Types")
+      .sublist("Teko")
+      .sublist("Inverse Factory Library");
+}
+
+/// A Stratimikos list whose preconditioner is the member of the library with this name.
+inline Teuchos::ParameterList teko_list(const std::string& name) {
+  Teuchos::ParameterList list;
+  list.set("Preconditioner Type", "Teko");
+  list.sublist("Preconditioner Types").sublist("Teko").set("Inverse Type", name);
+  return list;
+}
+
+/// One of our strategies with complete factors for A and S.
+inline Teuchos::ParameterList strategy(const std::string& type, const std::string& schur) {
+  Teuchos::ParameterList list = teko_list("LU");
+  library_of(list)
+      .sublist("LU")
+      .set("Type", type)
+      .set("Inverse Velocity Type", "Amesos2")
+      .set("Schur Complement", schur)
+      .set("Inverse Schur Type", "Amesos2");
+  return list;
+}
+
+inline Teuchos::ParameterList solver_list(const std::string& method,
+                                          const Teuchos::ParameterList& stratimikos) {
+  Teuchos::ParameterList list;
+  list.set("method", method).set("preconditioner", "block");
+  list.sublist("Stratimikos") = stratimikos;
+  linear::linear_solver_table().resolve(list, "Linear Solver", "");
+  return list;
+}
+
+inline fields::BlockVector apply(const linear::BlockPreconditioner& P,
+                                 const fields::FieldMesh& mesh, const fields::BlockVector& r) {
+  const linear::Concatenation blocks(mesh);
+  MultiVector all_r(blocks.map(), 1), all_z(blocks.map(), 1);
+  blocks.vector_part(all_r)->assign(*r.u);
+  blocks.scalar_part(all_r)->assign(*r.p);
+  P.apply(all_r, all_z);
+  fields::BlockVector z(mesh);
+  z.u->assign(*blocks.vector_part(all_z));
+  z.p->assign(*blocks.scalar_part(all_z));
+  return z;
+}
+
+inline double distance(const Vector& a, const Vector& b) {
+  Vector d(a, Teuchos::Copy);
+  d.update(-1.0, b, 1.0);
+  return d.norm2() / b.norm2();
+}
+
+/// Operators of unit size: a diagonal of the given value.
+class Diagonals final : public linear::NamedOperators {
+public:
+  Diagonals(const fields::BlockOperator& K, std::map<std::string, double> values)
+      : K_(&K), values_(std::move(values)) {}
+  std::vector<std::string> operator_names() const override {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : values_) names.push_back(name);
+    return names;
+  }
+  Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override {
+    const auto D = Teuchos::rcp(new CrsMatrix(*K_->mC, Teuchos::Copy));
+    D->resumeFill();
+    D->setAllToScalar(0.0);
+    for (std::size_t i = 0; i < D->getNodeNumRows(); ++i) {
+      const GlobalOrdinal g = D->getRowMap()->getGlobalElement(static_cast<LocalOrdinal>(i));
+      D->replaceGlobalValues(g, Teuchos::tuple<GlobalOrdinal>(g),
+                             Teuchos::tuple<Scalar>(values_.at(name)));
+    }
+    D->fillComplete(K_->mC->getDomainMap(), K_->mC->getRangeMap());
+    return D;
+  }
+
+private:
+  const fields::BlockOperator* K_;
+  std::map<std::string, double> values_;
+};
+
+}  // namespace tunica::test

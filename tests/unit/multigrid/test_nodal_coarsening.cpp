@@ -1,0 +1,182 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <set>
+
+#include "fields/block_operator.hpp"
+#include "multigrid/independent_set.hpp"
+#include "multigrid/nodal_coarsening.hpp"
+#include "unit/fields/small_tube.hpp"
+#include "unit/multigrid/grid.hpp"
+
+namespace {
+
+using namespace tunica;
+using multigrid::NodalCoarsening;
+using test::Grid;
+using test::row_of;
+using test::SmallTube;
+
+const std::vector<Grid> grids{{9, 7, 5, true}, {6, 5, 7, false}, {40, 1, 1, false}};
+
+/// Grids, and the nodes of two meshes, whose numbers hang on the ranks.
+std::vector<Teuchos::RCP<const CrsMatrix>> graphs() {
+  std::vector<Teuchos::RCP<const CrsMatrix>> all;
+  for (const Grid& grid : grids) all.push_back(grid.laplacian(test::world()));
+  const SmallTube tube;
+  for (const fields::FieldMesh* mesh : {&tube.fluid, &tube.wall})
+    all.push_back(fields::make_matrix(fields::make_node_graph(*mesh), *mesh, 1, 1));
+  return all;
+}
+
+std::vector<char> greedy_set(const Grid& grid) {
+  std::vector<char> is_coarse(grid.n_nodes(), 1);
+  for (GlobalOrdinal node = 0; node < grid.n_nodes(); ++node)
+    for (const GlobalOrdinal other : grid.neighbours(node))
+      if (other < node && is_coarse[other]) is_coarse[node] = 0;
+  return is_coarse;
+}
+
+/// Per coarse node the node of the finer level that it is, on every rank.
+std::vector<GlobalOrdinal> fine_numbers(const CrsMatrix& nodes, const CrsMatrix& P,
+                                        const std::vector<char>& is_coarse) {
+  std::vector<GlobalOrdinal> mine(P.getGlobalNumCols(), 0), all(mine);
+  for (const GlobalOrdinal row : nodes.getRowMap()->getNodeElementList())
+    if (is_coarse[nodes.getColMap()->getLocalElement(row)])
+      mine[row_of(P, row).begin()->first] = row;
+  Teuchos::reduceAll(*nodes.getComm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()),
+                     mine.data(), all.data());
+  return all;
+}
+
+TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number_of_ranks) {
+  for (const Grid& grid : grids) {
+    const auto nodes = grid.laplacian(test::world());
+    const auto is_coarse = multigrid::independent_set(*nodes);
+    const auto expected = greedy_set(grid);
+    TEST_EQUALITY(is_coarse.size(), nodes->getColMap()->getNodeNumElements());
+    bool is_same = true;  // own nodes and ghosts
+    for (std::size_t c = 0; c < is_coarse.size(); ++c)
+      is_same &=
+          is_coarse[c] == expected[nodes->getColMap()->getGlobalElement(static_cast<int>(c))];
+    TEST_ASSERT(fields::all_agree(*test::world(), is_same));
+  }
+}
+
+TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
+  for (const auto& nodes : graphs()) {
+    const auto is_coarse = multigrid::independent_set(*nodes);
+    int n_neighbours_in_the_set = 0, n_without_a_neighbour = 0;
+    for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList()) {
+      int n_coarse = 0;
+      for (const auto& [column, value] : row_of(*nodes, row))
+        if (column != row) n_coarse += is_coarse[nodes->getColMap()->getLocalElement(column)];
+      if (is_coarse[nodes->getColMap()->getLocalElement(row)])
+        n_neighbours_in_the_set += n_coarse;
+      else
+        n_without_a_neighbour += n_coarse == 0;
+    }
+    TEST_EQUALITY(fields::global_sum(*nodes->getComm(), n_neighbours_in_the_set), 0.0);
+    TEST_EQUALITY(fields::global_sum(*nodes->getComm(), n_without_a_neighbour), 0.0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(independent_set, ghosts_are_in_it_where_their_owner_says_so) {
+  for (const auto& nodes : graphs()) {
+    const auto is_coarse = multigrid::independent_set(*nodes);
+    Vector own(nodes->getRowMap());
+    for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList())
+      own.replaceGlobalValue(row, is_coarse[nodes->getColMap()->getLocalElement(row)]);
+    const Vector columns = multigrid::on_columns(*nodes, own);
+    const auto said = columns.getLocalViewHost(read_only);
+    bool is_same = true;
+    for (std::size_t c = 0; c < is_coarse.size(); ++c) is_same &= said(c, 0) == is_coarse[c];
+    TEST_ASSERT(fields::all_agree(*nodes->getComm(), is_same));
+  }
+}
+
+TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_in_the_set) {
+  for (const auto& nodes : graphs()) {
+    const auto is_coarse = multigrid::independent_set(*nodes);
+    const auto P = NodalCoarsening(nodes).prolongator(0, 1);
+    const auto fine_number = fine_numbers(*nodes, *P, is_coarse);
+    bool is_as_defined = true;
+    for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList()) {
+      std::set<GlobalOrdinal> expected, parents;
+      for (const auto& [column, value] : row_of(*nodes, row))
+        if (is_coarse[nodes->getColMap()->getLocalElement(column)]) expected.insert(column);
+      for (const auto& [column, weight] : row_of(*P, row)) {
+        parents.insert(fine_number[column]);
+        is_as_defined &= weight == 1.0 / static_cast<double>(expected.size());
+      }
+      is_as_defined &= parents == expected;  // a node of the set has itself alone
+    }
+    TEST_ASSERT(fields::all_agree(*nodes->getComm(), is_as_defined));
+  }
+}
+
+TEUCHOS_UNIT_TEST(nodal_coarsening, levels_shrink_and_keep_constants_down_to_one_node) {
+  for (const auto& nodes : graphs()) {
+    NodalCoarsening coarsening(nodes);
+    TEST_EQUALITY(coarsening.n_nodes(0), static_cast<long long>(nodes->getGlobalNumRows()));
+    int level = 0;
+    for (; coarsening.n_nodes(level) > 1 && level < 20; ++level) {
+      const auto P = coarsening.prolongator(level, 1);
+      TEST_EQUALITY(static_cast<long long>(P->getGlobalNumRows()), coarsening.n_nodes(level));
+      TEST_EQUALITY(static_cast<long long>(P->getGlobalNumCols()), coarsening.n_nodes(level + 1));
+      TEST_COMPARE(coarsening.n_nodes(level + 1), <, coarsening.n_nodes(level));
+      Vector ones(P->getDomainMap()), prolonged(P->getRangeMap());
+      ones.putScalar(1.0);
+      P->apply(ones, prolonged);  // the row sums
+      ones = Vector(P->getRangeMap());
+      ones.putScalar(1.0);
+      prolonged.update(-1.0, ones, 1.0);
+      TEST_COMPARE(prolonged.normInf(), <, 1e-14);
+    }
+    TEST_EQUALITY(coarsening.n_nodes(level), 1);
+  }
+}
+
+TEUCHOS_UNIT_TEST(nodal_coarsening, prolongators_of_all_levels_do_not_depend_on_the_ranks) {
+  for (const Grid& grid : grids) {
+    NodalCoarsening parallel(grid.laplacian(test::world()));
+    NodalCoarsening serial(grid.laplacian(test::alone()));
+    for (int level = 0; serial.n_nodes(level) > 1; ++level) {
+      const auto P = parallel.prolongator(level, 1), expected = serial.prolongator(level, 1);
+      TEST_EQUALITY(parallel.n_nodes(level + 1), serial.n_nodes(level + 1));
+      bool is_same = true;
+      for (const GlobalOrdinal row : P->getRowMap()->getNodeElementList())
+        is_same &= row_of(*P, row) == row_of(*expected, row);
+      TEST_ASSERT(fields::all_agree(*test::world(), is_same));
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(nodal_coarsening, more_unknowns_per_node_repeat_the_prolongator_of_one) {
+  for (const auto& nodes : graphs()) {
+    NodalCoarsening coarsening(nodes);
+    for (int level = 0; coarsening.n_nodes(level) > 1; ++level) {
+      const auto P3 = coarsening.prolongator(level, 3), P = coarsening.prolongator(level, 1);
+      TEST_EQUALITY(P3->getNodeNumRows(), 3 * P->getNodeNumRows());
+      TEST_EQUALITY(P3->getDomainMap()->getNodeNumElements(),
+                    3 * P->getDomainMap()->getNodeNumElements());
+      bool is_repeated = true;
+      for (const GlobalOrdinal row : P->getRowMap()->getNodeElementList())
+        for (int i = 0; i < 3; ++i) {
+          std::map<GlobalOrdinal, Scalar> expected;
+          for (const auto& [column, value] : row_of(*P, row)) expected[3 * column + i] = value;
+          is_repeated &= row_of(*P3, 3 * row + i) == expected;
+        }
+      TEST_ASSERT(fields::all_agree(*nodes->getComm(), is_repeated));
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(nodal_coarsening, what_was_made_once_is_kept) {
+  NodalCoarsening coarsening(grids[0].laplacian(test::world()));
+  for (const int dofs : {1, 3})
+    for (const int level : {1, 0}) {
+      const auto first = coarsening.prolongator(level, dofs);
+      TEST_EQUALITY(coarsening.prolongator(level, dofs).get(), first.get());
+    }
+}
+
+}  // namespace
