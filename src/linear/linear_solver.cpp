@@ -159,8 +159,10 @@ params::Table linear_solver_table(const SolverDefaults& defaults) {
                  {"gmres", krylov_table(defaults, true)},
                  {"gcr", krylov_table(defaults, true)},
                  {"bicgstab", krylov_table(defaults, false)},
-                 {"tfqmr", krylov_table(defaults, false)}},
-                "sparse direct (Amesos2 KLU2) or a Krylov method (Belos, GCR ours)");
+                 {"tfqmr", krylov_table(defaults, false)},
+                 {"fixed point", krylov_table(defaults, false)}},
+                "sparse direct (Amesos2 KLU2), a Krylov method (Belos, GCR ours), or the "
+                "preconditioner alone, again and again (fixed point)");
   return table;
 }
 

@@ -5,12 +5,14 @@
 #include "linear/direct_factor.hpp"
 #include "linear/ilu.hpp"
 #include "linear/merged_matrix.hpp"
+#include "multigrid/cycle.hpp"
 
 namespace tunica::linear {
 
 namespace {
 
-/// One matrix with the unknowns of a node side by side; incomplete or complete factors of it.
+/// One matrix with the unknowns of a node side by side; incomplete or complete factors of it, or
+/// multigrid cycles for it.
 class MergedSystem final : public PreconditionedSystem {
 public:
   MergedSystem(const Teuchos::ParameterList& list, const fields::BlockOperator& K) : K_(K) {
@@ -19,6 +21,10 @@ public:
     if (kind == "ilu")
       ilu_ = std::make_unique<IluPreconditioner>(K_.matrix(), list.get<int>("fill level"),
                                                  list.get<int>("overlap"));
+    if (kind == "multigrid") {
+      muelu_ = list.sublist("MueLu");
+      nodes_ = Teuchos::rcp(new multigrid::NodalCoarsening(K.mC));
+    }
   }
 
   Teuchos::RCP<const Map> map() const override { return K_.matrix()->getRowMap(); }
@@ -26,12 +32,18 @@ public:
   Teuchos::RCP<const Operator> preconditioner() const override {
     if (!direct_.is_null()) return direct_;
     if (ilu_) return ilu_->as_operator();
-    return Teuchos::null;
+    return cycle_;
   }
   void refresh_matrix() override { K_.refresh(); }
   void refresh_preconditioner() override {
     if (!direct_.is_null()) direct_->refresh();
     if (ilu_) ilu_->refresh();
+    if (nodes_.is_null()) return;
+    try {
+      cycle_ = multigrid::make_cycle(K_.matrix(), nodes_, muelu_);
+    } catch (const std::exception& error) {
+      throw SetupFailure(std::string("the multigrid cycle cannot be set up: ") + error.what());
+    }
   }
   void gather(const fields::BlockVector& x, MultiVector& all) const override { K_.merge(x, all); }
   void scatter(const MultiVector& all, fields::BlockVector& x) const override { K_.split(all, x); }
@@ -40,6 +52,9 @@ private:
   MergedMatrix K_;
   Teuchos::RCP<DirectFactor> direct_;
   std::unique_ptr<IluPreconditioner> ilu_;
+  Teuchos::ParameterList muelu_;
+  Teuchos::RCP<multigrid::NodalCoarsening> nodes_;
+  Teuchos::RCP<Operator> cycle_;
 };
 
 /// The four blocks as they are, block preconditioners on them.
@@ -75,7 +90,7 @@ private:
 
 void add_preconditioner_keys(params::Table& table, const std::string& fallback,
                              const Teuchos::ParameterList& block_list) {
-  params::Table ilu, block, direct, none;
+  params::Table ilu, block, cycle, direct, none;
   ilu.integer("fill level", 0, params::between(0, 20), "levels of fill k of ILU(k)")
       .integer("overlap", 0, params::between(0, 20), "overlap between ranks, in graph layers");
   block
@@ -90,10 +105,24 @@ void add_preconditioner_keys(params::Table& table, const std::string& fallback,
           throw Error(path + " / Stratimikos: " + error.what());
         }
       });
-  table.variant("preconditioner", fallback,
-                {{"ilu", ilu}, {"block", block}, {"direct", direct}, {"none", none}},
-                "right preconditioner: a block preconditioner, incomplete LU with additive "
-                "Schwarz between ranks, sparse LU factors (worth it where they are kept), or none");
+  cycle
+      .foreign("MueLu", multigrid::mixed_cycle_list(), Teuchos::ParameterList(),
+               "a MueLu list of factories for the whole system, four unknowns per node; our "
+               "factories in it are NodalPFactory, StabilisedRAPFactory and VankaSmoother")
+      .check([](const Teuchos::ParameterList& list, const std::string& path) {
+        if (!list.isSublist("MueLu")) return;  // another preconditioner
+        try {
+          multigrid::check_cycle_list(list.sublist("MueLu"));
+        } catch (const Error& error) {
+          throw Error(path + " / MueLu: " + error.what());
+        }
+      });
+  table.variant(
+      "preconditioner", fallback,
+      {{"ilu", ilu}, {"block", block}, {"multigrid", cycle}, {"direct", direct}, {"none", none}},
+      "right preconditioner: incomplete LU with additive Schwarz between ranks, a "
+      "block preconditioner, a multigrid cycle for the whole system, sparse LU factors "
+      "(worth it where they are kept), or none");
 }
 
 std::unique_ptr<PreconditionedSystem> make_system(const Teuchos::ParameterList& list,

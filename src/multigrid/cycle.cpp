@@ -3,18 +3,22 @@
 #include <MueLu_Hierarchy.hpp>
 #include <MueLu_ParameterListInterpreter.hpp>
 #include <MueLu_TpetraOperator.hpp>
+#include <Teuchos_DefaultSerialComm.hpp>
 
+#include "base/error.hpp"
 #include "multigrid/factory_factory.hpp"
 #include "multigrid/xpetra.hpp"
+#include "params/nearest.hpp"
 
 namespace tunica::multigrid {
+
+using Interpreter = MueLu::ParameterListInterpreter<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 
 Teuchos::RCP<Operator> make_cycle(const Teuchos::RCP<CrsMatrix>& A,
                                   const Teuchos::RCP<NodalCoarsening>& coarsening,
                                   const Teuchos::ParameterList& muelu) {
   Teuchos::ParameterList list(muelu);
-  MueLu::ParameterListInterpreter<Scalar, LocalOrdinal, GlobalOrdinal, Node> interpreter(
-      list, A->getComm(), make_factory_factory(coarsening));
+  Interpreter interpreter(list, A->getComm(), make_factory_factory(coarsening));
   const auto hierarchy = interpreter.CreateHierarchy();
   hierarchy->setlib(Xpetra::UseTpetra);
   hierarchy->GetLevel(0)->Set("A", wrapped(A));
@@ -29,7 +33,29 @@ Teuchos::RCP<Operator> make_cycle(const Teuchos::RCP<CrsMatrix>& A,
   return cycle;
 }
 
-Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
+void check_cycle_list(const Teuchos::ParameterList& muelu) {
+  Teuchos::ParameterList list(muelu);
+  TUNICA_CHECK(list.isSublist("Hierarchy") && list.isSublist("Factories"),
+               "the list lacks \"Factories\" or \"Hierarchy\"; a mixed matrix needs a MueLu list "
+               "in the form of factories.");
+  std::string cause;
+  try {
+    const Interpreter interpreter(list, Teuchos::rcp(new Teuchos::SerialComm<int>),
+                                  make_factory_factory(Teuchos::null));
+  } catch (const std::exception& error) {
+    cause = error.what();
+  }
+  const auto found = cause.find("Unknown factory name : ");
+  if (found != std::string::npos)
+    cause = cause.substr(found, cause.find('\n', found) - found) + ". Ours are " +
+            params::quoted(our_factories()) + ", the others are those of MueLu's user's guide.";
+  TUNICA_CHECK(cause.empty(), cause);
+}
+
+namespace {
+
+/// The levels of the nodal coarsening with a smoother named "Sweeps".
+Teuchos::ParameterList nodal_levels(const Teuchos::ParameterList& sweeps, int coarse_size) {
   Teuchos::ParameterList list("MueLu");
   Teuchos::ParameterList& factories = list.sublist("Factories");
   factories.sublist("Nodes").set("factory", "NodalPFactory");
@@ -38,11 +64,8 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
       .set("factory", "RAPFactory")
       .set("P", "Nodes")
       .set("R", "Transpose");
-  Teuchos::ParameterList& smoother = factories.sublist("Sweeps");
-  smoother.set("factory", "TrilinosSmoother").set("type", "RELAXATION");
-  smoother.sublist("ParameterList")
-      .set("relaxation: type", "Symmetric Gauss-Seidel")
-      .set("relaxation: sweeps", sweeps);
+  factories.sublist("Sweeps") = sweeps;
+  // Its default solver is the same, but MueLu then says so on the screen at each set-up.
   factories.sublist("Coarsest").set("factory", "DirectSolver").set("type", "Klu");
   Teuchos::ParameterList& hierarchy = list.sublist("Hierarchy");
   hierarchy.set("max levels", 10).set("coarse: max size", coarse_size).set("verbosity", "None");
@@ -53,6 +76,24 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
       .set("Smoother", "Sweeps")
       .set("CoarseSolver", "Coarsest");
   return list;
+}
+
+}  // namespace
+
+Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
+  Teuchos::ParameterList smoother;
+  smoother.set("factory", "TrilinosSmoother").set("type", "RELAXATION");
+  smoother.sublist("ParameterList")
+      .set("relaxation: type", "Symmetric Gauss-Seidel")
+      .set("relaxation: sweeps", sweeps);
+  return nodal_levels(smoother, coarse_size);
+}
+
+Teuchos::ParameterList mixed_cycle_list() {
+  Teuchos::ParameterList smoother;
+  smoother.set("factory", "TrilinosSmoother").set("type", "RILUK");
+  smoother.sublist("ParameterList").set("fact: iluk level-of-fill", 0);
+  return nodal_levels(smoother, 1500);
 }
 
 }  // namespace tunica::multigrid

@@ -11,8 +11,16 @@ Teuchos::RCP<Operator> make_cycle(const Teuchos::RCP<CrsMatrix>& A,
                                   const Teuchos::RCP<NodalCoarsening>& coarsening,
                                   const Teuchos::ParameterList& muelu);
 
+/// Builds the factories of such a list without a matrix. Throws tunica::Error for what MueLu
+/// refuses; for an unknown factory with the names that are ours.
+void check_cycle_list(const Teuchos::ParameterList& muelu);
+
 /// V-cycles on the levels of the nodal coarsening with sweeps of symmetric Gauss-Seidel before
 /// and after, sparse LU at the coarsest level of at most coarse_size unknowns.
 Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
+
+/// The same for a mixed system with four unknowns per node, smoothed by incomplete factors of
+/// all of them together.
+Teuchos::ParameterList mixed_cycle_list();
 
 }  // namespace tunica::multigrid

@@ -53,4 +53,8 @@ Teuchos::RCP<FactoryFactory> make_factory_factory(const Teuchos::RCP<NodalCoarse
   return Teuchos::rcp(new OurFactories(coarsening));
 }
 
+std::vector<std::string> our_factories() {
+  return {"NodalPFactory", "StabilisedRAPFactory", "VankaSmoother"};
+}
+
 }  // namespace tunica::multigrid

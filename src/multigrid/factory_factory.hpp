@@ -10,4 +10,7 @@ using FactoryFactory = MueLu::FactoryFactory<Scalar, LocalOrdinal, GlobalOrdinal
 /// Knows the factories of MueLu and ours by name: they mix freely in one list.
 Teuchos::RCP<FactoryFactory> make_factory_factory(const Teuchos::RCP<NodalCoarsening>& coarsening);
 
+/// The names of ours.
+std::vector<std::string> our_factories();
+
 }  // namespace tunica::multigrid
