@@ -40,6 +40,11 @@ def draw_all(run, folder, outputs, step, magnify):
         jobs.append(lambda: bulge(run, outputs))
     jobs += [lambda: coupling_history(run, step), lambda: counts(run),
              lambda: newton_history(run, step), lambda: observables(run)]
+    return save(jobs, folder)
+
+
+def save(jobs, folder):
+    """Draws, saves and returns the figures of those jobs that have something to show."""
     figures = []
     with matplotlib.rc_context(STYLE):
         for job in jobs:
@@ -226,7 +231,7 @@ def bulge(run, outputs):
 
 # --- iterations -----------------------------------------------------------------------------
 
-def _positive(values):
+def positive(values):
     """What a logarithmic axis can show."""
     v = np.array(values, dtype=float)
     return np.where(v > 0, v, np.nan)
@@ -241,21 +246,21 @@ def coupling_history(run, step):
     for i, other in enumerate(others[:: max(1, len(others) // 30)]):
         rows = rows_where(run.coupling, step=other)
         label = "other steps" if i == 0 else None
-        left.semilogy(rows["iteration"], _positive(rows["interface_residual"]), color="#d5d5d5",
+        left.semilogy(rows["iteration"], positive(rows["interface_residual"]), color="#d5d5d5",
                       linewidth=0.8, label=label, zorder=1)
-        right.plot(rows["iteration"], _positive(rows["relaxation"]), color="#d5d5d5",
+        right.plot(rows["iteration"], positive(rows["relaxation"]), color="#d5d5d5",
                    linewidth=0.8, zorder=1)
-    left.semilogy(chosen["iteration"], _positive(chosen["interface_residual"]), "o-",
+    left.semilogy(chosen["iteration"], positive(chosen["interface_residual"]), "o-",
                   color=COLOUR["fluid"], label=f"step {step}")
     # The last iteration of a converged step makes no update: its factor is 0.
-    right.plot(chosen["iteration"], _positive(chosen["relaxation"]), "s-", color=COLOUR["wall"],
+    right.plot(chosen["iteration"], positive(chosen["relaxation"]), "s-", color=COLOUR["wall"],
                label="factor")
     left.set(title="Interface residual", ylabel="residual [mm]")
     right.set(title="Relaxation factor", ylabel="factor", ylim=(0.0, None))
     left.legend()
     if max(chosen["columns"]) > 0:
         columns = right.twinx()
-        columns.plot(chosen["iteration"], _positive(chosen["columns"]), "^-",
+        columns.plot(chosen["iteration"], positive(chosen["columns"]), "^-",
                      color=COLOUR["fluid"], alpha=0.6)
         columns.set(ylabel="columns of the least-squares model (triangles)", ylim=(0.0, None))
         columns.yaxis.set_major_locator(MaxNLocator(integer=True))
@@ -313,7 +318,7 @@ def newton_history(run, step):
         rounds = list(dict.fromkeys(rows["coupling_iteration"]))[:4]
         for number, colour in zip(rounds, plt.get_cmap("viridis")(np.linspace(0, 0.85, len(rounds)))):
             one = rows_where(rows, coupling_iteration=number)
-            axes.semilogy(one["iteration"], _positive(one["increment"]), "o-", color=colour,
+            axes.semilogy(one["iteration"], positive(one["increment"]), "o-", color=colour,
                           label=f"coupling iteration {number:g}")
         axes.set(title=field, xlabel="Newton step")
         axes.xaxis.set_major_locator(MaxNLocator(integer=True))

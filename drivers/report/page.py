@@ -73,33 +73,83 @@ def _solvers(run):
         ["field", "method", "solves", "mean iterations", "most", "set-up [s]", "solve [s]", "not converged"], rows)
 
 
-def _summary(run):
-    record = run.record
+def _status(record):
     status = str(record.get("status", "unknown"))
     mark = {"done": "done", "running": "running"}.get(status, "bad")
-    steps = run.steps
-    parts = [f"<b class=\"{mark}\">{html.escape(status)}</b>", f"{len(steps['step'])} steps"]
+    return f"<b class=\"{mark}\">{html.escape(status)}</b>"
+
+
+def _ranks(record):
+    return f"{record['ranks']} rank" + ("s" if record["ranks"] != 1 else "")
+
+
+def _message(record):
+    return f"<p class=\"bad\">{html.escape(str(record['message']))}</p>\n" if record.get("message") else ""
+
+
+def _summary(run):
+    record, steps = run.record, run.steps
+    parts = [_status(record), f"{len(steps['step'])} steps"]
     if steps.get("time"):
         parts.append(f"t = {steps['time'][-1]:g} ms")
     if "ranks" in record:
-        parts.append(f"{record['ranks']} rank" + ("s" if record["ranks"] != 1 else ""))
+        parts.append(_ranks(record))
     if steps.get("seconds"):
         parts.append(f"{np.nansum(steps['seconds']):.1f} s in steps")
     if record.get("started"):
         parts.append(f"started {html.escape(str(record['started']))}")
-    text = "<p>" + " · ".join(parts) + "</p>\n"
-    if record.get("message"):
-        text += f"<p class=\"bad\">{html.escape(str(record['message']))}</p>\n"
-    return text
+    return "<p>" + " · ".join(parts) + "</p>\n" + _message(record)
+
+
+def _images(figures):
+    return "".join(f"<h2>{html.escape(f.title)}</h2>\n<p class=\"note\">{html.escape(f.text)}</p>\n"
+                   f"<a href=\"{f.file}\"><img src=\"{f.file}\" alt=\"{html.escape(f.title)}\"></a>\n"
+                   for f in figures)
+
+
+def _save(folder, title, body):
+    with open(os.path.join(folder, "index.html"), "w", encoding="utf-8") as file:
+        file.write(f"<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
+                   f"<title>{html.escape(title)}</title>\n<style>{_STYLE}</style></head>\n<body>\n"
+                   f"<h1>{html.escape(title)}</h1>\n{body}</body>\n</html>\n")
 
 
 def write(run, folder, figures, step):
     title = f"{run.record.get('program', 'tunica')}: {os.path.basename(os.path.abspath(run.folder))}"
-    images = "".join(f"<h2>{html.escape(f.title)}</h2>\n<p class=\"note\">{html.escape(f.text)}</p>\n"
-                     f"<a href=\"{f.file}\"><img src=\"{f.file}\" alt=\"{html.escape(f.title)}\"></a>\n"
-                     for f in figures)
-    text = (f"<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>{html.escape(title)}</title>\n"
-            f"<style>{_STYLE}</style></head>\n<body>\n<h1>{html.escape(title)}</h1>\n{_summary(run)}{images}"
-            f"{_exponents(run, step)}{_solvers(run)}<h2>The run</h2>\n{_sections(run.record)}</body>\n</html>\n")
-    with open(os.path.join(folder, "index.html"), "w", encoding="utf-8") as file:
-        file.write(text)
+    _save(folder, title, f"{_summary(run)}{_images(figures)}{_exponents(run, step)}{_solvers(run)}"
+                         f"<h2>The run</h2>\n{_sections(run.record)}")
+
+
+# --- runs of tunica-solvers -----------------------------------------------------------------
+
+def _setting_row(rows, newton_steps):
+    """Iterations at each Newton step, with the verdict where it is not "converged"; seconds."""
+    row = []
+    for k in newton_steps:
+        one = rows_where(rows, newton_step=k)
+        solves = zip(one["iterations"], one["verdict"])
+        row.append("".join(f"{n:g}" + ("" if v == "converged" else f" ({v})") for n, v in solves))
+    return row + [float(np.sum(rows["setup_seconds"])), float(np.sum(rows["solve_seconds"]))]
+
+
+def _comparison(run, field):
+    table = rows_where(run.solvers, field=field)
+    newton_steps = list(dict.fromkeys(table["newton_step"]))
+    rows = [[s] + _setting_row(rows_where(table, setting=s), newton_steps) for s in run.settings(field)]
+    heading = ["iterations at Newton step"] + [f"{k:g}" for k in newton_steps] + ["set-up [s]", "solve [s]"]
+    return (f"<h2>{field}: {run.unknowns(field):,} unknowns, {_ranks(run.record)}</h2>\n"
+            f"<p class=\"note\">{html.escape(run.folder)}: residuals reduced by "
+            f"{run.choice['tolerance']:g}; seconds of all Newton steps.</p>\n{_table(heading, rows)}")
+
+
+def write_solvers(runs, folder, figures):
+    """Folders of tunica-solvers side by side."""
+    names = [os.path.basename(os.path.abspath(run.folder)) for run in runs]
+    body = f"<p>{runs[0].place()}</p>\n"
+    body += "".join(f"<p>{html.escape(run.folder)}: {_status(run.record)} · {_ranks(run.record)}</p>\n"
+                    + _message(run.record) for run in runs)
+    body += _images(figures)
+    body += "".join(_comparison(run, field) for run in runs for field in run.fields())
+    body += "".join(f"<h2>The run {html.escape(name)}</h2>\n{_sections(run.record)}"
+                    for name, run in zip(names, runs))
+    _save(folder, "tunica-solvers: " + ", ".join(names), body)

@@ -125,3 +125,30 @@ def write_run(folder, grids=("fluid", "wall"), stress_at_cells=False, steps=24):
                 [r for s in range(1, steps + 1) for r in linear_rows(s, rounds(s), grids)])
     write_fields(os.path.join(folder, "fields.h5"), grids, 2.0 * np.arange(steps // 4 + 1), stress_at_cells)
     return folder
+
+
+def solver_rows(unknowns, fields, growth):
+    """Two settings; the second reaches the cap in the last Newton step of the wall."""
+    for field in fields:
+        for k in range(1, 5):
+            for setting, method, count in (("default, GCR", "gcr", 12), ("paper P_L, BiCGStab", "bicgstab", 28 * growth)):
+                cap = field == "wall" and k == 4 and method == "bicgstab"
+                yield [field, k, setting, method, "block", unknowns, 200 if cap else int(count + k % 2), 0.3, 8e-9,
+                       8e-9, 0.12, 0.31, "nan" if cap else 1e-9, "cap" if cap else "converged"]
+
+
+def write_solver_run(folder, unknowns=9072, fields=("fluid", "wall"), growth=1, coupling_iteration=2):
+    os.makedirs(folder)
+    record = {"program": "tunica-solvers", "status": "done", "ranks": 2, "versions": {"tunica": "0.1.0"}}
+    for name, more in (("run.json", {}), ("solvers.json", {"step": 1, "coupling iteration": coupling_iteration,
+                                                           "tolerance": 1e-8})):
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+            json.dump({**record, **more}, file)
+    write_table(os.path.join(folder, "solvers.csv"),
+                "field,newton_step,setting,method,preconditioner,unknowns,iterations,convergence_factor,true_residual,"
+                "recurrence_residual,setup_seconds,solve_seconds,difference,verdict",
+                solver_rows(unknowns, fields, growth))
+    write_table(os.path.join(folder, "newton.csv"),
+                "step,coupling_iteration,field,iteration,increment,relative_increment,residual,exponent,step_length",
+                newton_rows(1, 2, ("fluid", "wall")))
+    return folder

@@ -8,11 +8,14 @@ import unittest
 
 from matplotlib import image
 
-from synthetic_run import write_run
+from synthetic_run import write_run, write_solver_run
 
 PROGRAM, SCRATCH = sys.argv[1], sys.argv[2]
 ALL = {"section_velocity.png", "section_pressure.png", "radial_displacement.png", "coupling.png",
        "iterations.png", "newton.png", "observables.png"}
+
+
+SOLVERS = {"newton.png", "krylov_fluid.png", "krylov_wall.png"}
 
 
 def report(folder, *options):
@@ -103,6 +106,44 @@ class Report(unittest.TestCase):
         self.expect_one_line(run, "--magnify", "--magnify", "-1")
         self.expect_one_line(run, "unknown option", "--unknown")
         self.expect_one_line(run, "cannot write", "--output", os.path.join(run, "run.json"))
+
+    def test_solvers_give_newton_and_krylov_figures(self):
+        run = write_solver_run(self.folder("solvers"))
+        result = report(run)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        page = self.expect_page(os.path.join(run, "report"), SOLVERS)
+        for text in ("step 1, coupling iteration 2", "paper P_L, BiCGStab", "200 (cap)", "9,072 unknowns, 2 ranks"):
+            self.assertIn(text, page)
+
+    def test_solvers_of_several_folders_stand_side_by_side(self):
+        coarse = write_solver_run(self.folder("coarse"))
+        fine = write_solver_run(self.folder("fine"), unknowns=60500, growth=3, fields=("fluid",))
+        same = write_solver_run(self.folder("same_mesh"))
+        result = report(coarse, fine, same)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        page = self.expect_page(os.path.join(coarse, "report"), SOLVERS)
+        for text in ("9,072 unknowns", "60,500 unknowns", "coarse", "same_mesh", ">84<"):
+            self.assertIn(text, page)
+        width = {n: image.imread(os.path.join(coarse, "report", f"krylov_{n}.png")).shape[1] for n in ("fluid", "wall")}
+        self.assertGreater(width["fluid"], 1.2 * width["wall"])  # three panels and two
+        result = report(fine)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.expect_page(os.path.join(fine, "report"), SOLVERS - {"krylov_wall.png"})
+
+    def test_folders_that_do_not_compare_are_one_line_and_status_1(self):
+        solvers, run = write_solver_run(self.folder("some_solvers")), write_run(self.folder("no_solvers"))
+        other = write_solver_run(self.folder("other_iteration"), coupling_iteration=1)
+        self.expect_one_line(solvers, "no solvers.csv", run)
+        self.expect_one_line(run, "no solvers.csv", solvers)
+        self.expect_one_line(run, "no solvers.csv", run)
+        self.expect_one_line(solvers, "is not a folder", self.folder("nowhere"))
+        self.expect_one_line(solvers, "expected the same", other)
+        self.expect_one_line(solvers, "--step does not fit", "--step", "1")
+        with open(os.path.join(other, "solvers.csv"), "w", encoding="utf-8") as file:
+            file.write("field,newton_step\n")
+        self.expect_one_line(other, "has no rows")
+        os.remove(os.path.join(solvers, "newton.csv"))
+        self.expect_one_line(solvers, "newton.csv is missing")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,106 @@
+"""The default block preconditioner on the systems of xml/solvers-tiny.xml: Krylov iterations do not
+depend on viscosity, time step, bulk modulus and ranks.
+
+Usage: krylov_counts.py FOLDER_OF_PROGRAMS SCRATCH
+"""
+import pathlib
+import sys
+import xml.etree.ElementTree as ElementTree
+
+from runs import ROOT, Run, Verdict, command, fresh, table
+
+CASE = ROOT / "xml" / "solvers-tiny.xml"
+SETTINGS = {"Fluid": ["block LU, GCR"], "Wall": ["block LU, BiCGStab", "block LU, GMRES"]}
+MOST = {"block LU, GCR": 18, "block LU, BiCGStab": 12, "block LU, GMRES": 20}
+VISCOSITY, TIME_STEP = 3.5e-3, 0.125
+
+
+def entry(parent, name):
+    found = [child for child in parent if child.get("name") == name]
+    assert len(found) == 1, f"{CASE}: {name}"
+    return found[0]
+
+
+def write_case(path):
+    """The case with the wanted settings only."""
+    tree = ElementTree.parse(CASE)
+    root = tree.getroot()
+    entry(entry(root, "Mesh"), "file").set("value", str(ROOT / "meshes" / "tube-tiny.h5"))
+    for field, names in SETTINGS.items():
+        settings = entry(entry(root, "Solvers"), field)
+        for setting in [one for one in settings if one.get("name") not in names]:
+            settings.remove(setting)
+    tree.write(path)
+
+
+class Bench:
+    """Runs of tunica-solvers in one folder."""
+
+    def __init__(self, verdict, programs, folder):
+        self.verdict, self.program, self.folder = verdict, programs / "tunica-solvers", folder
+        write_case(folder / "case.xml")
+
+    def most(self, name, field, keys, ranks=1):
+        """Setting -> most iterations of a Newton step; empty if the run fails."""
+        words = ["case.xml", "--output", name]
+        for key in ["Solvers/tolerance=1e-8", f"Solvers/field={field}"] + keys:
+            words += ["--set", key]
+        run = Run(command(self.program, words, ranks), self.folder)
+        if not self.verdict.claim(run.status == 0, f"{name} ends with 0 ({run.seconds:.1f} s)"):
+            print(run.out + run.err)
+            return {}
+        rows = table(self.folder / name / "solvers.csv")
+        counts = {s: [] for s in rows["setting"]}
+        for setting, iterations in zip(rows["setting"], rows["iterations"]):
+            counts[setting].append(iterations)
+        result = {setting: max(values) for setting, values in counts.items()}
+        for setting, n in result.items():
+            self.verdict.claim(n <= MOST[setting] and set(rows["verdict"]) == {"converged"},
+                               f"{name}: {setting} takes {n:.0f}, at most {MOST[setting]}")
+        return result
+
+
+def agree(verdict, name, counts, factor, slack=0):
+    """For each setting the largest count is at most factor times the least, or slack more."""
+    if not verdict.claim(all(counts), f"{name}: every run has counts"):
+        return
+    for setting in counts[0]:
+        values = [count[setting] for count in counts]
+        verdict.claim(max(values) <= max(factor * min(values), min(values) + slack),
+                      f"{name}: {setting} takes {min(values):.0f} to {max(values):.0f}")
+
+
+def fluid_is_robust(verdict, bench):
+    counts = [bench.most(f"viscosity-{f:g}", "fluid", [f"Fluid/viscosity={f * VISCOSITY}"])
+              for f in (0.1, 1, 10)]
+    counts.append(bench.most("step-0.1", "fluid", [f"Time/step size={0.1 * TIME_STEP}"]))
+    # The inlet's load lasts longer than the long step.
+    counts.append(bench.most("step-10", "fluid", [f"Time/step size={10 * TIME_STEP}",
+                                                  "Fluid/Surfaces/inlet/Amplitude/times={0, 10}"]))
+    agree(verdict, "viscosity and time step", counts, 2)
+
+
+def wall_is_robust(verdict, bench):
+    counts = [bench.most(f"bulk-{modulus}", "wall",
+                         [f"Wall/Layers/{layer}/bulk modulus={modulus}"
+                          for layer in ("media", "adventitia")])
+              for modulus in ("1e3", "1e4", "1e5", "1e7")]
+    agree(verdict, "bulk modulus", counts, 1.2)
+
+
+def ranks_agree(verdict, bench):
+    counts = [bench.most(f"ranks-{ranks}", "both", [], ranks) for ranks in (1, 2, 4)]
+    agree(verdict, "ranks", counts, 1.15, slack=1)
+
+
+def main(programs, scratch):
+    verdict = Verdict()
+    bench = Bench(verdict, programs, fresh(scratch))
+    fluid_is_robust(verdict, bench)
+    wall_is_robust(verdict, bench)
+    ranks_agree(verdict, bench)
+    return verdict.status()
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])))
