@@ -111,7 +111,12 @@ private:
   void iterate(SolveReport& report) {
     const Stopwatch watch;
     x_.putScalar(0.0);
-    const KrylovResult result = solve_krylov(options_, system_->matrix(), system_->preconditioner(),
+    KrylovOptions options = options_;
+    // An old preconditioner that takes so much longer is not worth the cap of a fresh one.
+    if (is_old_)
+      options.max_iterations =
+          std::min(options.max_iterations, static_cast<int>(2.0 * limit()) + 10);
+    const KrylovResult result = solve_krylov(options, system_->matrix(), system_->preconditioner(),
                                              b_, x_, report.tolerance);
     last_iterations_ = result.iterations;
     report.iterations += result.iterations;

@@ -108,7 +108,8 @@ void add_preconditioner_keys(params::Table& table, const std::string& fallback,
   cycle
       .foreign("MueLu", multigrid::mixed_cycle_list(), Teuchos::ParameterList(),
                "a MueLu list of factories for the whole system, four unknowns per node; our "
-               "factories in it are NodalPFactory, StabilisedRAPFactory and VankaSmoother")
+               "factories in it are NodalPFactory, StabilisedRAPFactory, VankaSmoother and "
+               "NodalBraessSarazinSmoother")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         if (!list.isSublist("MueLu")) return;  // another preconditioner
         try {

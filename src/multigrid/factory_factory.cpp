@@ -2,6 +2,7 @@
 
 #include <MueLu_SmootherFactory.hpp>
 
+#include "multigrid/braess_sarazin_smoother.hpp"
 #include "multigrid/nodal_p_factory.hpp"
 #include "multigrid/stabilised_rap_factory.hpp"
 #include "multigrid/vanka_smoother.hpp"
@@ -35,6 +36,8 @@ public:
         is_list ? list.get<std::string>("factory") : Teuchos::getValue<std::string>(entry);
     if (name == "StabilisedRAPFactory")
       return Build2<StabilisedRapFactory>(list, factories, managers);
+    if (name == "NodalBraessSarazinSmoother")
+      return smoother(Build2<NodalBraessSarazinSmoother>(list, factories, managers));
     if (name == "VankaSmoother") return smoother(Build2<VankaSmoother>(list, factories, managers));
     if (name != "NodalPFactory") return FactoryFactory::BuildFactory(entry, factories, managers);
     const auto factory = Teuchos::rcp(new NodalPFactory(coarsening_));
@@ -54,7 +57,7 @@ Teuchos::RCP<FactoryFactory> make_factory_factory(const Teuchos::RCP<NodalCoarse
 }
 
 std::vector<std::string> our_factories() {
-  return {"NodalPFactory", "StabilisedRAPFactory", "VankaSmoother"};
+  return {"NodalBraessSarazinSmoother", "NodalPFactory", "StabilisedRAPFactory", "VankaSmoother"};
 }
 
 }  // namespace tunica::multigrid

@@ -1,22 +1,14 @@
 #include "multigrid/vanka_smoother.hpp"
 
-#include <stdexcept>
+#include "multigrid/chosen_word.hpp"
 
 namespace tunica::multigrid {
 
 namespace {
 
-/// Throws std::invalid_argument for a word that is not one of the known.
 std::string choice(const Teuchos::ParameterList& list, const std::string& key,
                    const std::vector<std::string>& known) {
-  const auto& value = list.get<std::string>(key);
-  std::string text;
-  for (const std::string& word : known) {
-    if (value == word) return value;
-    text += (text.empty() ? "\"" : ", \"") + word + "\"";
-  }
-  throw std::invalid_argument("VankaSmoother: \"" + key + "\" is \"" + value +
-                              "\", expected one of " + text + ".");
+  return chosen_word("VankaSmoother", list, key, known);
 }
 
 VankaOptions options_of(const Teuchos::ParameterList& list) {

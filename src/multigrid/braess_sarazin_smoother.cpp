@@ -1,0 +1,51 @@
+#include "multigrid/braess_sarazin_smoother.hpp"
+
+#include "multigrid/chosen_word.hpp"
+
+namespace tunica::multigrid {
+
+Teuchos::RCP<const Teuchos::ParameterList> NodalBraessSarazinSmoother::GetValidParameterList()
+    const {
+  const auto list = Teuchos::rcp(new Teuchos::ParameterList);
+  list->set<Teuchos::RCP<const MueLu::FactoryBase>>("A", Teuchos::null, "the mixed matrix");
+  list->set("sweeps", 1);
+  list->set("scaling", 2.0);
+  list->set("damping", 1.0);
+  list->set<std::string>("schur", "gauss-seidel");
+  list->set("schur sweeps", 2);
+  return list;
+}
+
+void NodalBraessSarazinSmoother::DeclareInput(MueLu::Level& level) const {
+  this->Input(level, "A");
+}
+
+void NodalBraessSarazinSmoother::Setup(MueLu::Level& level) {
+  const Teuchos::ParameterList& list = this->GetParameterList();
+  BraessSarazinOptions options;
+  options.sweeps = list.get<int>("sweeps");
+  options.scaling = list.get<double>("scaling");
+  options.damping = list.get<double>("damping");
+  options.schur = chosen_word("NodalBraessSarazinSmoother", list, "schur",
+                              {"gauss-seidel", "chebyshev", "direct"});
+  options.schur_sweeps = list.get<int>("schur sweeps");
+  K_ = unwrapped(this->Get<Teuchos::RCP<XMatrix>>(level, "A"));
+  smoother_ = std::make_shared<BraessSarazin>(*K_, options);
+  this->IsSetup(true);
+}
+
+void NodalBraessSarazinSmoother::Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const {
+  if (is_zero) x.putScalar(0.0);
+  smoother_->smooth(*unwrapped(b), *unwrapped(x));
+}
+
+Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>>
+NodalBraessSarazinSmoother::Copy() const {
+  return Teuchos::rcp(new NodalBraessSarazinSmoother(*this));
+}
+
+std::size_t NodalBraessSarazinSmoother::getNodeSmootherComplexity() const {
+  return K_->getNodeNumEntries();
+}
+
+}  // namespace tunica::multigrid

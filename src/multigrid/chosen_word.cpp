@@ -1,0 +1,19 @@
+#include "multigrid/chosen_word.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "params/nearest.hpp"
+
+namespace tunica::multigrid {
+
+std::string chosen_word(const std::string& smoother, const Teuchos::ParameterList& list,
+                        const std::string& key, const std::vector<std::string>& known) {
+  const auto& value = list.get<std::string>(key);
+  if (std::find(known.begin(), known.end(), value) == known.end())
+    throw std::invalid_argument(smoother + ": \"" + key + "\" is \"" + value +
+                                "\", expected one of " + params::quoted(known) + ".");
+  return value;
+}
+
+}  // namespace tunica::multigrid
