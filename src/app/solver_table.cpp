@@ -22,18 +22,25 @@ std::vector<std::string> columns() {
           "iterations",     "convergence_factor",
           "true_residual",  "recurrence_residual",
           "setup_seconds",  "solve_seconds",
-          "difference",     "verdict"};
+          "difference",     "verdict",
+          "levels",         "operator_complexity"};
+}
+
+/// `25200 3840 640`
+std::string level_sizes(const SolverRow& row) {
+  std::string text;
+  for (const long long n : row.solve.levels.unknowns)
+    text += (text.empty() ? "" : " ") + std::to_string(n);
+  return text;
 }
 
 std::vector<output::Cell> cells(const SolverRow& row) {
   const linear::SolveReport& s = row.solve;
-  return {row.field,          row.newton_step,
-          row.setting,        row.method,
-          row.preconditioner, row.unknowns,
-          s.iterations,       row.convergence_factor(),
-          s.true_residual,    s.recurrence_residual,
-          s.setup_seconds,    s.solve_seconds,
-          row.difference,     row.verdict};
+  return {
+      row.field,          row.newton_step,       row.setting,      row.method,
+      row.preconditioner, row.unknowns,          s.iterations,     row.convergence_factor(),
+      s.true_residual,    s.recurrence_residual, s.setup_seconds,  s.solve_seconds,
+      row.difference,     row.verdict,           level_sizes(row), s.levels.operator_complexity};
 }
 
 std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,

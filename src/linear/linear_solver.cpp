@@ -93,6 +93,7 @@ public:
     is_old_ = true;
     is_stale_ = false;
     system_->scatter(x_, x);
+    report.levels = system_->levels();
     return report;
   }
 

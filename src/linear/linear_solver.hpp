@@ -5,6 +5,7 @@
 #include "fields/block_operator.hpp"
 #include "linear/block_preconditioner.hpp"
 #include "linear/named_operators.hpp"
+#include "multigrid/cycle.hpp"
 #include "params/table.hpp"
 
 namespace tunica::linear {
@@ -19,6 +20,7 @@ struct SolveReport {
   double true_residual = 0.0;        ///< relative, |b − Kx| / |b| computed anew
   double setup_seconds = 0.0;
   double solve_seconds = 0.0;
+  multigrid::Levels levels;  ///< none where the preconditioner is no multigrid for the whole system
 };
 
 /// Solves with the Jacobian of one field, K x = b.

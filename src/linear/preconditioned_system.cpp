@@ -45,6 +45,9 @@ public:
       throw SetupFailure(std::string("the multigrid cycle cannot be set up: ") + error.what());
     }
   }
+  multigrid::Levels levels() const override {
+    return cycle_.is_null() ? multigrid::Levels() : multigrid::levels_of(*cycle_);
+  }
   void gather(const fields::BlockVector& x, MultiVector& all) const override { K_.merge(x, all); }
   void scatter(const MultiVector& all, fields::BlockVector& x) const override { K_.split(all, x); }
 

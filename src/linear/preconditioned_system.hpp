@@ -3,6 +3,7 @@
 
 #include "fields/block_operator.hpp"
 #include "linear/named_operators.hpp"
+#include "multigrid/cycle.hpp"
 #include "params/table.hpp"
 
 namespace tunica::linear {
@@ -21,6 +22,9 @@ public:
   virtual void refresh_matrix() = 0;
   /// Sets the preconditioner up for them.
   virtual void refresh_preconditioner() = 0;
+
+  /// Of the multigrid hierarchy as it was set up last, none by default. Collective.
+  virtual multigrid::Levels levels() const { return {}; }
 
   virtual void gather(const fields::BlockVector& x, MultiVector& all) const = 0;
   virtual void scatter(const MultiVector& all, fields::BlockVector& x) const = 0;

@@ -33,6 +33,21 @@ Teuchos::RCP<Operator> make_cycle(const Teuchos::RCP<CrsMatrix>& A,
   return cycle;
 }
 
+Levels levels_of(const Operator& cycle) {
+  using Cycle = MueLu::TpetraOperator<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  const auto hierarchy = dynamic_cast<const Cycle&>(cycle).GetHierarchy();
+  Levels levels;
+  double finest = 0.0, all = 0.0;
+  for (int l = 0; l < hierarchy->GetNumLevels(); ++l) {
+    const auto A = hierarchy->GetLevel(l)->Get<Teuchos::RCP<XMatrix>>("A");
+    levels.unknowns.push_back(static_cast<long long>(A->getGlobalNumRows()));
+    all += static_cast<double>(A->getGlobalNumEntries());
+    if (l == 0) finest = all;
+  }
+  levels.operator_complexity = all / finest;
+  return levels;
+}
+
 void check_cycle_list(const Teuchos::ParameterList& muelu) {
   Teuchos::ParameterList list(muelu);
   TUNICA_CHECK(list.isSublist("Hierarchy") && list.isSublist("Factories"),

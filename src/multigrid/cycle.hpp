@@ -11,6 +11,14 @@ Teuchos::RCP<Operator> make_cycle(const Teuchos::RCP<CrsMatrix>& A,
                                   const Teuchos::RCP<NodalCoarsening>& coarsening,
                                   const Teuchos::ParameterList& muelu);
 
+/// The matrices of a hierarchy, the finest first.
+struct Levels {
+  std::vector<long long> unknowns;   ///< of all ranks
+  double operator_complexity = 0.0;  ///< entries of all levels to those of the finest
+};
+/// Of what make_cycle() made. Collective.
+Levels levels_of(const Operator& cycle);
+
 /// Builds the factories of such a list without a matrix. Throws tunica::Error for what MueLu
 /// refuses; for an unknown factory with the names that are ours.
 void check_cycle_list(const Teuchos::ParameterList& muelu);
