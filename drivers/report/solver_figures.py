@@ -55,10 +55,10 @@ def krylov_counts(runs, field):
     for axes, run in zip(panels[0], runs):
         _count_panel(axes, run, field, settings)
         axes.set(title=label(run, runs, field), xlabel="Newton step")
-    panels[0, 0].set_ylabel("Krylov iterations")
+    panels[0, 0].set_ylabel("iterations")
     _scale_counts(panels[0, 0], [n for run in runs for n in rows_where(run.solvers, field=field)["iterations"]])
     _legend(panels[0, -1], runs[-1], field, settings)
-    title = f"Krylov iterations for the {field} in {runs[0].place()}"
+    title = f"iterations for the {field} in {runs[0].place()}"
     canvas.suptitle(title, fontsize=13)
     return canvas, Figure(f"krylov_{field}.png", title,
                           "Markers stand a little aside of their Newton step, so that equal counts are seen; "

@@ -4,6 +4,21 @@
 
 namespace tunica::multigrid {
 
+namespace {
+
+BraessSarazinOptions options_of(const Teuchos::ParameterList& list) {
+  BraessSarazinOptions options;
+  options.sweeps = list.get<int>("sweeps");
+  options.scaling = list.get<double>("scaling");
+  options.damping = list.get<double>("damping");
+  options.schur = chosen_word("NodalBraessSarazinSmoother", list, "schur",
+                              {"gauss-seidel", "chebyshev", "direct"});
+  options.schur_sweeps = list.get<int>("schur sweeps");
+  return options;
+}
+
+}  // namespace
+
 Teuchos::RCP<const Teuchos::ParameterList> NodalBraessSarazinSmoother::GetValidParameterList()
     const {
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
@@ -20,17 +35,14 @@ void NodalBraessSarazinSmoother::DeclareInput(MueLu::Level& level) const {
   this->Input(level, "A");
 }
 
+void NodalBraessSarazinSmoother::SetParameterList(const Teuchos::ParameterList& list) {
+  SmootherPrototype::SetParameterList(list);
+  options_of(GetParameterList());
+}
+
 void NodalBraessSarazinSmoother::Setup(MueLu::Level& level) {
-  const Teuchos::ParameterList& list = this->GetParameterList();
-  BraessSarazinOptions options;
-  options.sweeps = list.get<int>("sweeps");
-  options.scaling = list.get<double>("scaling");
-  options.damping = list.get<double>("damping");
-  options.schur = chosen_word("NodalBraessSarazinSmoother", list, "schur",
-                              {"gauss-seidel", "chebyshev", "direct"});
-  options.schur_sweeps = list.get<int>("schur sweeps");
   K_ = unwrapped(this->Get<Teuchos::RCP<XMatrix>>(level, "A"));
-  smoother_ = std::make_shared<BraessSarazin>(*K_, options);
+  smoother_ = std::make_shared<BraessSarazin>(*K_, options_of(this->GetParameterList()));
   this->IsSetup(true);
 }
 

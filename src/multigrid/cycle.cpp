@@ -60,7 +60,7 @@ void check_cycle_list(const Teuchos::ParameterList& muelu) {
   } catch (const std::exception& error) {
     cause = error.what();
   }
-  const auto found = cause.find("Unknown factory name : ");
+  const auto found = cause.find("unknown factory name : ");
   if (found != std::string::npos)
     cause = cause.substr(found, cause.find('\n', found) - found) + ". Ours are " +
             params::quoted(our_factories()) + ", the others are those of MueLu's user's guide.";

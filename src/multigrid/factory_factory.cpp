@@ -6,6 +6,7 @@
 #include "multigrid/nodal_p_factory.hpp"
 #include "multigrid/stabilised_rap_factory.hpp"
 #include "multigrid/vanka_smoother.hpp"
+#include "params/nearest.hpp"
 
 namespace tunica::multigrid {
 
@@ -19,6 +20,17 @@ Teuchos::RCP<const MueLu::FactoryBase> smoother(
         prototype) {
   return Teuchos::rcp(
       new MueLu::SmootherFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>(prototype));
+}
+
+/// MueLu passes over what a factory does not know.
+void check_keys(const Teuchos::ParameterList& list, const MueLu::Factory& factory) {
+  const auto known = factory.GetValidParameterList();
+  std::vector<std::string> names;
+  for (const auto& item : *known) names.push_back(item.first);
+  for (const auto& item : list)
+    if (item.first != "factory" && !known->isParameter(item.first))
+      throw std::invalid_argument(list.get<std::string>("factory") + ": unknown key \"" +
+                                  item.first + "\". " + params::did_you_mean(item.first, names));
 }
 
 class OurFactories final : public FactoryFactory {
@@ -35,10 +47,10 @@ public:
     const auto name =
         is_list ? list.get<std::string>("factory") : Teuchos::getValue<std::string>(entry);
     if (name == "StabilisedRAPFactory")
-      return Build2<StabilisedRapFactory>(list, factories, managers);
+      return built<StabilisedRapFactory>(list, factories, managers);
     if (name == "NodalBraessSarazinSmoother")
-      return smoother(Build2<NodalBraessSarazinSmoother>(list, factories, managers));
-    if (name == "VankaSmoother") return smoother(Build2<VankaSmoother>(list, factories, managers));
+      return smoother(built<NodalBraessSarazinSmoother>(list, factories, managers));
+    if (name == "VankaSmoother") return smoother(built<VankaSmoother>(list, factories, managers));
     if (name != "NodalPFactory") return FactoryFactory::BuildFactory(entry, factories, managers);
     const auto factory = Teuchos::rcp(new NodalPFactory(coarsening_));
     if (list.isParameter("A"))
@@ -47,6 +59,13 @@ public:
   }
 
 private:
+  template <class Ours>
+  Teuchos::RCP<Ours> built(const Teuchos::ParameterList& list, const Factories& factories,
+                           const Managers& managers) const {
+    check_keys(list, Ours());
+    return Build2<Ours>(list, factories, managers);
+  }
+
   Teuchos::RCP<NodalCoarsening> coarsening_;
 };
 

@@ -19,8 +19,8 @@ struct VankaOptions {
 class Vanka {
 public:
   virtual ~Vanka() = default;
-  /// Inverts the patches for the present values of K. Throws std::runtime_error for a singular
-  /// patch.
+  /// Inverts the patches for the present values of K. Throws std::runtime_error on all
+  /// ranks where one has a singular patch. Collective.
   virtual void refresh() = 0;
   /// x ← x after the sweeps. Collective.
   virtual void smooth(const MultiVector& b, MultiVector& x) const = 0;

@@ -34,6 +34,11 @@ Teuchos::RCP<const Teuchos::ParameterList> VankaSmoother::GetValidParameterList(
   return list;
 }
 
+void VankaSmoother::SetParameterList(const Teuchos::ParameterList& list) {
+  SmootherPrototype::SetParameterList(list);
+  options_of(GetParameterList());
+}
+
 void VankaSmoother::DeclareInput(MueLu::Level& level) const { this->Input(level, "A"); }
 
 void VankaSmoother::Setup(MueLu::Level& level) {

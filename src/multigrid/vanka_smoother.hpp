@@ -12,6 +12,8 @@ namespace tunica::multigrid {
 class VankaSmoother : public MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node> {
 public:
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
+  /// Throws std::invalid_argument for a word that it does not know.
+  void SetParameterList(const Teuchos::ParameterList& list) override;
   void DeclareInput(MueLu::Level& level) const override;
   void Setup(MueLu::Level& level) override;
   void Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const override;

@@ -1,0 +1,212 @@
+// One sweep of Vanka's smoother on the wall's Jacobian of a case in its initial state, one rank:
+//
+//   bench_vanka CASE.xml MESH
+//
+// "bytes" is what a sweep must read and write if each patch finds nothing in the caches: its
+// inverse, the values and columns of its matrix rows, the vectors at its rows and columns. The
+// rows of a patch are rows of a dozen others, so caches can supply them; "inverses" counts only
+// what is read once. "share" is their rate over that of the triad a = b + s c measured here.
+
+#include <benchmark/benchmark.h>
+
+#include <Ifpack2_BlockRelaxation.hpp>
+#include <Tpetra_Core.hpp>
+#include <map>
+#include <memory>
+
+#include "app/domain.hpp"
+#include "app/schema.hpp"
+#include "base/timer.hpp"
+#include "linear/merged_matrix.hpp"
+#include "multigrid/vanka.hpp"
+#include "params/read_xml.hpp"
+#include "problems/solid_problem.hpp"
+
+namespace {
+
+using namespace tunica;
+
+/// Best seconds of each benchmark, for the ratios at the end.
+std::map<std::string, double>& best() {
+  static std::map<std::string, double> seconds;
+  return seconds;
+}
+
+template <class Work>
+double measure(benchmark::State& state, const std::string& name, const Work& work) {
+  double& least = best().emplace(name, 1e300).first->second;
+  for (auto _ : state) {
+    const Stopwatch watch;
+    work();
+    least = std::min(least, watch.seconds());
+  }
+  return least;
+}
+
+void triad(benchmark::State& state, std::size_t n) {
+  static std::vector<double> a, b, c;
+  a.resize(n), b.assign(n, 1.0), c.assign(n, 2.0);
+  measure(state, "triad", [&] {
+    for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + 3.0 * c[i];
+    benchmark::ClobberMemory();
+  });
+  best()["bandwidth"] = 24.0 * static_cast<double>(n) / best()["triad"];
+  state.counters["GB/s"] = best()["bandwidth"] / 1e9;
+}
+
+/// The Jacobian of the wall as one matrix.
+struct Wall {
+  Teuchos::ParameterList list;
+  app::Domain domain;
+  std::unique_ptr<problems::SolidProblem> problem;
+  std::unique_ptr<linear::MergedMatrix> merged;
+
+  Wall(const std::string& case_file, const std::string& mesh) : list(params::read_xml(case_file)) {
+    list.sublist("Mesh").set("file", mesh);
+    for (const char* field : {"Fluid", "Wall"})
+      list.sublist(field).sublist("Linear Solver") =
+          Teuchos::ParameterList("Linear Solver").set("preconditioner", "none");
+    app::fsi_table().resolve(list, "", "/");
+    domain = app::load_domain(list, Tpetra::getDefaultComm());
+    problem = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), *domain.wall);
+    problem->begin_step(stepping::Clock(list.sublist("Time")));
+    problem->jacobian(problem->state());
+    merged = std::make_unique<linear::MergedMatrix>(problem->last_jacobian());
+    merged->refresh();
+  }
+
+  Teuchos::RCP<CrsMatrix> K() const { return merged->matrix(); }
+};
+
+struct Bytes {
+  double inverses = 0.0, rows = 0.0, vectors = 0.0;
+};
+
+Bytes bytes_of_sweep(const CrsMatrix& K, const multigrid::VankaPatches& patches, int per_value) {
+  const auto start = K.getLocalMatrixHost().graph.row_map;
+  Bytes bytes;
+  for (int p = 0; p < patches.n_patches(); ++p) {
+    const double n = patches.size(p);
+    std::size_t entries = 0, columns = 0;
+    for (std::size_t k = patches.start[p]; k < patches.start[p + 1]; ++k) {
+      const std::size_t length = start(patches.rows[k] + 1) - start(patches.rows[k]);
+      entries += length;
+      columns = std::max(columns, length);
+    }
+    bytes.inverses += per_value * n * n;
+    bytes.rows += 12.0 * static_cast<double>(entries);
+    bytes.vectors += 8.0 * static_cast<double>(columns) + 28.0 * n;  // x; b, x, x, row numbers
+  }
+  return bytes;
+}
+
+void sweep(benchmark::State& state, const Wall& wall, bool is_single) {
+  multigrid::VankaOptions options;
+  options.order = "forward";
+  options.is_single = is_single;
+  const auto is_pressure = multigrid::fourth_rows(*wall.K());
+  const auto smoother = multigrid::make_vanka(*wall.K(), is_pressure, options);
+  smoother->refresh();
+  Vector b(wall.K()->getRowMap()), x(b.getMap());
+  b.randomize();
+  const double seconds =
+      measure(state, is_single ? "single sweep" : "double sweep", [&] { smoother->smooth(b, x); });
+  const Bytes bytes =
+      bytes_of_sweep(*wall.K(), multigrid::make_vanka_patches(*wall.K(), is_pressure),
+                     is_single ? sizeof(float) : sizeof(double));
+  const double all = bytes.inverses + bytes.rows + bytes.vectors;
+  state.counters["MB"] = all / 1e6;
+  state.counters["MB of inverses"] = bytes.inverses / 1e6;
+  state.counters["GB/s"] = all / seconds / 1e9;
+  state.counters["share"] = all / seconds / best()["bandwidth"];
+  state.counters["share of inverses"] = bytes.inverses / seconds / best()["bandwidth"];
+}
+
+void product(benchmark::State& state, const Wall& wall) {
+  Vector x(wall.K()->getDomainMap()), y(wall.K()->getRangeMap());
+  x.randomize();
+  measure(state, "product with K", [&] { wall.K()->apply(x, y); });
+}
+
+void set_up(benchmark::State& state, const Wall& wall, bool is_single) {
+  multigrid::VankaOptions options;
+  options.is_single = is_single;
+  const auto smoother =
+      multigrid::make_vanka(*wall.K(), multigrid::fourth_rows(*wall.K()), options);
+  measure(state, is_single ? "single set-up" : "double set-up", [&] { smoother->refresh(); });
+}
+
+using BlockRelaxation = Ifpack2::BlockRelaxation<RowMatrix>;
+
+/// Ifpack2's on the same patches: what it calls Gauss-Seidel is the forward sweep.
+std::unique_ptr<BlockRelaxation> block_relaxation(const Wall& wall) {
+  const auto patches = multigrid::make_vanka_patches(*wall.K(), multigrid::fourth_rows(*wall.K()));
+  Teuchos::Array<Teuchos::ArrayRCP<int>> parts;
+  for (int p = 0; p < patches.n_patches(); ++p)
+    parts.push_back(Teuchos::arcpClone(
+        Teuchos::ArrayView<const int>(patches.rows.data() + patches.start[p], patches.size(p))));
+  Teuchos::ParameterList list;
+  list.set("relaxation: container", "Dense").set("relaxation: type", "Gauss-Seidel");
+  list.set("relaxation: zero starting solution", false);
+  list.set("partitioner: type", "user").set("partitioner: parts", parts);
+  auto relaxation = std::make_unique<BlockRelaxation>(wall.K());
+  relaxation->setParameters(list);
+  relaxation->initialize();
+  return relaxation;
+}
+
+void ifpack2_sweep(benchmark::State& state, const Wall& wall) {
+  const auto relaxation = block_relaxation(wall);
+  relaxation->compute();
+  Vector b(wall.K()->getRowMap()), x(b.getMap());
+  b.randomize();
+  measure(state, "Ifpack2 sweep", [&] { relaxation->apply(b, x); });
+}
+
+void ifpack2_set_up(benchmark::State& state, const Wall& wall) {
+  for (auto _ : state) {
+    const auto relaxation = block_relaxation(wall);  // compute() expects empty blocks
+    const Stopwatch watch;
+    relaxation->compute();
+    double& least = best().emplace("Ifpack2 set-up", 1e300).first->second;
+    least = std::min(least, watch.seconds());
+    state.SetIterationTime(watch.seconds());
+  }
+}
+
+void print_ratio(const std::string& slow, const std::string& fast) {
+  std::printf("%-15s / %-15s %6.2f\n", slow.c_str(), fast.c_str(), best()[slow] / best()[fast]);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard scope(&argc, &argv);
+  benchmark::Initialize(&argc, argv);
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: bench_vanka CASE.xml MESH\n");
+    return 1;
+  }
+  const Wall wall(argv[1], argv[2]);
+  const std::size_t n = 20'000'000;
+  using benchmark::RegisterBenchmark;
+  RegisterBenchmark("triad", triad, n)->Unit(benchmark::kMillisecond);
+  const auto add = [&](const char* name, auto function, auto... rest) {
+    return RegisterBenchmark(name, function, std::cref(wall), rest...)
+        ->Unit(benchmark::kMillisecond);
+  };
+  add("product with K", product);
+  add("forward sweep, double", sweep, false);
+  add("forward sweep, single", sweep, true);
+  add("forward sweep, Ifpack2", ifpack2_sweep);
+  add("set-up, double", set_up, false);
+  add("set-up, single", set_up, true);
+  add("set-up, Ifpack2", ifpack2_set_up)->UseManualTime();
+  benchmark::RunSpecifiedBenchmarks();
+  print_ratio("double sweep", "single sweep");
+  print_ratio("Ifpack2 sweep", "double sweep");
+  print_ratio("Ifpack2 set-up", "double set-up");
+  print_ratio("double sweep", "product with K");
+  print_ratio("double set-up", "double sweep");
+  return 0;
+}

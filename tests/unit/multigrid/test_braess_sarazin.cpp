@@ -1,0 +1,110 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "base/error.hpp"
+#include "multigrid/braess_sarazin.hpp"
+#include "multigrid/cycle.hpp"
+#include "multigrid/mixed_blocks.hpp"
+#include "unit/multigrid/wall_matrix.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::WallMatrix;
+
+double distance(const Vector& a, const Vector& b) {
+  Vector difference(a, Teuchos::Copy);
+  difference.update(-1.0, b, 1.0);
+  return difference.norm2() / b.norm2();
+}
+
+TEUCHOS_UNIT_TEST(mixed_blocks, are_those_that_were_merged) {
+  const WallMatrix wall;
+  const auto blocks = multigrid::mixed_blocks(*wall.K());
+  const fields::BlockOperator& K = wall.jacobian.K;
+  const auto x = test::scattered(wall.mesh(), 1);
+  const auto product = [](const CrsMatrix& matrix, const Vector& v) {
+    Vector result(matrix.getRangeMap());
+    matrix.apply(v, result);
+    return result;
+  };
+  TEST_COMPARE(distance(product(*blocks.B1T, *x.p), product(*K.B1T, *x.p)), <, 1e-14);
+  TEST_COMPARE(distance(product(*blocks.B2, *x.u), product(*K.B2, *x.u)), <, 1e-14);
+  TEST_COMPARE(distance(product(*blocks.mC, *x.p), product(*K.mC, *x.p)), <, 1e-14);
+  Vector diagonal(K.A->getRowMap());
+  K.A->getLocalDiagCopy(diagonal);
+  TEST_EQUALITY(distance(*blocks.diagonal, diagonal), 0.0);
+}
+
+TEUCHOS_UNIT_TEST(mixed_blocks, parts_of_vectors_come_apart_and_together) {
+  const WallMatrix wall;
+  const auto blocks = multigrid::mixed_blocks(*wall.K());
+  const Vector all = wall.scattered(2);
+  Vector u(blocks.diagonal->getMap()), p(blocks.mC->getRowMap());
+  multigrid::split(all, u, p);
+  Vector again(all, Teuchos::Copy);
+  multigrid::add(-1.0, u, p, again);
+  TEST_EQUALITY(again.norm2(), 0.0);
+}
+
+TEUCHOS_UNIT_TEST(braess_sarazin, an_exact_sweep_solves_with_the_diagonal_in_the_place_of_A) {
+  const WallMatrix wall;
+  multigrid::BraessSarazinOptions options;
+  options.schur = "direct";
+  options.damping = 0.5;
+  const multigrid::BraessSarazin smoother(*wall.K(), options);
+  const Vector b = wall.scattered(3);
+  Vector x(b.getMap());
+  smoother.smooth(b, x);
+  x.scale(1.0 / options.damping);
+  const auto blocks = multigrid::mixed_blocks(*wall.K());
+  Vector u(blocks.diagonal->getMap()), p(blocks.mC->getRowMap()), b_u(u.getMap()), b_p(p.getMap());
+  multigrid::split(x, u, p);
+  multigrid::split(b, b_u, b_p);
+  Vector r_u(u.getMap()), r_p(p.getMap());
+  r_u.elementWiseMultiply(options.scaling, *blocks.diagonal, u, 0.0);
+  blocks.B1T->apply(p, r_u, Teuchos::NO_TRANS, 1.0, 1.0);
+  blocks.B2->apply(u, r_p);
+  blocks.mC->apply(p, r_p, Teuchos::NO_TRANS, 1.0, 1.0);
+  TEST_COMPARE(distance(r_u, b_u), <, 1e-9);
+  TEST_COMPARE(distance(r_p, b_p), <, 1e-9);
+}
+
+TEUCHOS_UNIT_TEST(braess_sarazin, a_solution_stays_and_rough_inverses_of_S_come_near_it) {
+  const WallMatrix wall;
+  const Vector x = wall.scattered(4);
+  Vector b(x.getMap());
+  wall.K()->apply(x, b);
+  for (const std::string schur : {"gauss-seidel", "chebyshev", "direct"}) {
+    multigrid::BraessSarazinOptions options;
+    options.schur = schur;
+    options.sweeps = 60;
+    const multigrid::BraessSarazin smoother(*wall.K(), options);
+    Vector kept(x, Teuchos::Copy), found(x.getMap()), r(b, Teuchos::Copy);
+    smoother.smooth(b, kept);
+    TEST_COMPARE(distance(kept, x), <, 1e-10);
+    smoother.smooth(b, found);
+    wall.K()->apply(found, r, Teuchos::NO_TRANS, -1.0, 1.0);
+    out << schur << ": " << r.norm2() / b.norm2() << "\n";
+    TEST_COMPARE(r.norm2(), <, 0.3 * b.norm2());  // Chebyshev of degree 2 is the roughest
+  }
+}
+
+TEUCHOS_UNIT_TEST(braess_sarazin, slips_in_its_list_are_refused) {
+  const auto message_of = [](const std::string& key, const std::string& value) -> std::string {
+    Teuchos::ParameterList list = multigrid::mixed_cycle_list();
+    Teuchos::ParameterList& sweeps = list.sublist("Factories").sublist("Sweeps");
+    sweeps = Teuchos::ParameterList();
+    sweeps.set("factory", "NodalBraessSarazinSmoother").set(key, value);
+    try {
+      multigrid::check_cycle_list(list);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  TEST_EQUALITY(message_of("schur", "direct"), "");
+  TEST_ASSERT(message_of("schur", "exact").find("\"gauss-seidel\"") != std::string::npos);
+  TEST_ASSERT(message_of("shur", "direct").find("\"schur\"") != std::string::npos);
+}
+
+}  // namespace

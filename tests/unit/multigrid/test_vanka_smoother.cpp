@@ -1,0 +1,174 @@
+#include <MueLu_Hierarchy.hpp>
+#include <MueLu_TpetraOperator.hpp>
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "base/error.hpp"
+#include "linear/linear_solver.hpp"
+#include "multigrid/cycle.hpp"
+#include "multigrid/vanka.hpp"
+#include "multigrid/xpetra.hpp"
+#include "unit/multigrid/wall_matrix.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::WallMatrix;
+
+/// Cycles on the levels of the nodal coarsening, smoothed by Vanka.
+Teuchos::ParameterList vanka_list(double stabilisation_scaling = 1.0) {
+  Teuchos::ParameterList list = multigrid::mixed_cycle_list();
+  list.sublist("Factories").sublist("Galerkin").set("factory", "StabilisedRAPFactory");
+  list.sublist("Factories").sublist("Galerkin").set("stabilisation scaling", stabilisation_scaling);
+  list.sublist("Factories").sublist("Sweeps") = Teuchos::ParameterList();
+  list.sublist("Factories").sublist("Sweeps").set("factory", "VankaSmoother");
+  list.sublist("Hierarchy").set("coarse: max size", 30);
+  return list;
+}
+
+Teuchos::RCP<Operator> cycle(const WallMatrix& wall, const Teuchos::ParameterList& list) {
+  return multigrid::make_cycle(
+      wall.K(), Teuchos::rcp(new multigrid::NodalCoarsening(wall.jacobian.K.mC)), list);
+}
+
+/// The matrices of the levels of a cycle.
+std::vector<Teuchos::RCP<CrsMatrix>> matrices(const Teuchos::RCP<Operator>& cycle) {
+  using MueLuOperator = MueLu::TpetraOperator<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  const auto hierarchy = Teuchos::rcp_dynamic_cast<MueLuOperator>(cycle, true)->GetHierarchy();
+  std::vector<Teuchos::RCP<CrsMatrix>> all;
+  for (int level = 0; level < hierarchy->GetNumLevels(); ++level)
+    all.push_back(multigrid::unwrapped(
+        hierarchy->GetLevel(level)->Get<Teuchos::RCP<multigrid::XMatrix>>("A")));
+  return all;
+}
+
+/// Each rank on its own. MueLu asks every communicator for the one of MPI behind it.
+CommPtr myself() { return Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF)); }
+
+linear::SolveReport solve(const CommPtr& comm, const Teuchos::ParameterList& muelu) {
+  const test::SmallTube tube(comm);
+  test::WallJacobian jacobian(tube);
+  jacobian.set(0.005);
+  Teuchos::ParameterList list;
+  list.set("method", "gcr").set("preconditioner", "multigrid");
+  list.sublist("MueLu") = muelu;
+  linear::linear_solver_table().resolve(list, "Linear Solver", "");
+  const auto solver = linear::make_linear_solver(list, jacobian.K);
+  solver->matrix_changed();
+  fields::BlockVector x(tube.wall);
+  return solver->solve(test::scattered(tube.wall, 1), x, 1e-8);
+}
+
+/// What the work throws says, empty if nothing.
+template <class Work>
+std::string complaint(const Work& work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEUCHOS_UNIT_TEST(vanka_smoother, does_what_vanka_does) {
+  const WallMatrix wall;
+  auto list = vanka_list();
+  list.sublist("Factories")
+      .sublist("Sweeps")
+      .set("sweeps", 2)
+      .set("damping", 0.7)
+      .set("order", "backward")
+      .set("combine", "additive")
+      .set("precision", "single");
+  list.sublist("Hierarchy").set("max levels", 1).sublist("All").set("CoarseSolver", "Sweeps");
+  const auto M = cycle(wall, list);
+  multigrid::VankaOptions options{2, 0.7, "backward", true, true};
+  const auto vanka = multigrid::make_vanka(*wall.K(), multigrid::fourth_rows(*wall.K()), options);
+  vanka->refresh();
+  const Vector b = wall.scattered(1);
+  Vector x = wall.scattered(2), expected(b.getMap());
+  M->apply(b, x);
+  vanka->smooth(b, expected);
+  x.update(-1.0, expected, 1.0);
+  TEST_COMPARE(expected.normInf(), >, 0.0);
+  TEST_COMPARE(x.normInf(), <, 1e-12 * expected.normInf());
+}
+
+/// On four ranks each has some twenty nodes, most of them at its edge, where patches are cut.
+TEUCHOS_UNIT_TEST(vanka_smoother, cycles_solve_a_real_jacobian_in_hardly_more_steps_on_more_ranks) {
+  for (const std::string combine : {"multiplicative", "additive"}) {
+    auto list = vanka_list();
+    list.sublist("Factories").sublist("Sweeps").set("combine", combine);
+    const auto parallel = solve(test::world(), list), serial = solve(myself(), list);
+    out << combine << ": " << parallel.iterations << " iterations, alone " << serial.iterations
+        << "\n";
+    TEST_ASSERT(parallel.is_converged);
+    TEST_ASSERT(serial.is_converged);
+    TEST_COMPARE(parallel.iterations, <=, 1.5 * serial.iterations);
+  }
+}
+
+TEUCHOS_UNIT_TEST(vanka_smoother, a_wrong_word_is_refused_with_those_that_it_knows) {
+  const WallMatrix wall;
+  for (const auto& [key, word, known] : {std::tuple{"order", "foward", "\"forward\""},
+                                         std::tuple{"combine", "added", "\"additive\""},
+                                         std::tuple{"precision", "half", "\"single\""}}) {
+    auto list = vanka_list();
+    list.sublist("Factories").sublist("Sweeps").set<std::string>(key, word);
+    const std::string text = complaint([&] { cycle(wall, list); });
+    out << text << "\n";
+    TEST_INEQUALITY(text.find('"' + std::string(key) + "\" is \"" + word + '"'), std::string::npos);
+    TEST_INEQUALITY(text.find(known), std::string::npos);
+  }
+}
+
+TEUCHOS_UNIT_TEST(cycle_list, an_unknown_factory_is_named_with_those_that_are_ours) {
+  TEST_NOTHROW(multigrid::check_cycle_list(vanka_list()));
+  auto list = vanka_list();
+  list.sublist("Factories").sublist("Sweeps").set("factory", "VankaSmother");
+  const std::string text = complaint([&] { multigrid::check_cycle_list(list); });
+  for (const std::string part : {"unknown factory name : VankaSmother", "\"VankaSmoother\"",
+                                 "\"NodalPFactory\"", "\"StabilisedRAPFactory\""})
+    TEST_INEQUALITY(text.find(part), std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(cycle_list, slips_in_our_factories_are_refused_before_anything_is_set_up) {
+  auto list = vanka_list();
+  list.sublist("Factories").sublist("Sweeps").set("swept", 2);
+  TEST_INEQUALITY(complaint([&] { multigrid::check_cycle_list(list); }).find("\"swept\""),
+                  std::string::npos);
+  list = vanka_list();
+  list.sublist("Factories").sublist("Sweeps").set("order", "foward");
+  TEST_INEQUALITY(complaint([&] { multigrid::check_cycle_list(list); }).find("\"foward\""),
+                  std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(cycle_list, without_factories_it_is_refused) {
+  TEST_THROW(multigrid::check_cycle_list(Teuchos::ParameterList()), Error);
+}
+
+TEUCHOS_UNIT_TEST(stabilised_rap_factory, scales_the_stabilisation_and_nothing_else) {
+  const WallMatrix wall;
+  const auto plain = matrices(cycle(wall, vanka_list()));
+  const auto scaled = matrices(cycle(wall, vanka_list(4.0)));
+  TEST_COMPARE(plain.size(), >, 1);
+  TEST_EQUALITY(plain.size(), scaled.size());
+  double factor = 1.0;  // powers of two: exact
+  for (std::size_t level = 0; level < plain.size(); ++level, factor *= 4.0) {
+    const auto before = plain[level]->getLocalMatrixHost();
+    const auto after = scaled[level]->getLocalMatrixHost();
+    bool is_as_defined = before.nnz() == after.nnz();
+    for (int i = 0; i < before.numRows(); ++i) {
+      const auto row = before.rowConst(i), scaled_row = after.rowConst(i);
+      for (int k = 0; k < row.length; ++k) {
+        const bool is_pressure =
+            plain[level]->getRowMap()->getGlobalElement(i) % 4 == 3 &&
+            plain[level]->getColMap()->getGlobalElement(row.colidx(k)) % 4 == 3;
+        is_as_defined &= scaled_row.value(k) == (is_pressure ? factor : 1.0) * row.value(k);
+      }
+    }
+    TEST_ASSERT(fields::all_agree(*test::world(), is_as_defined));
+  }
+}
+
+}  // namespace
