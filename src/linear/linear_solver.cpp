@@ -89,7 +89,7 @@ public:
       refresh(report);
       iterate(report);
     }
-    if (!is_old_) fresh_iterations_ = last_iterations_;
+    if (!is_old_) fresh_iterations_ = report.is_converged ? last_iterations_ : -1;
     is_old_ = true;
     is_stale_ = false;
     system_->scatter(x_, x);
@@ -104,6 +104,7 @@ private:
 
   void refresh(SolveReport& report) {
     const Stopwatch watch;
+    fresh_iterations_ = -1;  // nothing to keep should the set-up fail
     system_->refresh_preconditioner();
     is_old_ = false;
     report.setup_seconds += watch.seconds();
@@ -114,9 +115,9 @@ private:
     x_.putScalar(0.0);
     KrylovOptions options = options_;
     // An old preconditioner that takes so much longer is not worth the cap of a fresh one.
-    if (is_old_)
+    if (is_stale_ && is_old_)
       options.max_iterations =
-          std::min(options.max_iterations, static_cast<int>(2.0 * limit()) + 10);
+          static_cast<int>(std::min<double>(options.max_iterations, 2.0 * limit() + 10.0));
     const KrylovResult result = solve_krylov(options, system_->matrix(), system_->preconditioner(),
                                              b_, x_, report.tolerance);
     last_iterations_ = result.iterations;
@@ -148,8 +149,9 @@ params::Table krylov_table(const SolverDefaults& defaults, bool has_restart) {
   table.integer("max iterations", 1000, params::between(1, 1e6), "cap on the iterations")
       .number(
           "refresh factor", 2.0, params::non_negative(), "1",
-          "set up a new preconditioner when a solve takes more than this times the "
-          "iterations of the first solve with it and five; 0 sets up a new one for each matrix");
+          "set up a new preconditioner after a solve of at least this times (the "
+          "iterations of the first solve with it, plus five), and at once where a solve with an "
+          "old one has not converged after twice as many; 0: a new one for each matrix");
   if (has_restart)
     table.integer("restart", 200, params::between(1, 1e6), "basis vectors between restarts");
   return table;

@@ -22,6 +22,13 @@ public:
     const int sweeps = own.get("Sweeps", 1), coarse_size = own.get("Coarse Size", 500);
     if (sweeps < 1 || coarse_size < 1)
       throw std::invalid_argument("\"Sweeps\" and \"Coarse Size\" must be at least 1.");
+    if (list.isParameter("MueLu")) {
+      if (!list.isSublist("MueLu")) throw std::invalid_argument("\"MueLu\" must be a list.");
+      if (list.isParameter("Sweeps") || list.isParameter("Coarse Size"))
+        throw std::invalid_argument(
+            "\"Sweeps\" and \"Coarse Size\" have no effect beside \"MueLu\".");
+      multigrid::check_cycle_list(own.sublist("MueLu"));
+    }
     muelu_ = own.isSublist("MueLu") ? own.sublist("MueLu")
                                     : multigrid::nodal_cycle_list(sweeps, coarse_size);
   }

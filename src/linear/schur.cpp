@@ -89,7 +89,8 @@ Vector lumped_inertia(const CrsMatrix& A) {
 ///
 ///   S⁻¹ = (α + μ a) / (a (β + τ μ a)) ≈ (a/α + τ a)⁻¹ + (1/μ + τ a)⁻¹,  β = 1 + τ α ≈ 1:
 ///
-/// two elliptic solves with the stabilisation in both ([CC88] has no C).
+/// two elliptic solves with the stabilisation in both ([CC88] has no C). The iterations hardly
+/// tell μ from μ/2, which is what the wall hands over.
 class TwoScale final : public SchurInverse {
 public:
   TwoScale(const Teuchos::RCP<const Teko::InverseFactory>& inverse,

@@ -3,8 +3,10 @@
 #include <Amesos2.hpp>
 #include <Ifpack2_Factory.hpp>
 #include <TpetraExt_MatrixMatrix.hpp>
+#include <cmath>
 #include <stdexcept>
 
+#include "base/agreement.hpp"
 #include "multigrid/mixed_blocks.hpp"
 
 namespace tunica::multigrid {
@@ -66,11 +68,14 @@ BraessSarazin::BraessSarazin(const CrsMatrix& K, const BraessSarazinOptions& opt
   Parts& parts = *parts_;
   parts.inverse_D = Teuchos::rcp(new Vector(*parts.blocks.diagonal, Teuchos::Copy));
   parts.inverse_D->scale(options.scaling);
+  std::string problem;
   {
     const auto d = parts.inverse_D->getLocalViewHost(read_only);
     for (std::size_t i = 0; i < d.extent(0); ++i)
-      if (d(i, 0) == 0.0) throw std::runtime_error("Braess-Sarazin: zero on the diagonal of A.");
+      if (!(std::abs(d(i, 0)) > 0.0)) problem = "Braess-Sarazin: no pivot on the diagonal of A.";
   }
+  problem = agreed_message(*K.getComm(), problem);
+  if (!problem.empty()) throw std::runtime_error(problem);
   parts.inverse_D->reciprocal(*parts.inverse_D);
   parts.S = schur_matrix(parts.blocks, *parts.inverse_D);
   if (options.schur != "direct") {

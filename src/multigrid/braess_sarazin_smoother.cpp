@@ -1,6 +1,7 @@
 #include "multigrid/braess_sarazin_smoother.hpp"
 
 #include "multigrid/chosen_word.hpp"
+#include "multigrid/mixed_blocks.hpp"
 
 namespace tunica::multigrid {
 
@@ -14,6 +15,12 @@ BraessSarazinOptions options_of(const Teuchos::ParameterList& list) {
   options.schur = chosen_word("NodalBraessSarazinSmoother", list, "schur",
                               {"gauss-seidel", "chebyshev", "direct"});
   options.schur_sweeps = list.get<int>("schur sweeps");
+  const bool is_valid = options.sweeps > 0 && options.schur_sweeps > 0 && options.scaling > 0.0 &&
+                        options.damping > 0.0;
+  if (!is_valid)
+    throw std::invalid_argument(
+        "NodalBraessSarazinSmoother: \"sweeps\", \"schur sweeps\", \"scaling\" and \"damping\" "
+        "must be positive.");
   return options;
 }
 
@@ -42,6 +49,7 @@ void NodalBraessSarazinSmoother::SetParameterList(const Teuchos::ParameterList& 
 
 void NodalBraessSarazinSmoother::Setup(MueLu::Level& level) {
   K_ = unwrapped(this->Get<Teuchos::RCP<XMatrix>>(level, "A"));
+  check_mixed(*K_);
   smoother_ = std::make_shared<BraessSarazin>(*K_, options_of(this->GetParameterList()));
   this->IsSetup(true);
 }

@@ -53,6 +53,7 @@ public:
     if (name == "VankaSmoother") return smoother(built<VankaSmoother>(list, factories, managers));
     if (name != "NodalPFactory") return FactoryFactory::BuildFactory(entry, factories, managers);
     const auto factory = Teuchos::rcp(new NodalPFactory(coarsening_));
+    check_keys(list, *factory);
     if (list.isParameter("A"))
       factory->SetFactory("A", BuildFactory(list.getEntry("A"), factories, managers));
     return factory;

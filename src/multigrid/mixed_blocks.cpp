@@ -1,6 +1,10 @@
 #include "multigrid/mixed_blocks.hpp"
 
+#include <stdexcept>
+#include <string>
 #include <vector>
+
+#include "base/agreement.hpp"
 
 namespace tunica::multigrid {
 
@@ -47,6 +51,18 @@ Teuchos::RCP<CrsMatrix> block(const CrsMatrix& K, bool has_pressure_rows, bool h
 }
 
 }  // namespace
+
+void check_mixed(const CrsMatrix& K) {
+  const Map& rows = *K.getRowMap();
+  const std::size_t n = rows.getNodeNumElements();
+  bool is_mixed = n % 4 == 0;
+  for (std::size_t i = 0; is_mixed && i < n; ++i)
+    is_mixed = rows.getGlobalElement(static_cast<int>(i)) % 4 == static_cast<int>(i % 4);
+  const std::string problem =
+      agreed_message(*rows.getComm(),
+                     is_mixed ? "" : "a smoother for mixed matrices needs four unknowns per node");
+  if (!problem.empty()) throw std::runtime_error(problem);
+}
 
 MixedBlocks mixed_blocks(const CrsMatrix& K) {
   const auto u = block_map(*K.getRowMap(), false), p = block_map(*K.getRowMap(), true);

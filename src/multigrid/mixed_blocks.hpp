@@ -10,6 +10,10 @@ struct MixedBlocks {
   Teuchos::RCP<Vector> diagonal;        ///< of A
 };
 
+/// Throws std::runtime_error on all ranks where the rows are not whole nodes of four unknowns.
+/// Collective.
+void check_mixed(const CrsMatrix& K);
+
 /// Collective.
 MixedBlocks mixed_blocks(const CrsMatrix& K);
 

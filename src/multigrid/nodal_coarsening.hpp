@@ -10,7 +10,7 @@ namespace tunica::multigrid {
 /// independent set becomes the next level, and every other node takes the mean of its
 /// neighbours in it. All blocks of a field share the nodes, so that each level keeps the
 /// pairing of one pressure and three vector components. Depends on the graph alone: made once
-/// per mesh, level by level as they are asked for.
+/// per solver, level by level as they are asked for.
 class NodalCoarsening {
 public:
   /// nodes: square, with one row per node and an entry on the diagonal; its values are ignored.

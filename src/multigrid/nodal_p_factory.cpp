@@ -16,7 +16,11 @@ void NodalPFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   const auto A = Get<Teuchos::RCP<XMatrix>>(fine, "A");
   const int level = fine.GetLevelID();
   const long long n_rows = static_cast<long long>(A->getGlobalNumRows());
-  const int dofs = static_cast<int>(n_rows / coarsening_->n_nodes(level));
+  const long long n_nodes = coarsening_->n_nodes(level);
+  if (n_rows % n_nodes != 0)
+    throw std::runtime_error("NodalPFactory: " + std::to_string(n_rows) + " rows for " +
+                             std::to_string(n_nodes) + " nodes.");
+  const int dofs = static_cast<int>(n_rows / n_nodes);
   // Xpetra asks for a matrix it may change; MueLu leaves prolongators alone.
   const auto P = Teuchos::rcp_const_cast<CrsMatrix>(coarsening_->prolongator(level, dofs));
   Set(coarse, "P", wrapped(P));

@@ -1,5 +1,6 @@
 #include "multigrid/stabilised_rap_factory.hpp"
 
+#include "multigrid/mixed_blocks.hpp"
 #include "multigrid/xpetra.hpp"
 
 namespace tunica::multigrid {
@@ -37,7 +38,8 @@ void StabilisedRapFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const
   Galerkin::Build(fine, coarse);
   const double factor = GetParameterList().get<double>("stabilisation scaling");
   if (factor == 1.0) return;
-  const auto K = Get<Teuchos::RCP<XMatrix>>(coarse, "A");
+  const auto K = coarse.Get<Teuchos::RCP<XMatrix>>("A", this);
+  check_mixed(*unwrapped(K));
   scale_stabilisation(*unwrapped(K), factor);
 }
 

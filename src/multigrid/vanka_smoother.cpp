@@ -1,6 +1,7 @@
 #include "multigrid/vanka_smoother.hpp"
 
 #include "multigrid/chosen_word.hpp"
+#include "multigrid/mixed_blocks.hpp"
 
 namespace tunica::multigrid {
 
@@ -18,6 +19,8 @@ VankaOptions options_of(const Teuchos::ParameterList& list) {
   options.order = choice(list, "order", {"forward", "backward", "symmetric"});
   options.is_additive = choice(list, "combine", {"multiplicative", "additive"}) == "additive";
   options.is_single = choice(list, "precision", {"double", "single"}) == "single";
+  if (options.sweeps < 1 || !(options.damping > 0.0))
+    throw std::invalid_argument("VankaSmoother: \"sweeps\" and \"damping\" must be positive.");
   return options;
 }
 
@@ -43,6 +46,7 @@ void VankaSmoother::DeclareInput(MueLu::Level& level) const { this->Input(level,
 
 void VankaSmoother::Setup(MueLu::Level& level) {
   K_ = unwrapped(this->Get<Teuchos::RCP<XMatrix>>(level, "A"));
+  check_mixed(*K_);
   vanka_ = make_vanka(*K_, fourth_rows(*K_), options_of(this->GetParameterList()));
   vanka_->refresh();
   this->IsSetup(true);

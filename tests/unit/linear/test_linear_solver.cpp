@@ -171,6 +171,39 @@ void clear_row(const fields::BlockOperator& K, GlobalOrdinal number) {
   }
 }
 
+TEUCHOS_UNIT_TEST(linear_solver, a_huge_refresh_factor_keeps_the_first_set_up) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  auto list = resolved({{"method", "gcr"}});
+  list.set("refresh factor", 1e12);
+  const auto solver = linear::make_linear_solver(list, jacobian.K);
+  fields::BlockVector x(tube.wall);
+  solver->matrix_changed();
+  TEST_ASSERT(solver->solve(b, x, 1e-8).setup_seconds > 0.0);
+  jacobian.set(0.005);
+  solver->matrix_changed();
+  const auto report = solver->solve(b, x, 1e-8);
+  TEST_ASSERT(report.is_converged);
+  TEST_EQUALITY(report.setup_seconds, 0.0);
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, a_set_up_that_failed_is_not_kept) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto b = test::scattered(tube.wall, 1);
+  auto list = resolved({{"method", "gcr"}}, {{"max iterations", 2}});
+  const auto solver = linear::make_linear_solver(list, jacobian.K);
+  fields::BlockVector x(tube.wall);
+  for (int k = 0; k < 2; ++k) {
+    solver->matrix_changed();
+    const auto report = solver->solve(b, x, 1e-12);
+    TEST_ASSERT(!report.is_converged);
+    TEST_EQUALITY(report.iterations, 2);
+    TEST_ASSERT(report.setup_seconds > 0.0);
+  }
+}
+
 TEUCHOS_UNIT_TEST(linear_solver, an_equation_without_unknowns_is_reported_with_what_remains) {
   const SmallTube tube;
   const test::WallJacobian jacobian(tube);

@@ -17,6 +17,18 @@ double distance(const Vector& a, const Vector& b) {
   return difference.norm2() / b.norm2();
 }
 
+/// A copy whose first row, which is one of the first rank, has no entry but zeros.
+CrsMatrix zero_on_one_rank(const WallMatrix& wall) {
+  CrsMatrix K(*wall.K(), Teuchos::Copy);
+  K.resumeFill();
+  if (K.getRowMap()->getComm()->getRank() == 0) {
+    auto row = K.getLocalMatrixHost().row(0);
+    for (int k = 0; k < row.length; ++k) row.value(k) = 0.0;
+  }
+  K.fillComplete(K.getDomainMap(), K.getRangeMap());
+  return K;
+}
+
 TEUCHOS_UNIT_TEST(mixed_blocks, are_those_that_were_merged) {
   const WallMatrix wall;
   const auto blocks = multigrid::mixed_blocks(*wall.K());
@@ -33,6 +45,17 @@ TEUCHOS_UNIT_TEST(mixed_blocks, are_those_that_were_merged) {
   Vector diagonal(K.A->getRowMap());
   K.A->getLocalDiagCopy(diagonal);
   TEST_EQUALITY(distance(*blocks.diagonal, diagonal), 0.0);
+}
+
+TEUCHOS_UNIT_TEST(mixed_blocks, rows_that_are_no_whole_nodes_are_refused) {
+  const WallMatrix wall;
+  multigrid::check_mixed(*wall.K());
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const Teuchos::RCP<const Map> threes = Teuchos::rcp(new Map(unknown, 3, 0, test::world()));
+  CrsMatrix empty(threes, 0);
+  empty.fillComplete();
+  TEST_THROW(multigrid::check_mixed(empty), std::runtime_error);
+  TEST_THROW(multigrid::BraessSarazin(zero_on_one_rank(wall), {}), std::runtime_error);
 }
 
 TEUCHOS_UNIT_TEST(mixed_blocks, parts_of_vectors_come_apart_and_together) {
