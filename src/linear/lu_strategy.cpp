@@ -9,8 +9,8 @@
 #include <Teko_PreconditionerFactory.hpp>
 
 #include "linear/inverse_sum.hpp"
-#include "linear/known_keys.hpp"
 #include "linear/schur.hpp"
+#include "params/known_keys.hpp"
 
 namespace tunica::linear {
 
@@ -27,8 +27,9 @@ public:
         own.get<std::string>("Inverse Velocity Type", "Amesos2"));
     schur_ =
         Teuchos::rcp(make_schur_inverse(own, *getInverseLibrary(), getRequestHandler()).release());
-    check_keys(own, {"Type", "Inverse Velocity Type", "Schur Complement", "Inverse Schur Type",
-                     "Inverse Mass Type", "Stabilisation", "Convection", "Theta Factor"});
+    params::check_keys(own,
+                       {"Type", "Inverse Velocity Type", "Schur Complement", "Inverse Schur Type",
+                        "Inverse Mass Type", "Stabilisation", "Convection", "Theta Factor"});
   }
 
   Teko::LinearOp buildPreconditionerOperator(Teko::BlockedLinearOp& K,

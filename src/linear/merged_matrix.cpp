@@ -1,20 +1,8 @@
 #include "linear/merged_matrix.hpp"
 
+#include "multigrid/expanded_map.hpp"
+
 namespace tunica::linear {
-
-namespace {
-
-Teuchos::RCP<const Map> merged_map(const Map& nodes) {
-  std::vector<GlobalOrdinal> dofs;
-  dofs.reserve(4 * nodes.getNodeNumElements());
-  for (std::size_t a = 0; a < nodes.getNodeNumElements(); ++a)
-    for (int c = 0; c < 4; ++c)
-      dofs.push_back(4 * nodes.getGlobalElement(static_cast<LocalOrdinal>(a)) + c);
-  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(dofs), 0, nodes.getComm()));
-}
-
-}  // namespace
 
 MergedMatrix::MergedMatrix(const fields::BlockOperator& K) : K_(&K) {
   using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
@@ -32,9 +20,9 @@ MergedMatrix::MergedMatrix(const fields::BlockOperator& K) : K_(&K) {
         for (int d = 0; d < 4; ++d) columns(next++) = 4 * graph.columns[k] + d;
       row_start(4 * a + c + 1) = next;
     }
-  const auto rows = merged_map(*mesh.node_map);
-  matrix_ =
-      Teuchos::rcp(new CrsMatrix(rows, merged_map(*mesh.ghosted_map), row_start, columns, values));
+  const auto rows = multigrid::expanded_map(*mesh.node_map, 4);
+  matrix_ = Teuchos::rcp(new CrsMatrix(rows, multigrid::expanded_map(*mesh.ghosted_map, 4),
+                                       row_start, columns, values));
   matrix_->expertStaticFillComplete(rows, rows);
 }
 

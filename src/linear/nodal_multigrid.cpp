@@ -6,9 +6,9 @@
 #include <Teko_RequestHandler.hpp>
 #include <stdexcept>
 
-#include "linear/known_keys.hpp"
 #include "linear/thyra_operator.hpp"
 #include "multigrid/cycle.hpp"
+#include "params/known_keys.hpp"
 
 namespace tunica::linear {
 
@@ -17,7 +17,7 @@ namespace {
 class NodalMultigrid : public Teko::PreconditionerFactory {
 public:
   void initializeFromParameterList(const Teuchos::ParameterList& list) override {
-    check_keys(list, {"Type", "Sweeps", "Coarse Size", "MueLu"});
+    params::check_keys(list, {"Type", "Sweeps", "Coarse Size", "MueLu"});
     Teuchos::ParameterList own(list);
     const int sweeps = own.get("Sweeps", 1), coarse_size = own.get("Coarse Size", 500);
     if (sweeps < 1 || coarse_size < 1)

@@ -10,6 +10,7 @@
 
 #include "linear/inverse_sum.hpp"
 #include "linear/thyra_operator.hpp"
+#include "multigrid/schur_matrix.hpp"
 
 namespace tunica::linear {
 
@@ -31,13 +32,9 @@ Teko::LinearOp invert(const Teko::InverseFactory& factory, const Teko::LinearOp&
 
 /// C + B2 D⁻¹ B1ᵀ.
 Teuchos::RCP<CrsMatrix> schur_matrix(const Teko::BlockedLinearOp& K, Vector D) {
-  const auto B2 = matrix_of(Teko::getBlock(1, 0, K)), mC = matrix_of(Teko::getBlock(1, 1, K));
-  CrsMatrix scaled(*matrix_of(Teko::getBlock(0, 1, K)), Teuchos::Copy);
+  const auto block = [&K](int i, int j) { return matrix_of(Teko::getBlock(i, j, K)); };
   D.reciprocal(D);
-  scaled.leftScale(D);
-  CrsMatrix product(B2->getRowMap(), 0);
-  Tpetra::MatrixMatrix::Multiply(*B2, false, scaled, false, product);
-  return sum(1.0, product, -1.0, *mC);
+  return multigrid::schur_matrix(*block(0, 1), *block(1, 0), *block(1, 1), D);
 }
 
 Vector diagonal_of(const CrsMatrix& A) {

@@ -2,12 +2,12 @@
 
 #include <Amesos2.hpp>
 #include <Ifpack2_Factory.hpp>
-#include <TpetraExt_MatrixMatrix.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "base/agreement.hpp"
 #include "multigrid/mixed_blocks.hpp"
+#include "multigrid/schur_matrix.hpp"
 
 namespace tunica::multigrid {
 
@@ -15,16 +15,6 @@ namespace {
 
 using Relaxation = Ifpack2::Preconditioner<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 using Direct = Amesos2::Solver<CrsMatrix, MultiVector>;
-
-/// C + B2 D⁻¹ B1ᵀ.
-Teuchos::RCP<CrsMatrix> schur_matrix(const MixedBlocks& blocks, const Vector& inverse_D) {
-  CrsMatrix scaled(*blocks.B1T, Teuchos::Copy);
-  scaled.leftScale(inverse_D);
-  CrsMatrix product(blocks.B2->getRowMap(), 0);
-  Tpetra::MatrixMatrix::Multiply(*blocks.B2, false, scaled, false, product);
-  return Tpetra::MatrixMatrix::add(1.0, false, product, -1.0, false, *blocks.mC,
-                                   blocks.mC->getDomainMap(), blocks.mC->getRangeMap());
-}
 
 Teuchos::RCP<Relaxation> relaxation(const Teuchos::RCP<const CrsMatrix>& S,
                                     const BraessSarazinOptions& options) {
@@ -77,7 +67,7 @@ BraessSarazin::BraessSarazin(const CrsMatrix& K, const BraessSarazinOptions& opt
   problem = agreed_message(*K.getComm(), problem);
   if (!problem.empty()) throw std::runtime_error(problem);
   parts.inverse_D->reciprocal(*parts.inverse_D);
-  parts.S = schur_matrix(parts.blocks, *parts.inverse_D);
+  parts.S = schur_matrix(*parts.blocks.B1T, *parts.blocks.B2, *parts.blocks.mC, *parts.inverse_D);
   if (options.schur != "direct") {
     parts.rough = relaxation(parts.S, options);
     return;
@@ -92,12 +82,11 @@ void BraessSarazin::smooth(const MultiVector& b, MultiVector& x) const {
   const Parts& parts = *parts_;
   const auto u_map = parts.blocks.diagonal->getMap(), p_map = parts.blocks.mC->getRowMap();
   MultiVector r(b.getMap(), 1);
-  Vector r_u(u_map), r_p(p_map), q(p_map);
+  Vector r_u(u_map), u(u_map), r_p(p_map), q(p_map);
   for (int sweep = 0; sweep < parts.options.sweeps; ++sweep) {
     parts.K->apply(x, r);
     r.update(1.0, b, -1.0);
     split(r, r_u, r_p);
-    Vector u(u_map);
     u.elementWiseMultiply(1.0, *parts.inverse_D, r_u, 0.0);
     parts.blocks.B2->apply(u, r_p, Teuchos::NO_TRANS, 1.0, -1.0);  // B2 Ã⁻¹ r_u − r_p
     q.putScalar(0.0);

@@ -1,7 +1,6 @@
 #include "multigrid/braess_sarazin_smoother.hpp"
 
 #include "multigrid/chosen_word.hpp"
-#include "multigrid/mixed_blocks.hpp"
 
 namespace tunica::multigrid {
 
@@ -38,25 +37,17 @@ Teuchos::RCP<const Teuchos::ParameterList> NodalBraessSarazinSmoother::GetValidP
   return list;
 }
 
-void NodalBraessSarazinSmoother::DeclareInput(MueLu::Level& level) const {
-  this->Input(level, "A");
+void NodalBraessSarazinSmoother::check(const Teuchos::ParameterList& list) const {
+  options_of(list);
 }
 
-void NodalBraessSarazinSmoother::SetParameterList(const Teuchos::ParameterList& list) {
-  SmootherPrototype::SetParameterList(list);
-  options_of(GetParameterList());
+void NodalBraessSarazinSmoother::set_up(const ::tunica::CrsMatrix& K) {
+  smoother_ = std::make_shared<BraessSarazin>(K, options_of(GetParameterList()));
 }
 
-void NodalBraessSarazinSmoother::Setup(MueLu::Level& level) {
-  K_ = unwrapped(this->Get<Teuchos::RCP<XMatrix>>(level, "A"));
-  check_mixed(*K_);
-  smoother_ = std::make_shared<BraessSarazin>(*K_, options_of(this->GetParameterList()));
-  this->IsSetup(true);
-}
-
-void NodalBraessSarazinSmoother::Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const {
-  if (is_zero) x.putScalar(0.0);
-  smoother_->smooth(*unwrapped(b), *unwrapped(x));
+void NodalBraessSarazinSmoother::smooth(const ::tunica::MultiVector& b,
+                                        ::tunica::MultiVector& x) const {
+  smoother_->smooth(b, x);
 }
 
 Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>>
@@ -65,7 +56,7 @@ NodalBraessSarazinSmoother::Copy() const {
 }
 
 std::size_t NodalBraessSarazinSmoother::getNodeSmootherComplexity() const {
-  return K_->getNodeNumEntries();
+  return K().getNodeNumEntries();
 }
 
 }  // namespace tunica::multigrid

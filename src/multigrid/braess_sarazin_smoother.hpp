@@ -1,9 +1,8 @@
 #pragma once
-#include <MueLu_SmootherPrototype.hpp>
 #include <memory>
 
 #include "multigrid/braess_sarazin.hpp"
-#include "multigrid/xpetra.hpp"
+#include "multigrid/mixed_smoother.hpp"
 
 namespace tunica::multigrid {
 
@@ -11,21 +10,18 @@ namespace tunica::multigrid {
 /// pressure last (MueLu's own "BraessSarazinSmoother" wants a blocked matrix). Its keys: "sweeps"
 /// (1), "scaling" (2.0), "damping" (1.0), "schur" ("gauss-seidel", "chebyshev", "direct"),
 /// "schur sweeps" (2).
-class NodalBraessSarazinSmoother
-    : public MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node> {
+class NodalBraessSarazinSmoother : public MixedSmoother {
 public:
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
-  /// Throws std::invalid_argument for a word that it does not know.
-  void SetParameterList(const Teuchos::ParameterList& list) override;
-  void DeclareInput(MueLu::Level& level) const override;
-  void Setup(MueLu::Level& level) override;
-  void Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const override;
   Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>> Copy()
       const override;
   std::size_t getNodeSmootherComplexity() const override;
 
 private:
-  Teuchos::RCP<const ::tunica::CrsMatrix> K_;  // MueLu's base has a name of its own
+  void check(const Teuchos::ParameterList& list) const override;
+  void set_up(const ::tunica::CrsMatrix& K) override;
+  void smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const override;
+
   std::shared_ptr<BraessSarazin> smoother_;
 };
 

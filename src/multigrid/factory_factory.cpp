@@ -6,7 +6,7 @@
 #include "multigrid/nodal_p_factory.hpp"
 #include "multigrid/stabilised_rap_factory.hpp"
 #include "multigrid/vanka_smoother.hpp"
-#include "params/nearest.hpp"
+#include "params/known_keys.hpp"
 
 namespace tunica::multigrid {
 
@@ -24,13 +24,11 @@ Teuchos::RCP<const MueLu::FactoryBase> smoother(
 
 /// MueLu passes over what a factory does not know.
 void check_keys(const Teuchos::ParameterList& list, const MueLu::Factory& factory) {
-  const auto known = factory.GetValidParameterList();
-  std::vector<std::string> names;
-  for (const auto& item : *known) names.push_back(item.first);
-  for (const auto& item : list)
-    if (item.first != "factory" && !known->isParameter(item.first))
-      throw std::invalid_argument(list.get<std::string>("factory") + ": unknown key \"" +
-                                  item.first + "\". " + params::did_you_mean(item.first, names));
+  const auto valid = factory.GetValidParameterList();
+  std::vector<std::string> known{"factory"};
+  for (const auto& item : *valid) known.push_back(item.first);
+  params::check_keys(list, known,
+                     list.isParameter("factory") ? list.get<std::string>("factory") : "");
 }
 
 class OurFactories final : public FactoryFactory {

@@ -50,13 +50,17 @@ Vector rows_of(const CrsMatrix& nodes, const Vector& columns) {
 
 }  // namespace
 
-Vector on_columns(const CrsMatrix& matrix, const Vector& rows) {
-  Vector columns(matrix.getColMap());
+void fetch_columns(const CrsMatrix& matrix, const MultiVector& rows, MultiVector& columns) {
   const auto importer = matrix.getGraph()->getImporter();
   if (importer.is_null())
     columns.assign(rows);
   else
     columns.doImport(rows, *importer, insert);
+}
+
+Vector on_columns(const CrsMatrix& matrix, const Vector& rows) {
+  Vector columns(matrix.getColMap());
+  fetch_columns(matrix, rows, columns);
   return columns;
 }
 

@@ -5,7 +5,10 @@
 
 namespace tunica::multigrid {
 
-/// The values of a vector on the rows of a matrix, at its columns (own and ghost). Collective.
+/// Takes the values of a vector on the rows of a matrix to its columns, own and ghost.
+/// Collective.
+void fetch_columns(const CrsMatrix& matrix, const MultiVector& rows, MultiVector& columns);
+/// The same into a new vector.
 Vector on_columns(const CrsMatrix& matrix, const Vector& rows);
 
 /// A maximal independent set of the graph of a square matrix, one flag per local column: no two

@@ -2,6 +2,7 @@
 
 #include <TpetraExt_MatrixMatrix.hpp>
 
+#include "multigrid/expanded_map.hpp"
 #include "multigrid/independent_set.hpp"
 
 namespace tunica::multigrid {
@@ -74,20 +75,10 @@ Teuchos::RCP<const CrsMatrix> coarse_graph(const CrsMatrix& nodes, const CrsMatr
   return PtGP;
 }
 
-Teuchos::RCP<const Map> expanded(const Map& nodes, int dofs) {
-  std::vector<GlobalOrdinal> numbers;
-  numbers.reserve(dofs * nodes.getNodeNumElements());
-  for (std::size_t a = 0; a < nodes.getNodeNumElements(); ++a)
-    for (int i = 0; i < dofs; ++i)
-      numbers.push_back(dofs * nodes.getGlobalElement(static_cast<LocalOrdinal>(a)) + i);
-  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(numbers), 0, nodes.getComm()));
-}
-
 /// P ⊗ I.
 Teuchos::RCP<const CrsMatrix> expanded(const CrsMatrix& P, int dofs) {
   const auto result =
-      Teuchos::rcp(new CrsMatrix(expanded(*P.getRowMap(), dofs), P.getNodeMaxNumRowEntries()));
+      Teuchos::rcp(new CrsMatrix(expanded_map(*P.getRowMap(), dofs), P.getNodeMaxNumRowEntries()));
   const auto local = P.getLocalMatrixHost();
   std::vector<GlobalOrdinal> columns;
   for (int a = 0; a < local.numRows(); ++a) {
@@ -102,7 +93,7 @@ Teuchos::RCP<const CrsMatrix> expanded(const CrsMatrix& P, int dofs) {
                                  Teuchos::arrayViewFromVector(values));
     }
   }
-  result->fillComplete(expanded(*P.getDomainMap(), dofs), result->getRowMap());
+  result->fillComplete(expanded_map(*P.getDomainMap(), dofs), result->getRowMap());
   return result;
 }
 

@@ -119,12 +119,8 @@ public:
 
   void smooth(const MultiVector& b, MultiVector& x) const override {
     MultiVector all(K_->getColMap(), 1);  // own and ghost values
-    const auto importer = K_->getGraph()->getImporter();
     for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
-      if (importer.is_null())
-        all.assign(x);
-      else
-        all.doImport(x, *importer, insert);
+      fetch_columns(*K_, x, all);
       const auto rhs = b.getLocalViewHost(read_only);
       {
         const auto inside = all.getLocalViewHost(read_write);

@@ -1,7 +1,6 @@
 #include "multigrid/vanka_smoother.hpp"
 
 #include "multigrid/chosen_word.hpp"
-#include "multigrid/mixed_blocks.hpp"
 
 namespace tunica::multigrid {
 
@@ -37,24 +36,15 @@ Teuchos::RCP<const Teuchos::ParameterList> VankaSmoother::GetValidParameterList(
   return list;
 }
 
-void VankaSmoother::SetParameterList(const Teuchos::ParameterList& list) {
-  SmootherPrototype::SetParameterList(list);
-  options_of(GetParameterList());
-}
+void VankaSmoother::check(const Teuchos::ParameterList& list) const { options_of(list); }
 
-void VankaSmoother::DeclareInput(MueLu::Level& level) const { this->Input(level, "A"); }
-
-void VankaSmoother::Setup(MueLu::Level& level) {
-  K_ = unwrapped(this->Get<Teuchos::RCP<XMatrix>>(level, "A"));
-  check_mixed(*K_);
-  vanka_ = make_vanka(*K_, fourth_rows(*K_), options_of(this->GetParameterList()));
+void VankaSmoother::set_up(const ::tunica::CrsMatrix& K) {
+  vanka_ = make_vanka(K, fourth_rows(K), options_of(GetParameterList()));
   vanka_->refresh();
-  this->IsSetup(true);
 }
 
-void VankaSmoother::Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const {
-  if (is_zero) x.putScalar(0.0);
-  vanka_->smooth(*unwrapped(b), *unwrapped(x));
+void VankaSmoother::smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const {
+  vanka_->smooth(b, x);
 }
 
 Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>>

@@ -1,28 +1,26 @@
 #pragma once
-#include <MueLu_SmootherPrototype.hpp>
+#include <memory>
 
+#include "multigrid/mixed_smoother.hpp"
 #include "multigrid/vanka.hpp"
-#include "multigrid/xpetra.hpp"
 
 namespace tunica::multigrid {
 
 /// "VankaSmoother" of a MueLu list, for matrices with the unknowns 4*node + i, the pressure last.
 /// Its keys: "sweeps" (1), "damping" (1.0), "order" ("forward", "backward", "symmetric"),
 /// "combine" ("multiplicative", "additive"), "precision" ("double", "single").
-class VankaSmoother : public MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node> {
+class VankaSmoother : public MixedSmoother {
 public:
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
-  /// Throws std::invalid_argument for a word that it does not know.
-  void SetParameterList(const Teuchos::ParameterList& list) override;
-  void DeclareInput(MueLu::Level& level) const override;
-  void Setup(MueLu::Level& level) override;
-  void Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const override;
   Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>> Copy()
       const override;
   std::size_t getNodeSmootherComplexity() const override;
 
 private:
-  Teuchos::RCP<const ::tunica::CrsMatrix> K_;  // MueLu's base has a name of its own
+  void check(const Teuchos::ParameterList& list) const override;
+  void set_up(const ::tunica::CrsMatrix& K) override;
+  void smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const override;
+
   std::shared_ptr<Vanka> vanka_;
 };
 

@@ -1,0 +1,13 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+#include <vector>
+
+namespace tunica::params {
+
+/// For lists that another package hands over as the user wrote them: a key outside the known ones
+/// is a slip. Throws std::invalid_argument, which begins with the owner and names the nearest.
+void check_keys(const Teuchos::ParameterList& list, const std::vector<std::string>& known,
+                const std::string& owner = "");
+
+}  // namespace tunica::params
