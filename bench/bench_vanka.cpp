@@ -104,7 +104,7 @@ void sweep(benchmark::State& state, const Wall& wall, bool is_single) {
   multigrid::VankaOptions options;
   options.order = "forward";
   options.is_single = is_single;
-  const auto is_pressure = multigrid::fourth_rows(*wall.K());
+  const auto is_pressure = multigrid::scalar_rows(*wall.K(), {});
   const auto smoother = multigrid::make_vanka(*wall.K(), is_pressure, options);
   smoother->refresh();
   Vector b(wall.K()->getRowMap()), x(b.getMap());
@@ -132,7 +132,7 @@ void set_up(benchmark::State& state, const Wall& wall, bool is_single) {
   multigrid::VankaOptions options;
   options.is_single = is_single;
   const auto smoother =
-      multigrid::make_vanka(*wall.K(), multigrid::fourth_rows(*wall.K()), options);
+      multigrid::make_vanka(*wall.K(), multigrid::scalar_rows(*wall.K(), {}), options);
   measure(state, is_single ? "single set-up" : "double set-up", [&] { smoother->refresh(); });
 }
 
@@ -140,7 +140,7 @@ using BlockRelaxation = Ifpack2::BlockRelaxation<RowMatrix>;
 
 /// Ifpack2's on the same patches: what it calls Gauss-Seidel is the forward sweep.
 std::unique_ptr<BlockRelaxation> block_relaxation(const Wall& wall) {
-  const auto patches = multigrid::make_vanka_patches(*wall.K(), multigrid::fourth_rows(*wall.K()));
+  const auto patches = multigrid::make_vanka_patches(*wall.K(), multigrid::scalar_rows(*wall.K(), {}));
   Teuchos::Array<Teuchos::ArrayRCP<int>> parts;
   for (int p = 0; p < patches.n_patches(); ++p)
     parts.push_back(Teuchos::arcpClone(

@@ -60,9 +60,15 @@ BlockOperator::BlockOperator(const FieldMesh& mesh) : mesh_(&mesh), graph_(make_
   B1T = make_matrix(graph_, mesh, 3, 1);
   B2 = make_matrix(graph_, mesh, 1, 3);
   mC = make_matrix(graph_, mesh, 1, 1);
+  const auto order = Teuchos::rcp(new Vector(mesh.node_map));
+  {
+    const auto numbers = order->getLocalViewHost(overwrite_all);
+    for (int a = 0; a < mesh.n_owned; ++a) numbers(a, 0) = mesh.vertex[a];
+  }
+  vectors = scalars = {mC, order};
 }
 
-void BlockOperator::apply(const BlockVector& x, BlockVector& y) const {
+void BlockMatrices::apply(const BlockVector& x, BlockVector& y) const {
   A->apply(*x.u, *y.u);
   B1T->apply(*x.p, *y.u, Teuchos::NO_TRANS, 1.0, 1.0);
   B2->apply(*x.u, *y.p);

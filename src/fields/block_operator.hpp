@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "base/types.hpp"
-#include "fields/block_vector.hpp"
+#include "fields/block_matrices.hpp"
 #include "fields/field_mesh.hpp"
 
 namespace tunica::fields {
@@ -17,23 +17,14 @@ struct NodeGraph {
 };
 NodeGraph make_node_graph(const FieldMesh& mesh);
 
-/// The Jacobian of a field,
-///
-///   K = [ A   B1ᵀ ]
-///       [ B2  −C  ]
-///
-/// as four matrices on static graphs that share one node graph. mC holds −C. Values are
+/// The Jacobian of a field: four matrices on static graphs that share one node graph. Values are
 /// written in place by assembly/.
-class BlockOperator {
+class BlockOperator : public BlockMatrices {
 public:
   explicit BlockOperator(const FieldMesh& mesh);
 
-  Teuchos::RCP<CrsMatrix> A, B1T, B2, mC;
   const FieldMesh& mesh() const { return *mesh_; }
   const NodeGraph& graph() const { return graph_; }
-
-  /// y = K x.
-  void apply(const BlockVector& x, BlockVector& y) const;
 
 private:
   const FieldMesh* mesh_;

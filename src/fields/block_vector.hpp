@@ -10,9 +10,10 @@ struct BlockVector {
   Teuchos::RCP<Vector> p;  ///< pressure, node
 
   BlockVector() = default;
-  /// Zero vectors on the field's maps.
-  explicit BlockVector(const FieldMesh& mesh)
-      : u(Teuchos::rcp(new Vector(mesh.vector_map))), p(Teuchos::rcp(new Vector(mesh.node_map))) {}
+  /// Zero vectors.
+  BlockVector(const Teuchos::RCP<const Map>& vector_map, const Teuchos::RCP<const Map>& scalar_map)
+      : u(Teuchos::rcp(new Vector(vector_map))), p(Teuchos::rcp(new Vector(scalar_map))) {}
+  explicit BlockVector(const FieldMesh& mesh) : BlockVector(mesh.vector_map, mesh.node_map) {}
 
   void assign(const BlockVector& other) {
     u->assign(*other.u);

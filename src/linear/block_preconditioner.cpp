@@ -23,7 +23,7 @@
 #include "linear/lu_strategy.hpp"
 #include "linear/nodal_multigrid.hpp"
 #include "linear/thyra_operator.hpp"
-#include "multigrid/nodal_coarsening.hpp"
+#include "multigrid/mixed_coarsening.hpp"
 #include "params/nearest.hpp"
 
 namespace tunica::linear {
@@ -65,21 +65,21 @@ std::string known_types(const Teuchos::RCP<Stratimikos::DefaultLinearSolverBuild
 }
 
 /// Hands the nodes of the blocks to "Nodal Multigrid".
-class NodesCallback : public Teko::RequestCallback<Teuchos::RCP<multigrid::NodalCoarsening>> {
+class NodesCallback : public Teko::RequestCallback<Teuchos::RCP<multigrid::MixedCoarsening>> {
 public:
-  explicit NodesCallback(const Teuchos::RCP<const CrsMatrix>& nodes)
-      : nodes_(Teuchos::rcp(new multigrid::NodalCoarsening(nodes))) {}
+  explicit NodesCallback(const fields::BlockMatrices& K)
+      : nodes_(Teuchos::rcp(new multigrid::MixedCoarsening(K))) {}
 
   bool handlesRequest(const Teko::RequestMesg& message) override {
     return message.getName() == "Nodal Coarsening";
   }
   void preRequest(const Teko::RequestMesg&) override {}
-  Teuchos::RCP<multigrid::NodalCoarsening> request(const Teko::RequestMesg&) override {
+  Teuchos::RCP<multigrid::MixedCoarsening> request(const Teko::RequestMesg&) override {
     return nodes_;
   }
 
 private:
-  Teuchos::RCP<multigrid::NodalCoarsening> nodes_;
+  Teuchos::RCP<multigrid::MixedCoarsening> nodes_;
 };
 
 /// Takes in what Teko prints while this lives: it prints the causes of its failures and throws
@@ -170,14 +170,14 @@ struct BlockPreconditioner::Stack {
 };
 
 BlockPreconditioner::BlockPreconditioner(const Teuchos::ParameterList& stratimikos,
-                                         const fields::BlockOperator& K,
+                                         const fields::BlockMatrices& K,
                                          const NamedOperators& operators)
-    : blocks_(K.mesh()), stack_(Teuchos::rcp(new Stack)) {
+    : blocks_(K.vector_map(), K.scalar_map()), stack_(Teuchos::rcp(new Stack)) {
   using Space = Thyra::TpetraVectorSpace<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
   auto& builder = *stack_->builder;
   const auto handler = Teuchos::rcp(new Teko::RequestHandler);
   handler->addRequestCallback(Teuchos::rcp(new Callback(operators)));
-  handler->addRequestCallback(Teuchos::rcp(new NodesCallback(K.mC)));
+  handler->addRequestCallback(Teuchos::rcp(new NodesCallback(K)));
   Teko::addTekoToStratimikosBuilder(builder, handler);
   check_teko_list(stratimikos, stack_->builder, handler);
   builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(stratimikos)));
@@ -192,9 +192,9 @@ BlockPreconditioner::BlockPreconditioner(const Teuchos::ParameterList& stratimik
   Teko::endBlockFill(blocks);
   stack_->K = blocks;
   stack_->u = Teuchos::rcp_dynamic_cast<const Space>(
-      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(K.mesh().vector_map));
+      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(K.vector_map()));
   stack_->p = Teuchos::rcp_dynamic_cast<const Space>(
-      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(K.mesh().node_map));
+      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(K.scalar_map()));
   stack_->product = Thyra::productVectorSpace<double>(
       Teuchos::tuple<Teuchos::RCP<const Thyra::VectorSpaceBase<double>>>(stack_->u, stack_->p));
   stack_->preconditioner = stack_->factory->createPrec();

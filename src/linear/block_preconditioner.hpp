@@ -14,7 +14,7 @@ public:
   /// The objects referred to must outlive the preconditioner. The list has passed
   /// check_block_preconditioner(). Throws tunica::Error for a strategy that needs an operator
   /// which operators lack.
-  BlockPreconditioner(const Teuchos::ParameterList& stratimikos, const fields::BlockOperator& K,
+  BlockPreconditioner(const Teuchos::ParameterList& stratimikos, const fields::BlockMatrices& K,
                       const NamedOperators& operators);
   ~BlockPreconditioner() override;
 

@@ -6,15 +6,17 @@ namespace tunica::linear {
 
 namespace {
 
-Teuchos::RCP<const Map> concatenated_map(const fields::FieldMesh& mesh) {
+Teuchos::RCP<const Map> concatenated_map(const Map& vectors, const Map& scalars) {
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new Map(unknown, static_cast<std::size_t>(4) * mesh.n_owned, 0, mesh.comm));
+  return Teuchos::rcp(new Map(unknown, vectors.getNodeNumElements() + scalars.getNodeNumElements(),
+                              0, vectors.getComm()));
 }
 
 }  // namespace
 
-Concatenation::Concatenation(const fields::FieldMesh& mesh)
-    : map_(concatenated_map(mesh)), vector_map_(mesh.vector_map), scalar_map_(mesh.node_map) {}
+Concatenation::Concatenation(const Teuchos::RCP<const Map>& vectors,
+                             const Teuchos::RCP<const Map>& scalars)
+    : map_(concatenated_map(*vectors, *scalars)), vector_map_(vectors), scalar_map_(scalars) {}
 
 Teuchos::RCP<MultiVector> Concatenation::vector_part(const MultiVector& x) const {
   return const_cast<MultiVector&>(x).offsetViewNonConst(vector_map_, 0);

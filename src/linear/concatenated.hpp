@@ -1,5 +1,5 @@
 #pragma once
-#include "fields/block_operator.hpp"
+#include "fields/block_matrices.hpp"
 
 namespace tunica::linear {
 
@@ -8,7 +8,7 @@ namespace tunica::linear {
 /// on the blocks without copies.
 class Concatenation {
 public:
-  explicit Concatenation(const fields::FieldMesh& mesh);
+  Concatenation(const Teuchos::RCP<const Map>& vectors, const Teuchos::RCP<const Map>& scalars);
 
   Teuchos::RCP<const Map> map() const { return map_; }
   Teuchos::RCP<MultiVector> vector_part(const MultiVector& x) const;
@@ -21,7 +21,7 @@ private:
 /// K on concatenated vectors.
 class ConcatenatedOperator : public Operator {
 public:
-  ConcatenatedOperator(const Concatenation& blocks, const fields::BlockOperator& K)
+  ConcatenatedOperator(const Concatenation& blocks, const fields::BlockMatrices& K)
       : blocks_(blocks), K_(&K) {}
 
   void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
@@ -31,7 +31,7 @@ public:
 
 private:
   Concatenation blocks_;
-  const fields::BlockOperator* K_;
+  const fields::BlockMatrices* K_;
 };
 
 }  // namespace tunica::linear

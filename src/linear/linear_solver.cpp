@@ -26,7 +26,7 @@ double relative_residual(const Operator& K, const MultiVector& b, const MultiVec
 
 class DirectSolver final : public LinearSolver {
 public:
-  explicit DirectSolver(const fields::BlockOperator& K)
+  explicit DirectSolver(const fields::BlockMatrices& K)
       : K_(K), factor_(K_.matrix()), b_(K_.matrix()->getRowMap()), x_(b_.getMap()) {}
 
   void matrix_changed() override { is_stale_ = true; }
@@ -64,7 +64,7 @@ private:
 
 class KrylovSolver final : public LinearSolver {
 public:
-  KrylovSolver(const Teuchos::ParameterList& options, const fields::BlockOperator& K,
+  KrylovSolver(const Teuchos::ParameterList& options, const fields::BlockMatrices& K,
                const NamedOperators& operators)
       : options_{options.get<std::string>("method"), options.get<int>("max iterations"),
                  options.isParameter("restart") ? options.get<int>("restart") : 0},
@@ -175,7 +175,7 @@ params::Table linear_solver_table(const SolverDefaults& defaults) {
 }
 
 std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& options,
-                                                 const fields::BlockOperator& K,
+                                                 const fields::BlockMatrices& K,
                                                  const NamedOperators& operators) {
   if (options.get<std::string>("method") == "direct") return std::make_unique<DirectSolver>(K);
   return std::make_unique<KrylovSolver>(options, K, operators);

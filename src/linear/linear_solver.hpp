@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "fields/block_operator.hpp"
+#include "fields/block_matrices.hpp"
 #include "linear/block_preconditioner.hpp"
 #include "linear/named_operators.hpp"
 #include "multigrid/cycle.hpp"
@@ -48,7 +48,7 @@ params::Table linear_solver_table(const SolverDefaults& defaults = {});
 
 /// Builds the solver that the resolved list describes; K and operators must outlive it.
 std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& options,
-                                                 const fields::BlockOperator& K,
+                                                 const fields::BlockMatrices& K,
                                                  const NamedOperators& operators = no_operators());
 
 }  // namespace tunica::linear

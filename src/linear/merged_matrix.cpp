@@ -1,77 +1,118 @@
 #include "linear/merged_matrix.hpp"
 
-#include "multigrid/expanded_map.hpp"
+#include <algorithm>
 
 namespace tunica::linear {
 
-MergedMatrix::MergedMatrix(const fields::BlockOperator& K) : K_(&K) {
-  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
-  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
-  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
-  const fields::FieldMesh& mesh = K.mesh();
-  const fields::NodeGraph& graph = K.graph();
-  RowStart row_start("row start", static_cast<std::size_t>(4) * mesh.n_owned + 1);
-  Columns columns("columns", 16 * graph.columns.size());
-  Values values("values", 16 * graph.columns.size());
-  std::size_t next = 0;
-  for (int a = 0; a < mesh.n_owned; ++a)
-    for (int c = 0; c < 4; ++c) {
-      for (std::size_t k = graph.row_start[a]; k < graph.row_start[a + 1]; ++k)
-        for (int d = 0; d < 4; ++d) columns(next++) = 4 * graph.columns[k] + d;
-      row_start(4 * a + c + 1) = next;
+namespace {
+
+using multigrid::MixedNumbering;
+
+/// Numbers of a block's map in the merged one.
+std::vector<GlobalOrdinal> merged_numbers(const Map& map, bool is_scalar, const MixedNumbering& n) {
+  std::vector<GlobalOrdinal> numbers;
+  numbers.reserve(map.getNodeNumElements());
+  for (const GlobalOrdinal number : map.getNodeElementList())
+    numbers.push_back(is_scalar ? n.of_scalar(number) : n.of_vector(number));
+  return numbers;
+}
+
+std::vector<int> local_numbers(const std::vector<GlobalOrdinal>& numbers, const Map& map) {
+  std::vector<int> local;
+  local.reserve(numbers.size());
+  for (const GlobalOrdinal number : numbers) local.push_back(map.getLocalElement(number));
+  return local;
+}
+
+/// One block, with its rows and columns in numbers of the whole.
+struct Part {
+  const CrsMatrix* matrix;
+  std::vector<GlobalOrdinal> rows, columns;
+
+  Part(const CrsMatrix& block, bool has_scalar_rows, bool has_scalar_columns,
+       const MixedNumbering& n)
+      : matrix(&block), rows(merged_numbers(*block.getRowMap(), has_scalar_rows, n)),
+        columns(merged_numbers(*block.getColMap(), has_scalar_columns, n)) {}
+
+  void insert_graph(CrsMatrix& merged) const {
+    const auto local = matrix->getLocalMatrixHost();
+    std::vector<GlobalOrdinal> numbers;
+    for (int i = 0; i < local.numRows(); ++i) {
+      const auto row = local.rowConst(i);
+      numbers.clear();
+      for (int k = 0; k < row.length; ++k) numbers.push_back(columns[row.colidx(k)]);
+      const std::vector<Scalar> zeros(numbers.size(), 0.0);
+      merged.insertGlobalValues(rows[i], Teuchos::arrayViewFromVector(numbers),
+                                Teuchos::arrayViewFromVector(zeros));
     }
-  const auto rows = multigrid::expanded_map(*mesh.node_map, 4);
-  matrix_ = Teuchos::rcp(new CrsMatrix(rows, multigrid::expanded_map(*mesh.ghosted_map, 4),
-                                       row_start, columns, values));
-  matrix_->expertStaticFillComplete(rows, rows);
+  }
+
+  /// Index of each value among those of the merged matrix.
+  std::vector<int> places(const CrsMatrix& merged) const {
+    const auto from = matrix->getLocalMatrixHost();
+    const auto graph = merged.getLocalMatrixHost().graph;
+    const std::vector<int> to_rows = local_numbers(rows, *merged.getRowMap());
+    const std::vector<int> to_columns = local_numbers(columns, *merged.getColMap());
+    std::vector<int> all;
+    all.reserve(from.nnz());
+    for (int i = 0; i < from.numRows(); ++i) {
+      const int* const first = graph.entries.data() + graph.row_map(to_rows[i]);
+      const int* const last = graph.entries.data() + graph.row_map(to_rows[i] + 1);
+      const auto row = from.rowConst(i);
+      for (int k = 0; k < row.length; ++k)
+        all.push_back(static_cast<int>(std::lower_bound(first, last, to_columns[row.colidx(k)]) -
+                                       graph.entries.data()));
+    }
+    return all;
+  }
+};
+
+std::size_t longest_row(const fields::BlockMatrices& K) {
+  return std::max(K.A->getNodeMaxNumRowEntries() + K.B1T->getNodeMaxNumRowEntries(),
+                  K.B2->getNodeMaxNumRowEntries() + K.mC->getNodeMaxNumRowEntries());
+}
+
+}  // namespace
+
+MergedMatrix::MergedMatrix(const fields::BlockMatrices& K) : K_(&K) {
+  const MixedNumbering numbering{K.components};
+  const auto rows = numbering.mixed_map(*K.vector_map(), *K.scalar_map());
+  matrix_ = Teuchos::rcp(new CrsMatrix(rows, longest_row(K)));
+  const std::vector<Part> parts{{*K.A, false, false, numbering},
+                                {*K.B1T, false, true, numbering},
+                                {*K.B2, true, false, numbering},
+                                {*K.mC, true, true, numbering}};
+  for (const Part& part : parts) part.insert_graph(*matrix_);
+  matrix_->fillComplete(rows, rows);
+  for (const Part& part : parts) blocks_.push_back({part.matrix, part.places(*matrix_)});
+  vector_rows_ = local_numbers(parts[0].rows, *rows);
+  scalar_rows_ = local_numbers(parts[3].rows, *rows);
 }
 
 void MergedMatrix::refresh() {
-  const fields::NodeGraph& graph = K_->graph();
-  const auto A = K_->A->getLocalMatrixHost().values;
-  const auto B1T = K_->B1T->getLocalMatrixHost().values;
-  const auto B2 = K_->B2->getLocalMatrixHost().values;
-  const auto mC = K_->mC->getLocalMatrixHost().values;
   matrix_->resumeFill();
   {
     const auto values = matrix_->getLocalMatrixHost().values;
-    std::size_t next = 0;
-    for (int a = 0; a < K_->mesh().n_owned; ++a) {
-      const std::size_t start = graph.row_start[a];
-      const std::size_t length = graph.row_start[a + 1] - start;
-      for (int i = 0; i < 3; ++i)
-        for (std::size_t k = 0; k < length; ++k) {
-          const double* row = A.data() + 9 * start + 3 * length * i + 3 * k;
-          for (int j = 0; j < 3; ++j) values(next++) = row[j];
-          values(next++) = B1T(3 * start + length * i + k);
-        }
-      for (std::size_t k = 0; k < length; ++k) {
-        for (int j = 0; j < 3; ++j) values(next++) = B2(3 * start + 3 * k + j);
-        values(next++) = mC(start + k);
-      }
+    for (const Block& block : blocks_) {
+      const auto from = block.matrix->getLocalMatrixHost().values;
+      for (std::size_t k = 0; k < block.places.size(); ++k) values(block.places[k]) = from(k);
     }
   }
   matrix_->fillComplete(matrix_->getDomainMap(), matrix_->getRangeMap());
 }
 
 void MergedMatrix::merge(const fields::BlockVector& x, MultiVector& merged) const {
-  const auto u = x.u->getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto p = x.p->getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto all = merged.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (std::size_t a = 0; a < p.extent(0); ++a) {
-    for (int i = 0; i < 3; ++i) all(4 * a + i, 0) = u(3 * a + i, 0);
-    all(4 * a + 3, 0) = p(a, 0);
-  }
+  const auto u = x.u->getLocalViewHost(read_only), p = x.p->getLocalViewHost(read_only);
+  const auto all = merged.getLocalViewHost(overwrite_all);
+  for (std::size_t i = 0; i < vector_rows_.size(); ++i) all(vector_rows_[i], 0) = u(i, 0);
+  for (std::size_t i = 0; i < scalar_rows_.size(); ++i) all(scalar_rows_[i], 0) = p(i, 0);
 }
 
 void MergedMatrix::split(const MultiVector& merged, fields::BlockVector& x) const {
-  const auto all = merged.getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto u = x.u->getLocalViewHost(Tpetra::Access::OverwriteAll);
-  const auto p = x.p->getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (std::size_t a = 0; a < p.extent(0); ++a) {
-    for (int i = 0; i < 3; ++i) u(3 * a + i, 0) = all(4 * a + i, 0);
-    p(a, 0) = all(4 * a + 3, 0);
-  }
+  const auto all = merged.getLocalViewHost(read_only);
+  const auto u = x.u->getLocalViewHost(overwrite_all), p = x.p->getLocalViewHost(overwrite_all);
+  for (std::size_t i = 0; i < vector_rows_.size(); ++i) u(i, 0) = all(vector_rows_[i], 0);
+  for (std::size_t i = 0; i < scalar_rows_.size(); ++i) p(i, 0) = all(scalar_rows_[i], 0);
 }
 
 }  // namespace tunica::linear

@@ -1,14 +1,18 @@
 #pragma once
-#include "fields/block_operator.hpp"
+#include <vector>
+
+#include "fields/block_matrices.hpp"
+#include "multigrid/mixed_numbering.hpp"
 
 namespace tunica::linear {
 
-/// A block operator as one matrix with the unknowns of a node side by side, 4*node + i for
-/// the vector and 4*node + 3 for the scalar: what incomplete and complete factorisations of
-/// the whole system work on. A copy of the values; refresh() takes them over.
+/// A block system as one matrix with the unknowns of a node side by side
+/// (multigrid::MixedNumbering): what incomplete and complete factorisations of the whole system and
+/// mixed multigrid work on. A copy of the values; refresh() takes them over.
 class MergedMatrix {
 public:
-  explicit MergedMatrix(const fields::BlockOperator& K);
+  /// K must outlive the object. Collective.
+  explicit MergedMatrix(const fields::BlockMatrices& K);
 
   void refresh();
   Teuchos::RCP<CrsMatrix> matrix() const { return matrix_; }
@@ -17,8 +21,16 @@ public:
   void split(const MultiVector& merged, fields::BlockVector& x) const;
 
 private:
-  const fields::BlockOperator* K_;
+  /// A block and the place of each of its values in the merged matrix.
+  struct Block {
+    const CrsMatrix* matrix;
+    std::vector<int> places;
+  };
+
+  const fields::BlockMatrices* K_;
   Teuchos::RCP<CrsMatrix> matrix_;
+  std::vector<int> vector_rows_, scalar_rows_;  ///< merged local row of each row of a block
+  std::vector<Block> blocks_;
 };
 
 }  // namespace tunica::linear

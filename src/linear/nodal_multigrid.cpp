@@ -35,7 +35,7 @@ public:
 
   Teko::LinearOp buildPreconditionerOperator(Teko::LinearOp& op,
                                              Teko::PreconditionerState&) const override {
-    using Coarsening = Teuchos::RCP<multigrid::NodalCoarsening>;
+    using Coarsening = Teuchos::RCP<multigrid::MixedCoarsening>;
     const auto nodes =
         getRequestHandler()->request<Coarsening>(Teko::RequestMesg("Nodal Coarsening"));
     const auto A = Teuchos::rcp_const_cast<CrsMatrix>(matrix_of(op));

@@ -15,7 +15,7 @@ namespace {
 /// multigrid cycles for it.
 class MergedSystem final : public PreconditionedSystem {
 public:
-  MergedSystem(const Teuchos::ParameterList& list, const fields::BlockOperator& K) : K_(K) {
+  MergedSystem(const Teuchos::ParameterList& list, const fields::BlockMatrices& K) : K_(K) {
     const auto& kind = list.get<std::string>("preconditioner");
     if (kind == "direct") direct_ = Teuchos::rcp(new DirectFactor(K_.matrix()));
     if (kind == "ilu")
@@ -23,7 +23,7 @@ public:
                                                  list.get<int>("overlap"));
     if (kind == "multigrid") {
       muelu_ = list.sublist("MueLu");
-      nodes_ = Teuchos::rcp(new multigrid::NodalCoarsening(K.mC));
+      nodes_ = Teuchos::rcp(new multigrid::MixedCoarsening(K));
     }
   }
 
@@ -56,16 +56,17 @@ private:
   Teuchos::RCP<DirectFactor> direct_;
   std::unique_ptr<IluPreconditioner> ilu_;
   Teuchos::ParameterList muelu_;
-  Teuchos::RCP<multigrid::NodalCoarsening> nodes_;
+  Teuchos::RCP<multigrid::MixedCoarsening> nodes_;
   Teuchos::RCP<Operator> cycle_;
 };
 
 /// The four blocks as they are, block preconditioners on them.
 class BlockSystem final : public PreconditionedSystem {
 public:
-  BlockSystem(const Teuchos::ParameterList& list, const fields::BlockOperator& K,
+  BlockSystem(const Teuchos::ParameterList& list, const fields::BlockMatrices& K,
               const NamedOperators& operators)
-      : blocks_(K.mesh()), matrix_(Teuchos::rcp(new ConcatenatedOperator(blocks_, K))),
+      : blocks_(K.vector_map(), K.scalar_map()),
+        matrix_(Teuchos::rcp(new ConcatenatedOperator(blocks_, K))),
         preconditioner_(
             Teuchos::rcp(new BlockPreconditioner(list.sublist("Stratimikos"), K, operators))) {}
 
@@ -130,7 +131,7 @@ void add_preconditioner_keys(params::Table& table, const std::string& fallback,
 }
 
 std::unique_ptr<PreconditionedSystem> make_system(const Teuchos::ParameterList& list,
-                                                  const fields::BlockOperator& K,
+                                                  const fields::BlockMatrices& K,
                                                   const NamedOperators& operators) {
   if (list.get<std::string>("preconditioner") == "block")
     return std::make_unique<BlockSystem>(list, K, operators);

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "fields/block_operator.hpp"
+#include "fields/block_matrices.hpp"
 #include "linear/named_operators.hpp"
 #include "multigrid/cycle.hpp"
 #include "params/table.hpp"
@@ -38,7 +38,7 @@ void add_preconditioner_keys(params::Table& table, const std::string& fallback,
 /// The system for the preconditioner that the resolved list names. K and operators must
 /// outlive it.
 std::unique_ptr<PreconditionedSystem> make_system(const Teuchos::ParameterList& list,
-                                                  const fields::BlockOperator& K,
+                                                  const fields::BlockMatrices& K,
                                                   const NamedOperators& operators);
 
 }  // namespace tunica::linear

@@ -53,8 +53,9 @@ struct BraessSarazin::Parts {
   }
 };
 
-BraessSarazin::BraessSarazin(const CrsMatrix& K, const BraessSarazinOptions& options)
-    : parts_(new Parts{&K, options, mixed_blocks(K), {}, {}, {}, {}}) {
+BraessSarazin::BraessSarazin(const CrsMatrix& K, const MixedNumbering& numbering,
+                             const BraessSarazinOptions& options)
+    : parts_(new Parts{&K, options, mixed_blocks(K, numbering), {}, {}, {}, {}}) {
   Parts& parts = *parts_;
   parts.inverse_D = Teuchos::rcp(new Vector(*parts.blocks.diagonal, Teuchos::Copy));
   parts.inverse_D->scale(options.scaling);
@@ -86,14 +87,14 @@ void BraessSarazin::smooth(const MultiVector& b, MultiVector& x) const {
   for (int sweep = 0; sweep < parts.options.sweeps; ++sweep) {
     parts.K->apply(x, r);
     r.update(1.0, b, -1.0);
-    split(r, r_u, r_p);
+    split(parts.blocks, r, r_u, r_p);
     u.elementWiseMultiply(1.0, *parts.inverse_D, r_u, 0.0);
     parts.blocks.B2->apply(u, r_p, Teuchos::NO_TRANS, 1.0, -1.0);  // B2 Ã⁻¹ r_u − r_p
     q.putScalar(0.0);
     parts.solve_schur(r_p, q);
     parts.blocks.B1T->apply(q, r_u, Teuchos::NO_TRANS, -1.0, 1.0);
     u.elementWiseMultiply(1.0, *parts.inverse_D, r_u, 0.0);
-    add(parts.options.damping, u, q, x);
+    add(parts.blocks, parts.options.damping, u, q, x);
   }
 }
 

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "base/types.hpp"
+#include "multigrid/mixed_numbering.hpp"
 
 namespace tunica::multigrid {
 
@@ -14,14 +14,14 @@ struct BraessSarazinOptions {
   int schur_sweeps = 2;                ///< of Gauss-Seidel or the degree of Chebyshev
 };
 
-/// The smoother of Braess and Sarazin [BS97] for K = [A B1ᵀ; B2 −C] with the unknowns
-/// 4*node + i, the pressure last: x += ω K̃⁻¹ (b − K x) where K̃ has Ã = s diag(A) in the place of
-/// A, and S = C + B2 Ã⁻¹ B1ᵀ is inverted roughly or exactly.
+/// The smoother of Braess and Sarazin [BS97] for K = [A B1ᵀ; B2 −C]: x += ω K̃⁻¹ (b − K x) where K̃
+/// has Ã = s diag(A) in the place of A, and S = C + B2 Ã⁻¹ B1ᵀ is inverted roughly or exactly.
 class BraessSarazin {
 public:
   /// K must outlive the smoother. Throws std::runtime_error for a zero on the diagonal of A.
   /// Collective.
-  BraessSarazin(const CrsMatrix& K, const BraessSarazinOptions& options);
+  BraessSarazin(const CrsMatrix& K, const MixedNumbering& numbering,
+                const BraessSarazinOptions& options);
   ~BraessSarazin();
 
   /// x ← x after the sweeps. Collective.

@@ -42,7 +42,7 @@ void NodalBraessSarazinSmoother::check(const Teuchos::ParameterList& list) const
 }
 
 void NodalBraessSarazinSmoother::set_up(const ::tunica::CrsMatrix& K) {
-  smoother_ = std::make_shared<BraessSarazin>(K, options_of(GetParameterList()));
+  smoother_ = std::make_shared<BraessSarazin>(K, numbering(), options_of(GetParameterList()));
 }
 
 void NodalBraessSarazinSmoother::smooth(const ::tunica::MultiVector& b,

@@ -15,7 +15,7 @@ namespace tunica::multigrid {
 using Interpreter = MueLu::ParameterListInterpreter<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 
 Teuchos::RCP<Operator> make_cycle(const Teuchos::RCP<CrsMatrix>& A,
-                                  const Teuchos::RCP<NodalCoarsening>& coarsening,
+                                  const Teuchos::RCP<MixedCoarsening>& coarsening,
                                   const Teuchos::ParameterList& muelu) {
   Teuchos::ParameterList list(muelu);
   Interpreter interpreter(list, A->getComm(), make_factory_factory(coarsening));

@@ -1,14 +1,14 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 
-#include "multigrid/nodal_coarsening.hpp"
+#include "multigrid/mixed_coarsening.hpp"
 
 namespace tunica::multigrid {
 
 /// One multigrid cycle for A by a MueLu list in the form of factories and a hierarchy.
 /// Throws std::exception for a list that MueLu refuses. Collective.
 Teuchos::RCP<Operator> make_cycle(const Teuchos::RCP<CrsMatrix>& A,
-                                  const Teuchos::RCP<NodalCoarsening>& coarsening,
+                                  const Teuchos::RCP<MixedCoarsening>& coarsening,
                                   const Teuchos::ParameterList& muelu);
 
 /// The matrices of a hierarchy, the finest first.

@@ -33,7 +33,7 @@ void check_keys(const Teuchos::ParameterList& list, const MueLu::Factory& factor
 
 class OurFactories final : public FactoryFactory {
 public:
-  explicit OurFactories(const Teuchos::RCP<NodalCoarsening>& coarsening)
+  explicit OurFactories(const Teuchos::RCP<MixedCoarsening>& coarsening)
       : coarsening_(coarsening) {}
 
   Teuchos::RCP<const MueLu::FactoryBase> BuildFactory(const Teuchos::ParameterEntry& entry,
@@ -62,15 +62,17 @@ private:
   Teuchos::RCP<Ours> built(const Teuchos::ParameterList& list, const Factories& factories,
                            const Managers& managers) const {
     check_keys(list, Ours());
-    return Build2<Ours>(list, factories, managers);
+    const auto factory = Build2<Ours>(list, factories, managers);
+    factory->set_coarsening(coarsening_);
+    return factory;
   }
 
-  Teuchos::RCP<NodalCoarsening> coarsening_;
+  Teuchos::RCP<MixedCoarsening> coarsening_;
 };
 
 }  // namespace
 
-Teuchos::RCP<FactoryFactory> make_factory_factory(const Teuchos::RCP<NodalCoarsening>& coarsening) {
+Teuchos::RCP<FactoryFactory> make_factory_factory(const Teuchos::RCP<MixedCoarsening>& coarsening) {
   return Teuchos::rcp(new OurFactories(coarsening));
 }
 

@@ -13,7 +13,8 @@ Vector on_columns(const CrsMatrix& matrix, const Vector& rows);
 
 /// A maximal independent set of the graph of a square matrix, one flag per local column: no two
 /// nodes of it are neighbours, every other node has a neighbour in it. Picked greedily in the
-/// order of the global numbers, so that it does not depend on where ranks meet. Collective.
-std::vector<char> independent_set(const CrsMatrix& nodes);
+/// given order, a number per row, none twice: the set does not depend on where ranks meet.
+/// Collective.
+std::vector<char> independent_set(const CrsMatrix& nodes, const Vector& order);
 
 }  // namespace tunica::multigrid

@@ -1,7 +1,5 @@
 #include "multigrid/mixed_smoother.hpp"
 
-#include "multigrid/mixed_blocks.hpp"
-
 namespace tunica::multigrid {
 
 void MixedSmoother::SetParameterList(const Teuchos::ParameterList& list) {
@@ -13,7 +11,7 @@ void MixedSmoother::DeclareInput(MueLu::Level& level) const { this->Input(level,
 
 void MixedSmoother::Setup(MueLu::Level& level) {
   K_ = unwrapped(this->Get<Teuchos::RCP<XMatrix>>(level, "A"));
-  check_mixed(*K_);
+  coarsening_->check_mixed(level.GetLevelID(), *K_);
   set_up(*K_);
   this->IsSetup(true);
 }

@@ -2,35 +2,32 @@
 
 #include <TpetraExt_MatrixMatrix.hpp>
 
-#include "multigrid/expanded_map.hpp"
 #include "multigrid/independent_set.hpp"
 
 namespace tunica::multigrid {
 
 namespace {
 
-/// Numbers the nodes of the set rank by rank; the value at a ghost is that of its owner, and
+/// Numbers the nodes of the set rank by rank; the number at a ghost is that of its owner, and
 /// -1 outside the set.
 struct CoarseNumbers {
   Teuchos::RCP<const Map> map;
+  std::vector<int> rows;  ///< local, of the nodes in the set
   std::vector<GlobalOrdinal> of_column;
 
   CoarseNumbers(const CrsMatrix& nodes, const std::vector<char>& is_coarse) {
-    std::size_t n = 0;
-    const Map& rows = *nodes.getRowMap();
-    const Map& columns = *nodes.getColMap();
-    for (std::size_t i = 0; i < rows.getNodeNumElements(); ++i)
-      n += is_coarse[columns.getLocalElement(rows.getGlobalElement(static_cast<int>(i)))];
+    const Map& own_nodes = *nodes.getRowMap();
+    for (int i = 0; i < static_cast<int>(own_nodes.getNodeNumElements()); ++i)
+      if (is_coarse[nodes.getColMap()->getLocalElement(own_nodes.getGlobalElement(i))])
+        rows.push_back(i);
     const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-    map = Teuchos::rcp(new Map(unknown, n, 0, rows.getComm()));
+    map = Teuchos::rcp(new Map(unknown, rows.size(), 0, own_nodes.getComm()));
     Vector own(nodes.getRowMap());
+    own.putScalar(-1.0);
     {
-      const auto view = own.getLocalViewHost(overwrite_all);
-      LocalOrdinal next = 0;
-      for (std::size_t i = 0; i < view.extent(0); ++i) {
-        const auto column = columns.getLocalElement(rows.getGlobalElement(static_cast<int>(i)));
-        view(i, 0) = is_coarse[column] ? static_cast<double>(map->getGlobalElement(next++)) : -1.0;
-      }
+      const auto view = own.getLocalViewHost(read_write);
+      for (std::size_t c = 0; c < rows.size(); ++c)
+        view(rows[c], 0) = static_cast<double>(map->getGlobalElement(static_cast<int>(c)));
     }
     const Vector all = on_columns(nodes, own);
     const auto view = all.getLocalViewHost(read_only);
@@ -75,51 +72,31 @@ Teuchos::RCP<const CrsMatrix> coarse_graph(const CrsMatrix& nodes, const CrsMatr
   return PtGP;
 }
 
-/// P ⊗ I.
-Teuchos::RCP<const CrsMatrix> expanded(const CrsMatrix& P, int dofs) {
-  const auto result =
-      Teuchos::rcp(new CrsMatrix(expanded_map(*P.getRowMap(), dofs), P.getNodeMaxNumRowEntries()));
-  const auto local = P.getLocalMatrixHost();
-  std::vector<GlobalOrdinal> columns;
-  for (int a = 0; a < local.numRows(); ++a) {
-    const auto row = local.rowConst(a);
-    const std::vector<Scalar> values(&row.value(0), &row.value(0) + row.length);
-    for (int i = 0; i < dofs; ++i) {
-      columns.clear();
-      for (int k = 0; k < row.length; ++k)
-        columns.push_back(dofs * P.getColMap()->getGlobalElement(row.colidx(k)) + i);
-      result->insertGlobalValues(dofs * P.getRowMap()->getGlobalElement(a) + i,
-                                 Teuchos::arrayViewFromVector(columns),
-                                 Teuchos::arrayViewFromVector(values));
-    }
-  }
-  result->fillComplete(expanded_map(*P.getDomainMap(), dofs), result->getRowMap());
+Teuchos::RCP<const Vector> at_rows(const Vector& values, const CoarseNumbers& coarse) {
+  const auto result = Teuchos::rcp(new Vector(coarse.map));
+  const auto from = values.getLocalViewHost(read_only);
+  const auto to = result->getLocalViewHost(overwrite_all);
+  for (std::size_t c = 0; c < coarse.rows.size(); ++c) to(c, 0) = from(coarse.rows[c], 0);
   return result;
 }
 
 }  // namespace
 
-NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes) : graphs_{nodes} {}
+NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order)
+    : levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)), Teuchos::null, {}}} {}
 
-void NodalCoarsening::add_level() {
-  const CrsMatrix& nodes = *graphs_.back();
-  const CoarseNumbers coarse(nodes, independent_set(nodes));
-  const auto P = averaging(nodes, coarse);
-  prolongators_.push_back({{1, P}});
-  graphs_.push_back(coarse_graph(nodes, *P));
+void NodalCoarsening::coarsen() {
+  Level& level = levels_.back();
+  const CoarseNumbers coarse(*level.nodes, independent_set(*level.nodes, *level.order));
+  level.P = averaging(*level.nodes, coarse);
+  level.coarse_rows = coarse.rows;
+  const auto graph = coarse_graph(*level.nodes, *level.P);
+  levels_.push_back({graph, at_rows(*level.order, coarse), Teuchos::null, {}});
 }
 
-Teuchos::RCP<const CrsMatrix> NodalCoarsening::prolongator(int level, int dofs) {
-  while (static_cast<int>(prolongators_.size()) <= level) add_level();
-  auto& known = prolongators_[level];
-  auto found = known.find(dofs);
-  if (found == known.end()) found = known.emplace(dofs, expanded(*known.at(1), dofs)).first;
-  return found->second;
-}
-
-long long NodalCoarsening::n_nodes(int level) {
-  while (static_cast<int>(graphs_.size()) <= level) add_level();
-  return static_cast<long long>(graphs_[level]->getGlobalNumRows());
+const NodalCoarsening::Level& NodalCoarsening::at(int level) {
+  while (static_cast<int>(levels_.size()) <= level + 1) coarsen();
+  return levels_[level];
 }
 
 }  // namespace tunica::multigrid

@@ -1,5 +1,5 @@
 #pragma once
-#include <map>
+#include <deque>
 #include <vector>
 
 #include "base/types.hpp"
@@ -8,27 +8,34 @@ namespace tunica::multigrid {
 
 /// Coarser and coarser sets of nodes, picked from a graph of nodes [Ki98]: a maximal
 /// independent set becomes the next level, and every other node takes the mean of its
-/// neighbours in it. All blocks of a field share the nodes, so that each level keeps the
-/// pairing of one pressure and three vector components. Depends on the graph alone: made once
-/// per solver, level by level as they are asked for.
+/// neighbours in it. Depends on the graph and the order alone; made level by level as they are
+/// asked for.
 class NodalCoarsening {
 public:
   /// nodes: square, with one row per node and an entry on the diagonal; its values are ignored.
-  /// The rows of each rank have contiguous numbers.
-  explicit NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes);
+  /// order: in which nodes are picked, a number per node, none twice. With numbers that do not hang
+  /// on the ranks the coarse nodes do not either.
+  NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order);
 
-  /// Interpolation from level + 1 to level (0 the finest) for `dofs` unknowns per node numbered
-  /// dofs*node + i. Its rows sum to one. Collective where it is asked for the first time.
-  Teuchos::RCP<const CrsMatrix> prolongator(int level, int dofs);
+  /// Interpolation from level + 1 to level (0 the finest). Its rows sum to one. Collective where it
+  /// is asked for the first time.
+  Teuchos::RCP<const CrsMatrix> prolongator(int level) { return at(level).P; }
 
-  /// Nodes of all ranks on a level. Collective as prolongator() is.
-  long long n_nodes(int level);
+  /// The local row on this level of each local node of the next. Collective as prolongator() is.
+  const std::vector<int>& coarse_rows(int level) { return at(level).coarse_rows; }
 
 private:
-  void add_level();
+  struct Level {
+    Teuchos::RCP<const CrsMatrix> nodes;
+    Teuchos::RCP<const Vector> order;
+    Teuchos::RCP<const CrsMatrix> P;  ///< from the next level; null where it is not made yet
+    std::vector<int> coarse_rows;
+  };
 
-  std::vector<Teuchos::RCP<const CrsMatrix>> graphs_;
-  std::vector<std::map<int, Teuchos::RCP<const CrsMatrix>>> prolongators_;  ///< by dofs per node
+  const Level& at(int level);
+  void coarsen();
+
+  std::deque<Level> levels_;
 };
 
 }  // namespace tunica::multigrid

@@ -1,15 +1,15 @@
 #pragma once
 #include <MueLu_TwoLevelFactoryBase.hpp>
 
-#include "multigrid/nodal_coarsening.hpp"
+#include "multigrid/mixed_coarsening.hpp"
 
 namespace tunica::multigrid {
 
-/// "NodalPFactory" of a MueLu list: the prolongator of a NodalCoarsening, expanded to as many
-/// unknowns per node as "A" has.
+/// "NodalPFactory" of a MueLu list: the prolongator of a MixedCoarsening for the block, or for
+/// both, that "A" is.
 class NodalPFactory : public MueLu::TwoLevelFactoryBase {
 public:
-  explicit NodalPFactory(const Teuchos::RCP<NodalCoarsening>& coarsening)
+  explicit NodalPFactory(const Teuchos::RCP<MixedCoarsening>& coarsening)
       : coarsening_(coarsening) {}
 
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
@@ -17,7 +17,7 @@ public:
   void Build(MueLu::Level& fine, MueLu::Level& coarse) const override;
 
 private:
-  Teuchos::RCP<NodalCoarsening> coarsening_;
+  Teuchos::RCP<MixedCoarsening> coarsening_;
 };
 
 }  // namespace tunica::multigrid

@@ -1,6 +1,5 @@
 #include "multigrid/stabilised_rap_factory.hpp"
 
-#include "multigrid/mixed_blocks.hpp"
 #include "multigrid/xpetra.hpp"
 
 namespace tunica::multigrid {
@@ -9,18 +8,17 @@ namespace {
 
 using Galerkin = MueLu::RAPFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 
-bool is_pressure(GlobalOrdinal number) { return number % 4 == 3; }
-
-void scale_stabilisation(CrsMatrix& K, double factor) {
+void scale_stabilisation(CrsMatrix& K, const MixedNumbering& numbering, double factor) {
   const auto domain = K.getDomainMap(), range = K.getRangeMap();
   K.resumeFill();
   {
     const auto local = K.getLocalMatrixHost();
     for (int i = 0; i < local.numRows(); ++i) {
-      if (!is_pressure(K.getRowMap()->getGlobalElement(i))) continue;
+      if (!numbering.is_scalar(K.getRowMap()->getGlobalElement(i))) continue;
       auto row = local.row(i);
       for (int k = 0; k < row.length; ++k)
-        if (is_pressure(K.getColMap()->getGlobalElement(row.colidx(k)))) row.value(k) *= factor;
+        if (numbering.is_scalar(K.getColMap()->getGlobalElement(row.colidx(k))))
+          row.value(k) *= factor;
     }
   }
   K.fillComplete(domain, range);
@@ -39,8 +37,8 @@ void StabilisedRapFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const
   const double factor = GetParameterList().get<double>("stabilisation scaling");
   if (factor == 1.0) return;
   const auto K = coarse.Get<Teuchos::RCP<XMatrix>>("A", this);
-  check_mixed(*unwrapped(K));
-  scale_stabilisation(*unwrapped(K), factor);
+  coarsening_->check_mixed(coarse.GetLevelID(), *unwrapped(K));
+  scale_stabilisation(*unwrapped(K), coarsening_->numbering(), factor);
 }
 
 }  // namespace tunica::multigrid

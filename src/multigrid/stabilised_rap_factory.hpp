@@ -1,7 +1,7 @@
 #pragma once
 #include <MueLu_RAPFactory.hpp>
 
-#include "base/types.hpp"
+#include "multigrid/mixed_coarsening.hpp"
 
 namespace tunica::multigrid {
 
@@ -10,12 +10,16 @@ namespace tunica::multigrid {
 ///
 /// On a mesh of twice the size C ~ h² ought to be four times what Galerkin's product makes of it;
 /// less leaves the coarse system short of stability [LY1, section 5].
-///
-/// The unknowns are numbered 4*node + i, the pressure last.
 class StabilisedRapFactory : public MueLu::RAPFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node> {
 public:
+  /// Says how unknowns are numbered; before Build().
+  void set_coarsening(const Teuchos::RCP<MixedCoarsening>& coarsening) { coarsening_ = coarsening; }
+
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
   void Build(MueLu::Level& fine, MueLu::Level& coarse) const override;
+
+private:
+  Teuchos::RCP<MixedCoarsening> coarsening_;
 };
 
 }  // namespace tunica::multigrid

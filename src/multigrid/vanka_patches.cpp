@@ -39,10 +39,10 @@ VankaPatches make_vanka_patches(const CrsMatrix& K, const std::vector<char>& is_
   return patches;
 }
 
-std::vector<char> fourth_rows(const CrsMatrix& K) {
+std::vector<char> scalar_rows(const CrsMatrix& K, const MixedNumbering& numbering) {
   std::vector<char> flags(K.getNodeNumRows());
   for (std::size_t i = 0; i < flags.size(); ++i)
-    flags[i] = K.getRowMap()->getGlobalElement(static_cast<int>(i)) % 4 == 3;
+    flags[i] = numbering.is_scalar(K.getRowMap()->getGlobalElement(static_cast<int>(i)));
   return flags;
 }
 

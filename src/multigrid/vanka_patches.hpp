@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/types.hpp"
+#include "multigrid/mixed_numbering.hpp"
 
 namespace tunica::multigrid {
 
@@ -23,7 +23,7 @@ struct VankaPatches {
 /// is_pressure: one flag per local row of K.
 VankaPatches make_vanka_patches(const CrsMatrix& K, const std::vector<char>& is_pressure);
 
-/// Flags of the rows 4*node + 3.
-std::vector<char> fourth_rows(const CrsMatrix& K);
+/// Flags of the pressure rows.
+std::vector<char> scalar_rows(const CrsMatrix& K, const MixedNumbering& numbering);
 
 }  // namespace tunica::multigrid

@@ -39,7 +39,7 @@ Teuchos::RCP<const Teuchos::ParameterList> VankaSmoother::GetValidParameterList(
 void VankaSmoother::check(const Teuchos::ParameterList& list) const { options_of(list); }
 
 void VankaSmoother::set_up(const ::tunica::CrsMatrix& K) {
-  vanka_ = make_vanka(K, fourth_rows(K), options_of(GetParameterList()));
+  vanka_ = make_vanka(K, scalar_rows(K, numbering()), options_of(GetParameterList()));
   vanka_->refresh();
 }
 

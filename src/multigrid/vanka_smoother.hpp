@@ -6,7 +6,7 @@
 
 namespace tunica::multigrid {
 
-/// "VankaSmoother" of a MueLu list, for matrices with the unknowns 4*node + i, the pressure last.
+/// "VankaSmoother" of a MueLu list, for mixed matrices.
 /// Its keys: "sweeps" (1), "damping" (1.0), "order" ("forward", "backward", "symmetric"),
 /// "combine" ("multiplicative", "additive"), "precision" ("double", "single").
 class VankaSmoother : public MixedSmoother {

@@ -45,7 +45,7 @@ inline Teuchos::ParameterList solver_list(const std::string& method,
 
 inline fields::BlockVector apply(const linear::BlockPreconditioner& P,
                                  const fields::FieldMesh& mesh, const fields::BlockVector& r) {
-  const linear::Concatenation blocks(mesh);
+  const linear::Concatenation blocks(mesh.vector_map, mesh.node_map);
   MultiVector all_r(blocks.map(), 1), all_z(blocks.map(), 1);
   blocks.vector_part(all_r)->assign(*r.u);
   blocks.scalar_part(all_r)->assign(*r.p);

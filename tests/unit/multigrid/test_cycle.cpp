@@ -2,7 +2,7 @@
 
 #include "multigrid/cycle.hpp"
 #include "unit/fields/small_tube.hpp"
-#include "unit/multigrid/grid.hpp"
+#include "unit/multigrid/grid_blocks.hpp"
 
 namespace {
 
@@ -19,11 +19,11 @@ Vector rough(const Teuchos::RCP<const Map>& map, int seed) {
 
 struct System {
   Teuchos::RCP<CrsMatrix> A;
-  Teuchos::RCP<multigrid::NodalCoarsening> coarsening;
+  Teuchos::RCP<multigrid::MixedCoarsening> coarsening;
 
   explicit System(const Grid& grid, int dofs = 1)
       : A(grid.laplacian(test::world(), dofs)),
-        coarsening(Teuchos::rcp(new multigrid::NodalCoarsening(grid.laplacian(test::world())))) {}
+        coarsening(Teuchos::rcp(new multigrid::MixedCoarsening(test::blocks_on(grid)))) {}
 
   double energy(const Vector& e) const {  // eᵀ A e
     Vector Ae(e.getMap());

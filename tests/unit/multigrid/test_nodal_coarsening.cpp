@@ -5,7 +5,7 @@
 #include "multigrid/independent_set.hpp"
 #include "multigrid/nodal_coarsening.hpp"
 #include "unit/fields/small_tube.hpp"
-#include "unit/multigrid/grid.hpp"
+#include "unit/multigrid/grid_blocks.hpp"
 
 namespace {
 
@@ -18,13 +18,17 @@ using test::SmallTube;
 const std::vector<Grid> grids{{9, 7, 5, true}, {6, 5, 7, false}, {40, 1, 1, false}};
 
 /// Grids, and the nodes of two meshes, whose numbers hang on the ranks.
-std::vector<Teuchos::RCP<const CrsMatrix>> graphs() {
-  std::vector<Teuchos::RCP<const CrsMatrix>> all;
-  for (const Grid& grid : grids) all.push_back(grid.laplacian(test::world()));
-  const SmallTube tube;
+std::vector<fields::Nodes> graphs(const CommPtr& comm = test::world()) {
+  std::vector<fields::Nodes> all;
+  for (const Grid& grid : grids) all.push_back(test::blocks_on(grid, comm).scalars);
+  const SmallTube tube(comm);
   for (const fields::FieldMesh* mesh : {&tube.fluid, &tube.wall})
-    all.push_back(fields::make_matrix(fields::make_node_graph(*mesh), *mesh, 1, 1));
+    all.push_back(fields::BlockOperator(*mesh).scalars);
   return all;
+}
+
+long long n_nodes(NodalCoarsening& coarsening, int level) {
+  return static_cast<long long>(coarsening.prolongator(level)->getGlobalNumRows());
 }
 
 std::vector<char> greedy_set(const Grid& grid) {
@@ -50,7 +54,7 @@ std::vector<GlobalOrdinal> fine_numbers(const CrsMatrix& nodes, const CrsMatrix&
 TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number_of_ranks) {
   for (const Grid& grid : grids) {
     const auto nodes = grid.laplacian(test::world());
-    const auto is_coarse = multigrid::independent_set(*nodes);
+    const auto is_coarse = multigrid::independent_set(*nodes, *test::order_of(*nodes));
     const auto expected = greedy_set(grid);
     TEST_EQUALITY(is_coarse.size(), nodes->getColMap()->getNodeNumElements());
     bool is_same = true;  // own nodes and ghosts
@@ -62,8 +66,8 @@ TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number
 }
 
 TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
-  for (const auto& nodes : graphs()) {
-    const auto is_coarse = multigrid::independent_set(*nodes);
+  for (const auto& [nodes, order] : graphs()) {
+    const auto is_coarse = multigrid::independent_set(*nodes, *order);
     int n_neighbours_in_the_set = 0, n_without_a_neighbour = 0;
     for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList()) {
       int n_coarse = 0;
@@ -80,8 +84,8 @@ TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
 }
 
 TEUCHOS_UNIT_TEST(independent_set, ghosts_are_in_it_where_their_owner_says_so) {
-  for (const auto& nodes : graphs()) {
-    const auto is_coarse = multigrid::independent_set(*nodes);
+  for (const auto& [nodes, order] : graphs()) {
+    const auto is_coarse = multigrid::independent_set(*nodes, *order);
     Vector own(nodes->getRowMap());
     for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList())
       own.replaceGlobalValue(row, is_coarse[nodes->getColMap()->getLocalElement(row)]);
@@ -94,9 +98,9 @@ TEUCHOS_UNIT_TEST(independent_set, ghosts_are_in_it_where_their_owner_says_so) {
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_in_the_set) {
-  for (const auto& nodes : graphs()) {
-    const auto is_coarse = multigrid::independent_set(*nodes);
-    const auto P = NodalCoarsening(nodes).prolongator(0, 1);
+  for (const auto& [nodes, order] : graphs()) {
+    const auto is_coarse = multigrid::independent_set(*nodes, *order);
+    const auto P = NodalCoarsening(nodes, *order).prolongator(0);
     const auto fine_number = fine_numbers(*nodes, *P, is_coarse);
     bool is_as_defined = true;
     for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList()) {
@@ -114,15 +118,15 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_i
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, levels_shrink_and_keep_constants_down_to_one_node) {
-  for (const auto& nodes : graphs()) {
-    NodalCoarsening coarsening(nodes);
-    TEST_EQUALITY(coarsening.n_nodes(0), static_cast<long long>(nodes->getGlobalNumRows()));
+  for (const auto& [nodes, order] : graphs()) {
+    NodalCoarsening coarsening(nodes, *order);
+    TEST_EQUALITY(n_nodes(coarsening, 0), static_cast<long long>(nodes->getGlobalNumRows()));
     int level = 0;
-    for (; coarsening.n_nodes(level) > 1 && level < 20; ++level) {
-      const auto P = coarsening.prolongator(level, 1);
-      TEST_EQUALITY(static_cast<long long>(P->getGlobalNumRows()), coarsening.n_nodes(level));
-      TEST_EQUALITY(static_cast<long long>(P->getGlobalNumCols()), coarsening.n_nodes(level + 1));
-      TEST_COMPARE(coarsening.n_nodes(level + 1), <, coarsening.n_nodes(level));
+    for (; n_nodes(coarsening, level) > 1 && level < 20; ++level) {
+      const auto P = coarsening.prolongator(level);
+      TEST_EQUALITY(static_cast<long long>(P->getGlobalNumRows()), n_nodes(coarsening, level));
+      TEST_EQUALITY(static_cast<long long>(P->getGlobalNumCols()), n_nodes(coarsening, level + 1));
+      TEST_COMPARE(n_nodes(coarsening, level + 1), <, n_nodes(coarsening, level));
       Vector ones(P->getDomainMap()), prolonged(P->getRangeMap());
       ones.putScalar(1.0);
       P->apply(ones, prolonged);  // the row sums
@@ -131,17 +135,18 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, levels_shrink_and_keep_constants_down_to_one
       prolonged.update(-1.0, ones, 1.0);
       TEST_COMPARE(prolonged.normInf(), <, 1e-14);
     }
-    TEST_EQUALITY(coarsening.n_nodes(level), 1);
+    TEST_EQUALITY(n_nodes(coarsening, level), 1);
   }
 }
 
-TEUCHOS_UNIT_TEST(nodal_coarsening, prolongators_of_all_levels_do_not_depend_on_the_ranks) {
+TEUCHOS_UNIT_TEST(nodal_coarsening, prolongators_of_grids_do_not_depend_on_the_ranks) {
   for (const Grid& grid : grids) {
-    NodalCoarsening parallel(grid.laplacian(test::world()));
-    NodalCoarsening serial(grid.laplacian(test::alone()));
-    for (int level = 0; serial.n_nodes(level) > 1; ++level) {
-      const auto P = parallel.prolongator(level, 1), expected = serial.prolongator(level, 1);
-      TEST_EQUALITY(parallel.n_nodes(level + 1), serial.n_nodes(level + 1));
+    const auto nodes = grid.laplacian(test::world()), alone = grid.laplacian(test::alone());
+    NodalCoarsening parallel(nodes, *test::order_of(*nodes));
+    NodalCoarsening serial(alone, *test::order_of(*alone));
+    for (int level = 0; n_nodes(serial, level) > 1; ++level) {
+      const auto P = parallel.prolongator(level), expected = serial.prolongator(level);
+      TEST_EQUALITY(n_nodes(parallel, level + 1), n_nodes(serial, level + 1));
       bool is_same = true;
       for (const GlobalOrdinal row : P->getRowMap()->getNodeElementList())
         is_same &= row_of(*P, row) == row_of(*expected, row);
@@ -150,33 +155,23 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, prolongators_of_all_levels_do_not_depend_on_
   }
 }
 
-TEUCHOS_UNIT_TEST(nodal_coarsening, more_unknowns_per_node_repeat_the_prolongator_of_one) {
-  for (const auto& nodes : graphs()) {
-    NodalCoarsening coarsening(nodes);
-    for (int level = 0; coarsening.n_nodes(level) > 1; ++level) {
-      const auto P3 = coarsening.prolongator(level, 3), P = coarsening.prolongator(level, 1);
-      TEST_EQUALITY(P3->getNodeNumRows(), 3 * P->getNodeNumRows());
-      TEST_EQUALITY(P3->getDomainMap()->getNodeNumElements(),
-                    3 * P->getDomainMap()->getNodeNumElements());
-      bool is_repeated = true;
-      for (const GlobalOrdinal row : P->getRowMap()->getNodeElementList())
-        for (int i = 0; i < 3; ++i) {
-          std::map<GlobalOrdinal, Scalar> expected;
-          for (const auto& [column, value] : row_of(*P, row)) expected[3 * column + i] = value;
-          is_repeated &= row_of(*P3, 3 * row + i) == expected;
-        }
-      TEST_ASSERT(fields::all_agree(*nodes->getComm(), is_repeated));
-    }
+TEUCHOS_UNIT_TEST(nodal_coarsening, levels_of_a_mesh_do_not_depend_on_how_it_is_partitioned) {
+  const auto parallel = graphs(), serial = graphs(test::alone());
+  for (std::size_t g = 0; g < parallel.size(); ++g) {
+    NodalCoarsening all(parallel[g].graph, *parallel[g].order);
+    NodalCoarsening one(serial[g].graph, *serial[g].order);
+    for (int level = 0; n_nodes(one, level) > 1; ++level)
+      TEST_EQUALITY(n_nodes(all, level + 1), n_nodes(one, level + 1));
   }
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, what_was_made_once_is_kept) {
-  NodalCoarsening coarsening(grids[0].laplacian(test::world()));
-  for (const int dofs : {1, 3})
-    for (const int level : {1, 0}) {
-      const auto first = coarsening.prolongator(level, dofs);
-      TEST_EQUALITY(coarsening.prolongator(level, dofs).get(), first.get());
-    }
+  const auto nodes = grids[0].laplacian(test::world());
+  NodalCoarsening coarsening(nodes, *test::order_of(*nodes));
+  for (const int level : {1, 0}) {
+    const auto first = coarsening.prolongator(level);
+    TEST_EQUALITY(coarsening.prolongator(level).get(), first.get());
+  }
 }
 
 }  // namespace

@@ -13,12 +13,12 @@ using test::DenseSweep;
 using test::WallMatrix;
 
 multigrid::VankaPatches patches_of(const CrsMatrix& K) {
-  return multigrid::make_vanka_patches(K, multigrid::fourth_rows(K));
+  return multigrid::make_vanka_patches(K, multigrid::scalar_rows(K, {}));
 }
 
 /// Set up for the present values.
 std::unique_ptr<multigrid::Vanka> vanka(const CrsMatrix& K, const VankaOptions& options) {
-  auto smoother = multigrid::make_vanka(K, multigrid::fourth_rows(K), options);
+  auto smoother = multigrid::make_vanka(K, multigrid::scalar_rows(K, {}), options);
   smoother->refresh();
   return smoother;
 }
@@ -242,7 +242,7 @@ void clear_row(CrsMatrix& K, int row) {
 TEUCHOS_UNIT_TEST(vanka, a_singular_patch_of_one_rank_throws_on_all) {
   WallMatrix wall;
   const auto patches = patches_of(*wall.K());
-  const auto smoother = multigrid::make_vanka(*wall.K(), multigrid::fourth_rows(*wall.K()), {});
+  const auto smoother = multigrid::make_vanka(*wall.K(), multigrid::scalar_rows(*wall.K(), {}), {});
   smoother->refresh();
   clear_row(*wall.K(), patches.rows[0]);
   std::string message;

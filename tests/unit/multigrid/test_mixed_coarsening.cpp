@@ -1,0 +1,132 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "fields/reduce.hpp"
+#include "multigrid/mixed_coarsening.hpp"
+#include "unit/fields/small_tube.hpp"
+#include "unit/multigrid/grid_blocks.hpp"
+
+namespace {
+
+using namespace tunica;
+using multigrid::MixedCoarsening;
+using test::Grid;
+using test::row_of;
+
+long long rows(const CrsMatrix& A) { return static_cast<long long>(A.getGlobalNumRows()); }
+long long columns(const CrsMatrix& A) { return static_cast<long long>(A.getGlobalNumCols()); }
+
+/// The entries of a row with the numbers that f gives its columns.
+template <class Renumber>
+std::map<GlobalOrdinal, Scalar> renumbered(const CrsMatrix& P, GlobalOrdinal row, Renumber f) {
+  std::map<GlobalOrdinal, Scalar> found;
+  for (const auto& [column, weight] : row_of(P, row)) found[f(column)] = weight;
+  return found;
+}
+
+/// The same without some rows and columns.
+Teuchos::RCP<CrsMatrix> without(const CrsMatrix& A, bool (*is_dropped)(GlobalOrdinal)) {
+  std::vector<GlobalOrdinal> numbers;
+  for (const GlobalOrdinal row : A.getRowMap()->getNodeElementList())
+    if (!is_dropped(row)) numbers.push_back(row);
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const Teuchos::RCP<const Map> map =
+      Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(numbers), 0, A.getComm()));
+  const auto rest = Teuchos::rcp(new CrsMatrix(map, A.getNodeMaxNumRowEntries()));
+  for (const GlobalOrdinal row : numbers)
+    for (const auto& [column, value] : row_of(A, row))
+      if (!is_dropped(column))
+        rest->insertGlobalValues(row, Teuchos::tuple<GlobalOrdinal>(column),
+                                 Teuchos::tuple<Scalar>(value));
+  rest->fillComplete();
+  return rest;
+}
+
+TEUCHOS_UNIT_TEST(mixed_coarsening,
+                  blocks_on_the_same_nodes_repeat_the_prolongator_of_one_unknown) {
+  for (const int components : {2, 3}) {
+    const auto K = test::blocks_on({9, 7, 5, true}, test::world(), components);
+    MixedCoarsening coarsening(K);
+    const int dofs = components + 1;
+    long long n = rows(*K.mC);
+    for (int level = 0; n > 1; ++level) {
+      const auto P = coarsening.prolongator(level, n);
+      const auto Pu = coarsening.prolongator(level, components * n);
+      const auto all = coarsening.prolongator(level, dofs * n);
+      bool is_repeated = true;
+      for (const GlobalOrdinal row : P->getRowMap()->getNodeElementList()) {
+        for (int i = 0; i < components; ++i)
+          is_repeated &= row_of(*Pu, components * row + i) ==
+                         renumbered(*P, row, [&](auto node) { return components * node + i; });
+        for (int i = 0; i < dofs; ++i)
+          is_repeated &= row_of(*all, dofs * row + i) ==
+                         renumbered(*P, row, [&](auto node) { return dofs * node + i; });
+      }
+      TEST_ASSERT(fields::all_agree(*test::world(), is_repeated));
+      n = columns(*P);
+      TEST_EQUALITY(columns(*all), dofs * n);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(mixed_coarsening, rows_of_blocks_on_different_nodes_are_those_of_each) {
+  auto K = test::blocks_on({9, 9, 5, true});
+  K.mC = Grid{5, 5, 3, true}.laplacian(test::world());
+  K.scalars = {K.mC, test::order_of(*K.mC)};
+  MixedCoarsening coarsening(K);
+  long long n_u = rows(*K.A), n_p = rows(*K.mC);
+  for (int level = 0; level < 2; ++level) {
+    const auto Pu = coarsening.prolongator(level, n_u), Pp = coarsening.prolongator(level, n_p);
+    const auto all = coarsening.prolongator(level, n_u + n_p);
+    bool is_same = true;
+    for (const GlobalOrdinal row : Pu->getRowMap()->getNodeElementList())
+      is_same &= row_of(*all, row / 3 * 4 + row % 3) ==
+                 renumbered(*Pu, row, [](auto column) { return column / 3 * 4 + column % 3; });
+    for (const GlobalOrdinal row : Pp->getRowMap()->getNodeElementList())
+      is_same &=
+          row_of(*all, 4 * row + 3) == renumbered(*Pp, row, [](auto node) { return 4 * node + 3; });
+    TEST_ASSERT(fields::all_agree(*test::world(), is_same));
+    n_u = columns(*Pu);
+    n_p = columns(*Pp);
+    TEST_EQUALITY(columns(*all), n_u + n_p);
+  }
+}
+
+bool is_missing(GlobalOrdinal number) { return number % 3 == 1 && number / 3 % 4 == 0; }
+
+TEUCHOS_UNIT_TEST(mixed_coarsening,
+                  nodes_that_lack_a_component_interpolate_from_those_that_have_it) {
+  auto K = test::blocks_on({9, 7, 5, true});
+  K.A = without(*K.A, is_missing);
+  MixedCoarsening coarsening(K);
+  const auto P = coarsening.prolongator(0, rows(*K.mC)), Pu = coarsening.prolongator(0, rows(*K.A));
+  TEST_ASSERT(Pu->getRowMap()->isSameAs(*K.A->getRowMap()));
+  TEST_COMPARE(columns(*Pu), <, 3 * columns(*P));
+  Vector ones(Pu->getDomainMap()), sums(Pu->getRangeMap()), reached(Pu->getDomainMap());
+  ones.putScalar(1.0);
+  Pu->apply(ones, sums);
+  int n_wrong = 0;
+  for (const GlobalOrdinal row : Pu->getRowMap()->getNodeElementList()) {
+    const double sum = sums.getData()[Pu->getRowMap()->getLocalElement(row)];
+    n_wrong += std::abs(sum - 1.0) > 1e-14 && !row_of(*Pu, row).empty();
+  }
+  TEST_EQUALITY(fields::global_sum(*test::world(), n_wrong), 0.0);
+  sums.putScalar(1.0);
+  Pu->apply(sums, reached, Teuchos::TRANS);
+  double least = 1e300;  // no coarse unknown is without a fine one
+  for (const double value : reached.getData()) least = std::min(least, value);
+  TEST_COMPARE(fields::global_max(*test::world(), -least), <, -0.99);
+}
+
+TEUCHOS_UNIT_TEST(mixed_coarsening, knows_a_mixed_matrix_from_a_block) {
+  const auto K = test::blocks_on({4, 4, 4, true});
+  MixedCoarsening coarsening(K);
+  const auto both = Grid{4, 4, 4, true}.laplacian(test::world(), 4);
+  coarsening.check_mixed(0, *both);
+  TEST_THROW(coarsening.check_mixed(0, *K.A), std::runtime_error);
+  TEST_THROW(coarsening.check_mixed(0, *K.mC), std::runtime_error);
+  TEST_THROW(coarsening.check_mixed(0, *Grid{5, 5, 5, true}.laplacian(test::world(), 3)),
+             std::runtime_error);
+  TEST_THROW(coarsening.prolongator(0, 17), std::runtime_error);
+}
+
+}  // namespace
