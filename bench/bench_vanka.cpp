@@ -140,7 +140,8 @@ using BlockRelaxation = Ifpack2::BlockRelaxation<RowMatrix>;
 
 /// Ifpack2's on the same patches: what it calls Gauss-Seidel is the forward sweep.
 std::unique_ptr<BlockRelaxation> block_relaxation(const Wall& wall) {
-  const auto patches = multigrid::make_vanka_patches(*wall.K(), multigrid::scalar_rows(*wall.K(), {}));
+  const auto patches =
+      multigrid::make_vanka_patches(*wall.K(), multigrid::scalar_rows(*wall.K(), {}));
   Teuchos::Array<Teuchos::ArrayRCP<int>> parts;
   for (int p = 0; p < patches.n_patches(); ++p)
     parts.push_back(Teuchos::arcpClone(

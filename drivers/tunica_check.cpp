@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/session.hpp"
 #include "params/read_xml.hpp"
+#include "systems/read_system.hpp"
 
 namespace {
 
@@ -41,15 +42,23 @@ void print_reference() {
                "`tunica-fsi` leaves out\nSolvers, `tunica-solid` also Fluid, Mesh Motion and "
                "Coupling, `tunica-fluid` Wall, Mesh Motion and\nCoupling.\n\n";
   app::solvers_table().print_markdown(std::cout, "Case");
+  std::cout << "\n`tunica-solvers` on a linear system of another program reads these instead.\n\n";
+  app::system_solvers_table().print_markdown(std::cout, "System Case");
 }
 
 int check(const app::CommandLine& command) {
   const CommPtr comm = all_ranks();
-  const Teuchos::ParameterList list =
-      app::read_case(command, table_for(command.case_file, *comm), *comm);
-  app::load_domain(list, comm);
+  const bool is_foreign = app::has_list(command.case_file, "System", *comm);
+  const Teuchos::ParameterList list = app::read_case(
+      command, is_foreign ? app::system_solvers_table() : table_for(command.case_file, *comm),
+      *comm);
+  if (is_foreign)
+    systems::read_system(list.sublist("System"), comm);
+  else
+    app::load_domain(list, comm);
   if (comm->getRank() == 0)
-    std::cout << command.case_file << ": the case and its mesh are valid." << std::endl;
+    std::cout << command.case_file << ": the case and its " << (is_foreign ? "files" : "mesh")
+              << " are valid." << std::endl;
   return app::exit_done;
 }
 

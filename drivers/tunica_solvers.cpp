@@ -1,8 +1,12 @@
 // Takes real Jacobians out of a fluid-structure interaction problem, solves each with a list of
-// settings, and compares them in one table.
+// settings, and compares them in one table. Or reads a linear system of another program.
 //
 //   tunica-solvers xml/solvers-tiny.xml --output results/solvers
+//   tunica-solvers xml/system.xml
 //   mpirun -n 2 tunica-solvers xml/solvers-tiny.xml --export systems
+
+#include <iostream>
+#include <memory>
 
 #include "app/run.hpp"
 #include "app/run_log.hpp"
@@ -11,6 +15,8 @@
 #include "app/system_capture.hpp"
 #include "app/system_export.hpp"
 #include "coupling/dirichlet_neumann.hpp"
+#include "output/matrix_market.hpp"
+#include "systems/read_system.hpp"
 
 namespace {
 
@@ -76,6 +82,28 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
   return verdict;
 }
 
+/// A system from files in the place of a coupled problem.
+std::function<app::Verdict(app::RunOutput&)> load_system(const Teuchos::ParameterList& list,
+                                                         const CommPtr& comm) {
+  const auto system =
+      std::make_shared<systems::System>(systems::read_system(list.sublist("System"), comm));
+  if (comm->getRank() == 0)
+    std::cout << "system: " << system->K.A->getGlobalNumRows() << " vector and "
+              << system->K.mC->getGlobalNumRows() << " scalar unknowns\nranks: " << comm->getSize()
+              << std::endl;
+  return [system, list, comm](app::RunOutput& output) {
+    app::SolverTable table(list, output, comm->getRank() == 0);
+    const auto best =
+        table.run({"system", 0, 0, 0, &system->K, &system->b, &linear::no_operators()});
+    table.print();
+    if (!best) return app::Verdict{false, "no setting came nearer to the solution than zero"};
+    const fields::BlockVector x = systems::in_file_order(*system, best->x);
+    output::write_matrix_market(output.folder.file("solution.mtx"), {x.u.get(), x.p.get()},
+                                app::note_on(*best));
+    return app::Verdict();
+  };
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -83,5 +111,5 @@ int main(int argc, char** argv) {
       argc, argv,
       {"tunica-solvers", "Compares settings of linear solvers on the systems of a coupled problem.",
        tunica::app::solvers_table()},
-      march);
+      march, tunica::app::Alternative{"System", tunica::app::system_solvers_table(), load_system});
 }

@@ -49,4 +49,13 @@ Teuchos::ParameterList read_case(const CommandLine& command, const params::Table
   return list;
 }
 
+bool has_list(const std::string& file, const std::string& name, const Comm& comm) {
+  std::string found;
+  on_root(comm, [&] {
+    if (params::read_xml(file).isSublist(name)) found = name;
+  });
+  broadcast(comm, found);
+  return !found.empty();
+}
+
 }  // namespace tunica::app

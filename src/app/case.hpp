@@ -13,4 +13,7 @@ namespace tunica::app {
 Teuchos::ParameterList read_case(const CommandLine& command, const params::Table& table,
                                  const Comm& comm);
 
+/// True where the XML file has such a list at the top. Throws as read_case() does. Collective.
+bool has_list(const std::string& file, const std::string& name, const Comm& comm);
+
 }  // namespace tunica::app

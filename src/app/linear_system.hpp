@@ -1,24 +1,27 @@
 #pragma once
 #include <string>
 
-#include "fields/block_operator.hpp"
+#include "fields/block_matrices.hpp"
 #include "linear/named_operators.hpp"
 
 namespace tunica::app {
 
-/// One linear system of a run, K x = b, and where in the run it stands. The objects referred to
-/// belong to the problem and change with the next Newton step.
+/// One linear system K x = b, and where in a run it stands. The objects referred to belong to the
+/// problem and change with the next Newton step.
 struct LinearSystem {
-  std::string field;  ///< "fluid" or "wall"
-  int step;           ///< all three counted from 1
+  std::string field;  ///< "fluid", "wall", or "system" for one of another program
+  int step;           ///< all three counted from 1; 0 for one of another program
   int coupling_iteration;
   int newton_step;
-  const fields::BlockOperator* K;
+  const fields::BlockMatrices* K;
   const fields::BlockVector* b;
   const linear::NamedOperators* operators;
+  const fields::FieldMesh* mesh = nullptr;  ///< none for one of another program
 
-  /// "fluid-newton-1"
-  std::string name() const { return field + "-newton-" + std::to_string(newton_step); }
+  /// "fluid-newton-1", "system"
+  std::string name() const {
+    return newton_step == 0 ? field : field + "-newton-" + std::to_string(newton_step);
+  }
 };
 
 }  // namespace tunica::app

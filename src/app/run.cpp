@@ -56,6 +56,23 @@ void record_sizes(const Domain& domain, output::RunRecord& record) {
   if (domain.interface) record.set("sizes", "interface vertices", domain.interface->n_total());
 }
 
+/// The work and what is written about it.
+int conclude(const Program& program, RunOutput& output, const Comm& comm,
+             const std::function<Verdict()>& work) {
+  output.record.save();
+  const Stopwatch marching;
+  const Verdict verdict = work();
+  output.record.add_time("march", marching.seconds());
+  output.record.finish(
+      verdict.is_converged ? output::RunStatus::done : output::RunStatus::not_converged,
+      verdict.reason);
+  if (comm.getRank() == 0) {
+    if (!verdict.is_converged) std::cerr << program.name << ": " << verdict.reason << std::endl;
+    std::cout << "results in " << output.folder.path() << std::endl;
+  }
+  return verdict.is_converged ? exit_done : exit_not_converged;
+}
+
 int solve(const Program& program, const CommandLine& command, const March& march,
           const CommPtr& comm) {
   const Stopwatch set_up;
@@ -68,18 +85,20 @@ int solve(const Program& program, const CommandLine& command, const March& march
   output.record.set("case", "file", command.case_file);
   record_sizes(domain, output.record);
   output.record.add_time("set-up", set_up.seconds());
-  output.record.save();
-  const Stopwatch marching;
-  const Verdict verdict = march(list, domain, output);
-  output.record.add_time("march", marching.seconds());
-  output.record.finish(
-      verdict.is_converged ? output::RunStatus::done : output::RunStatus::not_converged,
-      verdict.reason);
-  if (comm->getRank() == 0) {
-    if (!verdict.is_converged) std::cerr << program.name << ": " << verdict.reason << std::endl;
-    std::cout << "results in " << output.folder.path() << std::endl;
-  }
-  return verdict.is_converged ? exit_done : exit_not_converged;
+  return conclude(program, output, *comm, [&] { return march(list, domain, output); });
+}
+
+int solve(const Program& program, const CommandLine& command, const Alternative& alternative,
+          const CommPtr& comm) {
+  const Stopwatch set_up;
+  const Teuchos::ParameterList list = read_case(command, alternative.table, *comm);
+  const auto work = alternative.load(list, comm);
+  if (command.dry_run) return exit_done;
+  linear::check_direct_solver(comm);
+  RunOutput output(program, list, comm);
+  output.record.set("case", "file", command.case_file);
+  output.record.add_time("set-up", set_up.seconds());
+  return conclude(program, output, *comm, [&] { return work(output); });
 }
 
 }  // namespace
@@ -94,11 +113,14 @@ RunOutput::RunOutput(const Program& program, const Teuchos::ParameterList& list,
                      const CommPtr& comm)
     : folder(list.sublist("Output").get<std::string>("folder"), comm),
       record(folder.file("run.json"), program.name, TUNICA_VERSION, comm),
-      fields_every(list.sublist("Output").get<int>("fields every")) {
+      fields_every(list.sublist("Output").isParameter("fields every")
+                       ? list.sublist("Output").get<int>("fields every")
+                       : 0) {
   on_root(*comm, [&] { params::write_xml(list, folder.file("case.xml")); });
 }
 
-int run_program(int argc, char** argv, const Program& program, const March& march) {
+int run_program(int argc, char** argv, const Program& program, const March& march,
+                const std::optional<Alternative>& alternative) {
   const Session session;
   const CommPtr comm = all_ranks();
   const bool is_root = comm->getRank() == 0;
@@ -107,6 +129,8 @@ int run_program(int argc, char** argv, const Program& program, const March& marc
     if (command.help && is_root) std::cout << usage(program.name, program.sentence);
     if (command.print_defaults && is_root) program.table.print_xml(std::cout, "Case");
     if (command.help || command.print_defaults) return exit_done;
+    if (alternative && has_list(command.case_file, alternative->list, *comm))
+      return solve(program, command, *alternative, comm);
     return solve(program, command, march, comm);
   } catch (const Error& error) {  // the same on all ranks
     if (is_root) std::cerr << program.name << ": " << error.what() << std::endl;

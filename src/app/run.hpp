@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "app/case.hpp"
@@ -40,8 +41,18 @@ int fault(const std::string& message, const Comm& comm);
 
 using March = std::function<Verdict(const Teuchos::ParameterList&, const Domain&, RunOutput&)>;
 
+/// What a program does with a case that has a certain list at the top: such a case has no mesh.
+struct Alternative {
+  std::string list;
+  params::Table table;
+  /// Reads what the case names, and returns the work. Collective, both.
+  std::function<std::function<Verdict(RunOutput&)>(const Teuchos::ParameterList&, const CommPtr&)>
+      load;
+};
+
 /// The frame of every solving driver: command line, case, mesh, --dry-run, the march, and the
 /// one place where errors become exit statuses. Starts and ends MPI.
-int run_program(int argc, char** argv, const Program& program, const March& march);
+int run_program(int argc, char** argv, const Program& program, const March& march,
+                const std::optional<Alternative>& alternative = {});
 
 }  // namespace tunica::app

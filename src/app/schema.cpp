@@ -10,6 +10,7 @@
 #include "problems/mesh_motion.hpp"
 #include "problems/solid_options.hpp"
 #include "stepping/clock.hpp"
+#include "systems/read_system.hpp"
 
 namespace tunica::app {
 
@@ -83,6 +84,18 @@ params::Table solvers_table() {
   add_export_keys(solvers);
   params::Table table = fsi_table();
   table.sublist("Solvers", solvers).check(check_wish);
+  return table;
+}
+
+params::Table system_solvers_table() {
+  params::Table solvers("What tunica-solvers compares.");
+  add_system_setting_keys(solvers);
+  params::Table output("What a run leaves behind.");
+  output.text("folder", "results", "folder of the results; --output overrides it");
+  params::Table table("A linear system of another program.");
+  table.sublist("System", systems::system_table())
+      .sublist("Solvers", solvers)
+      .sublist("Output", output);
   return table;
 }
 

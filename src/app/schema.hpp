@@ -9,5 +9,7 @@ params::Table solid_table();
 params::Table fluid_table();
 /// Of tunica-solvers: every case of tunica-fsi, with the list "Solvers" beside the others.
 params::Table solvers_table();
+/// The same for a system of another program: no fields, no mesh.
+params::Table system_solvers_table();
 
 }  // namespace tunica::app

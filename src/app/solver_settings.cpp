@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/agreement.hpp"
+#include "base/heap.hpp"
 #include "base/timer.hpp"
 #include "fields/reduce.hpp"
 
@@ -46,7 +47,7 @@ double SolverRow::convergence_factor() const {
 
 SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, double tolerance,
                       fields::BlockVector& x) {
-  const Comm& comm = *system.K->mesh().comm;
+  const Comm& comm = *system.K->comm();
   SolverRow row;
   row.field = system.field;
   row.newton_step = system.newton_step;
@@ -54,21 +55,25 @@ SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, 
   row.method = setting.list.get<std::string>("method");
   if (setting.list.isParameter("preconditioner"))
     row.preconditioner = setting.list.get<std::string>("preconditioner");
-  row.unknowns = 4 * static_cast<long long>(system.K->mesh().node_map->getGlobalNumElements());
+  row.unknowns = system.K->n_unknowns();
   row.solve.true_residual = row.solve.recurrence_residual =
       std::numeric_limits<double>::quiet_NaN();
   std::string failure;
   comm.barrier();
   const Stopwatch watch;
+  const double heap_before = heap_bytes();
+  double held = 0.0;
   try {
     const auto solver = linear::make_linear_solver(setting.list, *system.K, *system.operators);
     row.solve = solver->solve(*system.b, x, tolerance);
+    held = heap_bytes() - heap_before;
   } catch (const std::exception& error) {
     failure = telling_line(error.what());
   }
   const double seconds = watch.seconds() - row.solve.solve_seconds;
   row.solve.setup_seconds = fields::global_max(comm, seconds);
   row.solve.solve_seconds = fields::global_max(comm, row.solve.solve_seconds);
+  row.memory_megabytes = fields::global_sum(comm, held) / 1e6;
   failure = agreed_message(comm, failure);
   row.verdict = failure.empty() ? verdict_of(setting, row.solve) : failure;
   row.solve.is_converged = row.verdict == "converged";

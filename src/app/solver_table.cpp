@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
 #include "base/timer.hpp"
@@ -16,14 +17,24 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::vector<std::string> columns() {
-  return {"field",          "newton_step",
-          "setting",        "method",
-          "preconditioner", "unknowns",
-          "iterations",     "convergence_factor",
-          "true_residual",  "recurrence_residual",
-          "setup_seconds",  "solve_seconds",
-          "difference",     "verdict",
-          "levels",         "operator_complexity"};
+  return {"field",
+          "newton_step",
+          "setting",
+          "method",
+          "preconditioner",
+          "unknowns",
+          "iterations",
+          "convergence_factor",
+          "true_residual",
+          "recurrence_residual",
+          "setup_seconds",
+          "solve_seconds",
+          "difference",
+          "verdict",
+          "levels",
+          "operator_complexity",
+          "operator_applications",
+          "memory_megabytes"};
 }
 
 /// `25200 3840 640`
@@ -36,11 +47,31 @@ std::string level_sizes(const SolverRow& row) {
 
 std::vector<output::Cell> cells(const SolverRow& row) {
   const linear::SolveReport& s = row.solve;
-  return {
-      row.field,          row.newton_step,       row.setting,      row.method,
-      row.preconditioner, row.unknowns,          s.iterations,     row.convergence_factor(),
-      s.true_residual,    s.recurrence_residual, s.setup_seconds,  s.solve_seconds,
-      row.difference,     row.verdict,           level_sizes(row), s.levels.operator_complexity};
+  return {row.field,
+          row.newton_step,
+          row.setting,
+          row.method,
+          row.preconditioner,
+          row.unknowns,
+          s.iterations,
+          row.convergence_factor(),
+          s.true_residual,
+          s.recurrence_residual,
+          s.setup_seconds,
+          s.solve_seconds,
+          row.difference,
+          row.verdict,
+          level_sizes(row),
+          s.levels.operator_complexity,
+          s.operator_applications,
+          row.memory_megabytes};
+}
+
+/// For systems that come without named operators.
+params::Table foreign_solver_table() {
+  linear::SolverDefaults defaults;
+  defaults.block = linear::default_block_preconditioner(1, 1, "Algebraic");
+  return linear::linear_solver_table(defaults);
 }
 
 std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,
@@ -49,29 +80,59 @@ std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,
   std::vector<SolverSetting> settings;
   for (auto it = entries.begin(); it != entries.end(); ++it)
     settings.push_back({entries.name(it), entries.sublist(entries.name(it))});
+  if (settings.empty() && !list.isSublist(field)) {
+    Teuchos::ParameterList fallback;
+    foreign_solver_table().resolve(fallback, "", "");
+    settings.push_back({"default", fallback});
+  }
   if (settings.empty()) settings.push_back({"case", list.sublist(field).sublist("Linear Solver")});
   return settings;
 }
 
+std::map<std::string, std::vector<SolverSetting>> all_settings(const Teuchos::ParameterList& list) {
+  if (list.isSublist("System")) return {{"system", settings_of(list, "Settings")}};
+  return {{"fluid", settings_of(list, "Fluid")}, {"wall", settings_of(list, "Wall")}};
+}
+
+std::map<std::string, int> place_of(const Teuchos::ParameterList& solvers) {
+  std::map<std::string, int> place;
+  for (const char* key : {"step", "coupling iteration"})
+    if (solvers.isParameter(key)) place[key] = solvers.get<int>(key);
+  return place;
+}
+
+void add_tolerance(params::Table& table) {
+  table.number("tolerance", 1e-8, params::Range{0.0, 1.0, true, true}, "1",
+               "reduction of the residual that every setting has to reach");
+}
+
+constexpr const char* settings_sentence =
+    "settings to compare, each like a \"Linear Solver\" list; the first is the measure of the "
+    "others";
+
 }  // namespace
 
+void add_system_setting_keys(params::Table& table) {
+  add_tolerance(table);
+  table.entries("Settings", foreign_solver_table(), settings_sentence);
+}
+
 void add_setting_keys(params::Table& table) {
-  const std::string sentence =
-      "settings to compare, each like a \"Linear Solver\" list; the first "
-      "is the measure of the others";
-  table
-      .number("tolerance", 1e-8, params::Range{0.0, 1.0, true, true}, "1",
-              "reduction of the residual that every setting has to reach")
-      .entries("Fluid", problems::fluid_solver_table(), sentence)
-      .entries("Wall", problems::solid_solver_table(), sentence);
+  add_tolerance(table);
+  table.entries("Fluid", problems::fluid_solver_table(), settings_sentence)
+      .entries("Wall", problems::solid_solver_table(), settings_sentence);
+}
+
+std::string note_on(const BestSolution& solution) {
+  std::ostringstream text;
+  text << "setting \"" << solution.setting << "\", relative residual " << solution.true_residual;
+  return text.str();
 }
 
 SolverTable::SolverTable(const Teuchos::ParameterList& list, const RunOutput& output, bool is_root)
-    : settings_{{"fluid", settings_of(list, "Fluid")}, {"wall", settings_of(list, "Wall")}},
-      tolerance_(list.sublist("Solvers").get<double>("tolerance")),
-      step_(list.sublist("Solvers").get<int>("step")),
-      coupling_iteration_(list.sublist("Solvers").get<int>("coupling iteration")),
-      is_root_(is_root), record_(&output.record), json_file_(output.folder.file("solvers.json")),
+    : settings_(all_settings(list)), tolerance_(list.sublist("Solvers").get<double>("tolerance")),
+      place_(place_of(list.sublist("Solvers"))), is_root_(is_root), record_(&output.record),
+      json_file_(output.folder.file("solvers.json")),
       csv_(output.folder.file("solvers.csv"), columns(), is_root) {
   save();  // so that it never tells of an earlier run
 }
@@ -81,7 +142,7 @@ std::optional<BestSolution> SolverTable::run(const LinearSystem& system) {
   std::optional<fields::BlockVector> first;
   const Stopwatch watch;
   for (const SolverSetting& setting : settings_.at(system.field)) {
-    fields::BlockVector x(system.K->mesh());
+    fields::BlockVector x = system.K->zero();
     SolverRow row = run_setting(setting, system, tolerance_, x);
     if (row.solve.is_converged) {
       if (!first) first = x;
@@ -108,9 +169,8 @@ void SolverTable::save() const {
   const Json record = Json::parse(record_->text());
   Json out;
   for (const char* section : {"program", "case", "ranks", "versions", "sizes"})
-    out[section] = record.at(section);
-  out["step"] = step_;
-  out["coupling iteration"] = coupling_iteration_;
+    if (record.contains(section)) out[section] = record.at(section);
+  for (const auto& [key, number] : place_) out[key] = number;
   out["tolerance"] = tolerance_;
   out["solves"] = Json::array();
   for (const SolverRow& row : rows_) {
@@ -126,7 +186,7 @@ void SolverTable::save() const {
 
 void SolverTable::print() const {
   if (!is_root_) return;
-  for (const char* field : {"fluid", "wall"}) std::cout << text_of(rows_, field);
+  for (const auto& [field, settings] : settings_) std::cout << text_of(rows_, field);
   std::cout << std::flush;
 }
 

@@ -11,6 +11,8 @@ namespace tunica::app {
 
 /// Adds the settings of both fields and the tolerance.
 void add_setting_keys(params::Table& table);
+/// The same for systems of other programs.
+void add_system_setting_keys(params::Table& table);
 
 /// The most accurate solution that a list of settings found for a system.
 struct BestSolution {
@@ -18,6 +20,9 @@ struct BestSolution {
   double true_residual;
   fields::BlockVector x;
 };
+
+/// Which setting found it, and how near it is: for the head of a file.
+std::string note_on(const BestSolution& solution);
 
 /// Every setting on every system, in one table: on the screen, in "solvers.csv" row by row, and
 /// in "solvers.json" system by system.
@@ -27,7 +32,8 @@ struct BestSolution {
 class SolverTable {
 public:
   /// list: the resolved case. A field without settings gets that of its own "Linear Solver"
-  /// list, named "case". The record must outlive the table.
+  /// list, named "case", a system of another program the default. The record must outlive the
+  /// table.
   SolverTable(const Teuchos::ParameterList& list, const RunOutput& output, bool is_root);
 
   /// Adds a row for each setting of the system's field, and says so on the screen. Nothing where no
@@ -43,7 +49,7 @@ private:
 
   std::map<std::string, std::vector<SolverSetting>> settings_;  ///< by field
   double tolerance_;
-  int step_, coupling_iteration_;  ///< of the systems
+  std::map<std::string, int> place_;  ///< of the systems in the run
   bool is_root_;
   const output::RunRecord* record_;
   std::string json_file_;

@@ -11,7 +11,7 @@ namespace {
 struct Line {
   std::string setting;
   std::vector<std::string> iterations;
-  double setup_seconds = 0.0, solve_seconds = 0.0, difference = 0.0;
+  double setup_seconds = 0.0, solve_seconds = 0.0, difference = 0.0, memory_megabytes = 0.0;
   bool is_ever_converged = false;
   multigrid::Levels levels;
 };
@@ -45,6 +45,7 @@ std::vector<Line> lines_of(const std::vector<SolverRow>& rows) {
     line.setup_seconds += row.solve.setup_seconds;
     line.solve_seconds += row.solve.solve_seconds;
     line.levels = row.solve.levels;
+    line.memory_megabytes = std::max(line.memory_megabytes, row.memory_megabytes);
     if (!row.solve.is_converged) continue;
     line.is_ever_converged = true;
     line.difference = std::max(line.difference, row.difference);
@@ -61,18 +62,21 @@ std::size_t width_of(const std::vector<Line>& lines) {
 
 std::string heading(const std::vector<SolverRow>& rows, std::size_t width) {
   std::string text = "\n" + rows.front().field + ", " + std::to_string(rows.front().unknowns) +
-                     " unknowns, iterations and total seconds\n  Newton step" +
+                     " unknowns, iterations and total seconds\n  " +
+                     (rows.front().newton_step > 0 ? "Newton step" : "           ") +
                      std::string(width - 11, ' ');
   for (const SolverRow& row : rows)
-    if (row.setting == rows.front().setting) text += formatted("%7d", row.newton_step);
-  return text + "   set-up s   solve s    ratio  difference\n";
+    if (row.setting == rows.front().setting)
+      text += row.newton_step > 0 ? formatted("%7d", row.newton_step) : "  count";
+  return text + "   set-up s   solve s    ratio     MB  difference\n";
 }
 
 std::string text_of(const Line& line, std::size_t width, double measure) {
   std::string text = "  " + line.setting + std::string(width - line.setting.size(), ' ');
   for (const std::string& iterations : line.iterations) text += padded(iterations, 7);
   const double seconds = line.setup_seconds + line.solve_seconds;
-  text += formatted("%11.3f%10.3f%9.2f", line.setup_seconds, line.solve_seconds, seconds / measure);
+  text += formatted("%11.3f%10.3f%9.2f%7.0f", line.setup_seconds, line.solve_seconds,
+                    seconds / measure, line.memory_megabytes);
   return text +
          (line.is_ever_converged ? formatted("%12.1e\n", line.difference) : "           -\n");
 }
@@ -114,8 +118,9 @@ std::string text_of(const std::vector<SolverRow>& all, const std::string& field)
   text += levels_text(lines);
   for (const SolverRow& row : rows)
     if (!row.solve.is_converged)
-      text += formatted("  ! Newton step %d, ", row.newton_step) + row.setting + ": " +
-              row.verdict + formatted(", true residual %.1e\n", row.solve.true_residual);
+      text += (row.newton_step > 0 ? formatted("  ! Newton step %d, ", row.newton_step) : "  ! ") +
+              row.setting + ": " + row.verdict +
+              formatted(", true residual %.1e\n", row.solve.true_residual);
   return text;
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
 #include "base/agreement.hpp"
@@ -41,7 +40,7 @@ MultiVector rigid_motions(const fields::FieldMesh& mesh) {
 
 std::string state_of(const LinearSystem& system, const output::RunRecord& record) {
   const Json run = Json::parse(record.text());
-  const auto nodes = static_cast<long long>(system.K->mesh().node_map->getGlobalNumElements());
+  const auto nodes = static_cast<long long>(system.mesh->node_map->getGlobalNumElements());
   const bool is_fluid = system.field == "fluid";
   Json out;
   for (const char* section : {"program", "case", "ranks", "versions"})
@@ -91,7 +90,7 @@ void SystemExport::write(const LinearSystem& system) const {
   write_matrix_market(path(system, "B2.mtx"), *system.K->B2, 1.0, "");
   write_matrix_market(path(system, "C.mtx"), *system.K->mC, -1.0, "");
   write_matrix_market(path(system, "rhs.mtx"), {system.b->u.get(), system.b->p.get()}, "");
-  const MultiVector x = coordinates(system.K->mesh()), modes = rigid_motions(system.K->mesh());
+  const MultiVector x = coordinates(*system.mesh), modes = rigid_motions(*system.mesh);
   write_matrix_market(path(system, "coordinates.mtx"), {&x}, "mm");
   write_matrix_market(path(system, "nullspace.mtx"), {&modes}, "");
   std::string problem;
@@ -109,10 +108,7 @@ void SystemExport::write(const LinearSystem& system,
     if (comm_->getRank() == 0) std::remove(file.c_str());
     return;
   }
-  std::ostringstream comment;
-  comment << "setting \"" << solution->setting << "\", relative residual "
-          << solution->true_residual;
-  output::write_matrix_market(file, {solution->x.u.get(), solution->x.p.get()}, comment.str());
+  output::write_matrix_market(file, {solution->x.u.get(), solution->x.p.get()}, note_on(*solution));
 }
 
 }  // namespace tunica::app

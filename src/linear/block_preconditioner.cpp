@@ -224,7 +224,8 @@ void BlockPreconditioner::apply(const MultiVector& X, MultiVector& Y, Teuchos::E
   Thyra::apply<double>(*P, Thyra::NOTRANS, *x, y.ptr(), alpha, beta);
 }
 
-Teuchos::ParameterList default_block_preconditioner(int velocity_sweeps, int schur_sweeps) {
+Teuchos::ParameterList default_block_preconditioner(int velocity_sweeps, int schur_sweeps,
+                                                    const std::string& schur) {
   Teuchos::ParameterList list("Stratimikos");
   list.set("Preconditioner Type", "Teko");
   Teuchos::ParameterList& teko = list.sublist("Preconditioner Types").sublist("Teko");
@@ -233,9 +234,9 @@ Teuchos::ParameterList default_block_preconditioner(int velocity_sweeps, int sch
   library.sublist("Block LU")
       .set("Type", "LU Upper")
       .set("Inverse Velocity Type", "Velocity Cycle")
-      .set("Schur Complement", "Two Scale")
-      .set("Inverse Schur Type", "Pressure Cycle")
-      .set("Inverse Mass Type", "Pressure Cycle");
+      .set("Schur Complement", schur)
+      .set("Inverse Schur Type", "Pressure Cycle");
+  if (schur == "Two Scale") library.sublist("Block LU").set("Inverse Mass Type", "Pressure Cycle");
   library.sublist("Velocity Cycle").set("Type", "Nodal Multigrid").set("Sweeps", velocity_sweeps);
   library.sublist("Pressure Cycle").set("Type", "Nodal Multigrid").set("Sweeps", schur_sweeps);
   return list;

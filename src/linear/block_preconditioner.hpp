@@ -39,6 +39,7 @@ void check_block_preconditioner(const Teuchos::ParameterList& stratimikos);
 
 /// P_R with the two-scale Schur complement and a nodal multigrid cycle for each inverse, with
 /// the given sweeps of symmetric Gauss-Seidel before and after the coarse correction.
-Teuchos::ParameterList default_block_preconditioner(int velocity_sweeps, int schur_sweeps);
+Teuchos::ParameterList default_block_preconditioner(int velocity_sweeps, int schur_sweeps,
+                                                    const std::string& schur = "Two Scale");
 
 }  // namespace tunica::linear

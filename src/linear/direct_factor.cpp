@@ -1,17 +1,18 @@
 #include "linear/direct_factor.hpp"
 
-#include <Amesos2.hpp>
 #include <stdexcept>
+
+#include "multigrid/sparse_lu.hpp"
 
 namespace tunica::linear {
 
 struct DirectFactor::Solver {
-  Teuchos::RCP<Amesos2::Solver<CrsMatrix, MultiVector>> klu2;
+  Teuchos::RCP<multigrid::SparseLu> klu2;
 };
 
 DirectFactor::DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix)
     : matrix_(matrix), solver_(Teuchos::rcp(new Solver)) {
-  solver_->klu2 = Amesos2::create<CrsMatrix, MultiVector>("KLU2", matrix_);
+  solver_->klu2 = multigrid::make_sparse_lu(matrix_);
   solver_->klu2->symbolicFactorization();
 }
 

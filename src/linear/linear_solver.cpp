@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/timer.hpp"
+#include "linear/counting_operator.hpp"
 #include "linear/direct_factor.hpp"
 #include "linear/krylov.hpp"
 #include "linear/merged_matrix.hpp"
@@ -118,8 +119,10 @@ private:
     if (is_stale_ && is_old_)
       options.max_iterations =
           static_cast<int>(std::min<double>(options.max_iterations, 2.0 * limit() + 10.0));
-    const KrylovResult result = solve_krylov(options, system_->matrix(), system_->preconditioner(),
-                                             b_, x_, report.tolerance);
+    const auto K = Teuchos::rcp(new CountingOperator(system_->matrix()));
+    const KrylovResult result =
+        solve_krylov(options, K, system_->preconditioner(), b_, x_, report.tolerance);
+    report.operator_applications += K->count();
     last_iterations_ = result.iterations;
     report.iterations += result.iterations;
     report.recurrence_residual = result.recurrence_residual;

@@ -15,6 +15,7 @@ struct SolveReport {
   std::string method;
   bool is_converged = false;
   int iterations = 0;
+  int operator_applications = 0;     ///< products with K on the way
   double tolerance = 0.0;            ///< asked for: |b − Kx| ≤ tolerance |b|
   double recurrence_residual = 0.0;  ///< relative, as the Krylov method believes
   double true_residual = 0.0;        ///< relative, |b − Kx| / |b| computed anew

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "multigrid/value_places.hpp"
+
 namespace tunica::linear {
 
 namespace {
@@ -47,23 +49,8 @@ struct Part {
     }
   }
 
-  /// Index of each value among those of the merged matrix.
   std::vector<int> places(const CrsMatrix& merged) const {
-    const auto from = matrix->getLocalMatrixHost();
-    const auto graph = merged.getLocalMatrixHost().graph;
-    const std::vector<int> to_rows = local_numbers(rows, *merged.getRowMap());
-    const std::vector<int> to_columns = local_numbers(columns, *merged.getColMap());
-    std::vector<int> all;
-    all.reserve(from.nnz());
-    for (int i = 0; i < from.numRows(); ++i) {
-      const int* const first = graph.entries.data() + graph.row_map(to_rows[i]);
-      const int* const last = graph.entries.data() + graph.row_map(to_rows[i] + 1);
-      const auto row = from.rowConst(i);
-      for (int k = 0; k < row.length; ++k)
-        all.push_back(static_cast<int>(std::lower_bound(first, last, to_columns[row.colidx(k)]) -
-                                       graph.entries.data()));
-    }
-    return all;
+    return multigrid::value_places(*matrix, rows, columns, merged);
   }
 };
 

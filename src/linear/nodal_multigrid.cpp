@@ -34,16 +34,36 @@ public:
   }
 
   Teko::LinearOp buildPreconditionerOperator(Teko::LinearOp& op,
-                                             Teko::PreconditionerState&) const override {
+                                             Teko::PreconditionerState& state) const override {
+    const auto A = Teuchos::rcp_const_cast<CrsMatrix>(matrix_of(op));
+    auto& kept = dynamic_cast<Kept&>(state);
+    if (kept.matrix == A) {
+      kept.cycle->refresh();
+      return kept.as_operator;
+    }
     using Coarsening = Teuchos::RCP<multigrid::MixedCoarsening>;
     const auto nodes =
         getRequestHandler()->request<Coarsening>(Teko::RequestMesg("Nodal Coarsening"));
-    const auto A = Teuchos::rcp_const_cast<CrsMatrix>(matrix_of(op));
-    const Teuchos::RCP<const Operator> cycle = multigrid::make_cycle(A, nodes, muelu_);
-    return Thyra::createConstLinearOp<Scalar, LocalOrdinal, GlobalOrdinal, Node>(cycle);
+    kept.matrix = Teuchos::null;  // nothing to keep should the set-up fail
+    kept.cycle = Teuchos::rcp(new multigrid::Cycle(A, nodes, muelu_));
+    const Teuchos::RCP<const Operator> cycle = kept.cycle;
+    kept.as_operator = Thyra::createConstLinearOp<Scalar, LocalOrdinal, GlobalOrdinal, Node>(cycle);
+    kept.matrix = A;
+    return kept.as_operator;
+  }
+
+  Teuchos::RCP<Teko::PreconditionerState> buildPreconditionerState() const override {
+    return Teuchos::rcp(new Kept);
   }
 
 private:
+  /// The cycle for a matrix whose values change while the object stays.
+  struct Kept : public Teko::PreconditionerState {
+    Teuchos::RCP<CrsMatrix> matrix;
+    Teuchos::RCP<multigrid::Cycle> cycle;
+    Teko::LinearOp as_operator;
+  };
+
   Teuchos::ParameterList muelu_;
 };
 

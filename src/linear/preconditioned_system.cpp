@@ -40,13 +40,17 @@ public:
     if (ilu_) ilu_->refresh();
     if (nodes_.is_null()) return;
     try {
-      cycle_ = multigrid::make_cycle(K_.matrix(), nodes_, muelu_);
+      if (cycle_.is_null())
+        cycle_ = Teuchos::rcp(new multigrid::Cycle(K_.matrix(), nodes_, muelu_));
+      else
+        cycle_->refresh();
     } catch (const std::exception& error) {
+      cycle_ = Teuchos::null;
       throw SetupFailure(std::string("the multigrid cycle cannot be set up: ") + error.what());
     }
   }
   multigrid::Levels levels() const override {
-    return cycle_.is_null() ? multigrid::Levels() : multigrid::levels_of(*cycle_);
+    return cycle_.is_null() ? multigrid::Levels() : cycle_->levels();
   }
   void gather(const fields::BlockVector& x, MultiVector& all) const override { K_.merge(x, all); }
   void scatter(const MultiVector& all, fields::BlockVector& x) const override { K_.split(all, x); }
@@ -57,7 +61,7 @@ private:
   std::unique_ptr<IluPreconditioner> ilu_;
   Teuchos::ParameterList muelu_;
   Teuchos::RCP<multigrid::MixedCoarsening> nodes_;
-  Teuchos::RCP<Operator> cycle_;
+  Teuchos::RCP<multigrid::Cycle> cycle_;
 };
 
 /// The four blocks as they are, block preconditioners on them.
@@ -112,7 +116,8 @@ void add_preconditioner_keys(params::Table& table, const std::string& fallback,
   cycle
       .foreign("MueLu", multigrid::mixed_cycle_list(), Teuchos::ParameterList(),
                "a MueLu list of factories for the whole system, four unknowns per node; our "
-               "factories in it are NodalPFactory, StabilisedRAPFactory, VankaSmoother and "
+               "factories in it are NodalPFactory, GalerkinFactory, VankaSmoother, "
+               "Ifpack2Smoother, SparseLUSolver and "
                "NodalBraessSarazinSmoother")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         if (!list.isSublist("MueLu")) return;  // another preconditioner

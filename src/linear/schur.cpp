@@ -34,7 +34,7 @@ Teko::LinearOp invert(const Teko::InverseFactory& factory, const Teko::LinearOp&
 Teuchos::RCP<CrsMatrix> schur_matrix(const Teko::BlockedLinearOp& K, Vector D) {
   const auto block = [&K](int i, int j) { return matrix_of(Teko::getBlock(i, j, K)); };
   D.reciprocal(D);
-  return multigrid::schur_matrix(*block(0, 1), *block(1, 0), *block(1, 1), D);
+  return multigrid::SchurMatrix(*block(0, 1), *block(1, 0), *block(1, 1), D).matrix();
 }
 
 Vector diagonal_of(const CrsMatrix& A) {

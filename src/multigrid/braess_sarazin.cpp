@@ -1,6 +1,5 @@
 #include "multigrid/braess_sarazin.hpp"
 
-#include <Amesos2.hpp>
 #include <Ifpack2_Factory.hpp>
 #include <cmath>
 #include <stdexcept>
@@ -8,13 +7,13 @@
 #include "base/agreement.hpp"
 #include "multigrid/mixed_blocks.hpp"
 #include "multigrid/schur_matrix.hpp"
+#include "multigrid/sparse_lu.hpp"
 
 namespace tunica::multigrid {
 
 namespace {
 
 using Relaxation = Ifpack2::Preconditioner<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
-using Direct = Amesos2::Solver<CrsMatrix, MultiVector>;
 
 Teuchos::RCP<Relaxation> relaxation(const Teuchos::RCP<const CrsMatrix>& S,
                                     const BraessSarazinOptions& options) {
@@ -37,13 +36,31 @@ Teuchos::RCP<Relaxation> relaxation(const Teuchos::RCP<const CrsMatrix>& S,
 }  // namespace
 
 struct BraessSarazin::Parts {
+  Parts(const CrsMatrix& matrix, const MixedNumbering& numbering, const BraessSarazinOptions& o)
+      : K(&matrix), options(o), blocks(matrix, numbering), inverse_D(blocks.diagonal->getMap()) {}
+
   const CrsMatrix* K;
   BraessSarazinOptions options;
   MixedBlocks blocks;
-  Teuchos::RCP<Vector> inverse_D;
-  Teuchos::RCP<CrsMatrix> S;
+  Vector inverse_D;
+  std::unique_ptr<SchurMatrix> S;
   Teuchos::RCP<Relaxation> rough;
-  Teuchos::RCP<Direct> exact;
+  Teuchos::RCP<SparseLu> exact;
+
+  /// Rows with nothing but the diagonal are solved, not smoothed.
+  void invert_diagonal() {
+    std::string problem;
+    {
+      const auto d = blocks.diagonal->getLocalViewHost(read_only);
+      const auto inverse = inverse_D.getLocalViewHost(overwrite_all);
+      for (std::size_t i = 0; i < d.extent(0); ++i) {
+        if (!(std::abs(d(i, 0)) > 0.0)) problem = "Braess-Sarazin: no pivot on the diagonal of A.";
+        inverse(i, 0) = 1.0 / ((blocks.is_lone[i] ? 1.0 : options.scaling) * d(i, 0));
+      }
+    }
+    problem = agreed_message(*K->getComm(), problem);
+    if (!problem.empty()) throw std::runtime_error(problem);
+  }
 
   void solve_schur(const MultiVector& r, MultiVector& q) const {
     if (!rough.is_null()) return rough->apply(r, q);
@@ -55,46 +72,48 @@ struct BraessSarazin::Parts {
 
 BraessSarazin::BraessSarazin(const CrsMatrix& K, const MixedNumbering& numbering,
                              const BraessSarazinOptions& options)
-    : parts_(new Parts{&K, options, mixed_blocks(K, numbering), {}, {}, {}, {}}) {
+    : parts_(new Parts(K, numbering, options)) {
   Parts& parts = *parts_;
-  parts.inverse_D = Teuchos::rcp(new Vector(*parts.blocks.diagonal, Teuchos::Copy));
-  parts.inverse_D->scale(options.scaling);
-  std::string problem;
-  {
-    const auto d = parts.inverse_D->getLocalViewHost(read_only);
-    for (std::size_t i = 0; i < d.extent(0); ++i)
-      if (!(std::abs(d(i, 0)) > 0.0)) problem = "Braess-Sarazin: no pivot on the diagonal of A.";
-  }
-  problem = agreed_message(*K.getComm(), problem);
-  if (!problem.empty()) throw std::runtime_error(problem);
-  parts.inverse_D->reciprocal(*parts.inverse_D);
-  parts.S = schur_matrix(*parts.blocks.B1T, *parts.blocks.B2, *parts.blocks.mC, *parts.inverse_D);
+  parts.invert_diagonal();
+  const MixedBlocks& blocks = parts.blocks;
+  parts.S = std::make_unique<SchurMatrix>(*blocks.B1T, *blocks.B2, *blocks.mC, parts.inverse_D);
   if (options.schur != "direct") {
-    parts.rough = relaxation(parts.S, options);
+    parts.rough = relaxation(parts.S->matrix(), options);
     return;
   }
-  parts.exact = Amesos2::create<CrsMatrix, MultiVector>("KLU2", parts.S);
+  parts.exact = make_sparse_lu(parts.S->matrix());
   parts.exact->symbolicFactorization().numericFactorization();
 }
 
 BraessSarazin::~BraessSarazin() = default;
 
+void BraessSarazin::refresh() {
+  Parts& parts = *parts_;
+  parts.blocks.refresh();
+  parts.invert_diagonal();
+  parts.S->refresh(parts.inverse_D);
+  if (!parts.rough.is_null()) return parts.rough->compute();
+  parts.exact->setA(parts.S->matrix(), Amesos2::SYMBFACT);
+  parts.exact->numericFactorization();
+}
+
 void BraessSarazin::smooth(const MultiVector& b, MultiVector& x) const {
   const Parts& parts = *parts_;
-  const auto u_map = parts.blocks.diagonal->getMap(), p_map = parts.blocks.mC->getRowMap();
+  const MixedBlocks& blocks = parts.blocks;
   MultiVector r(b.getMap(), 1);
-  Vector r_u(u_map), u(u_map), r_p(p_map), q(p_map);
+  Vector r_u(parts.inverse_D.getMap()), u(r_u.getMap());
+  Vector r_p(blocks.mC->getRowMap()), q(r_p.getMap());
   for (int sweep = 0; sweep < parts.options.sweeps; ++sweep) {
     parts.K->apply(x, r);
     r.update(1.0, b, -1.0);
-    split(parts.blocks, r, r_u, r_p);
-    u.elementWiseMultiply(1.0, *parts.inverse_D, r_u, 0.0);
-    parts.blocks.B2->apply(u, r_p, Teuchos::NO_TRANS, 1.0, -1.0);  // B2 Ã⁻¹ r_u − r_p
+    blocks.split(r, r_u, r_p);
+    u.elementWiseMultiply(1.0, parts.inverse_D, r_u, 0.0);
+    blocks.B2->apply(u, r_p, Teuchos::NO_TRANS, 1.0, -1.0);  // B2 Ã⁻¹ r_u − r_p
     q.putScalar(0.0);
     parts.solve_schur(r_p, q);
-    parts.blocks.B1T->apply(q, r_u, Teuchos::NO_TRANS, -1.0, 1.0);
-    u.elementWiseMultiply(1.0, *parts.inverse_D, r_u, 0.0);
-    add(parts.blocks, parts.options.damping, u, q, x);
+    blocks.B1T->apply(q, r_u, Teuchos::NO_TRANS, -1.0, 1.0);
+    u.elementWiseMultiply(1.0, parts.inverse_D, r_u, 0.0);
+    blocks.add(parts.options.damping, u, q, x);
   }
 }
 

@@ -15,7 +15,8 @@ struct BraessSarazinOptions {
 };
 
 /// The smoother of Braess and Sarazin [BS97] for K = [A B1ᵀ; B2 −C]: x += ω K̃⁻¹ (b − K x) where K̃
-/// has Ã = s diag(A) in the place of A, and S = C + B2 Ã⁻¹ B1ᵀ is inverted roughly or exactly.
+/// has Ã = s diag(A) in the place of A (s = 1 in rows with nothing else), and
+/// S = C + B2 Ã⁻¹ B1ᵀ is inverted roughly or exactly.
 class BraessSarazin {
 public:
   /// K must outlive the smoother. Throws std::runtime_error for a zero on the diagonal of A.
@@ -23,6 +24,9 @@ public:
   BraessSarazin(const CrsMatrix& K, const MixedNumbering& numbering,
                 const BraessSarazinOptions& options);
   ~BraessSarazin();
+
+  /// Takes new values of K over; its graph must be the same. Throws as the constructor. Collective.
+  void refresh();
 
   /// x ← x after the sweeps. Collective.
   void smooth(const MultiVector& b, MultiVector& x) const;

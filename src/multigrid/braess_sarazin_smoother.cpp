@@ -41,8 +41,9 @@ void NodalBraessSarazinSmoother::check(const Teuchos::ParameterList& list) const
   options_of(list);
 }
 
-void NodalBraessSarazinSmoother::set_up(const ::tunica::CrsMatrix& K) {
-  smoother_ = std::make_shared<BraessSarazin>(K, numbering(), options_of(GetParameterList()));
+void NodalBraessSarazinSmoother::set_up(const ::tunica::CrsMatrix& K,
+                                        const MixedNumbering& numbering) {
+  smoother_ = std::make_shared<BraessSarazin>(K, numbering, options_of(GetParameterList()));
 }
 
 void NodalBraessSarazinSmoother::smooth(const ::tunica::MultiVector& b,
@@ -53,10 +54,6 @@ void NodalBraessSarazinSmoother::smooth(const ::tunica::MultiVector& b,
 Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>>
 NodalBraessSarazinSmoother::Copy() const {
   return Teuchos::rcp(new NodalBraessSarazinSmoother(*this));
-}
-
-std::size_t NodalBraessSarazinSmoother::getNodeSmootherComplexity() const {
-  return K().getNodeNumEntries();
 }
 
 }  // namespace tunica::multigrid

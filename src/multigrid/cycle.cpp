@@ -4,42 +4,106 @@
 #include <MueLu_ParameterListInterpreter.hpp>
 #include <MueLu_TpetraOperator.hpp>
 #include <Teuchos_DefaultSerialComm.hpp>
+#include <algorithm>
+#include <stdexcept>
 
 #include "base/error.hpp"
 #include "multigrid/factory_factory.hpp"
+#include "multigrid/galerkin_factory.hpp"
 #include "multigrid/xpetra.hpp"
 #include "params/nearest.hpp"
 
 namespace tunica::multigrid {
 
-using Interpreter = MueLu::ParameterListInterpreter<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+namespace {
 
-Teuchos::RCP<Operator> make_cycle(const Teuchos::RCP<CrsMatrix>& A,
-                                  const Teuchos::RCP<MixedCoarsening>& coarsening,
-                                  const Teuchos::ParameterList& muelu) {
-  Teuchos::ParameterList list(muelu);
-  Interpreter interpreter(list, A->getComm(), make_factory_factory(coarsening));
-  const auto hierarchy = interpreter.CreateHierarchy();
-  hierarchy->setlib(Xpetra::UseTpetra);
-  hierarchy->GetLevel(0)->Set("A", wrapped(A));
-  interpreter.SetupHierarchy(*hierarchy);
-  hierarchy->IsPreconditioner(true);
-  const Teuchos::RCP<Operator> cycle =
-      Teuchos::rcp(new MueLu::TpetraOperator<Scalar, LocalOrdinal, GlobalOrdinal, Node>(hierarchy));
-  // MueLu factors the coarsest matrix when it is first needed: a singular one must fail here.
-  const MultiVector zero(A->getRangeMap(), 1);
-  MultiVector nothing(A->getDomainMap(), 1);
-  cycle->apply(zero, nothing);
-  return cycle;
+using Interpreter = MueLu::ParameterListInterpreter<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+using Hierarchy = MueLu::Hierarchy<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+using Smoother = MueLu::SmootherBase<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+
+/// What must follow new values, in this order; empty where a part cannot.
+std::vector<Refreshable*> parts_to_refresh(Hierarchy& hierarchy) {
+  std::vector<Refreshable*> parts;
+  for (int l = 1; l < hierarchy.GetNumLevels(); ++l) {
+    parts.push_back(galerkin_product(*hierarchy.GetLevel(l)).get());
+    if (parts.back() == nullptr) return {};
+  }
+  for (int l = 0; l < hierarchy.GetNumLevels(); ++l)
+    for (const char* name : {"PreSmoother", "PostSmoother"}) {
+      MueLu::Level& level = *hierarchy.GetLevel(l);
+      if (!level.IsAvailable(name)) continue;
+      const auto smoother = level.Get<Teuchos::RCP<Smoother>>(name);
+      if (smoother.is_null()) continue;
+      auto* const part = dynamic_cast<Refreshable*>(smoother.get());
+      if (part == nullptr) return {};
+      if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
+    }
+  return parts;
 }
 
-Levels levels_of(const Operator& cycle) {
-  using Cycle = MueLu::TpetraOperator<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
-  const auto hierarchy = dynamic_cast<const Cycle&>(cycle).GetHierarchy();
+}  // namespace
+
+struct Cycle::Parts {
+  Teuchos::RCP<Hierarchy> hierarchy;
+  Teuchos::RCP<Operator> as_operator;
+  std::vector<Refreshable*> refreshable;
+};
+
+Cycle::Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsening>& coarsening,
+             const Teuchos::ParameterList& muelu)
+    : A_(A), coarsening_(coarsening), muelu_(muelu) {
+  set_up();
+}
+
+Cycle::~Cycle() = default;
+
+void Cycle::set_up() {
+  parts_ = std::make_unique<Parts>();
+  Teuchos::ParameterList list(muelu_);
+  Interpreter interpreter(list, A_->getComm(), make_factory_factory(coarsening_));
+  const auto hierarchy = interpreter.CreateHierarchy();
+  hierarchy->setlib(Xpetra::UseTpetra);
+  hierarchy->GetLevel(0)->Set("A", wrapped(A_));
+  interpreter.SetupHierarchy(*hierarchy);
+  hierarchy->IsPreconditioner(true);
+  parts_->hierarchy = hierarchy;
+  parts_->as_operator =
+      Teuchos::rcp(new MueLu::TpetraOperator<Scalar, LocalOrdinal, GlobalOrdinal, Node>(hierarchy));
+  parts_->refreshable = parts_to_refresh(*hierarchy);
+  try_once();
+}
+
+void Cycle::try_once() const {
+  const MultiVector zero(A_->getRangeMap(), 1);
+  MultiVector nothing(A_->getDomainMap(), 1);
+  parts_->as_operator->apply(zero, nothing);
+}
+
+void Cycle::refresh() {
+  if (!keeps_graphs()) return set_up();
+  for (Refreshable* part : parts_->refreshable) part->refresh();
+}
+
+bool Cycle::keeps_graphs() const { return !parts_->refreshable.empty(); }
+
+void Cycle::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,
+                  Scalar beta) const {
+  if (mode != Teuchos::NO_TRANS) throw std::logic_error("Cycle: no transpose");
+  if (alpha == 1.0 && beta == 0.0) return parts_->as_operator->apply(X, Y);
+  MultiVector result(Y.getMap(), Y.getNumVectors());
+  parts_->as_operator->apply(X, result);
+  Y.update(alpha, result, beta);
+}
+
+Teuchos::RCP<const CrsMatrix> Cycle::matrix(int level) const {
+  return unwrapped(parts_->hierarchy->GetLevel(level)->Get<Teuchos::RCP<XMatrix>>("A"));
+}
+
+Levels Cycle::levels() const {
   Levels levels;
   double finest = 0.0, all = 0.0;
-  for (int l = 0; l < hierarchy->GetNumLevels(); ++l) {
-    const auto A = hierarchy->GetLevel(l)->Get<Teuchos::RCP<XMatrix>>("A");
+  for (int l = 0; l < parts_->hierarchy->GetNumLevels(); ++l) {
+    const auto A = matrix(l);
     levels.unknowns.push_back(static_cast<long long>(A->getGlobalNumRows()));
     all += static_cast<double>(A->getGlobalNumEntries());
     if (l == 0) finest = all;
@@ -76,12 +140,11 @@ Teuchos::ParameterList nodal_levels(const Teuchos::ParameterList& sweeps, int co
   factories.sublist("Nodes").set("factory", "NodalPFactory");
   factories.sublist("Transpose").set("factory", "TransPFactory").set("P", "Nodes");
   factories.sublist("Galerkin")
-      .set("factory", "RAPFactory")
+      .set("factory", "GalerkinFactory")
       .set("P", "Nodes")
       .set("R", "Transpose");
   factories.sublist("Sweeps") = sweeps;
-  // Its default solver is the same, but MueLu then says so on the screen at each set-up.
-  factories.sublist("Coarsest").set("factory", "DirectSolver").set("type", "Klu");
+  factories.sublist("Coarsest").set("factory", "SparseLUSolver");
   Teuchos::ParameterList& hierarchy = list.sublist("Hierarchy");
   hierarchy.set("max levels", 10).set("coarse: max size", coarse_size).set("verbosity", "None");
   hierarchy.sublist("All")
@@ -97,7 +160,7 @@ Teuchos::ParameterList nodal_levels(const Teuchos::ParameterList& sweeps, int co
 
 Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
   Teuchos::ParameterList smoother;
-  smoother.set("factory", "TrilinosSmoother").set("type", "RELAXATION");
+  smoother.set("factory", "Ifpack2Smoother").set("type", "RELAXATION");
   smoother.sublist("ParameterList")
       .set("relaxation: type", "Symmetric Gauss-Seidel")
       .set("relaxation: sweeps", sweeps);
@@ -106,7 +169,7 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
 
 Teuchos::ParameterList mixed_cycle_list() {
   Teuchos::ParameterList smoother;
-  smoother.set("factory", "TrilinosSmoother").set("type", "RILUK");
+  smoother.set("factory", "Ifpack2Smoother").set("type", "RILUK");
   smoother.sublist("ParameterList").set("fact: iluk level-of-fill", 0);
   return nodal_levels(smoother, 1500);
 }

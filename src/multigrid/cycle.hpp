@@ -1,23 +1,55 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
+#include <memory>
 
 #include "multigrid/mixed_coarsening.hpp"
 
 namespace tunica::multigrid {
-
-/// One multigrid cycle for A by a MueLu list in the form of factories and a hierarchy.
-/// Throws std::exception for a list that MueLu refuses. Collective.
-Teuchos::RCP<Operator> make_cycle(const Teuchos::RCP<CrsMatrix>& A,
-                                  const Teuchos::RCP<MixedCoarsening>& coarsening,
-                                  const Teuchos::ParameterList& muelu);
 
 /// The matrices of a hierarchy, the finest first.
 struct Levels {
   std::vector<long long> unknowns;   ///< of all ranks
   double operator_complexity = 0.0;  ///< entries of all levels to those of the finest
 };
-/// Of what make_cycle() made. Collective.
-Levels levels_of(const Operator& cycle);
+
+/// One multigrid cycle as an operator, by a MueLu list in the form of factories and a hierarchy.
+/// apply() starts from zero and honours alpha and beta.
+class Cycle : public Operator {
+public:
+  /// Throws std::exception for a list that MueLu refuses, and for a singular coarsest matrix.
+  /// Collective.
+  Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsening>& coarsening,
+        const Teuchos::ParameterList& muelu);
+  ~Cycle() override;
+
+  /// Follows new values of the same matrix. Numeric work only where "GalerkinFactory" made all
+  /// coarse matrices and the smoothers and the coarse solver are ours; otherwise all anew.
+  /// Throws as the constructor. Collective.
+  void refresh();
+  /// True where refresh() finds no graphs again.
+  bool keeps_graphs() const;
+
+  Levels levels() const;
+  /// The matrix of a level, 0 the finest.
+  Teuchos::RCP<const CrsMatrix> matrix(int level) const;
+
+  void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
+             Scalar alpha = 1.0, Scalar beta = 0.0) const override;
+  Teuchos::RCP<const Map> getDomainMap() const override { return A_->getRangeMap(); }
+  Teuchos::RCP<const Map> getRangeMap() const override { return A_->getDomainMap(); }
+
+private:
+  struct Parts;
+
+  void set_up();
+  /// A singular coarsest matrix must fail here, not in the middle of a solve.
+  void try_once() const;
+
+  Teuchos::RCP<CrsMatrix> A_;
+  Teuchos::RCP<MixedCoarsening> coarsening_;
+  Teuchos::ParameterList muelu_;
+  std::unique_ptr<Parts> parts_;
+};
 
 /// Builds the factories of such a list without a matrix. Throws tunica::Error for what MueLu
 /// refuses; for an unknown factory with the names that are ours.
@@ -27,8 +59,7 @@ void check_cycle_list(const Teuchos::ParameterList& muelu);
 /// and after, sparse LU at the coarsest level of at most coarse_size unknowns.
 Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
 
-/// The same for a mixed system with four unknowns per node, smoothed by incomplete factors of
-/// all of them together.
+/// The same for a mixed system, smoothed by incomplete factors of all unknowns together.
 Teuchos::ParameterList mixed_cycle_list();
 
 }  // namespace tunica::multigrid

@@ -3,8 +3,10 @@
 #include <MueLu_SmootherFactory.hpp>
 
 #include "multigrid/braess_sarazin_smoother.hpp"
+#include "multigrid/galerkin_factory.hpp"
+#include "multigrid/ifpack2_smoother.hpp"
 #include "multigrid/nodal_p_factory.hpp"
-#include "multigrid/stabilised_rap_factory.hpp"
+#include "multigrid/sparse_lu_solver.hpp"
 #include "multigrid/vanka_smoother.hpp"
 #include "params/known_keys.hpp"
 
@@ -44,11 +46,13 @@ public:
         is_list ? Teuchos::getValue<Teuchos::ParameterList>(entry) : Teuchos::ParameterList();
     const auto name =
         is_list ? list.get<std::string>("factory") : Teuchos::getValue<std::string>(entry);
-    if (name == "StabilisedRAPFactory")
-      return built<StabilisedRapFactory>(list, factories, managers);
+    if (name == "GalerkinFactory") return placed<GalerkinFactory>(list, factories, managers);
+    if (name == "Ifpack2Smoother")
+      return smoother(built<tunica::multigrid::Ifpack2Smoother>(list, factories, managers));
+    if (name == "SparseLUSolver") return smoother(built<SparseLuSolver>(list, factories, managers));
     if (name == "NodalBraessSarazinSmoother")
-      return smoother(built<NodalBraessSarazinSmoother>(list, factories, managers));
-    if (name == "VankaSmoother") return smoother(built<VankaSmoother>(list, factories, managers));
+      return smoother(placed<NodalBraessSarazinSmoother>(list, factories, managers));
+    if (name == "VankaSmoother") return smoother(placed<VankaSmoother>(list, factories, managers));
     if (name != "NodalPFactory") return FactoryFactory::BuildFactory(entry, factories, managers);
     const auto factory = Teuchos::rcp(new NodalPFactory(coarsening_));
     check_keys(list, *factory);
@@ -62,7 +66,13 @@ private:
   Teuchos::RCP<Ours> built(const Teuchos::ParameterList& list, const Factories& factories,
                            const Managers& managers) const {
     check_keys(list, Ours());
-    const auto factory = Build2<Ours>(list, factories, managers);
+    return Build2<Ours>(list, factories, managers);
+  }
+  /// The same for those that know the numbers of unknowns.
+  template <class Ours>
+  Teuchos::RCP<Ours> placed(const Teuchos::ParameterList& list, const Factories& factories,
+                            const Managers& managers) const {
+    const auto factory = built<Ours>(list, factories, managers);
     factory->set_coarsening(coarsening_);
     return factory;
   }
@@ -77,7 +87,8 @@ Teuchos::RCP<FactoryFactory> make_factory_factory(const Teuchos::RCP<MixedCoarse
 }
 
 std::vector<std::string> our_factories() {
-  return {"NodalBraessSarazinSmoother", "NodalPFactory", "StabilisedRAPFactory", "VankaSmoother"};
+  return {"GalerkinFactory", "Ifpack2Smoother", "NodalBraessSarazinSmoother",
+          "NodalPFactory",   "SparseLUSolver",  "VankaSmoother"};
 }
 
 }  // namespace tunica::multigrid

@@ -5,20 +5,30 @@
 
 namespace tunica::multigrid {
 
-/// The blocks off the velocity's diagonal of a mixed matrix: copies, in the numbers of the blocks.
-struct MixedBlocks {
-  Teuchos::RCP<CrsMatrix> B1T, B2, mC;        ///< mC holds −C
-  Teuchos::RCP<Vector> diagonal;              ///< of A
-  std::vector<int> vector_rows, scalar_rows;  ///< local row of K of each row of the blocks
+/// The blocks off the velocity's diagonal of a mixed matrix, and that diagonal: copies, in the
+/// numbers of the blocks.
+class MixedBlocks {
+public:
+  /// K must outlive the object. Collective.
+  MixedBlocks(const CrsMatrix& K, const MixedNumbering& numbering);
+
+  /// Takes new values of K over. Collective.
+  void refresh();
+
+  Teuchos::RCP<CrsMatrix> B1T, B2, mC;  ///< mC holds −C
+  Teuchos::RCP<Vector> diagonal;        ///< of A
+  std::vector<char> is_lone;            ///< rows of A with nothing but the diagonal
+
+  /// Takes the two parts out of a vector of all unknowns.
+  void split(const MultiVector& all, Vector& u, Vector& p) const;
+  /// all += factor (u, p).
+  void add(Scalar factor, const Vector& u, const Vector& p, MultiVector& all) const;
+
+private:
+  const CrsMatrix* K_;
+  MixedNumbering numbering_;
+  std::vector<int> vector_rows_, scalar_rows_;  ///< local row of K of each row of the blocks
+  std::vector<int> places_of_B1T_, places_of_B2_, places_of_mC_;  ///< in the values of K
 };
-
-/// Collective.
-MixedBlocks mixed_blocks(const CrsMatrix& K, const MixedNumbering& numbering);
-
-/// Takes the two parts out of a vector of all unknowns, u and p on the rows of the blocks.
-void split(const MixedBlocks& blocks, const MultiVector& all, Vector& u, Vector& p);
-/// all += factor (u, p).
-void add(const MixedBlocks& blocks, Scalar factor, const Vector& u, const Vector& p,
-         MultiVector& all);
 
 }  // namespace tunica::multigrid

@@ -37,6 +37,21 @@ struct CoarseNumbers {
   }
 };
 
+/// Nodes without neighbours, unless the graph has no others.
+void leave_out_single_nodes(const CrsMatrix& nodes, std::vector<char>& is_coarse) {
+  Vector is_single(nodes.getRowMap());
+  {
+    const auto single = is_single.getLocalViewHost(overwrite_all);
+    for (std::size_t i = 0; i < single.extent(0); ++i)
+      single(i, 0) = nodes.getNumEntriesInLocalRow(static_cast<int>(i)) <= 1 ? 1.0 : 0.0;
+  }
+  if (is_single.norm1() == static_cast<double>(is_single.getGlobalLength())) return;
+  const Vector on_all = on_columns(nodes, is_single);
+  const auto single = on_all.getLocalViewHost(read_only);
+  for (std::size_t c = 0; c < is_coarse.size(); ++c)
+    if (single(c, 0) > 0.0) is_coarse[c] = 0;
+}
+
 Teuchos::RCP<const CrsMatrix> averaging(const CrsMatrix& nodes, const CoarseNumbers& coarse) {
   const auto P = Teuchos::rcp(new CrsMatrix(nodes.getRowMap(), nodes.getNodeMaxNumRowEntries()));
   const auto graph = nodes.getLocalMatrixHost().graph;
@@ -87,7 +102,9 @@ NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, con
 
 void NodalCoarsening::coarsen() {
   Level& level = levels_.back();
-  const CoarseNumbers coarse(*level.nodes, independent_set(*level.nodes, *level.order));
+  std::vector<char> is_coarse = independent_set(*level.nodes, *level.order);
+  leave_out_single_nodes(*level.nodes, is_coarse);
+  const CoarseNumbers coarse(*level.nodes, is_coarse);
   level.P = averaging(*level.nodes, coarse);
   level.coarse_rows = coarse.rows;
   const auto graph = coarse_graph(*level.nodes, *level.P);

@@ -8,8 +8,9 @@ namespace tunica::multigrid {
 
 /// Coarser and coarser sets of nodes, picked from a graph of nodes [Ki98]: a maximal
 /// independent set becomes the next level, and every other node takes the mean of its
-/// neighbours in it. Depends on the graph and the order alone; made level by level as they are
-/// asked for.
+/// neighbours in it. Nodes without neighbours (fixed ones, in systems that keep only their
+/// diagonals) are left out of coarser levels. Depends on the graph and the order alone; made level
+/// by level as they are asked for.
 class NodalCoarsening {
 public:
   /// nodes: square, with one row per node and an entry on the diagonal; its values are ignored.
@@ -17,7 +18,8 @@ public:
   /// on the ranks the coarse nodes do not either.
   NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order);
 
-  /// Interpolation from level + 1 to level (0 the finest). Its rows sum to one. Collective where it
+  /// Interpolation from level + 1 to level (0 the finest). Its rows sum to one, but for
+  /// nodes left out. Collective where it
   /// is asked for the first time.
   Teuchos::RCP<const CrsMatrix> prolongator(int level) { return at(level).P; }
 

@@ -1,10 +1,27 @@
 #pragma once
+#include <vector>
+
 #include "base/types.hpp"
 
 namespace tunica::multigrid {
 
-/// C + B2 D⁻¹ B1ᵀ for the blocks of K = [A B1ᵀ; B2 −C]; mC holds −C, D is a diagonal. Collective.
-Teuchos::RCP<CrsMatrix> schur_matrix(const CrsMatrix& B1T, const CrsMatrix& B2, const CrsMatrix& mC,
-                                     const Vector& inverse_D);
+/// C + B2 D⁻¹ B1ᵀ, and again for new values on the same graphs. mC holds −C.
+class SchurMatrix {
+public:
+  /// The blocks must outlive the object and keep their graphs. Collective.
+  SchurMatrix(const CrsMatrix& B1T, const CrsMatrix& B2, const CrsMatrix& mC,
+              const Vector& inverse_D);
+
+  const Teuchos::RCP<CrsMatrix>& matrix() const { return S_; }
+  void refresh(const Vector& inverse_D);
+
+private:
+  void multiply(const Vector& inverse_D);
+
+  const CrsMatrix *B1T_, *B2_, *mC_;
+  CrsMatrix scaled_, product_;
+  Teuchos::RCP<CrsMatrix> S_;
+  std::vector<int> places_of_product_, places_of_mC_;
+};
 
 }  // namespace tunica::multigrid

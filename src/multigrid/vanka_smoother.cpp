@@ -38,8 +38,8 @@ Teuchos::RCP<const Teuchos::ParameterList> VankaSmoother::GetValidParameterList(
 
 void VankaSmoother::check(const Teuchos::ParameterList& list) const { options_of(list); }
 
-void VankaSmoother::set_up(const ::tunica::CrsMatrix& K) {
-  vanka_ = make_vanka(K, scalar_rows(K, numbering()), options_of(GetParameterList()));
+void VankaSmoother::set_up(const ::tunica::CrsMatrix& K, const MixedNumbering& numbering) {
+  vanka_ = make_vanka(K, scalar_rows(K, numbering), options_of(GetParameterList()));
   vanka_->refresh();
 }
 

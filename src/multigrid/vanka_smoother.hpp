@@ -15,10 +15,11 @@ public:
   Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>> Copy()
       const override;
   std::size_t getNodeSmootherComplexity() const override;
+  void refresh() override { vanka_->refresh(); }
 
 private:
   void check(const Teuchos::ParameterList& list) const override;
-  void set_up(const ::tunica::CrsMatrix& K) override;
+  void set_up(const ::tunica::CrsMatrix& K, const MixedNumbering& numbering) override;
   void smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const override;
 
   std::shared_ptr<Vanka> vanka_;

@@ -25,11 +25,13 @@ std::vector<Named> schemas() {
   return {{"fsi", app::fsi_table()},
           {"solid", app::solid_table()},
           {"fluid", app::fluid_table()},
-          {"solvers", app::solvers_table()}};
+          {"solvers", app::solvers_table()},
+          {"system", app::system_solvers_table()}};
 }
 
 /// A case's lists decide which program solves it.
 params::Table table_for(const Teuchos::ParameterList& list) {
+  if (list.isSublist("System")) return app::system_solvers_table();
   if (list.isSublist("Solvers")) return app::solvers_table();
   if (!list.isSublist("Wall")) return app::fluid_table();
   return list.isSublist("Fluid") ? app::fsi_table() : app::solid_table();

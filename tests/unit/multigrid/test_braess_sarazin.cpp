@@ -31,7 +31,7 @@ CrsMatrix zero_on_one_rank(const WallMatrix& wall) {
 
 TEUCHOS_UNIT_TEST(mixed_blocks, are_those_that_were_merged) {
   const WallMatrix wall;
-  const auto blocks = multigrid::mixed_blocks(*wall.K(), {});
+  const multigrid::MixedBlocks blocks(*wall.K(), {});
   const fields::BlockOperator& K = wall.jacobian.K;
   const auto x = test::scattered(wall.mesh(), 1);
   const auto product = [](const CrsMatrix& matrix, const Vector& v) {
@@ -54,12 +54,12 @@ TEUCHOS_UNIT_TEST(braess_sarazin, a_zero_on_the_diagonal_of_one_rank_is_refused_
 
 TEUCHOS_UNIT_TEST(mixed_blocks, parts_of_vectors_come_apart_and_together) {
   const WallMatrix wall;
-  const auto blocks = multigrid::mixed_blocks(*wall.K(), {});
+  const multigrid::MixedBlocks blocks(*wall.K(), {});
   const Vector all = wall.scattered(2);
   Vector u(blocks.diagonal->getMap()), p(blocks.mC->getRowMap());
-  multigrid::split(blocks, all, u, p);
+  blocks.split(all, u, p);
   Vector again(all, Teuchos::Copy);
-  multigrid::add(blocks, -1.0, u, p, again);
+  blocks.add(-1.0, u, p, again);
   TEST_EQUALITY(again.norm2(), 0.0);
 }
 
@@ -73,12 +73,14 @@ TEUCHOS_UNIT_TEST(braess_sarazin, an_exact_sweep_solves_with_the_diagonal_in_the
   Vector x(b.getMap());
   smoother.smooth(b, x);
   x.scale(1.0 / options.damping);
-  const auto blocks = multigrid::mixed_blocks(*wall.K(), {});
+  const multigrid::MixedBlocks blocks(*wall.K(), {});
   Vector u(blocks.diagonal->getMap()), p(blocks.mC->getRowMap()), b_u(u.getMap()), b_p(p.getMap());
-  multigrid::split(blocks, x, u, p);
-  multigrid::split(blocks, b, b_u, b_p);
+  blocks.split(x, u, p);
+  blocks.split(b, b_u, b_p);
   Vector r_u(u.getMap()), r_p(p.getMap());
   r_u.elementWiseMultiply(options.scaling, *blocks.diagonal, u, 0.0);
+  for (std::size_t i = 0; i < blocks.is_lone.size(); ++i)  // fixed displacements
+    if (blocks.is_lone[i]) r_u.replaceLocalValue(i, blocks.diagonal->getData()[i] * u.getData()[i]);
   blocks.B1T->apply(p, r_u, Teuchos::NO_TRANS, 1.0, 1.0);
   blocks.B2->apply(u, r_p);
   blocks.mC->apply(p, r_p, Teuchos::NO_TRANS, 1.0, 1.0);

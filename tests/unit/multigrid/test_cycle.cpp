@@ -60,9 +60,9 @@ TEUCHOS_UNIT_TEST(cycle, more_than_halves_the_error_of_a_laplacian) {
     const System system({11, 10, 12, has_corners});
     std::vector<double> reductions;
     for (const int sweeps : {1, 2}) {
-      const auto M = multigrid::make_cycle(system.A, system.coarsening,
-                                           multigrid::nodal_cycle_list(sweeps, 20));
-      reductions.push_back(system.worst_reduction(*M));
+      const multigrid::Cycle M(system.A, system.coarsening,
+                               multigrid::nodal_cycle_list(sweeps, 20));
+      reductions.push_back(system.worst_reduction(M));
       out << "sweeps " << sweeps << ": " << reductions.back() << "\n";
     }
     TEST_COMPARE(reductions[0], <, 0.5);
@@ -73,17 +73,16 @@ TEUCHOS_UNIT_TEST(cycle, more_than_halves_the_error_of_a_laplacian) {
 TEUCHOS_UNIT_TEST(cycle, treats_the_components_of_a_vector_as_it_treats_a_scalar) {
   const Grid grid{9, 8, 7, true};
   const System vector(grid, 3), scalar(grid);
-  const auto M3 =
-      multigrid::make_cycle(vector.A, vector.coarsening, multigrid::nodal_cycle_list(1, 60));
-  const auto M = multigrid::make_cycle(scalar.A, vector.coarsening,  // the same nodes
-                                       multigrid::nodal_cycle_list(1, 20));
+  const multigrid::Cycle M3(vector.A, vector.coarsening, multigrid::nodal_cycle_list(1, 60));
+  const multigrid::Cycle M(scalar.A, vector.coarsening,  // the same nodes
+                           multigrid::nodal_cycle_list(1, 20));
   const Vector r = rough(scalar.A->getRangeMap(), 3);
   Vector r3(vector.A->getRangeMap()), z3(r3.getMap()), z(r.getMap());
   const auto node_values = r.getData();
   for (int a = 0; a < static_cast<int>(node_values.size()); ++a)
     for (int i = 0; i < 3; ++i) r3.replaceLocalValue(3 * a + i, (i + 1) * node_values[a]);
-  M->apply(r, z);
-  M3->apply(r3, z3);
+  M.apply(r, z);
+  M3.apply(r3, z3);
   const auto one = z.getData(), three = z3.getData();
   double error = 0.0;
   for (int a = 0; a < static_cast<int>(one.size()); ++a)
@@ -94,24 +93,22 @@ TEUCHOS_UNIT_TEST(cycle, treats_the_components_of_a_vector_as_it_treats_a_scalar
 
 TEUCHOS_UNIT_TEST(cycle, is_symmetric) {
   const System system({8, 9, 6, true});
-  const auto M =
-      multigrid::make_cycle(system.A, system.coarsening, multigrid::nodal_cycle_list(2, 20));
+  const multigrid::Cycle M(system.A, system.coarsening, multigrid::nodal_cycle_list(2, 20));
   const Vector x = rough(system.A->getRangeMap(), 4), y = rough(system.A->getRangeMap(), 5);
   Vector Mx(x.getMap()), My(x.getMap());
-  M->apply(x, Mx);
-  M->apply(y, My);
+  M.apply(x, Mx);
+  M.apply(y, My);
   TEST_FLOATING_EQUALITY(Mx.dot(y), My.dot(x), 1e-12);
   TEST_COMPARE(Mx.dot(x), >, 0.0);
 }
 
 TEUCHOS_UNIT_TEST(cycle, starts_from_zero_whatever_the_result_held) {
   const System system({8, 9, 6, true});
-  const auto M =
-      multigrid::make_cycle(system.A, system.coarsening, multigrid::nodal_cycle_list(1, 20));
+  const multigrid::Cycle M(system.A, system.coarsening, multigrid::nodal_cycle_list(1, 20));
   const Vector b = rough(system.A->getRangeMap(), 6);
   Vector x(b.getMap()), y = rough(b.getMap(), 7);
-  M->apply(b, x);
-  M->apply(b, y);
+  M.apply(b, x);
+  M.apply(b, y);
   y.update(-1.0, x, 1.0);
   TEST_EQUALITY(y.normInf(), 0.0);
 }
@@ -121,7 +118,7 @@ TEUCHOS_UNIT_TEST(cycle, with_one_level_it_is_a_direct_solver) {
   Teuchos::ParameterList one_level = multigrid::nodal_cycle_list(1, 1);
   one_level.sublist("Hierarchy").set("max levels", 1);
   for (const auto& list : {one_level, multigrid::nodal_cycle_list(1, 1000000)})
-    TEST_COMPARE(residual(*system.A, *multigrid::make_cycle(system.A, system.coarsening, list)), <,
+    TEST_COMPARE(residual(*system.A, multigrid::Cycle(system.A, system.coarsening, list)), <,
                  1e-12);
 }
 
@@ -129,19 +126,19 @@ TEUCHOS_UNIT_TEST(cycle, other_smoothers_of_muelu_serve_as_well) {
   const System system({11, 10, 12, true});
   Teuchos::ParameterList list = multigrid::nodal_cycle_list(1, 20);
   Teuchos::ParameterList& smoother = list.sublist("Factories").sublist("Sweeps");
-  smoother.set("type", "CHEBYSHEV").remove("ParameterList");
+  smoother.set("factory", "TrilinosSmoother").set("type", "CHEBYSHEV").remove("ParameterList");
   smoother.sublist("ParameterList")
       .set("chebyshev: degree", 3)
       .set("chebyshev: eigenvalue max iterations", 50);
-  const auto M = multigrid::make_cycle(system.A, system.coarsening, list);
-  TEST_COMPARE(system.worst_reduction(*M), <, 0.5);
+  const multigrid::Cycle M(system.A, system.coarsening, list);
+  TEST_COMPARE(system.worst_reduction(M), <, 0.5);
 }
 
 TEUCHOS_UNIT_TEST(cycle, a_list_that_muelu_refuses_throws) {
   const System system({4, 4, 4, true});
   Teuchos::ParameterList list = multigrid::nodal_cycle_list(1, 20);
   list.sublist("Factories").sublist("Nodes").set("factory", "NodalQFactory");
-  TEST_THROW(multigrid::make_cycle(system.A, system.coarsening, list), std::exception);
+  TEST_THROW(multigrid::Cycle(system.A, system.coarsening, list), std::exception);
 }
 
 }  // namespace

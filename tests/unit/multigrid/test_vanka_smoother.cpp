@@ -1,5 +1,3 @@
-#include <MueLu_Hierarchy.hpp>
-#include <MueLu_TpetraOperator.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -7,7 +5,6 @@
 #include "linear/linear_solver.hpp"
 #include "multigrid/cycle.hpp"
 #include "multigrid/vanka.hpp"
-#include "multigrid/xpetra.hpp"
 #include "unit/multigrid/wall_matrix.hpp"
 
 namespace {
@@ -18,7 +15,7 @@ using test::WallMatrix;
 /// Cycles on the levels of the nodal coarsening, smoothed by Vanka.
 Teuchos::ParameterList vanka_list(double stabilisation_scaling = 1.0) {
   Teuchos::ParameterList list = multigrid::mixed_cycle_list();
-  list.sublist("Factories").sublist("Galerkin").set("factory", "StabilisedRAPFactory");
+  list.sublist("Factories").sublist("Galerkin").set("factory", "GalerkinFactory");
   list.sublist("Factories").sublist("Galerkin").set("stabilisation scaling", stabilisation_scaling);
   list.sublist("Factories").sublist("Sweeps") = Teuchos::ParameterList();
   list.sublist("Factories").sublist("Sweeps").set("factory", "VankaSmoother");
@@ -26,19 +23,16 @@ Teuchos::ParameterList vanka_list(double stabilisation_scaling = 1.0) {
   return list;
 }
 
-Teuchos::RCP<Operator> cycle(const WallMatrix& wall, const Teuchos::ParameterList& list) {
-  return multigrid::make_cycle(wall.K(),
-                               Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K)), list);
+Teuchos::RCP<multigrid::Cycle> cycle(const WallMatrix& wall, const Teuchos::ParameterList& list) {
+  return Teuchos::rcp(new multigrid::Cycle(
+      wall.K(), Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K)), list));
 }
 
 /// The matrices of the levels of a cycle.
-std::vector<Teuchos::RCP<CrsMatrix>> matrices(const Teuchos::RCP<Operator>& cycle) {
-  using MueLuOperator = MueLu::TpetraOperator<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
-  const auto hierarchy = Teuchos::rcp_dynamic_cast<MueLuOperator>(cycle, true)->GetHierarchy();
-  std::vector<Teuchos::RCP<CrsMatrix>> all;
-  for (int level = 0; level < hierarchy->GetNumLevels(); ++level)
-    all.push_back(multigrid::unwrapped(
-        hierarchy->GetLevel(level)->Get<Teuchos::RCP<multigrid::XMatrix>>("A")));
+std::vector<Teuchos::RCP<const CrsMatrix>> matrices(const Teuchos::RCP<multigrid::Cycle>& cycle) {
+  std::vector<Teuchos::RCP<const CrsMatrix>> all;
+  for (std::size_t level = 0; level < cycle->levels().unknowns.size(); ++level)
+    all.push_back(cycle->matrix(static_cast<int>(level)));
   return all;
 }
 
@@ -129,7 +123,7 @@ TEUCHOS_UNIT_TEST(cycle_list, an_unknown_factory_is_named_with_those_that_are_ou
   list.sublist("Factories").sublist("Sweeps").set("factory", "VankaSmother");
   const std::string text = complaint([&] { multigrid::check_cycle_list(list); });
   for (const std::string part : {"unknown factory name : VankaSmother", "\"VankaSmoother\"",
-                                 "\"NodalPFactory\"", "\"StabilisedRAPFactory\""})
+                                 "\"NodalPFactory\"", "\"GalerkinFactory\""})
     TEST_INEQUALITY(text.find(part), std::string::npos);
 }
 
@@ -148,7 +142,7 @@ TEUCHOS_UNIT_TEST(cycle_list, without_factories_it_is_refused) {
   TEST_THROW(multigrid::check_cycle_list(Teuchos::ParameterList()), Error);
 }
 
-TEUCHOS_UNIT_TEST(stabilised_rap_factory, scales_the_stabilisation_and_nothing_else) {
+TEUCHOS_UNIT_TEST(galerkin_factory, scales_the_stabilisation_and_nothing_else) {
   const WallMatrix wall;
   const auto plain = matrices(cycle(wall, vanka_list()));
   const auto scaled = matrices(cycle(wall, vanka_list(4.0)));

@@ -1,0 +1,23 @@
+#include "multigrid/matrix_smoother.hpp"
+
+namespace tunica::multigrid {
+
+void MatrixSmoother::SetParameterList(const Teuchos::ParameterList& list) {
+  SmootherPrototype::SetParameterList(list);
+  check(GetParameterList());
+}
+
+void MatrixSmoother::DeclareInput(MueLu::Level& level) const { this->Input(level, "A"); }
+
+void MatrixSmoother::Setup(MueLu::Level& level) {
+  K_ = unwrapped(this->Get<Teuchos::RCP<XMatrix>>(level, "A"));
+  set_up(level.GetLevelID(), K_);
+  this->IsSetup(true);
+}
+
+void MatrixSmoother::Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const {
+  if (is_zero) x.putScalar(0.0);
+  smooth(*unwrapped(b), *unwrapped(x));
+}
+
+}  // namespace tunica::multigrid
