@@ -23,6 +23,7 @@ public:
                                                  list.get<int>("overlap"));
     if (kind == "multigrid") {
       muelu_ = list.sublist("MueLu");
+      is_blocked_ = list.get<std::string>("matrix") == "blocked";
       nodes_ = Teuchos::rcp(new multigrid::MixedCoarsening(K));
     }
   }
@@ -41,7 +42,7 @@ public:
     if (nodes_.is_null()) return;
     try {
       if (cycle_.is_null())
-        cycle_ = Teuchos::rcp(new multigrid::Cycle(K_.matrix(), nodes_, muelu_));
+        cycle_ = Teuchos::rcp(new multigrid::Cycle(K_.matrix(), nodes_, muelu_, is_blocked_));
       else
         cycle_->refresh();
     } catch (const std::exception& error) {
@@ -60,6 +61,7 @@ private:
   Teuchos::RCP<DirectFactor> direct_;
   std::unique_ptr<IluPreconditioner> ilu_;
   Teuchos::ParameterList muelu_;
+  bool is_blocked_ = false;  ///< what the cycle works on
   Teuchos::RCP<multigrid::MixedCoarsening> nodes_;
   Teuchos::RCP<multigrid::Cycle> cycle_;
 };
@@ -114,15 +116,19 @@ void add_preconditioner_keys(params::Table& table, const std::string& fallback,
         }
       });
   cycle
+      .choice("matrix", "merged", {"merged", "blocked"},
+              "what the MueLu list works on: one matrix with the unknowns of a node side by side, "
+              "or MueLu's 2×2 matrix of blocks, as its own block smoothers want it")
       .foreign("MueLu", multigrid::mixed_cycle_list(), Teuchos::ParameterList(),
                "a MueLu list of factories for the whole system, four unknowns per node; our "
                "factories in it are NodalPFactory, GalerkinFactory, VankaSmoother, "
                "Ifpack2Smoother, SparseLUSolver and "
-               "NodalBraessSarazinSmoother")
+               "NodalBraessSarazinSmoother, on blocks NodalBlockedPFactory")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         if (!list.isSublist("MueLu")) return;  // another preconditioner
         try {
-          multigrid::check_cycle_list(list.sublist("MueLu"));
+          multigrid::check_cycle_list(list.sublist("MueLu"),
+                                      list.get<std::string>("matrix") == "blocked");
         } catch (const Error& error) {
           throw Error(path + " / MueLu: " + error.what());
         }

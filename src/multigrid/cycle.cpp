@@ -1,15 +1,17 @@
 #include "multigrid/cycle.hpp"
 
+#include <MueLu_Exceptions.hpp>
 #include <MueLu_Hierarchy.hpp>
 #include <MueLu_ParameterListInterpreter.hpp>
-#include <MueLu_TpetraOperator.hpp>
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <algorithm>
 #include <stdexcept>
 
 #include "base/error.hpp"
+#include "multigrid/blocked_matrix.hpp"
 #include "multigrid/factory_factory.hpp"
 #include "multigrid/galerkin_factory.hpp"
+#include "multigrid/matrix_kind.hpp"
 #include "multigrid/xpetra.hpp"
 #include "params/nearest.hpp"
 
@@ -20,6 +22,10 @@ namespace {
 using Interpreter = MueLu::ParameterListInterpreter<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 using Hierarchy = MueLu::Hierarchy<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 using Smoother = MueLu::SmootherBase<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+using Wrapper = Xpetra::TpetraMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+
+const std::string cannot_work_on_blocks =
+    "a smoother or another factory of the list cannot work on a matrix of blocks: ";
 
 /// What must follow new values, in this order; empty where a part cannot.
 std::vector<Refreshable*> parts_to_refresh(Hierarchy& hierarchy) {
@@ -45,13 +51,13 @@ std::vector<Refreshable*> parts_to_refresh(Hierarchy& hierarchy) {
 
 struct Cycle::Parts {
   Teuchos::RCP<Hierarchy> hierarchy;
-  Teuchos::RCP<Operator> as_operator;
   std::vector<Refreshable*> refreshable;
 };
 
 Cycle::Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsening>& coarsening,
-             const Teuchos::ParameterList& muelu)
-    : A_(A), coarsening_(coarsening), muelu_(muelu) {
+             const Teuchos::ParameterList& muelu, bool is_blocked)
+    : A_(A), coarsening_(coarsening), muelu_(muelu), is_blocked_(is_blocked) {
+  check_matrix_kind(muelu, is_blocked);
   set_up();
 }
 
@@ -61,22 +67,34 @@ void Cycle::set_up() {
   parts_ = std::make_unique<Parts>();
   Teuchos::ParameterList list(muelu_);
   Interpreter interpreter(list, A_->getComm(), make_factory_factory(coarsening_));
-  const auto hierarchy = interpreter.CreateHierarchy();
-  hierarchy->setlib(Xpetra::UseTpetra);
-  hierarchy->GetLevel(0)->Set("A", wrapped(A_));
-  interpreter.SetupHierarchy(*hierarchy);
-  hierarchy->IsPreconditioner(true);
-  parts_->hierarchy = hierarchy;
-  parts_->as_operator =
-      Teuchos::rcp(new MueLu::TpetraOperator<Scalar, LocalOrdinal, GlobalOrdinal, Node>(hierarchy));
-  parts_->refreshable = parts_to_refresh(*hierarchy);
-  try_once();
+  parts_->hierarchy = interpreter.CreateHierarchy();
+  Hierarchy& hierarchy = *parts_->hierarchy;
+  hierarchy.setlib(Xpetra::UseTpetra);
+  try {
+    if (is_blocked_)
+      set_blocks(*hierarchy.GetLevel(0), *A_, coarsening_->numbering());
+    else
+      hierarchy.GetLevel(0)->Set("A", wrapped(A_));
+    interpreter.SetupHierarchy(hierarchy);
+    hierarchy.IsPreconditioner(true);
+    // MueLu factors the coarsest matrix when it is first needed: a singular one must fail here.
+    MultiVector zero(A_->getRangeMap(), 1), nothing(A_->getDomainMap(), 1);
+    iterate(zero, nothing);
+  } catch (const std::bad_cast& error) {
+    if (!is_blocked_) throw;
+    throw std::runtime_error(cannot_work_on_blocks + error.what());
+  } catch (const MueLu::Exceptions::BadCast& error) {
+    if (!is_blocked_) throw;
+    throw std::runtime_error(cannot_work_on_blocks + error.what());
+  }
+  if (!is_blocked_) parts_->refreshable = parts_to_refresh(hierarchy);
 }
 
-void Cycle::try_once() const {
-  const MultiVector zero(A_->getRangeMap(), 1);
-  MultiVector nothing(A_->getDomainMap(), 1);
-  parts_->as_operator->apply(zero, nothing);
+void Cycle::iterate(const MultiVector& b, MultiVector& x) const {
+  // Xpetra asks for a vector it may change; MueLu leaves right sides alone.
+  const Wrapper wrapped_b(Teuchos::rcpFromRef(const_cast<MultiVector&>(b)));
+  Wrapper wrapped_x(Teuchos::rcpFromRef(x));
+  parts_->hierarchy->Iterate(wrapped_b, wrapped_x, 1, true);
 }
 
 void Cycle::refresh() {
@@ -89,14 +107,15 @@ bool Cycle::keeps_graphs() const { return !parts_->refreshable.empty(); }
 void Cycle::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,
                   Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("Cycle: no transpose");
-  if (alpha == 1.0 && beta == 0.0) return parts_->as_operator->apply(X, Y);
+  if (alpha == 1.0 && beta == 0.0) return iterate(X, Y);
   MultiVector result(Y.getMap(), Y.getNumVectors());
-  parts_->as_operator->apply(X, result);
+  iterate(X, result);
   Y.update(alpha, result, beta);
 }
 
 Teuchos::RCP<const CrsMatrix> Cycle::matrix(int level) const {
-  return unwrapped(parts_->hierarchy->GetLevel(level)->Get<Teuchos::RCP<XMatrix>>("A"));
+  const auto A = parts_->hierarchy->GetLevel(level)->Get<Teuchos::RCP<XMatrix>>("A");
+  return unwrapped(is_blocked_ ? Teuchos::rcp_dynamic_cast<XBlockedMatrix>(A, true)->Merge() : A);
 }
 
 Levels Cycle::levels() const {
@@ -112,7 +131,7 @@ Levels Cycle::levels() const {
   return levels;
 }
 
-void check_cycle_list(const Teuchos::ParameterList& muelu) {
+void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked) {
   Teuchos::ParameterList list(muelu);
   TUNICA_CHECK(list.isSublist("Hierarchy") && list.isSublist("Factories"),
                "the list lacks \"Factories\" or \"Hierarchy\"; a mixed matrix needs a MueLu list "
@@ -129,6 +148,7 @@ void check_cycle_list(const Teuchos::ParameterList& muelu) {
     cause = cause.substr(found, cause.find('\n', found) - found) + ". Ours are " +
             params::quoted(our_factories()) + ", the others are those of MueLu's user's guide.";
   TUNICA_CHECK(cause.empty(), cause);
+  check_matrix_kind(muelu, is_blocked);
 }
 
 namespace {

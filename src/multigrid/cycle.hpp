@@ -14,12 +14,16 @@ struct Levels {
 
 /// One multigrid cycle as an operator, by a MueLu list in the form of factories and a hierarchy.
 /// apply() starts from zero and honours alpha and beta.
+///
+/// The levels have one matrix each, with the unknowns of a node side by side. Or MueLu's 2×2 matrix
+/// of blocks, as its own block smoothers want it; its near-null spaces are the constants of each
+/// component.
 class Cycle : public Operator {
 public:
   /// Throws std::exception for a list that MueLu refuses, and for a singular coarsest matrix.
   /// Collective.
   Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsening>& coarsening,
-        const Teuchos::ParameterList& muelu);
+        const Teuchos::ParameterList& muelu, bool is_blocked = false);
   ~Cycle() override;
 
   /// Follows new values of the same matrix. Numeric work only where "GalerkinFactory" made all
@@ -42,18 +46,19 @@ private:
   struct Parts;
 
   void set_up();
-  /// A singular coarsest matrix must fail here, not in the middle of a solve.
-  void try_once() const;
+  void iterate(const MultiVector& b, MultiVector& x) const;
 
   Teuchos::RCP<CrsMatrix> A_;
   Teuchos::RCP<MixedCoarsening> coarsening_;
   Teuchos::ParameterList muelu_;
+  bool is_blocked_;
   std::unique_ptr<Parts> parts_;
 };
 
 /// Builds the factories of such a list without a matrix. Throws tunica::Error for what MueLu
-/// refuses; for an unknown factory with the names that are ours.
-void check_cycle_list(const Teuchos::ParameterList& muelu);
+/// refuses or what wants the other kind of matrix; for an unknown factory with the names that are
+/// ours.
+void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked = false);
 
 /// V-cycles on the levels of the nodal coarsening with sweeps of symmetric Gauss-Seidel before
 /// and after, sparse LU at the coarsest level of at most coarse_size unknowns.

@@ -5,9 +5,13 @@
 #include "multigrid/braess_sarazin_smoother.hpp"
 #include "multigrid/galerkin_factory.hpp"
 #include "multigrid/ifpack2_smoother.hpp"
+#include "multigrid/matrix_kind.hpp"
+#include "multigrid/nodal_blocked_p_factory.hpp"
 #include "multigrid/nodal_p_factory.hpp"
+#include "multigrid/pressure_schwarz_smoother.hpp"
 #include "multigrid/sparse_lu_solver.hpp"
 #include "multigrid/vanka_smoother.hpp"
+#include "multigrid/zero_start_smoother.hpp"
 #include "params/known_keys.hpp"
 
 namespace tunica::multigrid {
@@ -24,6 +28,14 @@ Teuchos::RCP<const MueLu::FactoryBase> smoother(
       new MueLu::SmootherFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>(prototype));
 }
 
+Teuchos::RCP<const MueLu::FactoryBase> from_zero(
+    const Teuchos::RCP<const MueLu::FactoryBase>& theirs) {
+  using Smoothers = MueLu::SmootherFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  Teuchos::RCP<ZeroStartSmoother::Prototype> before, after;
+  Teuchos::rcp_dynamic_cast<const Smoothers>(theirs, true)->GetSmootherPrototypes(before, after);
+  return smoother(Teuchos::rcp(new ZeroStartSmoother(before)));
+}
+
 /// MueLu passes over what a factory does not know.
 void check_keys(const Teuchos::ParameterList& list, const MueLu::Factory& factory) {
   const auto valid = factory.GetValidParameterList();
@@ -32,6 +44,22 @@ void check_keys(const Teuchos::ParameterList& list, const MueLu::Factory& factor
   params::check_keys(list, known,
                      list.isParameter("factory") ? list.get<std::string>("factory") : "");
 }
+
+/// BlockedDirectSolver names its solver on the screen each time it is made, even in a list that
+/// asks for silence.
+class Quiet {
+public:
+  explicit Quiet(const std::string& factory)
+      : before_(MueLu::VerboseObject::GetDefaultVerbLevel()) {
+    if (factory == "BlockedDirectSolver") MueLu::VerboseObject::SetDefaultVerbLevel(MueLu::None);
+  }
+  ~Quiet() { MueLu::VerboseObject::SetDefaultVerbLevel(before_); }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+private:
+  MueLu::VerbLevel before_;
+};
 
 class OurFactories final : public FactoryFactory {
 public:
@@ -53,12 +81,17 @@ public:
     if (name == "NodalBraessSarazinSmoother")
       return smoother(placed<NodalBraessSarazinSmoother>(list, factories, managers));
     if (name == "VankaSmoother") return smoother(placed<VankaSmoother>(list, factories, managers));
-    if (name != "NodalPFactory") return FactoryFactory::BuildFactory(entry, factories, managers);
-    const auto factory = Teuchos::rcp(new NodalPFactory(coarsening_));
-    check_keys(list, *factory);
-    if (list.isParameter("A"))
-      factory->SetFactory("A", BuildFactory(list.getEntry("A"), factories, managers));
-    return factory;
+    if (name == "NodalPFactory") return nodal<NodalPFactory>(list, factories, managers);
+    if (name == "NodalBlockedPFactory")
+      return nodal<NodalBlockedPFactory>(list, factories, managers);
+    if (is_schwarz_of_pressures(list))
+      return smoother(with_matrix(pressure_schwarz(list), list, factories, managers));
+    const Quiet quiet(name);
+    const auto factory = FactoryFactory::BuildFactory(entry, factories, managers);
+    const bool is_for_blocks = name == "BraessSarazinSmoother" || name == "SimpleSmoother" ||
+                               name == "UzawaSmoother" || name == "BlockedJacobiSmoother" ||
+                               name == "IndefiniteBlockDiagonalSmoother";
+    return is_for_blocks ? from_zero(factory) : factory;
   }
 
 private:
@@ -77,6 +110,29 @@ private:
     return factory;
   }
 
+  template <class Ours>
+  Teuchos::RCP<Ours> nodal(const Teuchos::ParameterList& list, const Factories& factories,
+                           const Managers& managers) const {
+    const auto factory = Teuchos::rcp(new Ours(coarsening_));
+    check_keys(list, *factory);
+    return with_matrix(factory, list, factories, managers);
+  }
+
+  static Teuchos::RCP<PressureSchwarzSmoother> pressure_schwarz(Teuchos::ParameterList list) {
+    const int overlap = list.isParameter("overlap") ? list.get<int>("overlap") : 0;
+    return Teuchos::rcp(new PressureSchwarzSmoother(list.sublist("ParameterList"), overlap));
+  }
+
+  /// The factory, with the matrix that the list names.
+  template <class Ours>
+  Teuchos::RCP<Ours> with_matrix(const Teuchos::RCP<Ours>& factory,
+                                 const Teuchos::ParameterList& list, const Factories& factories,
+                                 const Managers& managers) const {
+    if (list.isParameter("A"))
+      factory->SetFactory("A", BuildFactory(list.getEntry("A"), factories, managers));
+    return factory;
+  }
+
   Teuchos::RCP<MixedCoarsening> coarsening_;
 };
 
@@ -87,8 +143,9 @@ Teuchos::RCP<FactoryFactory> make_factory_factory(const Teuchos::RCP<MixedCoarse
 }
 
 std::vector<std::string> our_factories() {
-  return {"GalerkinFactory", "Ifpack2Smoother", "NodalBraessSarazinSmoother",
-          "NodalPFactory",   "SparseLUSolver",  "VankaSmoother"};
+  return {
+      "GalerkinFactory", "Ifpack2Smoother", "NodalBlockedPFactory", "NodalBraessSarazinSmoother",
+      "NodalPFactory",   "SparseLUSolver",  "VankaSmoother"};
 }
 
 }  // namespace tunica::multigrid
