@@ -3,8 +3,14 @@
 
 namespace tunica::multigrid {
 
-/// Inverts the n×n matrix in place, row by row in a, by Gauss-Jordan elimination with row
-/// exchanges; exchanged is scratch. False where a pivot is zero or not a number.
-bool invert_dense(int n, double* a, std::vector<int>& exchanged);
+/// What invert_dense() works in: kept from one matrix to the next.
+struct DenseScratch {
+  std::vector<int> exchanged;
+  std::vector<double> panel, pivots;
+};
+
+/// Inverts the n×n matrix in place, row by row in a, by Gauss-Jordan elimination of several
+/// columns at a time with row exchanges. False where a pivot is zero or not a number.
+bool invert_dense(int n, double* a, DenseScratch& scratch);
 
 }  // namespace tunica::multigrid

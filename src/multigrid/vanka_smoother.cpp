@@ -18,6 +18,7 @@ VankaOptions options_of(const Teuchos::ParameterList& list) {
   options.order = choice(list, "order", {"forward", "backward", "symmetric"});
   options.is_additive = choice(list, "combine", {"multiplicative", "additive"}) == "additive";
   options.is_single = choice(list, "precision", {"double", "single"}) == "single";
+  options.patch = choice(list, "patch", {"full", "diagonal", "node pair"});
   if (options.sweeps < 1 || !(options.damping > 0.0))
     throw std::invalid_argument("VankaSmoother: \"sweeps\" and \"damping\" must be positive.");
   return options;
@@ -33,6 +34,7 @@ Teuchos::RCP<const Teuchos::ParameterList> VankaSmoother::GetValidParameterList(
   list->set<std::string>("order", "symmetric");
   list->set<std::string>("combine", "multiplicative");
   list->set<std::string>("precision", "double");
+  list->set<std::string>("patch", "full");
   return list;
 }
 

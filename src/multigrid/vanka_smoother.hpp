@@ -8,7 +8,8 @@ namespace tunica::multigrid {
 
 /// "VankaSmoother" of a MueLu list, for mixed matrices.
 /// Its keys: "sweeps" (1), "damping" (1.0), "order" ("forward", "backward", "symmetric"),
-/// "combine" ("multiplicative", "additive"), "precision" ("double", "single").
+/// "combine" ("multiplicative", "additive"), "precision" ("double", "single"), "patch" ("full",
+/// "diagonal", "node pair").
 class VankaSmoother : public MixedSmoother {
 public:
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;

@@ -49,12 +49,12 @@ Dense lapack_inverse(int n, Dense a) {
 }
 
 TEUCHOS_UNIT_TEST(dense_inverse, is_that_of_lapack) {
-  std::vector<int> exchanged;
+  multigrid::DenseScratch scratch;
   for (const int n : {1, 2, 3, 4, 5, 7, 8, 31, 46, 64})
     for (const Dense& a : {scattered(n), scattered(n, n), saddle(n + 1)}) {
       const int size = static_cast<int>(std::lround(std::sqrt(a.size())));
       Dense inverse(a);
-      TEST_ASSERT(multigrid::invert_dense(size, inverse.data(), exchanged));
+      TEST_ASSERT(multigrid::invert_dense(size, inverse.data(), scratch));
       TEST_COMPARE(distance_from_identity(size, a, inverse), <, 1e-10);
       TEST_COMPARE(distance_from_identity(size, inverse, a), <, 1e-10);
       const Dense expected = lapack_inverse(size, a);
@@ -68,28 +68,28 @@ TEUCHOS_UNIT_TEST(dense_inverse, is_that_of_lapack) {
 }
 
 TEUCHOS_UNIT_TEST(dense_inverse, rows_are_exchanged_where_the_diagonal_is_zero) {
-  std::vector<int> exchanged;
+  multigrid::DenseScratch scratch;
   Dense cycle{0, 2, 0, 0, 0, 4, 8, 0, 0};  // y = (2 x_1, 4 x_2, 8 x_0)
-  TEST_ASSERT(multigrid::invert_dense(3, cycle.data(), exchanged));
+  TEST_ASSERT(multigrid::invert_dense(3, cycle.data(), scratch));
   TEST_ASSERT((cycle == Dense{0, 0, 0.125, 0.5, 0, 0, 0, 0.25, 0}));
 }
 
 TEUCHOS_UNIT_TEST(dense_inverse, small_diagonals_do_not_harm) {
-  std::vector<int> exchanged;
+  multigrid::DenseScratch scratch;
   const Dense a{1e-20, 1.0, 1.0, 1.0};
   Dense inverse(a);
-  TEST_ASSERT(multigrid::invert_dense(2, inverse.data(), exchanged));
+  TEST_ASSERT(multigrid::invert_dense(2, inverse.data(), scratch));
   TEST_COMPARE(distance_from_identity(2, a, inverse), <, 1e-15);
 }
 
 TEUCHOS_UNIT_TEST(dense_inverse, what_has_none_is_refused) {
-  std::vector<int> exchanged;
+  multigrid::DenseScratch scratch;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
   for (const Dense& a : {Dense{0, 0, 0, 0}, Dense{1, 2, 2, 4}, Dense{0, 0, 0, 1}, Dense{0, 1, 0, 1},
                          Dense{nan, 0, 0, 1}, Dense{1, 0, 0, nan}, Dense{infinite, 0, 0, 1}}) {
     Dense copy(a);
-    TEST_ASSERT(!multigrid::invert_dense(2, copy.data(), exchanged));
+    TEST_ASSERT(!multigrid::invert_dense(2, copy.data(), scratch));
   }
 }
 

@@ -149,7 +149,7 @@ TEUCHOS_UNIT_TEST(vanka, single_precision_is_close_to_double) {
     out << "relative difference " << difference << "\n";
     TEST_COMPARE(difference, <, 1e-5);
     TEST_COMPARE(difference, >, 1e-10);
-    TEST_COMPARE(vanka(*wall.K(), options)->bytes(), <, 0.6 * bytes);
+    TEST_COMPARE(vanka(*wall.K(), options)->bytes(), <, 0.75 * bytes);  // the rows stay double
   }
 }
 
