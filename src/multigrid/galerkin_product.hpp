@@ -1,6 +1,7 @@
 #pragma once
 #include "multigrid/mixed_numbering.hpp"
 #include "multigrid/refreshable.hpp"
+#include "multigrid/sparse_product.hpp"
 
 namespace tunica::multigrid {
 
@@ -13,7 +14,7 @@ public:
                   const Teuchos::RCP<const CrsMatrix>& P, const MixedNumbering& numbering,
                   double stabilisation_factor);
 
-  Teuchos::RCP<CrsMatrix> matrix() const { return RAP_; }
+  Teuchos::RCP<CrsMatrix> matrix() const { return RAP_.matrix(); }
   void refresh() override;
 
 private:
@@ -22,7 +23,7 @@ private:
   Teuchos::RCP<const CrsMatrix> R_, A_, P_;
   MixedNumbering numbering_;
   double stabilisation_factor_;
-  Teuchos::RCP<CrsMatrix> AP_, RAP_;
+  SparseProduct AP_, RAP_;
 };
 
 }  // namespace tunica::multigrid

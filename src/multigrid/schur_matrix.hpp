@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "base/types.hpp"
+#include "multigrid/sparse_product.hpp"
 
 namespace tunica::multigrid {
 
@@ -16,10 +16,9 @@ public:
   void refresh(const Vector& inverse_D);
 
 private:
-  void multiply(const Vector& inverse_D);
-
-  const CrsMatrix *B1T_, *B2_, *mC_;
-  CrsMatrix scaled_, product_;
+  const CrsMatrix *B1T_, *mC_;
+  CrsMatrix scaled_;
+  SparseProduct product_;
   Teuchos::RCP<CrsMatrix> S_;
   std::vector<int> places_of_product_, places_of_mC_;
 };

@@ -74,6 +74,36 @@ TEUCHOS_UNIT_TEST(cycle, after_a_refresh_it_is_what_a_new_one_is) {
   }
 }
 
+/// In the first state of a run many entries of the graph are zero.
+TEUCHOS_UNIT_TEST(cycle, entries_that_were_zero_at_first_may_become_others) {
+  WallMatrix wall;
+  const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K));
+  const auto K = Teuchos::rcp(new CrsMatrix(*wall.K(), Teuchos::Copy));
+  const auto set = [&](bool is_sparse) {
+    K->resumeFill();
+    {
+      const auto from = wall.K()->getLocalMatrixHost(), to = K->getLocalMatrixHost();
+      for (int i = 0; i < from.numRows(); ++i) {
+        const GlobalOrdinal own = K->getRowMap()->getGlobalElement(i);
+        auto row = to.row(i);
+        for (int k = 0; k < row.length; ++k) {
+          const GlobalOrdinal column = K->getColMap()->getGlobalElement(row.colidx(k));
+          const bool is_kept =
+              !is_sparse || own % 4 == column % 4 || own % 4 == 3 || column % 4 == 3;
+          row.value(k) = is_kept ? from.row(i).value(k) : 0.0;
+        }
+      }
+    }
+    K->fillComplete(wall.K()->getDomainMap(), wall.K()->getRangeMap());
+  };
+  set(true);
+  const auto list = lists()[1].second;
+  multigrid::Cycle cycle(K, nodes, list);
+  set(false);
+  cycle.refresh();
+  TEST_COMPARE(distance(cycle, multigrid::Cycle(K, nodes, list), wall.scattered(5)), <, 1e-12);
+}
+
 TEUCHOS_UNIT_TEST(cycle, lists_with_parts_of_muelu_are_set_up_anew) {
   WallMatrix wall;
   const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K));
