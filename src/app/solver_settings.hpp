@@ -21,6 +21,7 @@ struct SolverRow {
   long long unknowns = 0;
   /// Here setup_seconds is all that is not iteration: matrices made and copied, factors.
   linear::SolveReport solve;
+  double refresh_seconds = 0.0;   ///< to set up once more, as for new values on the same graphs
   double memory_megabytes = 0.0;  ///< what the solver holds after the solve, on all ranks
   double difference = std::numeric_limits<double>::quiet_NaN();  ///< see SolverTable
   /// "converged"; "cap" on the iterations; "stagnated" before it; "drifted": small by the

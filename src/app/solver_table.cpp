@@ -34,6 +34,7 @@ std::vector<std::string> columns() {
           "levels",
           "operator_complexity",
           "operator_applications",
+          "refresh_seconds",
           "memory_megabytes"};
 }
 
@@ -64,6 +65,7 @@ std::vector<output::Cell> cells(const SolverRow& row) {
           level_sizes(row),
           s.levels.operator_complexity,
           s.operator_applications,
+          row.refresh_seconds,
           row.memory_megabytes};
 }
 

@@ -11,7 +11,8 @@ namespace {
 struct Line {
   std::string setting;
   std::vector<std::string> iterations;
-  double setup_seconds = 0.0, solve_seconds = 0.0, difference = 0.0, memory_megabytes = 0.0;
+  double setup_seconds = 0.0, solve_seconds = 0.0, difference = 0.0, refresh_seconds = 0.0,
+         memory_megabytes = 0.0;
   bool is_ever_converged = false;
   multigrid::Levels levels;
 };
@@ -43,6 +44,7 @@ std::vector<Line> lines_of(const std::vector<SolverRow>& rows) {
     const std::string count = row.solve.iterations > 0 ? std::to_string(row.solve.iterations) : "-";
     line.iterations.push_back(row.solve.is_converged ? count : count + "!");
     line.setup_seconds += row.solve.setup_seconds;
+    line.refresh_seconds += row.refresh_seconds;
     line.solve_seconds += row.solve.solve_seconds;
     line.levels = row.solve.levels;
     line.memory_megabytes = std::max(line.memory_megabytes, row.memory_megabytes);
@@ -68,15 +70,15 @@ std::string heading(const std::vector<SolverRow>& rows, std::size_t width) {
   for (const SolverRow& row : rows)
     if (row.setting == rows.front().setting)
       text += row.newton_step > 0 ? formatted("%7d", row.newton_step) : "  count";
-  return text + "   set-up s   solve s    ratio     MB  difference\n";
+  return text + "   set-up s  refresh s   solve s    ratio     MB  difference\n";
 }
 
 std::string text_of(const Line& line, std::size_t width, double measure) {
   std::string text = "  " + line.setting + std::string(width - line.setting.size(), ' ');
   for (const std::string& iterations : line.iterations) text += padded(iterations, 7);
   const double seconds = line.setup_seconds + line.solve_seconds;
-  text += formatted("%11.3f%10.3f%9.2f%7.0f", line.setup_seconds, line.solve_seconds,
-                    seconds / measure, line.memory_megabytes);
+  text += formatted("%11.3f%11.3f%10.3f%9.2f%7.0f", line.setup_seconds, line.refresh_seconds,
+                    line.solve_seconds, seconds / measure, line.memory_megabytes);
   return text +
          (line.is_ever_converged ? formatted("%12.1e\n", line.difference) : "           -\n");
 }

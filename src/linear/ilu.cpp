@@ -18,7 +18,7 @@ IluPreconditioner::IluPreconditioner(const Teuchos::RCP<const CrsMatrix>& matrix
   Teuchos::ParameterList list;
   list.set("schwarz: inner preconditioner name", "RILUK");
   list.set("schwarz: overlap level", overlap);
-  list.set("schwarz: combine mode", "ADD");
+  list.set("schwarz: combine mode", "ZERO");  // restricted: each rank gives its own rows
   list.sublist("schwarz: inner preconditioner parameters")
       .set("fact: iluk level-of-fill", fill_level);
   factors_->ifpack2->setParameters(list);

@@ -32,17 +32,19 @@ public:
 
   void matrix_changed() override { is_stale_ = true; }
 
+  void prepare() override {
+    K_.refresh();
+    factor_.refresh();
+    is_stale_ = false;
+  }
+
   SolveReport solve(const fields::BlockVector& b, fields::BlockVector& x,
                     double tolerance) override {
     SolveReport report;
     report.method = "direct";
     report.tolerance = tolerance;
     const Stopwatch set_up;
-    if (is_stale_) {
-      K_.refresh();
-      factor_.refresh();
-    }
-    is_stale_ = false;
+    if (is_stale_) prepare();
     report.setup_seconds = set_up.seconds();
     const Stopwatch solving;
     K_.merge(b, b_);
@@ -75,6 +77,13 @@ public:
   }
 
   void matrix_changed() override { is_stale_ = true; }
+
+  void prepare() override {
+    system_->refresh_matrix();
+    SolveReport unused;
+    refresh(unused);
+    is_stale_ = false;
+  }
 
   SolveReport solve(const fields::BlockVector& b, fields::BlockVector& x,
                     double tolerance) override {
@@ -148,7 +157,7 @@ private:
 
 params::Table krylov_table(const SolverDefaults& defaults, bool has_restart) {
   params::Table table;
-  add_preconditioner_keys(table, defaults.preconditioner, defaults.block);
+  add_preconditioner_keys(table, defaults.preconditioner, defaults.block, defaults.cycle);
   table.integer("max iterations", 1000, params::between(1, 1e6), "cap on the iterations")
       .number(
           "refresh factor", 2.0, params::non_negative(), "1",

@@ -32,6 +32,9 @@ public:
   /// The values of K are new: what was set up for the old ones may be kept or refreshed.
   virtual void matrix_changed() = 0;
 
+  /// Sets everything up for the present values, though what is there might do. Collective.
+  virtual void prepare() = 0;
+
   /// Solves from a zero start. Collective.
   virtual SolveReport solve(const fields::BlockVector& b, fields::BlockVector& x,
                             double tolerance) = 0;
@@ -42,6 +45,8 @@ struct SolverDefaults {
   std::string preconditioner = "block";
   /// The Stratimikos list of the block preconditioner.
   Teuchos::ParameterList block = default_block_preconditioner(1, 1);
+  /// The MueLu list of the multigrid cycle.
+  Teuchos::ParameterList cycle = multigrid::mixed_cycle_list();
 };
 
 /// The keys of a "Linear Solver" list.

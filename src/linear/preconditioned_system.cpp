@@ -99,7 +99,8 @@ private:
 }  // namespace
 
 void add_preconditioner_keys(params::Table& table, const std::string& fallback,
-                             const Teuchos::ParameterList& block_list) {
+                             const Teuchos::ParameterList& block_list,
+                             const Teuchos::ParameterList& cycle_list) {
   params::Table ilu, block, cycle, direct, none;
   ilu.integer("fill level", 0, params::between(0, 20), "levels of fill k of ILU(k)")
       .integer("overlap", 0, params::between(0, 20), "overlap between ranks, in graph layers");
@@ -119,7 +120,7 @@ void add_preconditioner_keys(params::Table& table, const std::string& fallback,
       .choice("matrix", "merged", {"merged", "blocked"},
               "what the MueLu list works on: one matrix with the unknowns of a node side by side, "
               "or MueLu's 2×2 matrix of blocks, as its own block smoothers want it")
-      .foreign("MueLu", multigrid::mixed_cycle_list(), Teuchos::ParameterList(),
+      .foreign("MueLu", cycle_list, Teuchos::ParameterList(),
                "a MueLu list of factories for the whole system, four unknowns per node; our "
                "factories in it are NodalPFactory, GalerkinFactory, VankaSmoother, "
                "Ifpack2Smoother, SparseLUSolver and "

@@ -30,10 +30,11 @@ public:
   virtual void scatter(const MultiVector& all, fields::BlockVector& x) const = 0;
 };
 
-/// Adds the key "preconditioner" with its default and the keys of each preconditioner; block is
-/// the default list of the block preconditioner.
+/// Adds the key "preconditioner" with its default and the keys of each preconditioner; block and
+/// cycle are the default lists of the block preconditioner and of the multigrid cycle.
 void add_preconditioner_keys(params::Table& table, const std::string& fallback,
-                             const Teuchos::ParameterList& block);
+                             const Teuchos::ParameterList& block,
+                             const Teuchos::ParameterList& cycle);
 
 /// The system for the preconditioner that the resolved list names. K and operators must
 /// outlive it.

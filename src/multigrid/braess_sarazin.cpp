@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/agreement.hpp"
+#include "multigrid/cycle.hpp"
 #include "multigrid/mixed_blocks.hpp"
 #include "multigrid/schur_matrix.hpp"
 #include "multigrid/sparse_lu.hpp"
@@ -33,6 +34,21 @@ Teuchos::RCP<Relaxation> relaxation(const Teuchos::RCP<const CrsMatrix>& S,
   return inverse;
 }
 
+constexpr int coarsest_schur = 200;  ///< unknowns
+
+/// Coarse nodes for S from the graph of C, which is that of the mesh; S couples wider.
+Teuchos::RCP<MixedCoarsening> coarsening_of(const Teuchos::RCP<CrsMatrix>& S,
+                                            const Teuchos::RCP<const CrsMatrix>& nodes) {
+  const auto order = Teuchos::rcp(new Vector(nodes->getRowMap()));
+  for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList())
+    order->replaceGlobalValue(row, static_cast<Scalar>(row));
+  fields::BlockMatrices scalar;  // both blocks are S: asked for one, it gives one
+  scalar.A = scalar.mC = S;
+  scalar.components = 1;
+  scalar.vectors = scalar.scalars = {nodes, order};
+  return Teuchos::rcp(new MixedCoarsening(scalar));
+}
+
 }  // namespace
 
 struct BraessSarazin::Parts {
@@ -46,6 +62,7 @@ struct BraessSarazin::Parts {
   std::unique_ptr<SchurMatrix> S;
   Teuchos::RCP<Relaxation> rough;
   Teuchos::RCP<SparseLu> exact;
+  std::unique_ptr<Cycle> cycle;
 
   /// Rows with nothing but the diagonal are solved, not smoothed.
   void invert_diagonal() {
@@ -64,6 +81,7 @@ struct BraessSarazin::Parts {
 
   void solve_schur(const MultiVector& r, MultiVector& q) const {
     if (!rough.is_null()) return rough->apply(r, q);
+    if (cycle) return cycle->apply(r, q);
     exact->setX(Teuchos::rcpFromRef(q));
     exact->setB(Teuchos::rcpFromRef(r));
     exact->solve();
@@ -77,6 +95,12 @@ BraessSarazin::BraessSarazin(const CrsMatrix& K, const MixedNumbering& numbering
   parts.invert_diagonal();
   const MixedBlocks& blocks = parts.blocks;
   parts.S = std::make_unique<SchurMatrix>(*blocks.B1T, *blocks.B2, *blocks.mC, parts.inverse_D);
+  if (options.schur == "multigrid") {
+    parts.cycle =
+        std::make_unique<Cycle>(parts.S->matrix(), coarsening_of(parts.S->matrix(), blocks.mC),
+                                nodal_cycle_list(options.schur_sweeps, coarsest_schur));
+    return;
+  }
   if (options.schur != "direct") {
     parts.rough = relaxation(parts.S->matrix(), options);
     return;
@@ -93,6 +117,7 @@ void BraessSarazin::refresh() {
   parts.invert_diagonal();
   parts.S->refresh(parts.inverse_D);
   if (!parts.rough.is_null()) return parts.rough->compute();
+  if (parts.cycle) return parts.cycle->refresh();
   parts.exact->setA(parts.S->matrix(), Amesos2::SYMBFACT);
   parts.exact->numericFactorization();
 }

@@ -10,8 +10,9 @@ struct BraessSarazinOptions {
   int sweeps = 1;
   double scaling = 2.0;                ///< Ã = scaling diag(A)
   double damping = 1.0;                ///< of the whole correction
-  std::string schur = "gauss-seidel";  ///< inverse of S: "gauss-seidel", "chebyshev", "direct"
-  int schur_sweeps = 2;                ///< of Gauss-Seidel or the degree of Chebyshev
+  std::string schur = "gauss-seidel";  ///< inverse of S: "gauss-seidel", "chebyshev",
+                                       ///< "multigrid" (one cycle), "direct"
+  int schur_sweeps = 2;  ///< of Gauss-Seidel, also in the cycle, or the degree of Chebyshev
 };
 
 /// The smoother of Braess and Sarazin [BS97] for K = [A B1ᵀ; B2 −C]: x += ω K̃⁻¹ (b − K x) where K̃

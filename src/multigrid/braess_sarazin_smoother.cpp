@@ -12,7 +12,7 @@ BraessSarazinOptions options_of(const Teuchos::ParameterList& list) {
   options.scaling = list.get<double>("scaling");
   options.damping = list.get<double>("damping");
   options.schur = chosen_word("NodalBraessSarazinSmoother", list, "schur",
-                              {"gauss-seidel", "chebyshev", "direct"});
+                              {"gauss-seidel", "chebyshev", "multigrid", "direct"});
   options.schur_sweeps = list.get<int>("schur sweeps");
   const bool is_valid = options.sweeps > 0 && options.schur_sweeps > 0 && options.scaling > 0.0 &&
                         options.damping > 0.0;

@@ -153,6 +153,8 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked) {
 
 namespace {
 
+constexpr int coarsest_mixed = 1500;  ///< unknowns
+
 /// The levels of the nodal coarsening with a smoother named "Sweeps".
 Teuchos::ParameterList nodal_levels(const Teuchos::ParameterList& sweeps, int coarse_size) {
   Teuchos::ParameterList list("MueLu");
@@ -189,9 +191,16 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
 
 Teuchos::ParameterList mixed_cycle_list() {
   Teuchos::ParameterList smoother;
-  smoother.set("factory", "Ifpack2Smoother").set("type", "RILUK");
+  smoother.set("factory", "Ifpack2Smoother").set("type", "RILUK").set("overlap", 1);
   smoother.sublist("ParameterList").set("fact: iluk level-of-fill", 0);
-  return nodal_levels(smoother, 1500);
+  return nodal_levels(smoother, coarsest_mixed);
+}
+
+Teuchos::ParameterList pair_cycle_list(int sweeps) {
+  Teuchos::ParameterList smoother;
+  smoother.set("factory", "VankaSmoother").set("patch", "node pair").set("order", "forward");
+  smoother.set("precision", "single").set("sweeps", sweeps);
+  return nodal_levels(smoother, coarsest_mixed);
 }
 
 }  // namespace tunica::multigrid

@@ -67,4 +67,7 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
 /// The same for a mixed system, smoothed by incomplete factors of all unknowns together.
 Teuchos::ParameterList mixed_cycle_list();
 
+/// The same, smoothed by Vanka's patches of node pairs in single precision.
+Teuchos::ParameterList pair_cycle_list(int sweeps);
+
 }  // namespace tunica::multigrid

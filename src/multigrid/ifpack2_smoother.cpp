@@ -40,7 +40,7 @@ void Ifpack2Smoother::set_up(int, const Teuchos::RCP<::tunica::CrsMatrix>& K) {
     Teuchos::ParameterList schwarz;
     schwarz.set("schwarz: inner preconditioner name", type);
     schwarz.set("schwarz: overlap level", list.get<int>("overlap"));
-    schwarz.set("schwarz: combine mode", "ADD");
+    schwarz.set("schwarz: combine mode", "ZERO");  // restricted: each rank gives its own rows
     schwarz.sublist("schwarz: inner preconditioner parameters") = list.sublist("ParameterList");
     inner_ = Ifpack2::Factory::create<::tunica::RowMatrix>("SCHWARZ", rows);
     inner_->setParameters(schwarz);

@@ -13,6 +13,7 @@ public:
       : solver_(std::move(solver)), watch_(std::move(watch)) {}
 
   void matrix_changed() override { solver_->matrix_changed(); }
+  void prepare() override { solver_->prepare(); }
   linear::SolveReport solve(const fields::BlockVector& b, fields::BlockVector& x,
                             double tolerance) override {
     watch_(b);

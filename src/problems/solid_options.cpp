@@ -105,7 +105,8 @@ void for_each_sublist(const Teuchos::ParameterList& list, Visit visit) {
 }  // namespace
 
 params::Table solid_solver_table() {
-  return linear::linear_solver_table({"ilu", linear::default_block_preconditioner(6, 2)});
+  return linear::linear_solver_table(
+      {"multigrid", linear::default_block_preconditioner(6, 2), multigrid::pair_cycle_list(2)});
 }
 
 params::Table solid_table() {

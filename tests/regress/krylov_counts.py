@@ -90,7 +90,7 @@ def wall_is_robust(verdict, bench):
 
 def ranks_agree(verdict, bench):
     counts = [bench.most(f"ranks-{ranks}", "both", [], ranks) for ranks in (1, 2, 4)]
-    agree(verdict, "ranks", counts, 1.15, slack=1)
+    agree(verdict, "ranks", counts, 1.15, slack=2)
 
 
 def main(programs, scratch):

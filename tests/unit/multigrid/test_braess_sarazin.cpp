@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(braess_sarazin, a_solution_stays_and_rough_inverses_of_S_come_
   const Vector x = wall.scattered(4);
   Vector b(x.getMap());
   wall.K()->apply(x, b);
-  for (const std::string schur : {"gauss-seidel", "chebyshev", "direct"}) {
+  for (const std::string schur : {"gauss-seidel", "chebyshev", "multigrid", "direct"}) {
     multigrid::BraessSarazinOptions options;
     options.schur = schur;
     options.sweeps = 60;

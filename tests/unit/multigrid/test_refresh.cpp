@@ -26,7 +26,7 @@ std::vector<std::pair<std::string, Teuchos::ParameterList>> lists() {
     all.emplace_back(name, list_with(sweeps));
   };
   add("Vanka", [](auto& s) { s.set("factory", "VankaSmoother"); });
-  for (const std::string schur : {"gauss-seidel", "chebyshev", "direct"})
+  for (const std::string schur : {"gauss-seidel", "chebyshev", "multigrid", "direct"})
     add("Braess-Sarazin, " + schur,
         [&](auto& s) { s.set("factory", "NodalBraessSarazinSmoother").set("schur", schur); });
   for (const int overlap : {0, 1})

@@ -57,6 +57,7 @@ public:
   std::string refusal() const override { return "p is out of range"; }
 
   void matrix_changed() override {}
+  void prepare() override {}
   linear::SolveReport solve(const fields::BlockVector& b, fields::BlockVector& x,
                             double tolerance) override {
     tolerances_.push_back(tolerance);
