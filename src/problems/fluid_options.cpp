@@ -65,7 +65,7 @@ FlowCondition condition_of(const std::string& surface, const Teuchos::ParameterL
 
 }  // namespace
 
-params::Table fluid_solver_table() { return linear::linear_solver_table(); }
+params::Table fluid_solver_table() { return linear::linear_solver_table({"multigrid"}); }
 
 params::Table fluid_table() {
   params::Table table("The fluid: ALE Navier-Stokes, P1-P1 with SUPG and PSPG, implicit Euler.");

@@ -5,9 +5,8 @@ Usage: krylov_counts.py FOLDER_OF_PROGRAMS SCRATCH
 """
 import pathlib
 import sys
-import xml.etree.ElementTree as ElementTree
 
-from runs import ROOT, Run, Verdict, command, fresh, table
+from runs import ROOT, Run, Verdict, agree, command, fresh, table, write_case
 
 CASE = ROOT / "xml" / "solvers-tiny.xml"
 SETTINGS = {"Fluid": ["block LU, GCR"], "Wall": ["block LU, BiCGStab", "block LU, GMRES"]}
@@ -15,30 +14,12 @@ MOST = {"block LU, GCR": 18, "block LU, BiCGStab": 12, "block LU, GMRES": 20}
 VISCOSITY, TIME_STEP = 3.5e-3, 0.125
 
 
-def entry(parent, name):
-    found = [child for child in parent if child.get("name") == name]
-    assert len(found) == 1, f"{CASE}: {name}"
-    return found[0]
-
-
-def write_case(path):
-    """The case with the wanted settings only."""
-    tree = ElementTree.parse(CASE)
-    root = tree.getroot()
-    entry(entry(root, "Mesh"), "file").set("value", str(ROOT / "meshes" / "tube-tiny.h5"))
-    for field, names in SETTINGS.items():
-        settings = entry(entry(root, "Solvers"), field)
-        for setting in [one for one in settings if one.get("name") not in names]:
-            settings.remove(setting)
-    tree.write(path)
-
-
 class Bench:
     """Runs of tunica-solvers in one folder."""
 
     def __init__(self, verdict, programs, folder):
         self.verdict, self.program, self.folder = verdict, programs / "tunica-solvers", folder
-        write_case(folder / "case.xml")
+        write_case(CASE, folder / "case.xml", SETTINGS)
 
     def most(self, name, field, keys, ranks=1):
         """Setting -> most iterations of a Newton step; empty if the run fails."""
@@ -58,16 +39,6 @@ class Bench:
             self.verdict.claim(n <= MOST[setting] and set(rows["verdict"]) == {"converged"},
                                f"{name}: {setting} takes {n:.0f}, at most {MOST[setting]}")
         return result
-
-
-def agree(verdict, name, counts, factor, slack=0):
-    """For each setting the largest count is at most factor times the least, or slack more."""
-    if not verdict.claim(all(counts), f"{name}: every run has counts"):
-        return
-    for setting in counts[0]:
-        values = [count[setting] for count in counts]
-        verdict.claim(max(values) <= max(factor * min(values), min(values) + slack),
-                      f"{name}: {setting} takes {min(values):.0f} to {max(values):.0f}")
 
 
 def fluid_is_robust(verdict, bench):

@@ -5,6 +5,7 @@ import pathlib
 import shutil
 import subprocess
 import time
+import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
@@ -64,3 +65,32 @@ class Verdict:
     def status(self):
         print(f"{self.failures} failures" if self.failures else "all claims hold")
         return 1 if self.failures else 0
+
+
+def entry(parent, name):
+    found = [child for child in parent if child.get("name") == name]
+    assert len(found) == 1, name
+    return found[0]
+
+
+def write_case(case, path, settings):
+    """A case of tunica-solvers with the wanted settings only: field -> names."""
+    tree = ElementTree.parse(case)
+    root = tree.getroot()
+    mesh = entry(entry(root, "Mesh"), "file")
+    mesh.set("value", str((case.parent / mesh.get("value")).resolve()))
+    for field, names in settings.items():
+        entries = entry(entry(root, "Solvers"), field)
+        for setting in [one for one in entries if one.get("name") not in names]:
+            entries.remove(setting)
+    tree.write(path)
+
+
+def agree(verdict, name, counts, factor, slack=0):
+    """For each setting the largest count is at most factor times the least, or slack more."""
+    if not verdict.claim(all(counts), f"{name}: every run has counts"):
+        return
+    for setting in counts[0]:
+        values = [count[setting] for count in counts]
+        verdict.claim(max(values) <= max(factor * min(values), min(values) + slack),
+                      f"{name}: {setting} takes {min(values):.0f} to {max(values):.0f}")
