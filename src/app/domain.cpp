@@ -19,7 +19,7 @@ namespace {
 /// What the case says of the mesh.
 struct Wishes {
   std::vector<std::string> fluid_regions, wall_regions;
-  std::vector<std::string> fluid_surfaces, wall_surfaces;
+  std::vector<std::string> fluid_surfaces, wall_surfaces, frame_surfaces;
   std::vector<std::string> interface;
 };
 
@@ -37,6 +37,7 @@ Wishes wishes_of(const Teuchos::ParameterList& list) {
     wishes.wall_regions = options.regions();
     for (const auto& c : options.conditions) wishes.wall_surfaces.push_back(c.surface);
     on_wall = options.interface_surfaces();
+    wishes.frame_surfaces = options.frame_surfaces;
   }
   if (!list.isSublist("Fluid") || !list.isSublist("Wall")) {
     TUNICA_CHECK(on_fluid.empty() && on_wall.empty(),
@@ -102,6 +103,7 @@ Shares read_and_check(const Teuchos::ParameterList& list, const Wishes& wishes, 
     shares.wall = region_indices(shares.mesh, wishes.wall_regions, "Wall / Layers");
     check_surfaces(shares.mesh, wishes.fluid_surfaces, shares.fluid, "Fluid / Surfaces");
     check_surfaces(shares.mesh, wishes.wall_surfaces, shares.wall, "Wall / Surfaces");
+    check_surfaces(shares.mesh, wishes.frame_surfaces, shares.wall, "Wall / Fibre Frame");
     for (const int r : shares.fluid)
       TUNICA_CHECK(std::count(shares.wall.begin(), shares.wall.end(), r) == 0,
                    "the region \"" + shares.mesh.regions[r].name + "\" is both fluid and wall.");

@@ -56,16 +56,25 @@ std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall) 
   const auto d = fields::ghosted_vectors(mesh, *wall.state().u);
   const auto p = fields::ghosted_scalars(mesh, *wall.state().p);
   output::Array stress{"cauchy_stress", 6, {}}, von_mises{"von_mises", 1, {}};
+  output::Array around{"circumferential", 3, {}}, along{"axial", 3, {}};
+  const bool has_frames = !wall.elements().frames.empty();
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_counted[e]) continue;
     const auto& nodes = mesh.tets[e];
-    const Sym3 sigma =
-        kernels::cauchy_stress(wall.elements().geometry[e], assembly::gather(d, nodes),
-                               assembly::gather(p, nodes), *wall.elements().law[e]);
+    const Sym3 sigma = kernels::cauchy_stress(
+        wall.elements().geometry[e], assembly::gather(d, nodes), assembly::gather(p, nodes),
+        *wall.elements().law[e], wall.elements().frame(e));
     stress.values.insert(stress.values.end(), sigma.begin(), sigma.end());
     von_mises.values.push_back(kernels::von_mises(sigma));
+    if (!has_frames) continue;
+    const materials::Frame& frame = wall.elements().frames[e];
+    for (auto& [array, direction] :
+         {std::pair(&around, frame.circumferential), std::pair(&along, frame.axial)})
+      array->values.insert(array->values.end(), direction.begin(), direction.end());
   }
-  return {stress, von_mises};
+  std::vector<output::Array> arrays{stress, von_mises};
+  if (has_frames) arrays.insert(arrays.end(), {around, along});
+  return arrays;
 }
 
 FieldSeries::FieldSeries(const RunOutput& output, std::vector<output::Grid> grids,

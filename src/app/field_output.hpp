@@ -16,7 +16,8 @@ std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
 
 /// Displacement, pressure and velocity at the nodes.
 std::vector<output::Array> wall_arrays(const problems::SolidProblem& wall);
-/// Cauchy stress and von Mises stress of the elements.
+/// Cauchy stress and von Mises stress of the elements; with fibres the circumferential and the
+/// axial direction in the unloaded wall.
 std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall);
 
 /// The fields of one grid at one time.

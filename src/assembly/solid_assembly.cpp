@@ -28,9 +28,11 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
     for (Vec3& r : s.r) r = elements.density[e] * r;
     const kernels::Tet4& T = elements.geometry[e];
     if (K == nullptr) {
-      Re = kernels::solid_up_residual(T, s, *elements.law[e], elements.coefficients[e]);
+      Re = kernels::solid_up_residual(T, s, *elements.law[e], elements.coefficients[e],
+                                      elements.frame(e));
     } else {
-      kernels::solid_up_jacobian(T, s, *elements.law[e], elements.coefficients[e], Re, Ke);
+      kernels::solid_up_jacobian(T, s, *elements.law[e], elements.coefficients[e], Re, Ke,
+                                 elements.frame(e));
       K->add(e, Ke);
     }
     R.add(mesh, e, Re);

@@ -10,6 +10,12 @@ struct SolidElements {
   std::vector<const materials::HyperelasticLaw*> law;
   std::vector<double> density;  ///< ρ [mg/mm³]
   std::vector<kernels::SolidCoefficients> coefficients;
+  std::vector<materials::Frame> frames;  ///< empty where no law has fibres
+
+  const materials::Frame& frame(std::size_t e) const {
+    static constexpr materials::Frame none;
+    return frames.empty() ? none : frames[e];
+  }
 };
 
 /// Nodal state of the wall on owned and ghost nodes.

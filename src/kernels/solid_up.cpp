@@ -183,17 +183,19 @@ double solid_jacobian_determinant(const Tet4& T, const std::array<Vec3, 4>& d) {
 }
 
 MixedResidual solid_up_residual(const Tet4& T, const SolidState& s,
-                                const materials::HyperelasticLaw& law, const SolidCoefficients& c) {
+                                const materials::HyperelasticLaw& law, const SolidCoefficients& c,
+                                const materials::Frame& frame) {
   const Point x = evaluate(T, s, c);
   MixedResidual R;
-  residual_at(T, s, c, x, law.stress(x.C), R);
+  residual_at(T, s, c, x, law.stress(x.C, frame), R);
   return R;
 }
 
 void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::HyperelasticLaw& law,
-                       const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K) {
+                       const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K,
+                       const materials::Frame& frame) {
   const Point x = evaluate(T, s, c);
-  const materials::Response response = law.response(x.C);
+  const materials::Response response = law.response(x.C, frame);
   residual_at(T, s, c, x, response.S, R);
   stiffness_block(T, x, response, c.alpha, K.A);
   pressure_blocks(T, x, c, K);

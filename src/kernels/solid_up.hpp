@@ -22,12 +22,14 @@ struct SolidCoefficients {
 double solid_jacobian_determinant(const Tet4& T, const std::array<Vec3, 4>& d);
 
 /// Residual of the P1–P1 mixed solid; see solid_up.cpp for the equations. det F > 0 is the
-/// caller's promise.
+/// caller's promise. frame: matters for laws with fibres only.
 MixedResidual solid_up_residual(const Tet4& T, const SolidState& s,
-                                const materials::HyperelasticLaw& law, const SolidCoefficients& c);
+                                const materials::HyperelasticLaw& law, const SolidCoefficients& c,
+                                const materials::Frame& frame = {});
 
 /// Residual and its exact Jacobian.
 void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::HyperelasticLaw& law,
-                       const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K);
+                       const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K,
+                       const materials::Frame& frame = {});
 
 }  // namespace tunica::kernels

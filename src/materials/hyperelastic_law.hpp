@@ -1,5 +1,6 @@
 #pragma once
 #include "base/tensor.hpp"
+#include "materials/frame.hpp"
 
 namespace tunica::materials {
 
@@ -14,22 +15,26 @@ struct Response {
 ///
 /// The volumetric part is not here: the pressure field carries it (kernels/solid_up.hpp).
 /// Every law is a value without hidden state; one object serves all elements. Tensors live
-/// in the reference frame; C is the right Cauchy–Green tensor FᵀF.
+/// in the reference frame; C is the right Cauchy–Green tensor FᵀF. Where a law does not permit
+/// a deformation it returns values that are not finite, so that Newton steps back.
 class HyperelasticLaw {
 public:
   virtual ~HyperelasticLaw() = default;
 
   /// Energy Ψ'(C) per reference volume [kPa]; zero at C = I.
-  virtual double energy(const Sym3& C) const = 0;
+  virtual double energy(const Sym3& C, const Frame& frame) const = 0;
 
   /// S'(C) = 2 ∂Ψ'/∂C [kPa].
-  virtual Sym3 stress(const Sym3& C) const = 0;
+  virtual Sym3 stress(const Sym3& C, const Frame& frame) const = 0;
 
   /// S'(C) and its tangent.
-  virtual Response response(const Sym3& C) const = 0;
+  virtual Response response(const Sym3& C, const Frame& frame) const = 0;
 
   /// The modulus μ_l of the paper, 2(c10 + c01) for Mooney–Rivlin [kPa]; scales the PSPG τ.
   virtual double stabilisation_modulus() const = 0;
+
+  /// True where the frame matters.
+  virtual bool has_fibres() const { return false; }
 };
 
 }  // namespace tunica::materials

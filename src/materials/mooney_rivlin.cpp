@@ -52,17 +52,17 @@ Sym3 stress_of(const Sym3& C, const Invariants& inv, double c10_a, double c01_a2
 
 }  // namespace
 
-double MooneyRivlin::energy(const Sym3& C) const {
+double MooneyRivlin::energy(const Sym3& C, const Frame&) const {
   const Invariants inv = invariants(C);
   return 0.5 * c10_ * (inv.I1 * inv.a - 3.0) + 0.5 * c01_ * (inv.I2 * inv.a * inv.a - 3.0);
 }
 
-Sym3 MooneyRivlin::stress(const Sym3& C) const {
+Sym3 MooneyRivlin::stress(const Sym3& C, const Frame&) const {
   const Invariants inv = invariants(C);
   return stress_of(C, inv, c10_ * inv.a, c01_ * inv.a * inv.a);
 }
 
-Response MooneyRivlin::response(const Sym3& C) const {
+Response MooneyRivlin::response(const Sym3& C, const Frame&) const {
   const Invariants inv = invariants(C);
   const double c10_a = c10_ * inv.a;
   const double c01_a2 = c01_ * inv.a * inv.a;

@@ -9,9 +9,9 @@ class MooneyRivlin final : public HyperelasticLaw {
 public:
   MooneyRivlin(double c10, double c01) : c10_(c10), c01_(c01) {}
 
-  double energy(const Sym3& C) const override;
-  Sym3 stress(const Sym3& C) const override;
-  Response response(const Sym3& C) const override;
+  double energy(const Sym3& C, const Frame&) const override;
+  Sym3 stress(const Sym3& C, const Frame&) const override;
+  Response response(const Sym3& C, const Frame&) const override;
   double stabilisation_modulus() const override { return 2.0 * (c10_ + c01_); }
 
 private:

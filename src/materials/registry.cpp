@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "materials/holzapfel.hpp"
 #include "materials/mooney_rivlin.hpp"
 
 namespace tunica::materials {
@@ -13,6 +14,7 @@ const std::vector<LawEntry>& laws() {
   static const std::vector<LawEntry> all = {
       mooney_rivlin(),
       neo_hookean(),
+      holzapfel(),
   };
   return all;
 }
@@ -35,8 +37,11 @@ auto find_named(const List& list, const std::string& name) {
 double checked_value(const LawEntry& law, const Constant& constant, double value) {
   std::ostringstream message;
   message << "Material law \"" << law.name << "\": \"" << constant.name << "\" is " << value << " "
-          << constant.unit << ", expected a number not below " << constant.low << ".";
-  TUNICA_CHECK(std::isfinite(value) && value >= constant.low, message.str());
+          << constant.unit << ", expected a number not below " << constant.low;
+  if (std::isfinite(constant.high)) message << " and not above " << constant.high;
+  message << ".";
+  TUNICA_CHECK(std::isfinite(value) && value >= constant.low && value <= constant.high,
+               message.str());
   return value;
 }
 

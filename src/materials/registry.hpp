@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,6 +17,7 @@ struct Constant {
   double low;  ///< smallest admissible value
   std::string unit;
   std::string sentence;
+  double high = std::numeric_limits<double>::infinity();  ///< largest admissible value
 };
 
 using Constants = std::map<std::string, double>;

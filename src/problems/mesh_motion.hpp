@@ -1,10 +1,5 @@
 #pragma once
-#include <memory>
-#include <optional>
-#include <string>
-
-#include "fields/field_mesh.hpp"
-#include "linear/scalar_solver.hpp"
+#include "problems/harmonic.hpp"
 
 namespace tunica::problems {
 
@@ -26,15 +21,9 @@ public:
   void end_step() { d_old_ = d_; }
 
 private:
-  void assemble();
-
   const fields::FieldMesh* mesh_;
-  enum class Kind : char { free, fixed, interface };
-  std::vector<Kind> kind_;         ///< per local node
-  Teuchos::RCP<CrsMatrix> K_;      ///< rows and columns of given nodes are diagonal
-  Teuchos::RCP<CrsMatrix> whole_;  ///< the Laplacian without conditions
-  std::unique_ptr<linear::ScalarSolver> solver_;
-  MultiVector solution_;
+  std::vector<char> is_interface_;  ///< per owned node
+  Harmonic harmonic_;
   std::vector<Vec3> d_, d_old_;
 };
 

@@ -39,9 +39,11 @@ Observables SolidProblem::observe() const {
     s.low_J = std::min(s.low_J, J);
     s.high_J = std::max(s.high_J, J);
     if (mesh_->is_counted[e])
-      s.energy += elements_.geometry[e].volume *
-                  elements_.law[e]->energy(kernels::right_cauchy_green(
-                      kernels::deformation_gradient(elements_.geometry[e], de)));
+      s.energy +=
+          elements_.geometry[e].volume *
+          elements_.law[e]->energy(
+              kernels::right_cauchy_green(kernels::deformation_gradient(elements_.geometry[e], de)),
+              elements_.frame(e));
   }
   Observables found{{"max_displacement_wall_mm", fields::global_max(comm, s.displacement)},
                     {"min_det_F", fields::global_min(comm, s.low_J)},

@@ -6,6 +6,7 @@
 #include "linear/linear_solver.hpp"
 #include "materials/registry.hpp"
 #include "nonlinear/newton.hpp"
+#include "problems/fibre_frames.hpp"
 
 namespace tunica::problems {
 
@@ -24,13 +25,22 @@ Layer layer_of(const std::string& region, const Teuchos::ParameterList& list) {
   return layer;
 }
 
+template <class Visit>
+void for_each_sublist(const Teuchos::ParameterList& list, Visit visit) {
+  for (auto it = list.begin(); it != list.end(); ++it)
+    visit(list.name(it), list.sublist(list.name(it)));
+}
+
+std::unique_ptr<materials::HyperelasticLaw> law_of(const Layer& layer) {
+  return materials::make_law(layer.law, {layer.constants.begin(), layer.constants.end()});
+}
+
 params::Table layer_table() {
   std::vector<params::Table::Case> laws;
   for (const materials::LawEntry& law : materials::laws()) {
     params::Table table(law.sentence);
     for (const materials::Constant& c : law.constants)
-      table.number(c.name, c.fallback, params::Range{c.low, params::any().high, false, false},
-                   c.unit, c.sentence);
+      table.number(c.name, c.fallback, params::between(c.low, c.high), c.unit, c.sentence);
     laws.push_back({law.name, table});
   }
   params::Table table("One layer of the wall.");
@@ -39,8 +49,7 @@ params::Table layer_table() {
       .number("density", 1.2, params::positive(), "mg/mm^3", "density of the unloaded wall")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         try {
-          const Layer layer = layer_of("", list);
-          materials::make_law(layer.law, {layer.constants.begin(), layer.constants.end()});
+          law_of(layer_of("", list));
         } catch (const Error& error) {
           throw Error(path + ": " + error.what());
         }
@@ -96,12 +105,6 @@ WallCondition condition_of(const std::string& surface, const Teuchos::ParameterL
   return condition;
 }
 
-template <class Visit>
-void for_each_sublist(const Teuchos::ParameterList& list, Visit visit) {
-  for (auto it = list.begin(); it != list.end(); ++it)
-    visit(list.name(it), list.sublist(list.name(it)));
-}
-
 }  // namespace
 
 params::Table solid_solver_table() {
@@ -112,6 +115,7 @@ params::Table solid_solver_table() {
 params::Table solid_table() {
   params::Table table("The wall: mixed displacement-pressure hyperelasticity, P1-P1 with PSPG.");
   table.entries("Layers", layer_table(), "one list for each region of the mesh that is wall")
+      .sublist("Fibre Frame", fibre_frame_table())
       .entries("Surfaces", condition_table(), "one list for each surface with a condition")
       .choice("analysis", "dynamic", {"dynamic", "static"},
               "with inertia, or a sequence of equilibria")
@@ -121,11 +125,22 @@ params::Table solid_table() {
               "ignores inertia")
       .number("stabilisation modulus factor", 1.0, params::positive(), "1",
               "multiplies the modulus mu of the PSPG parameter")
+      .number("stabilisation at layers", 0.03, params::Range{0.0, 1.0, true, false}, "1",
+              "multiplies the PSPG parameter of elements that touch another material, where the "
+              "pressure jumps; 1 as in the paper")
       .sublist("Newton", nonlinear::newton_table())
       .sublist("Linear Solver", solid_solver_table())
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         TUNICA_CHECK(list.sublist("Layers").numParams() > 0,
                      path + " / Layers: no layer. Name each region of the wall.");
+        if (list.sublist("Fibre Frame").get<std::string>("kind") != "none") return;
+        for_each_sublist(list.sublist("Layers"), [&](const std::string& name, const auto& layer) {
+          TUNICA_CHECK(!law_of(layer_of(name, layer))->has_fibres(),
+                       path + " / Layers / " + name + ": the law \"" +
+                           layer.template get<std::string>("law") + "\" has fibres, but " + path +
+                           " / Fibre Frame has no directions for them. Set its \"kind\" to "
+                           "\"tube\" or \"laplace\".");
+        });
       });
   return table;
 }
@@ -143,6 +158,8 @@ SolidOptions solid_options(const Teuchos::ParameterList& list) {
   options.gamma = list.sublist("Newmark").get<double>("gamma");
   options.has_inertia_in_tau = list.get<std::string>("stabilisation") == "inertial";
   options.modulus_factor = list.get<double>("stabilisation modulus factor");
+  options.layer_factor = list.get<double>("stabilisation at layers");
+  options.frame_surfaces = frame_surfaces(list.sublist("Fibre Frame"));
   return options;
 }
 

@@ -16,6 +16,10 @@ struct Layer {
   std::vector<std::pair<std::string, double>> constants;
   double bulk_modulus;  ///< κ [kPa]
   double density;       ///< ρ in the reference configuration [mg/mm³]
+
+  bool has_material_of(const Layer& other) const {
+    return law == other.law && constants == other.constants;
+  }
 };
 
 /// What happens on one surface of the wall.
@@ -35,6 +39,8 @@ struct SolidOptions {
   double beta, gamma;       ///< Newmark
   bool has_inertia_in_tau;  ///< τ = 1/(4μ_l/h² + α) instead of the paper's h²/(4μ_l)
   double modulus_factor;    ///< multiplies μ_l in τ
+  double layer_factor;      ///< multiplies τ at the boundary of two materials
+  std::vector<std::string> frame_surfaces;  ///< that the fibre frame is made from
 
   std::vector<std::string> regions() const;
   std::vector<std::string> interface_surfaces() const;

@@ -7,7 +7,9 @@
 #include "assembly/mass_norm.hpp"
 #include "fields/reduce.hpp"
 #include "materials/registry.hpp"
+#include "problems/fibre_frames.hpp"
 #include "problems/inverted_element.hpp"
+#include "problems/layer_boundary.hpp"
 
 namespace tunica::problems {
 
@@ -18,6 +20,8 @@ SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::Fie
   make_solver(list);
   set_constraints();
   set_elements();
+  set_layer_boundaries();
+  set_frames(list.sublist("Fibre Frame"));
 }
 
 SolidProblem::~SolidProblem() = default;
@@ -51,6 +55,20 @@ void SolidProblem::set_elements() {
   elements_.coefficients.resize(mesh_->tets.size());
 }
 
+void SolidProblem::set_layer_boundaries() {
+  std::vector<int> material(mesh_->regions.size(), -1);
+  for (std::size_t r = 0; r < material.size(); ++r)
+    for (int l = layer_of_region_[r]; l >= 0; --l)
+      if (options_.layers[l].has_material_of(options_.layers[layer_of_region_[r]])) material[r] = l;
+  is_at_layer_ = at_layer_boundary(*mesh_, material);
+}
+
+void SolidProblem::set_frames(const Teuchos::ParameterList& list) {
+  const auto has_fibres = [](const auto& law) { return law->has_fibres(); };
+  if (std::any_of(laws_.begin(), laws_.end(), has_fibres))
+    elements_.frames = fibre_frames(list, *mesh_);
+}
+
 double SolidProblem::alpha_of(const Layer& layer) const {
   if (options_.is_static) return 0.0;
   return stepping::Newmark{options_.beta, options_.gamma, dt_}.alpha(layer.density);
@@ -64,7 +82,10 @@ void SolidProblem::set_coefficients(double dt) {
     const double stiffness =
         4.0 * options_.modulus_factor * elements_.law[e]->stabilisation_modulus() / (h * h);
     const double alpha = alpha_of(layer);
-    const double tau = 1.0 / (stiffness + (options_.has_inertia_in_tau ? alpha : 0.0));
+    double tau = 1.0 / (stiffness + (options_.has_inertia_in_tau ? alpha : 0.0));
+    // The pressure jumps between materials. PSPG takes the jump, spread over an element, for a
+    // gradient out of balance and answers with a change of volume, see verify/test_inflation.cpp.
+    if (is_at_layer_[e]) tau *= options_.layer_factor;
     elements_.coefficients[e] = {alpha, 1.0 / layer.bulk_modulus, tau};
   }
 }

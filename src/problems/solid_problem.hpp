@@ -45,6 +45,8 @@ public:
 private:
   void set_constraints();
   void set_elements();
+  void set_layer_boundaries();
+  void set_frames(const Teuchos::ParameterList& list);
   void set_coefficients(double dt);
   void set_inertia_history();
   void read(const fields::BlockVector& x) override;
@@ -57,6 +59,7 @@ private:
   SolidOptions options_;
   std::vector<std::unique_ptr<materials::HyperelasticLaw>> laws_;  ///< per layer
   std::vector<int> layer_of_region_;
+  std::vector<char> is_at_layer_;  ///< per element: it touches another material
   std::vector<const WallCondition*> condition_of_surface_;
   assembly::SolidElements elements_;
 

@@ -1,22 +1,20 @@
-"""xml/pulse-tiny.xml needs as many iterations as recorded.
+"""A case of xml/ needs as many iterations as recorded.
 
-Usage: iteration_counts.py FOLDER_OF_PROGRAMS SCRATCH
+Usage: iteration_counts.py FOLDER_OF_PROGRAMS SCRATCH [CASE]        CASE: pulse-tiny, artery-tiny
 """
 import pathlib
 import sys
 
 from runs import ROOT, Run, Verdict, command, fresh, table
 
-EXPECTED = ROOT / "tests" / "data" / "fsi-pulse-tiny-iterations.csv"
 
-
-def main(programs, scratch):
+def main(programs, scratch, case="pulse-tiny"):
     verdict = Verdict()
     folder = fresh(scratch)
-    expected = table(EXPECTED)
+    expected = table(ROOT / "tests" / "data" / f"fsi-{case}-iterations.csv")
     count = len(expected["step"])
     run = Run(command(programs / "tunica-fsi",
-                      [ROOT / "xml" / "pulse-tiny.xml", "--steps", count, "--output", "results",
+                      [ROOT / "xml" / f"{case}.xml", "--steps", count, "--output", "results",
                        "--set", "Output/fields every=0"]), folder)
     if not verdict.claim(run.status == 0, f"the run ends with 0 ({run.seconds:.1f} s)"):
         print(run.out + run.err)
@@ -33,4 +31,5 @@ def main(programs, scratch):
 
 
 if __name__ == "__main__":
-    sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])))
+    sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]),
+                  *sys.argv[3:]))

@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "kernels/solid_up.hpp"
-#include "materials/mooney_rivlin.hpp"
-#include "oracle/mooney_rivlin_energy.hpp"
+#include "materials/holzapfel.hpp"
+#include "oracle/holzapfel_energy.hpp"
 #include "oracle/samples.hpp"
 #include "oracle/solid_weak_form.hpp"
 
@@ -33,8 +33,12 @@ struct Case {
     s.r = samples.vectors(20.0);
   }
 
-  oracle::SolidWeakForm<oracle::MooneyRivlinEnergy> weak_form(const SolidCoefficients& c) const {
-    return {oracle::Element(x), {3.0, 0.3}, c.alpha, c.inv_kappa, c.tau, s.r};
+  template <class Energy>
+  oracle::SolidWeakForm<Energy> weak_form(const Energy& energy, const SolidCoefficients& c) const {
+    return {oracle::Element(x), energy, c.alpha, c.inv_kappa, c.tau, s.r};
+  }
+  auto weak_form(const SolidCoefficients& c) const {
+    return weak_form(oracle::MooneyRivlinEnergy{3.0, 0.3}, c);
   }
 
   template <class S>
@@ -81,31 +85,33 @@ TEUCHOS_UNIT_TEST(SolidUp, pspg_rows_are_those_of_the_weak_form) {
   }
 }
 
+/// The largest deviation of the four blocks from the derivatives of the weak form.
+template <class WeakForm>
+double jacobian_deviation(const Case& test, const WeakForm& form, const kernels::MixedJacobian& K) {
+  const auto Pi = form.potential(test.unknowns<oracle::Second<16>>());
+  const auto pspg = form.pspg(test.unknowns<oracle::First<16>>());
+  Deviation A, B1T, B2, mC;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      mC.add(K.mC[a][b], Pi.dx(12 + a).dx(12 + b) + pspg[a].dx(12 + b));
+      for (int i = 0; i < 3; ++i) {
+        B1T.add(K.B1T[a][b][i], Pi.dx(3 * a + i).dx(12 + b));
+        B2.add(K.B2[a][b][i], Pi.dx(12 + a).dx(3 * b + i) + pspg[a].dx(3 * b + i));
+        for (int j = 0; j < 3; ++j) A.add(K.A[a][b][i][j], Pi.dx(3 * a + i).dx(3 * b + j));
+      }
+    }
+  return std::max({A.relative(), B1T.relative(), B2.relative(), mC.relative()});
+}
+
 TEUCHOS_UNIT_TEST(SolidUp, jacobian_is_derivative_of_residual) {
   Samples samples(13);
   for (const SolidCoefficients& c : variants)
     for (int trial = 0; trial < 4; ++trial) {
       const Case test(samples);
-      const auto form = test.weak_form(c);
-      const auto Pi = form.potential(test.unknowns<oracle::Second<16>>());
-      const auto pspg = form.pspg(test.unknowns<oracle::First<16>>());
       kernels::MixedResidual R;
       kernels::MixedJacobian K;
       solid_up_jacobian(test.T, test.s, law, c, R, K);
-      Deviation A, B1T, B2, mC;
-      for (int a = 0; a < 4; ++a)
-        for (int b = 0; b < 4; ++b) {
-          mC.add(K.mC[a][b], Pi.dx(12 + a).dx(12 + b) + pspg[a].dx(12 + b));
-          for (int i = 0; i < 3; ++i) {
-            B1T.add(K.B1T[a][b][i], Pi.dx(3 * a + i).dx(12 + b));
-            B2.add(K.B2[a][b][i], Pi.dx(12 + a).dx(3 * b + i) + pspg[a].dx(3 * b + i));
-            for (int j = 0; j < 3; ++j) A.add(K.A[a][b][i][j], Pi.dx(3 * a + i).dx(3 * b + j));
-          }
-        }
-      TEST_COMPARE(A.relative(), <, 1e-12);
-      TEST_COMPARE(B1T.relative(), <, 1e-12);
-      TEST_COMPARE(B2.relative(), <, 1e-12);
-      TEST_COMPARE(mC.relative(), <, 1e-12);
+      TEST_COMPARE(jacobian_deviation(test, test.weak_form(c), K), <, 1e-12);
     }
 }
 
@@ -161,6 +167,59 @@ TEUCHOS_UNIT_TEST(SolidUp, force_rotates_with_the_body) {
     }
     TEST_COMPARE(of_u.relative(), <, 1e-12);
     TEST_COMPARE(of_p.relative(), <, 1e-12);
+  }
+}
+
+// The same with fibres: some elements have them stretched, some compressed.
+
+const materials::Holzapfel artery({1.0, 0.2}, {3.0, 0.8, 35.0, 0.1});
+
+oracle::HolzapfelEnergy artery_energy(const materials::Frame& frame) {
+  return {1.0, 0.2, 3.0, 0.8, 35.0, 0.1, frame};
+}
+
+TEUCHOS_UNIT_TEST(SolidUp, residual_and_jacobian_with_fibres_are_those_of_the_potential) {
+  Samples samples(17);
+  for (int trial = 0; trial < 10; ++trial) {
+    const Case test(samples);
+    const materials::Frame frame = oracle::random_frame(samples);
+    const SolidCoefficients c{alpha, inv_kappa, 0.0};
+    const auto form = test.weak_form(artery_energy(frame), c);
+    const auto Pi = form.potential(test.unknowns<oracle::First<16>>());
+    kernels::MixedResidual R;
+    kernels::MixedJacobian K;
+    solid_up_jacobian(test.T, test.s, artery, c, R, K, frame);
+    const auto alone = solid_up_residual(test.T, test.s, artery, c, frame);
+    Deviation of_u, of_p, of_alone;
+    for (int a = 0; a < 4; ++a) {
+      for (int i = 0; i < 3; ++i) of_u.add(R.u[a][i], Pi.dx(3 * a + i));
+      for (int i = 0; i < 3; ++i) of_alone.add(alone.u[a][i], Pi.dx(3 * a + i));
+      of_p.add(R.p[a], Pi.dx(12 + a));
+    }
+    TEST_COMPARE(of_u.relative(), <, 1e-12);
+    TEST_COMPARE(of_alone.relative(), <, 1e-12);
+    TEST_COMPARE(of_p.relative(), <, 1e-12);
+    TEST_COMPARE(jacobian_deviation(test, form, K), <, 1e-12);
+  }
+}
+
+TEUCHOS_UNIT_TEST(SolidUp, force_of_fibres_rotates_with_the_body) {
+  Samples samples(18);
+  for (int trial = 0; trial < 10; ++trial) {
+    Case test(samples);
+    test.s.r = {};
+    const materials::Frame frame = oracle::random_frame(samples);
+    const SolidCoefficients c{0.0, inv_kappa, tau};
+    const auto before = solid_up_residual(test.T, test.s, artery, c, frame);
+    const Mat3 Q = samples.rotation();
+    for (int a = 0; a < 4; ++a) test.s.d[a] = Q * (test.x[a] + test.s.d[a]) - test.x[a];
+    const auto after = solid_up_residual(test.T, test.s, artery, c, frame);
+    Deviation of_u;
+    for (int a = 0; a < 4; ++a) {
+      const Vec3 expected = Q * before.u[a];
+      for (int i = 0; i < 3; ++i) of_u.add(after.u[a][i], expected[i]);
+    }
+    TEST_COMPARE(of_u.relative(), <, 1e-12);
   }
 }
 

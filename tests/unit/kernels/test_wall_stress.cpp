@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "kernels/wall_stress.hpp"
-#include "materials/mooney_rivlin.hpp"
+#include "materials/holzapfel.hpp"
 #include "oracle/mooney_rivlin_energy.hpp"
 #include "oracle/samples.hpp"
 
@@ -54,6 +54,23 @@ TEUCHOS_UNIT_TEST(WallStress, uniaxial_stretch_of_neo_hooke_has_the_textbook_str
   TEST_FLOATING_EQUALITY(sigma[0] - sigma[1], expected, 1e-13);
   TEST_FLOATING_EQUALITY(sigma[0] - sigma[2], expected, 1e-13);
   TEST_FLOATING_EQUALITY(kernels::von_mises(sigma), expected, 1e-13);
+}
+
+TEUCHOS_UNIT_TEST(WallStress, stretch_along_the_fibres_has_their_stress_twice) {
+  // S = 2 ∂Ψ/∂C: each family adds 2 k1 e exp(k2 e²) λ² with e = λ² − 1.
+  const double stretch = 1.3, k1 = 2.0, k2 = 0.7;
+  const double across = 1.0 / std::sqrt(stretch);
+  const std::array<Vec3, 4> x = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const std::array<Vec3, 4> d = {
+      {{0, 0, 0}, {across - 1, 0, 0}, {0, across - 1, 0}, {0, 0, stretch - 1}}};
+  const materials::Holzapfel artery({3.0, 0.0}, {k1, k2, 0.0, 0.0});
+  const materials::Frame frame{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};  // circumference along z
+  const Sym3 sigma = kernels::cauchy_stress(kernels::make_tet4(x), d, {2, 2, 2, 2}, artery, frame);
+  const double e = stretch * stretch - 1.0;
+  const double expected = 3.0 * (stretch * stretch - 1.0 / stretch) +
+                          2.0 * 2.0 * k1 * e * std::exp(k2 * e * e) * stretch * stretch;
+  TEST_FLOATING_EQUALITY(sigma[2] - sigma[0], expected, 1e-13);
+  TEST_FLOATING_EQUALITY(sigma[2] - sigma[1], expected, 1e-13);
 }
 
 TEUCHOS_UNIT_TEST(WallStress, von_mises_ignores_pressure_and_counts_shear_with_root_three) {

@@ -19,6 +19,19 @@ Teuchos::ParameterList clamped() {
   return list;
 }
 
+/// The same with the two layers of an artery.
+Teuchos::ParameterList artery() {
+  auto list = clamped();
+  auto& layers = list.sublist("Layers");
+  layers.sublist("media").set("law", std::string("holzapfel"));
+  layers.sublist("adventitia").set("law", std::string("holzapfel"));
+  layers.sublist("adventitia").set("c10", 0.3).set("k1", 0.562).set("k2", 0.7112);
+  layers.sublist("adventitia").set("fibre angle", 62.0).set("dispersion", 0.1);
+  auto& frame = list.sublist("Fibre Frame").set("kind", std::string("laplace"));
+  frame.sublist("Linear Solver").set("method", std::string("direct"));
+  return list;
+}
+
 Teuchos::ParameterList resolved(const Teuchos::ParameterList& list) {
   return test::resolved(list, problems::solid_table());
 }
@@ -39,6 +52,29 @@ TEUCHOS_UNIT_TEST(solid_problem, jacobian_is_the_derivative_of_the_residual) {
       TEST_COMPARE(test::jacobian_error(wall, x, v, 1e-6), <, 1e-6);
     }
   }
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, jacobian_with_fibres_is_the_derivative_of_the_residual) {
+  const SmallTube tube;
+  const std::vector<int> fixed{tube.surface("struct_in"), tube.surface("struct_out")};
+  SolidProblem wall(resolved(artery()), tube.wall);
+  wall.begin_step(stepping::Clock(0.125, 1));
+  const auto x = test::free_part(tube.wall, test::scattered(tube.wall, 1, 0.02), fixed);
+  for (int direction = 2; direction < 5; ++direction) {
+    const auto v = test::free_part(tube.wall, test::scattered(tube.wall, direction), fixed);
+    TEST_COMPARE(test::jacobian_error(wall, x, v, 1e-7), <, 1e-6);
+  }
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, fibres_out_of_all_bounds_are_refused) {
+  const SmallTube tube;
+  auto list = artery();
+  list.sublist("Layers").sublist("media").set("k2", 1e9);
+  SolidProblem wall(resolved(list), tube.wall);
+  wall.begin_step(stepping::Clock(0.125, 1));
+  const auto x = test::scattered(tube.wall, 1, 0.02);
+  fields::BlockVector F(tube.wall);
+  TEST_ASSERT(!wall.residual(x, F) || !std::isfinite(test::norm(F)));
 }
 
 TEUCHOS_UNIT_TEST(solid_problem, at_rest_nothing_moves_and_no_energy_is_stored) {
@@ -103,6 +139,7 @@ TEUCHOS_UNIT_TEST(solid_problem, layers_have_their_own_density_bulk_modulus_and_
   auto& layers = list.sublist("Layers");
   layers.sublist("media").set("density", 1.0).set("bulk modulus", 100.0);
   layers.sublist("adventitia").set("density", 2.0).set("c10", 6.0);
+  list.set("stabilisation at layers", 1.0);
   SolidProblem wall(resolved(list), tube.wall);
   wall.begin_step(stepping::Clock(0.5, 1));
   const auto& elements = wall.elements();
@@ -133,6 +170,40 @@ TEUCHOS_UNIT_TEST(solid_problem, the_papers_stabilisation_ignores_inertia) {
   }
 }
 
+TEUCHOS_UNIT_TEST(solid_problem, stabilisation_is_weaker_where_materials_meet_on_any_ranks) {
+  mesh::Tube options = SmallTube::options();
+  options.media_layers = 3;
+  const mesh::Mesh mesh = mesh::make_tube(options);
+  const auto partition = mesh::partition(mesh, test::world()->getSize(), {true, false, false});
+  const auto field = fields::make_field_mesh(mesh, partition, {1, 2}, test::world());
+  auto list = clamped();
+  list.set("stabilisation", std::string("paper"));
+  const auto weak = [&](const Teuchos::ParameterList& wanted) {
+    SolidProblem wall(resolved(wanted), field);
+    wall.begin_step(stepping::Clock(0.5, 1));
+    const auto& elements = wall.elements();
+    std::vector<char> is_weak;
+    for (std::size_t e = 0; e < field.tets.size(); ++e) {
+      const double h = kernels::element_length(elements.geometry[e].volume);
+      const double mu = elements.law[e]->stabilisation_modulus();
+      is_weak.push_back(elements.coefficients[e].tau * 4.0 * mu / (h * h) < 0.9);
+      TEST_FLOATING_EQUALITY(elements.coefficients[e].tau * 4.0 * mu / (h * h),
+                             is_weak[e] ? 0.2 : 1.0, 1e-12);
+    }
+    return is_weak;
+  };
+  list.set("stabilisation at layers", 0.2);
+  for (const char flag : weak(list)) TEST_ASSERT(!flag);  // the same material in both layers
+  list.sublist("Layers").sublist("adventitia").set("c10", 0.3);
+  const auto flags = weak(list);
+  for (std::size_t e = 0; e < field.tets.size(); ++e) {
+    bool touches = false;
+    for (const int a : field.tets[e])
+      touches = touches || std::abs(std::hypot(field.x[a][0], field.x[a][1]) - 1.69) < 1e-9;
+    TEST_EQUALITY(bool(flags[e]), touches);
+  }
+}
+
 TEUCHOS_UNIT_TEST(solid_problem, an_inverting_displacement_is_refused_on_all_ranks_alike) {
   const SmallTube tube, serial(test::alone());
   const auto refusal = [](const SmallTube& t) {
@@ -159,8 +230,7 @@ TEUCHOS_UNIT_TEST(solid_problem, a_displacement_that_is_no_number_is_refused_wit
 
 TEUCHOS_UNIT_TEST(solid_problem, a_step_does_not_depend_on_the_ranks) {
   const SmallTube many, one(test::alone());
-  const auto solved = [](const SmallTube& tube) {
-    auto list = clamped();
+  const auto solved = [](const SmallTube& tube, Teuchos::ParameterList list) {
     test::condition(list, "interface", "pressure").set("pressure", 0.1);
     SolidProblem wall(resolved(list), tube.wall);
     stepping::Clock clock(0.125, 2);
@@ -171,7 +241,8 @@ TEUCHOS_UNIT_TEST(solid_problem, a_step_does_not_depend_on_the_ranks) {
     }
     return test::by_vertex(tube.wall, wall.state(), tube.mesh.vertices.size());
   };
-  TEST_COMPARE(test::largest_difference(solved(many), solved(one)), <, 1e-9);
+  for (const auto& list : {clamped(), artery()})
+    TEST_COMPARE(test::largest_difference(solved(many, list), solved(one, list)), <, 1e-9);
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+#include "problems/harmonic.hpp"
+
+#include <sstream>
+
+#include "assembly/gather.hpp"
+#include "assembly/scalar_matrix.hpp"
+#include "kernels/laplace_p1.hpp"
+
+namespace tunica::problems {
+
+Harmonic::Harmonic(const Teuchos::ParameterList& solver, const fields::FieldMesh& mesh,
+                   std::vector<char> is_given, int columns)
+    : mesh_(&mesh), is_given_(std::move(is_given)), solution_(mesh.node_map, columns) {
+  const fields::NodeGraph graph = fields::make_node_graph(mesh);
+  const auto element = [&mesh](std::size_t e) {
+    return kernels::laplace_p1(kernels::make_tet4(assembly::gather(mesh.x, mesh.tets[e])));
+  };
+  K_ = assembly::scalar_matrix(mesh, graph, element, is_given_);
+  whole_ = assembly::scalar_matrix(mesh, graph, element, std::vector<char>(mesh.n_nodes(), 0));
+  solver_ = linear::make_scalar_solver(solver, K_);
+}
+
+std::optional<std::string> Harmonic::extend(MultiVector& values) {
+  MultiVector right_side(mesh_->node_map, values.getNumVectors());
+  whole_->apply(values, right_side, Teuchos::NO_TRANS, -1.0, 0.0);
+  {
+    const auto view = right_side.getLocalViewHost(read_write);
+    for (int a = 0; a < mesh_->n_owned; ++a)
+      for (std::size_t j = 0; j < view.extent(1); ++j)
+        if (is_given_[a]) view(a, j) = 0.0;
+  }
+  const double residual = solver_->solve(right_side, solution_);
+  if (!(residual <= 2.0 * solver_->tolerance())) {
+    std::ostringstream text;
+    text << "the linear solver left a relative residual of " << residual << " instead of "
+         << solver_->tolerance();
+    return text.str();
+  }
+  values.update(1.0, solution_, 1.0);
+  return std::nullopt;
+}
+
+}  // namespace tunica::problems
