@@ -25,6 +25,10 @@ Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Ta
   } catch (const Error& error) {
     throw Error(command.case_file + ": " + error.what());
   }
+  TUNICA_CHECK(!command.steps || list.isSublist("Time"), "--steps: this case has no time steps.");
+  TUNICA_CHECK(
+      command.export_folder.empty() || list.sublist("Solvers").isParameter("export folder"),
+      "--export: this case has no systems to export.");
   if (command.steps) list.sublist("Time").set("steps", *command.steps);
   if (!command.output.empty()) list.sublist("Output").set("folder", command.output);
   if (!command.export_folder.empty())

@@ -121,7 +121,8 @@ void add_preconditioner_keys(params::Table& table, const std::string& fallback,
               "what the MueLu list works on: one matrix with the unknowns of a node side by side, "
               "or MueLu's 2×2 matrix of blocks, as its own block smoothers want it")
       .foreign("MueLu", cycle_list, Teuchos::ParameterList(),
-               "a MueLu list of factories for the whole system, four unknowns per node; our "
+               "a MueLu list of factories for the whole system, the unknowns of a node side by "
+               "side; our "
                "factories in it are NodalPFactory, GalerkinFactory, VankaSmoother, "
                "Ifpack2Smoother, SparseLUSolver and "
                "NodalBraessSarazinSmoother, on blocks NodalBlockedPFactory")

@@ -4,6 +4,9 @@
 #include <Xpetra_MultiVectorFactory.hpp>
 #include <Xpetra_StridedMapFactory.hpp>
 #include <array>
+#include <stdexcept>
+
+#include "base/agreement.hpp"
 
 namespace tunica::multigrid {
 
@@ -102,6 +105,19 @@ Teuchos::RCP<XMultiVector> constants(const XBlockedMatrix& A, int block, int com
 }
 
 void set_blocks(MueLu::Level& finest, const CrsMatrix& A, const MixedNumbering& numbering) {
+  const Map& rows = *A.getRowMap();
+  bool is_whole = true;
+  GlobalOrdinal expected = 0;  // component
+  for (const GlobalOrdinal number : rows.getNodeElementList()) {
+    if (numbering.is_scalar(number)) continue;
+    is_whole &= number % numbering.dofs() == expected;
+    expected = (expected + 1) % numbering.components;
+  }
+  const std::string problem = agreed_message(
+      *rows.getComm(), is_whole && expected == 0
+                           ? ""
+                           : "\"matrix\" = \"blocked\" needs all components at each vector node.");
+  if (!problem.empty()) throw std::runtime_error(problem);
   const auto blocks = blocked(A, numbering);
   finest.Set<Teuchos::RCP<XMatrix>>("A", blocks);
   finest.Set("Nullspace1", constants(*blocks, 0, numbering.components));

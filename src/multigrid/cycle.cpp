@@ -12,6 +12,7 @@
 #include "multigrid/factory_factory.hpp"
 #include "multigrid/galerkin_factory.hpp"
 #include "multigrid/matrix_kind.hpp"
+#include "multigrid/nodal_p_factory.hpp"
 #include "multigrid/xpetra.hpp"
 #include "params/nearest.hpp"
 
@@ -31,8 +32,9 @@ const std::string cannot_work_on_blocks =
 std::vector<Refreshable*> parts_to_refresh(Hierarchy& hierarchy) {
   std::vector<Refreshable*> parts;
   for (int l = 1; l < hierarchy.GetNumLevels(); ++l) {
-    parts.push_back(galerkin_product(*hierarchy.GetLevel(l)).get());
-    if (parts.back() == nullptr) return {};
+    MueLu::Level& level = *hierarchy.GetLevel(l);
+    parts.push_back(galerkin_product(level).get());
+    if (parts.back() == nullptr || !NodalPFactory::made_prolongator_of(level)) return {};
   }
   for (int l = 0; l < hierarchy.GetNumLevels(); ++l)
     for (const char* name : {"PreSmoother", "PostSmoother"}) {
@@ -52,6 +54,7 @@ std::vector<Refreshable*> parts_to_refresh(Hierarchy& hierarchy) {
 struct Cycle::Parts {
   Teuchos::RCP<Hierarchy> hierarchy;
   std::vector<Refreshable*> refreshable;
+  Levels levels;
 };
 
 Cycle::Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsening>& coarsening,
@@ -88,6 +91,7 @@ void Cycle::set_up() {
     throw std::runtime_error(cannot_work_on_blocks + error.what());
   }
   if (!is_blocked_) parts_->refreshable = parts_to_refresh(hierarchy);
+  parts_->levels = count_levels();
 }
 
 void Cycle::iterate(const MultiVector& b, MultiVector& x) const {
@@ -113,12 +117,14 @@ void Cycle::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, S
   Y.update(alpha, result, beta);
 }
 
+const Levels& Cycle::levels() const { return parts_->levels; }
+
 Teuchos::RCP<const CrsMatrix> Cycle::matrix(int level) const {
   const auto A = parts_->hierarchy->GetLevel(level)->Get<Teuchos::RCP<XMatrix>>("A");
   return unwrapped(is_blocked_ ? Teuchos::rcp_dynamic_cast<XBlockedMatrix>(A, true)->Merge() : A);
 }
 
-Levels Cycle::levels() const {
+Levels Cycle::count_levels() const {
   Levels levels;
   double finest = 0.0, all = 0.0;
   for (int l = 0; l < parts_->hierarchy->GetNumLevels(); ++l) {

@@ -26,14 +26,14 @@ public:
         const Teuchos::ParameterList& muelu, bool is_blocked = false);
   ~Cycle() override;
 
-  /// Follows new values of the same matrix. Numeric work only where "GalerkinFactory" made all
-  /// coarse matrices and the smoothers and the coarse solver are ours; otherwise all anew.
-  /// Throws as the constructor. Collective.
+  /// Follows new values of the same matrix. Numeric work only where "NodalPFactory" and
+  /// "GalerkinFactory" made all levels and the smoothers and the coarse solver are ours; otherwise
+  /// all anew. Throws as the constructor. Collective.
   void refresh();
   /// True where refresh() finds no graphs again.
   bool keeps_graphs() const;
 
-  Levels levels() const;
+  const Levels& levels() const;
   /// The matrix of a level, 0 the finest.
   Teuchos::RCP<const CrsMatrix> matrix(int level) const;
 
@@ -46,6 +46,7 @@ private:
   struct Parts;
 
   void set_up();
+  Levels count_levels() const;
   void iterate(const MultiVector& b, MultiVector& x) const;
 
   Teuchos::RCP<CrsMatrix> A_;

@@ -86,15 +86,21 @@ MixedCoarsening::MixedCoarsening(const fields::BlockMatrices& K)
   maps_[{0, Part::both}] = numbering_.mixed_map(*K.vector_map(), *K.scalar_map());
 }
 
-Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, long long n_rows) {
-  return prolongator(level, part_of(level, n_rows));
+Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, const Map& rows) {
+  return prolongator(level, part_of(level, rows));
 }
 
-MixedCoarsening::Part MixedCoarsening::part_of(int level, long long n_rows) {
+MixedCoarsening::Part MixedCoarsening::part_of(int level, const Map& rows) {
+  std::vector<Part> found;
   for (const Part part : {Part::both, Part::vector, Part::scalar})
-    if (static_cast<long long>(map(level, part)->getGlobalNumElements()) == n_rows) return part;
-  throw std::runtime_error("NodalPFactory: no block has " + std::to_string(n_rows) +
-                           " rows on level " + std::to_string(level) + ".");
+    if (map(level, part)->getGlobalNumElements() == rows.getGlobalNumElements())
+      found.push_back(part);
+  // Blocks on different nodes may have as many rows.
+  for (const Part part : found)
+    if (found.size() == 1 || map(level, part)->isSameAs(rows)) return part;
+  throw std::runtime_error("NodalPFactory: no block has these " +
+                           std::to_string(rows.getGlobalNumElements()) + " rows on level " +
+                           std::to_string(level) + ".");
 }
 
 void MixedCoarsening::check_mixed(int level, const CrsMatrix& K) {
@@ -105,7 +111,8 @@ void MixedCoarsening::check_mixed(int level, const CrsMatrix& K) {
   const Map& rows = *K.getRowMap();
   const std::size_t n = rows.getNodeNumElements(), dofs = numbering_.dofs();
   // Whole nodes are as good where another coarsening made the level.
-  bool is_mixed = n % dofs == 0 && !has_rows_of(Part::vector) && !has_rows_of(Part::scalar);
+  const bool is_block = has_rows_of(Part::vector) || has_rows_of(Part::scalar);  // collective
+  bool is_mixed = n % dofs == 0 && !is_block;
   for (std::size_t i = 0; is_mixed && i < n; ++i)
     is_mixed = rows.getGlobalElement(static_cast<int>(i)) % numbering_.dofs() ==
                static_cast<GlobalOrdinal>(i % dofs);

@@ -19,10 +19,10 @@ public:
   const MixedNumbering& numbering() const { return numbering_; }
 
   /// Interpolation from level + 1 to level (0 the finest) for the block, or the mixed matrix, that
-  /// has so many rows on this level. Its rows sum to one, but for unknowns none of whose coarse
+  /// has these rows on this level. Its rows sum to one, but for unknowns none of whose coarse
   /// nodes has their component: those are left to the smoother. Throws std::runtime_error where
-  /// none has so many rows. Collective where it is asked for the first time.
-  Teuchos::RCP<const CrsMatrix> prolongator(int level, long long n_rows);
+  /// none has as many. Collective where it is asked for the first time.
+  Teuchos::RCP<const CrsMatrix> prolongator(int level, const Map& rows);
 
   /// Throws std::runtime_error on all ranks where K on this level is one block, or its rows are not
   /// unknowns of a mixed matrix. Collective.
@@ -31,7 +31,7 @@ public:
 private:
   enum class Part { vector, scalar, both };
 
-  Part part_of(int level, long long n_rows);
+  Part part_of(int level, const Map& rows);
   const Teuchos::RCP<const Map>& map(int level, Part part);
   Teuchos::RCP<const CrsMatrix> prolongator(int level, Part part);
 

@@ -19,9 +19,9 @@ void NodalBlockedPFactory::DeclareInput(MueLu::Level& fine, MueLu::Level&) const
 void NodalBlockedPFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   const auto A = Teuchos::rcp_dynamic_cast<XBlockedMatrix>(Get<Teuchos::RCP<XMatrix>>(fine, "A"));
   if (A.is_null()) throw std::runtime_error("NodalBlockedPFactory: A is no matrix of blocks.");
-  const auto n_rows = static_cast<long long>(A->getGlobalNumRows());
   using Transposer = Tpetra::RowMatrixTransposer<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
-  const auto P = coarsening_->prolongator(fine.GetLevelID(), n_rows);
+  const auto P =
+      coarsening_->prolongator(fine.GetLevelID(), *Xpetra::toTpetra(A->getFullRangeMap()));
   Set<Teuchos::RCP<XMatrix>>(coarse, "P", blocked(*P, coarsening_->numbering()));
   Set<Teuchos::RCP<XMatrix>>(coarse, "R",
                              blocked(*Transposer(P).createTranspose(), coarsening_->numbering()));

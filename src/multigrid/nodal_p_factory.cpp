@@ -1,8 +1,16 @@
 #include "multigrid/nodal_p_factory.hpp"
 
+#include <MueLu_NoFactory.hpp>
+
 #include "multigrid/xpetra.hpp"
 
 namespace tunica::multigrid {
+
+namespace {
+
+constexpr const char* marker = "Nodal Prolongator";
+
+}  // namespace
 
 Teuchos::RCP<const Teuchos::ParameterList> NodalPFactory::GetValidParameterList() const {
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
@@ -14,11 +22,15 @@ void NodalPFactory::DeclareInput(MueLu::Level& fine, MueLu::Level&) const { Inpu
 
 void NodalPFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   const auto A = Get<Teuchos::RCP<XMatrix>>(fine, "A");
-  const auto n_rows = static_cast<long long>(A->getGlobalNumRows());
   // Xpetra asks for a matrix it may change; MueLu leaves prolongators alone.
-  const auto P =
-      Teuchos::rcp_const_cast<CrsMatrix>(coarsening_->prolongator(fine.GetLevelID(), n_rows));
+  const auto P = Teuchos::rcp_const_cast<CrsMatrix>(
+      coarsening_->prolongator(fine.GetLevelID(), *Xpetra::toTpetra(A->getRangeMap())));
   Set(coarse, "P", wrapped(P));
+  coarse.Set(marker, true, MueLu::NoFactory::get());
+}
+
+bool NodalPFactory::made_prolongator_of(MueLu::Level& level) {
+  return level.IsAvailable(marker, MueLu::NoFactory::get());
 }
 
 }  // namespace tunica::multigrid

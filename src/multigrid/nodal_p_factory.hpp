@@ -16,6 +16,9 @@ public:
   void DeclareInput(MueLu::Level& fine, MueLu::Level& coarse) const override;
   void Build(MueLu::Level& fine, MueLu::Level& coarse) const override;
 
+  /// True on a level whose prolongator such a factory made: it does not hang on values.
+  static bool made_prolongator_of(MueLu::Level& level);
+
 private:
   Teuchos::RCP<MixedCoarsening> coarsening_;
 };

@@ -12,6 +12,9 @@ public:
   SchurMatrix(const CrsMatrix& B1T, const CrsMatrix& B2, const CrsMatrix& mC,
               const Vector& inverse_D);
 
+  SchurMatrix(const SchurMatrix&) = delete;  // product_ refers to scaled_
+  SchurMatrix& operator=(const SchurMatrix&) = delete;
+
   const Teuchos::RCP<CrsMatrix>& matrix() const { return S_; }
   void refresh(const Vector& inverse_D);
 

@@ -161,6 +161,16 @@ private:
 
 std::unique_ptr<Vanka> make_vanka(const CrsMatrix& K, const std::vector<char>& is_pressure,
                                   const VankaOptions& options) {
+  if (options.patch != "full") {
+    std::string problem;
+    try {
+      velocities_per_node(is_pressure);
+    } catch (const std::invalid_argument& error) {
+      problem = error.what();
+    }
+    problem = agreed_message(*K.getComm(), problem);
+    if (!problem.empty()) throw std::invalid_argument(problem);
+  }
   return std::make_unique<PatchVanka>(K, is_pressure, options);
 }
 

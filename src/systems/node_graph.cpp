@@ -28,7 +28,7 @@ std::vector<double> inverse_diagonal(const FileMatrix& A) {
 using SparseRows = std::vector<std::map<long long, double>>;
 
 SparseRows schur_rows(const FileMatrix& A, const FileMatrix& B1T, const FileMatrix& B2,
-                      const FileMatrix& C) {
+                      const FileMatrix& mC) {
   const std::vector<double> inverse = inverse_diagonal(A);
   SparseRows S(B2.n_rows);
   for (long long i = 0; i < B2.n_rows; ++i) {
@@ -38,7 +38,7 @@ SparseRows schur_rows(const FileMatrix& A, const FileMatrix& B1T, const FileMatr
       for (std::size_t m = B1T.start[u]; m < B1T.start[u + 1]; ++m)
         S[i][B1T.columns[m]] += factor * B1T.values[m];
     }
-    for (std::size_t k = C.start[i]; k < C.start[i + 1]; ++k) S[i][C.columns[k]] += C.values[k];
+    for (std::size_t k = mC.start[i]; k < mC.start[i + 1]; ++k) S[i][mC.columns[k]] -= mC.values[k];
   }
   return S;
 }
@@ -62,8 +62,8 @@ NodeGraph vector_graph(const FileMatrix& A, const NodeTable& table) {
 }
 
 NodeGraph scalar_graph(const FileMatrix& A, const FileMatrix& B1T, const FileMatrix& B2,
-                       const FileMatrix& C, const NodeTable& table) {
-  SparseRows S = schur_rows(A, B1T, B2, C);
+                       const FileMatrix& mC, const NodeTable& table) {
+  SparseRows S = schur_rows(A, B1T, B2, mC);
   NodeGraph graph(table.n_nodes);
   for (long long i = 0; i < B2.n_rows; ++i) {
     const long long node = table.scalar_node[i];

@@ -11,8 +11,9 @@ using NodeGraph = std::vector<std::vector<long long>>;
 NodeGraph vector_graph(const FileMatrix& A, const NodeTable& table);
 
 /// Scalar nodes that are strongly coupled by C + B2 diag(A)⁻¹ B1ᵀ: entries of at least a tenth of
-/// the geometric mean of both diagonals. Weak ones would make the graph wider than the mesh.
+/// the geometric mean of both diagonals. mC holds −C. Weak ones would make the graph wider than the
+/// mesh.
 NodeGraph scalar_graph(const FileMatrix& A, const FileMatrix& B1T, const FileMatrix& B2,
-                       const FileMatrix& C, const NodeTable& table);
+                       const FileMatrix& mC, const NodeTable& table);
 
 }  // namespace tunica::systems

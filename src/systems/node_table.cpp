@@ -20,6 +20,18 @@ void find_shared(NodeTable& table) {
   table.is_shared = std::none_of(has.begin(), has.end(), [](char h) { return h == 1 || h == 2; });
 }
 
+/// Nodes get the numbers 0, 1, … in the order of those of the file.
+void close_gaps(NodeTable& table) {
+  std::vector<long long> nodes = table.vector_node;
+  nodes.insert(nodes.end(), table.scalar_node.begin(), table.scalar_node.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  for (auto* const list : {&table.vector_node, &table.scalar_node})
+    for (long long& node : *list)
+      node = std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin();
+  table.n_nodes = static_cast<long long>(nodes.size());
+}
+
 NodeTable regular(int components, bool is_by_node, long long n_vector, long long n_scalar) {
   TUNICA_CHECK(n_vector % components == 0,
                "System: A has " + std::to_string(n_vector) +
@@ -33,7 +45,6 @@ NodeTable regular(int components, bool is_by_node, long long n_vector, long long
     table.component.push_back(static_cast<int>(is_by_node ? k % components : k / n));
   }
   for (long long k = 0; k < n_scalar; ++k) table.scalar_node.push_back(k);
-  table.n_nodes = std::max(n, n_scalar);
   return table;
 }
 
@@ -55,8 +66,12 @@ public:
       const bool is_number = static_cast<bool>(words >> node);
       check(is_number && node >= 0,
             "expected the number of a node, from 0 on, found \"" + line + "\"");
-      const bool has_component = static_cast<bool>(words >> component);
-      if (static_cast<long long>(table.vector_node.size()) < n_vector)
+      const bool is_vector = static_cast<long long>(table.vector_node.size()) < n_vector;
+      const bool has_component = is_vector && static_cast<bool>(words >> component);
+      words.clear();
+      std::string rest;
+      check(!(words >> rest), "found \"" + rest + "\" after the numbers");
+      if (is_vector)
         add_vector(table, node, has_component ? component : n_on_node_[node]);
       else
         add_scalar(table, node);
@@ -84,13 +99,11 @@ private:
     ++n_on_node_[node];
     table.vector_node.push_back(node);
     table.component.push_back(component);
-    table.n_nodes = std::max(table.n_nodes, node + 1);
   }
   void add_scalar(NodeTable& table, long long node) {
     check(taken_.emplace(node, components_).second,
           "node " + std::to_string(node) + " has two scalar unknowns");
     table.scalar_node.push_back(node);
-    table.n_nodes = std::max(table.n_nodes, node + 1);
   }
 
   std::string path_;
@@ -109,6 +122,7 @@ NodeTable make_node_table(const Teuchos::ParameterList& options, long long n_vec
       file.empty()
           ? regular(components, options.get<std::string>("order") == "by node", n_vector, n_scalar)
           : MapFile(file, components).read(n_vector, n_scalar);
+  close_gaps(table);
   find_shared(table);
   return table;
 }

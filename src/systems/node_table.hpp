@@ -9,7 +9,7 @@ struct NodeTable {
   int components = 0;
   std::vector<long long> vector_node, scalar_node;  ///< of each unknown
   std::vector<int> component;                       ///< of each vector unknown
-  long long n_nodes = 0;                            ///< one more than the largest number
+  long long n_nodes = 0;                            ///< numbered without gaps
   /// Every node has a scalar and at least one vector unknown: both blocks share the nodes.
   bool is_shared = false;
 };

@@ -69,6 +69,21 @@ def check_orders(verdict, programs, scratch):
                               f"{name}: counts do not hang on the order of the files")
 
 
+def check_numbers(verdict, programs, scratch):
+    """Nodes may be counted from any number and with gaps."""
+    folder = scratch / "shuffled"
+    lines = (folder / "nodes.txt").read_text().split("\n")[:-1]
+    far = folder / "far.txt"
+    far.write_text("".join(" ".join([str(7 + 1000000 * int(words[0]))] + words[1:]) + "\n"
+                           for words in (line.split() for line in lines)))
+    for ranks in (1, 3):
+        run = solve(programs, scratch, f"far-{ranks}", files_in(folder, "A", "B2", "rhs"), ranks,
+                    [("System/node map", far)])
+        _, verdicts = counts(scratch / f"far-{ranks}") if run.status == 0 else ({}, {})
+        verdict.claim(run.status == 0 and all(verdicts[s] == "converged" for s in CONVERGE),
+                      f"numbers with gaps, {ranks} ranks: {verdicts} {run.err}")
+
+
 def check_own_export(verdict, programs, scratch):
     """What is exported and read back is the system that was solved before."""
     case = ROOT / "xml" / "solvers-tiny.xml"
@@ -97,7 +112,10 @@ def check_refusals(verdict, programs, scratch):
     twice = scratch / "twice.txt"
     twice.write_text("0 0\n0 0\n")
     files = files_in(good, "A", "B2", "rhs")
+    junk = scratch / "junk.txt"
+    junk.write_text("0 0\n0.7\n")
     cases = {
+        "junk in the map": (files, [("System/node map", junk)], "junk.txt, line 2"),
         "missing file": ({**files, "System/A": good / "AA.mtx"}, [], "AA.mtx"),
         "entry outside": ({**files, "System/A": broken}, [], "broken.mtx"),
         "A not square": ({**files, "System/A": good / "B2.mtx"}, [], "A is"),
@@ -122,6 +140,7 @@ def main():
     programs, scratch = pathlib.Path(sys.argv[1]).resolve(), fresh(sys.argv[2])
     verdict = Verdict()
     check_orders(verdict, programs, scratch)
+    check_numbers(verdict, programs, scratch)
     check_own_export(verdict, programs, scratch)
     check_refusals(verdict, programs, scratch)
     sys.exit(verdict.status())

@@ -143,12 +143,14 @@ std::vector<Level> levels_of(const fields::BlockOperator& K) {
   std::vector<Level> levels{
       {dense(*K.A), dense(*K.B1T), dense(*K.B2), dense(*K.mC, -1.0), mass(K.mesh())}};
   multigrid::MixedCoarsening coarsening(K);
+  Teuchos::RCP<const Map> vectors = K.vector_map(), scalars = K.scalar_map();
   for (int level = 0;; ++level) {
-    const int n = levels.back().M.rows;
-    const Dense Pu = dense(*coarsening.prolongator(level, 3 * n));
-    const Dense Pp = dense(*coarsening.prolongator(level, n));
-    if (Pp.columns <= 3) return levels;
-    levels.push_back(levels.back().next(Pu, Pp));
+    const auto Pu = coarsening.prolongator(level, *vectors);
+    const auto Pp = coarsening.prolongator(level, *scalars);
+    if (Pp->getGlobalNumCols() <= 3) return levels;
+    levels.push_back(levels.back().next(dense(*Pu), dense(*Pp)));
+    vectors = Pu->getDomainMap();
+    scalars = Pp->getDomainMap();
   }
 }
 

@@ -12,7 +12,6 @@ using multigrid::MixedCoarsening;
 using test::Grid;
 using test::row_of;
 
-long long rows(const CrsMatrix& A) { return static_cast<long long>(A.getGlobalNumRows()); }
 long long columns(const CrsMatrix& A) { return static_cast<long long>(A.getGlobalNumCols()); }
 
 /// The entries of a row with the numbers that f gives its columns.
@@ -41,17 +40,35 @@ Teuchos::RCP<CrsMatrix> without(const CrsMatrix& A, bool (*is_dropped)(GlobalOrd
   return rest;
 }
 
+/// The same with other numbers.
+Teuchos::RCP<CrsMatrix> shifted(const CrsMatrix& A, GlobalOrdinal by) {
+  std::vector<GlobalOrdinal> numbers;
+  for (const GlobalOrdinal row : A.getRowMap()->getNodeElementList()) numbers.push_back(row + by);
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const Teuchos::RCP<const Map> map =
+      Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(numbers), 0, A.getComm()));
+  const auto result = Teuchos::rcp(new CrsMatrix(map, A.getNodeMaxNumRowEntries()));
+  for (const GlobalOrdinal row : A.getRowMap()->getNodeElementList())
+    for (const auto& [column, value] : row_of(A, row))
+      result->insertGlobalValues(row + by, Teuchos::tuple<GlobalOrdinal>(column + by),
+                                 Teuchos::tuple<Scalar>(value));
+  result->fillComplete();
+  return result;
+}
+
 TEUCHOS_UNIT_TEST(mixed_coarsening,
                   blocks_on_the_same_nodes_repeat_the_prolongator_of_one_unknown) {
   for (const int components : {2, 3}) {
     const auto K = test::blocks_on({9, 7, 5, true}, test::world(), components);
     MixedCoarsening coarsening(K);
     const int dofs = components + 1;
-    long long n = rows(*K.mC);
-    for (int level = 0; n > 1; ++level) {
-      const auto P = coarsening.prolongator(level, n);
-      const auto Pu = coarsening.prolongator(level, components * n);
-      const auto all = coarsening.prolongator(level, dofs * n);
+    const multigrid::MixedNumbering numbering{components};
+    Teuchos::RCP<const Map> nodes = K.scalar_map(), vectors = K.vector_map();
+    Teuchos::RCP<const Map> both = numbering.mixed_map(*vectors, *nodes);
+    for (int level = 0; nodes->getGlobalNumElements() > 1; ++level) {
+      const auto P = coarsening.prolongator(level, *nodes);
+      const auto Pu = coarsening.prolongator(level, *vectors);
+      const auto all = coarsening.prolongator(level, *both);
       bool is_repeated = true;
       for (const GlobalOrdinal row : P->getRowMap()->getNodeElementList()) {
         for (int i = 0; i < components; ++i)
@@ -62,8 +79,10 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
                          renumbered(*P, row, [&](auto node) { return dofs * node + i; });
       }
       TEST_ASSERT(fields::all_agree(*test::world(), is_repeated));
-      n = columns(*P);
-      TEST_EQUALITY(columns(*all), dofs * n);
+      nodes = P->getDomainMap();
+      vectors = Pu->getDomainMap();
+      both = all->getDomainMap();
+      TEST_EQUALITY(columns(*all), dofs * columns(*P));
     }
   }
 }
@@ -73,10 +92,12 @@ TEUCHOS_UNIT_TEST(mixed_coarsening, rows_of_blocks_on_different_nodes_are_those_
   K.mC = Grid{5, 5, 3, true}.laplacian(test::world());
   K.scalars = {K.mC, test::order_of(*K.mC)};
   MixedCoarsening coarsening(K);
-  long long n_u = rows(*K.A), n_p = rows(*K.mC);
+  Teuchos::RCP<const Map> nodes = K.scalar_map(), vectors = K.vector_map();
+  Teuchos::RCP<const Map> both = multigrid::MixedNumbering().mixed_map(*vectors, *nodes);
   for (int level = 0; level < 2; ++level) {
-    const auto Pu = coarsening.prolongator(level, n_u), Pp = coarsening.prolongator(level, n_p);
-    const auto all = coarsening.prolongator(level, n_u + n_p);
+    const auto Pu = coarsening.prolongator(level, *vectors);
+    const auto Pp = coarsening.prolongator(level, *nodes);
+    const auto all = coarsening.prolongator(level, *both);
     bool is_same = true;
     for (const GlobalOrdinal row : Pu->getRowMap()->getNodeElementList())
       is_same &= row_of(*all, row / 3 * 4 + row % 3) ==
@@ -85,9 +106,10 @@ TEUCHOS_UNIT_TEST(mixed_coarsening, rows_of_blocks_on_different_nodes_are_those_
       is_same &=
           row_of(*all, 4 * row + 3) == renumbered(*Pp, row, [](auto node) { return 4 * node + 3; });
     TEST_ASSERT(fields::all_agree(*test::world(), is_same));
-    n_u = columns(*Pu);
-    n_p = columns(*Pp);
-    TEST_EQUALITY(columns(*all), n_u + n_p);
+    nodes = Pp->getDomainMap();
+    vectors = Pu->getDomainMap();
+    both = all->getDomainMap();
+    TEST_EQUALITY(columns(*all), columns(*Pu) + columns(*Pp));
   }
 }
 
@@ -98,7 +120,8 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
   auto K = test::blocks_on({9, 7, 5, true});
   K.A = without(*K.A, is_missing);
   MixedCoarsening coarsening(K);
-  const auto P = coarsening.prolongator(0, rows(*K.mC)), Pu = coarsening.prolongator(0, rows(*K.A));
+  const auto P = coarsening.prolongator(0, *K.scalar_map());
+  const auto Pu = coarsening.prolongator(0, *K.vector_map());
   TEST_ASSERT(Pu->getRowMap()->isSameAs(*K.A->getRowMap()));
   TEST_COMPARE(columns(*Pu), <, 3 * columns(*P));
   Vector ones(Pu->getDomainMap()), sums(Pu->getRangeMap()), reached(Pu->getDomainMap());
@@ -117,6 +140,16 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
   TEST_COMPARE(fields::global_max(*test::world(), -least), <, -0.99);
 }
 
+/// As on staggered grids: as many scalars as vectors, elsewhere.
+TEUCHOS_UNIT_TEST(mixed_coarsening, blocks_with_as_many_rows_on_different_nodes_are_told_apart) {
+  auto K = test::blocks_on({8, 9, 1, false}, test::world(), 1);
+  K.mC = shifted(*Grid{9, 8, 1, true}.laplacian(test::world()), 1000);
+  K.scalars = {K.mC, test::order_of(*K.mC)};
+  MixedCoarsening coarsening(K);
+  TEST_ASSERT(coarsening.prolongator(0, *K.vector_map())->getRowMap()->isSameAs(*K.vector_map()));
+  TEST_ASSERT(coarsening.prolongator(0, *K.scalar_map())->getRowMap()->isSameAs(*K.scalar_map()));
+}
+
 TEUCHOS_UNIT_TEST(mixed_coarsening, knows_a_mixed_matrix_from_a_block) {
   const auto K = test::blocks_on({4, 4, 4, true});
   MixedCoarsening coarsening(K);
@@ -126,7 +159,7 @@ TEUCHOS_UNIT_TEST(mixed_coarsening, knows_a_mixed_matrix_from_a_block) {
   TEST_THROW(coarsening.check_mixed(0, *K.mC), std::runtime_error);
   TEST_THROW(coarsening.check_mixed(0, *Grid{5, 5, 5, true}.laplacian(test::world(), 3)),
              std::runtime_error);
-  TEST_THROW(coarsening.prolongator(0, 17), std::runtime_error);
+  TEST_THROW(coarsening.prolongator(0, Map(17, 0, test::world())), std::runtime_error);
 }
 
 }  // namespace
