@@ -5,22 +5,13 @@
 
 #include "base/agreement.hpp"
 #include "base/heap.hpp"
+#include "base/telling_line.hpp"
 #include "base/timer.hpp"
 #include "fields/reduce.hpp"
 
 namespace tunica::app {
 
 namespace {
-
-/// The telling line of an exception: Trilinos puts its source lines before it.
-std::string telling_line(std::string text) {
-  const std::size_t preamble = text.find("Throw test that evaluated to true");
-  if (preamble != std::string::npos)
-    text.erase(0, std::min(text.find('\n', preamble), text.size()));
-  text.erase(0, std::min(text.find_first_not_of(" \n"), text.size()));
-  text.erase(std::min(text.find('\n'), text.size()));
-  return text.empty() ? "an exception without a message" : text;
-}
 
 std::string verdict_of(const SolverSetting& setting, const linear::SolveReport& solve) {
   if (solve.is_converged) return "converged";

@@ -13,15 +13,13 @@ struct DirectFactor::Solver {
 DirectFactor::DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix)
     : matrix_(matrix), solver_(Teuchos::rcp(new Solver)) {
   solver_->klu2 = multigrid::make_sparse_lu(matrix_);
-  solver_->klu2->symbolicFactorization();
 }
 
 DirectFactor::~DirectFactor() = default;
 
 void DirectFactor::refresh() {
-  solver_->klu2->setA(matrix_, Amesos2::SYMBFACT);
   try {
-    solver_->klu2->numericFactorization();
+    multigrid::refactor(*solver_->klu2, matrix_);
   } catch (const std::exception&) {  // Amesos2 tells of its source lines
     throw SetupFailure("the matrix is singular: are all rigid motions held, is a pressure given?");
   }

@@ -10,22 +10,6 @@ namespace {
 
 using multigrid::MixedNumbering;
 
-/// Numbers of a block's map in the merged one.
-std::vector<GlobalOrdinal> merged_numbers(const Map& map, bool is_scalar, const MixedNumbering& n) {
-  std::vector<GlobalOrdinal> numbers;
-  numbers.reserve(map.getNodeNumElements());
-  for (const GlobalOrdinal number : map.getNodeElementList())
-    numbers.push_back(is_scalar ? n.of_scalar(number) : n.of_vector(number));
-  return numbers;
-}
-
-std::vector<int> local_numbers(const std::vector<GlobalOrdinal>& numbers, const Map& map) {
-  std::vector<int> local;
-  local.reserve(numbers.size());
-  for (const GlobalOrdinal number : numbers) local.push_back(map.getLocalElement(number));
-  return local;
-}
-
 /// One block, with its rows and columns in numbers of the whole.
 struct Part {
   const CrsMatrix* matrix;
@@ -33,8 +17,8 @@ struct Part {
 
   Part(const CrsMatrix& block, bool has_scalar_rows, bool has_scalar_columns,
        const MixedNumbering& n)
-      : matrix(&block), rows(merged_numbers(*block.getRowMap(), has_scalar_rows, n)),
-        columns(merged_numbers(*block.getColMap(), has_scalar_columns, n)) {}
+      : matrix(&block), rows(multigrid::mixed_numbers(*block.getRowMap(), has_scalar_rows, n)),
+        columns(multigrid::mixed_numbers(*block.getColMap(), has_scalar_columns, n)) {}
 
   void insert_graph(CrsMatrix& merged) const {
     const auto local = matrix->getLocalMatrixHost();
@@ -72,8 +56,8 @@ MergedMatrix::MergedMatrix(const fields::BlockMatrices& K) : K_(&K) {
   for (const Part& part : parts) part.insert_graph(*matrix_);
   matrix_->fillComplete(rows, rows);
   for (const Part& part : parts) blocks_.push_back({part.matrix, part.places(*matrix_)});
-  vector_rows_ = local_numbers(parts[0].rows, *rows);
-  scalar_rows_ = local_numbers(parts[3].rows, *rows);
+  vector_rows_ = multigrid::local_numbers(parts[0].rows, *rows);
+  scalar_rows_ = multigrid::local_numbers(parts[3].rows, *rows);
 }
 
 void MergedMatrix::refresh() {

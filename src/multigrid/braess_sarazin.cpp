@@ -106,7 +106,7 @@ BraessSarazin::BraessSarazin(const CrsMatrix& K, const MixedNumbering& numbering
     return;
   }
   parts.exact = make_sparse_lu(parts.S->matrix());
-  parts.exact->symbolicFactorization().numericFactorization();
+  refactor(*parts.exact, parts.S->matrix());
 }
 
 BraessSarazin::~BraessSarazin() = default;
@@ -118,8 +118,7 @@ void BraessSarazin::refresh() {
   parts.S->refresh(parts.inverse_D);
   if (!parts.rough.is_null()) return parts.rough->compute();
   if (parts.cycle) return parts.cycle->refresh();
-  parts.exact->setA(parts.S->matrix(), Amesos2::SYMBFACT);
-  parts.exact->numericFactorization();
+  refactor(*parts.exact, parts.S->matrix());
 }
 
 void BraessSarazin::smooth(const MultiVector& b, MultiVector& x) const {

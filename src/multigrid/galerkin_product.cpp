@@ -8,7 +8,7 @@ GalerkinProduct::GalerkinProduct(const Teuchos::RCP<const CrsMatrix>& R,
                                  const MixedNumbering& numbering, double stabilisation_factor)
     : R_(R), A_(A), P_(P), numbering_(numbering), stabilisation_factor_(stabilisation_factor),
       AP_(*A, *P), RAP_(*R, *AP_.matrix()) {
-  if (stabilisation_factor_ != 1.0) scale_stabilisation();
+  refresh();
 }
 
 void GalerkinProduct::refresh() {

@@ -32,13 +32,6 @@ Teuchos::RCP<CrsMatrix> block(const CrsMatrix& K, bool has_scalar_rows, bool has
   return result;
 }
 
-std::vector<GlobalOrdinal> mixed_numbers(const Map& map, bool is_scalar, const MixedNumbering& n) {
-  std::vector<GlobalOrdinal> numbers;
-  for (const GlobalOrdinal number : map.getNodeElementList())
-    numbers.push_back(is_scalar ? n.of_scalar(number) : n.of_vector(number));
-  return numbers;
-}
-
 std::vector<int> places(const CrsMatrix& part, bool has_scalar_rows, bool has_scalar_columns,
                         const MixedNumbering& numbering, const CrsMatrix& K) {
   return value_places(part, mixed_numbers(*part.getRowMap(), has_scalar_rows, numbering),

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "base/agreement.hpp"
+#include "base/map_of.hpp"
 #include "multigrid/independent_set.hpp"
 
 namespace tunica::multigrid {
@@ -145,9 +146,7 @@ Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, Part part)
     most_parents = std::max(most_parents, expansion.most_parents());
   }
   std::sort(numbers.begin(), numbers.end());
-  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  const Teuchos::RCP<const Map> coarse =
-      Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(numbers), 0, fine->getComm()));
+  const Teuchos::RCP<const Map> coarse = map_of(numbers, fine->getComm());
   const auto P = Teuchos::rcp(new CrsMatrix(fine, most_parents));
   for (const Expansion& expansion : expansions) expansion.insert_into(*P);
   P->fillComplete(coarse, fine);

@@ -3,16 +3,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/map_of.hpp"
+
 namespace tunica::multigrid {
-
-namespace {
-
-Teuchos::RCP<const Map> map_of(const std::vector<GlobalOrdinal>& numbers, const CommPtr& comm) {
-  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(numbers), 0, comm));
-}
-
-}  // namespace
 
 Teuchos::RCP<const Map> MixedNumbering::mixed_map(const Map& vectors, const Map& scalars) const {
   std::vector<GlobalOrdinal> numbers;

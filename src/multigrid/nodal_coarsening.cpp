@@ -3,6 +3,7 @@
 #include <TpetraExt_MatrixMatrix.hpp>
 
 #include "multigrid/independent_set.hpp"
+#include "multigrid/sparse_product.hpp"
 
 namespace tunica::multigrid {
 
@@ -76,12 +77,8 @@ Teuchos::RCP<const CrsMatrix> averaging(const CrsMatrix& nodes, const CoarseNumb
 
 /// Coarse nodes are neighbours where any of their children are.
 Teuchos::RCP<const CrsMatrix> coarse_graph(const CrsMatrix& nodes, const CrsMatrix& P) {
-  CrsMatrix ones(nodes, Teuchos::Copy);
-  ones.resumeFill();
-  ones.setAllToScalar(1.0);  // nothing cancels in the products
-  ones.fillComplete(nodes.getDomainMap(), nodes.getRangeMap());
   CrsMatrix GP(nodes.getRowMap(), 0);
-  Tpetra::MatrixMatrix::Multiply(ones, false, P, false, GP);
+  Tpetra::MatrixMatrix::Multiply(with_ones(nodes), false, P, false, GP);
   const auto PtGP = Teuchos::rcp(new CrsMatrix(P.getDomainMap(), 0));
   Tpetra::MatrixMatrix::Multiply(P, true, GP, false, *PtGP);
   return PtGP;

@@ -13,7 +13,13 @@ Teuchos::RCP<SparseLu> make_sparse_lu(const Teuchos::RCP<const CrsMatrix>& A) {
     list->sublist("KLU2").set("IsContiguous", false, "Are GIDs Contiguous");
     lu->setParameters(list);
   }
+  lu->symbolicFactorization();
   return lu;
+}
+
+void refactor(SparseLu& lu, const Teuchos::RCP<const CrsMatrix>& A) {
+  lu.setA(A, Amesos2::SYMBFACT);
+  lu.numericFactorization();
 }
 
 }  // namespace tunica::multigrid

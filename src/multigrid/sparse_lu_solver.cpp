@@ -13,14 +13,12 @@ Teuchos::RCP<const Teuchos::ParameterList> SparseLuSolver::GetValidParameterList
 void SparseLuSolver::set_up(int, const Teuchos::RCP<::tunica::CrsMatrix>& K) {
   matrix_ = K;
   lu_ = make_sparse_lu(matrix_);
-  lu_->symbolicFactorization();
   refresh();
 }
 
 void SparseLuSolver::refresh() {
-  lu_->setA(matrix_, Amesos2::SYMBFACT);
   try {
-    lu_->numericFactorization();
+    refactor(*lu_, matrix_);
   } catch (const std::exception&) {  // Amesos2 tells of its source lines
     throw std::runtime_error("the matrix of the coarsest level is singular.");
   }

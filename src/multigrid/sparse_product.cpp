@@ -4,9 +4,7 @@
 
 namespace tunica::multigrid {
 
-namespace {
-
-CrsMatrix ones_like(const CrsMatrix& A) {
+CrsMatrix with_ones(const CrsMatrix& A) {
   CrsMatrix ones(A, Teuchos::Copy);
   ones.resumeFill();
   ones.setAllToScalar(1.0);
@@ -14,13 +12,10 @@ CrsMatrix ones_like(const CrsMatrix& A) {
   return ones;
 }
 
-}  // namespace
-
 SparseProduct::SparseProduct(const CrsMatrix& A, const CrsMatrix& B)
     : A_(&A), B_(&B), product_(Teuchos::rcp(new CrsMatrix(A.getRowMap(), 0))) {
-  const CrsMatrix ones_A = ones_like(A), ones_B = ones_like(B);
+  const CrsMatrix ones_A = with_ones(A), ones_B = with_ones(B);
   Tpetra::MatrixMatrix::Multiply(ones_A, false, ones_B, false, *product_);
-  refresh();
 }
 
 void SparseProduct::refresh() {

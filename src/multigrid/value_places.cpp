@@ -7,19 +7,28 @@ namespace tunica::multigrid {
 
 namespace {
 
-std::vector<int> local_numbers(const std::vector<GlobalOrdinal>& numbers, const Map& map) {
-  std::vector<int> local;
-  local.reserve(numbers.size());
-  for (const GlobalOrdinal number : numbers) local.push_back(map.getLocalElement(number));
-  return local;
-}
-
 std::vector<GlobalOrdinal> numbers_of(const Map& map) {
   const auto list = map.getNodeElementList();
   return {list.begin(), list.end()};
 }
 
 }  // namespace
+
+std::vector<GlobalOrdinal> mixed_numbers(const Map& block, bool is_scalar,
+                                         const MixedNumbering& numbering) {
+  std::vector<GlobalOrdinal> numbers;
+  numbers.reserve(block.getNodeNumElements());
+  for (const GlobalOrdinal number : block.getNodeElementList())
+    numbers.push_back(is_scalar ? numbering.of_scalar(number) : numbering.of_vector(number));
+  return numbers;
+}
+
+std::vector<int> local_numbers(const std::vector<GlobalOrdinal>& numbers, const Map& map) {
+  std::vector<int> local;
+  local.reserve(numbers.size());
+  for (const GlobalOrdinal number : numbers) local.push_back(map.getLocalElement(number));
+  return local;
+}
 
 std::vector<int> value_places(const CrsMatrix& part, const std::vector<GlobalOrdinal>& rows,
                               const std::vector<GlobalOrdinal>& columns, const CrsMatrix& whole) {

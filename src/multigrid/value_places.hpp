@@ -1,9 +1,15 @@
 #pragma once
 #include <vector>
 
-#include "base/types.hpp"
+#include "multigrid/mixed_numbering.hpp"
 
 namespace tunica::multigrid {
+
+/// The numbers in a mixed matrix of those that a block's map has.
+std::vector<GlobalOrdinal> mixed_numbers(const Map& block, bool is_scalar,
+                                         const MixedNumbering& numbering);
+
+std::vector<int> local_numbers(const std::vector<GlobalOrdinal>& numbers, const Map& map);
 
 /// Where a matrix that is part of another finds its values there: for each of its values the index
 /// among those of the whole. rows, columns: the numbers in the whole of its local rows and columns.

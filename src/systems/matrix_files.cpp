@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/telling_line.hpp"
 
 namespace tunica::systems {
 
@@ -15,22 +16,14 @@ using Reader = Tpetra::MatrixMarket::Reader<CrsMatrix>;
 
 CommPtr alone() { return Teuchos::rcp(new Teuchos::SerialComm<int>); }
 
-/// A message of Trilinos without the lines and files of its own sources.
-std::string telling_part(const std::string& message) {
-  const auto test = message.find("Throw test that evaluated to true");
-  const auto start = test == std::string::npos ? 0 : message.find('\n', test);
-  const auto first = message.find_first_not_of(" \n", start);
-  if (first == std::string::npos) return message;
-  const std::string line = message.substr(first, message.find('\n', first) - first);
-  return line.substr(0, line.find(": /"));
-}
-
 template <class Read>
 auto reading(const std::string& path, const Read& read) {
   try {
     return read();
   } catch (const std::exception& error) {
-    throw Error(path + ": no Matrix Market file that can be read: " + telling_part(error.what()));
+    const std::string cause = telling_line(error.what());  // ends with files of Trilinos itself
+    throw Error(path +
+                ": no Matrix Market file that can be read: " + cause.substr(0, cause.find(": /")));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "base/map_of.hpp"
 #include "systems/matrix_files.hpp"
 #include "systems/node_graph.hpp"
 #include "systems/node_partition.hpp"
@@ -119,11 +120,6 @@ void broadcast_list(std::vector<Value>& list, const Comm& comm) {
   Teuchos::broadcast(comm, 0, &size);
   list.resize(static_cast<std::size_t>(size));
   Teuchos::broadcast(comm, 0, static_cast<int>(size), list.data());
-}
-
-Teuchos::RCP<const Map> map_of(const std::vector<GlobalOrdinal>& numbers, const CommPtr& comm) {
-  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(numbers), 0, comm));
 }
 
 /// Where rows stand in the file, all on rank 0, and where they go.

@@ -7,12 +7,14 @@
 #include "linear/linear_solver.hpp"
 #include "multigrid/blocked_matrix.hpp"
 #include "multigrid/cycle.hpp"
+#include "unit/multigrid/complaint.hpp"
 #include "unit/multigrid/dense_sweep.hpp"
 #include "unit/multigrid/wall_matrix.hpp"
 
 namespace {
 
 using namespace tunica;
+using test::complaint;
 using test::WallMatrix;
 
 /// Three levels or more of the nodal coarsening for a matrix of blocks, with this smoother.
@@ -94,16 +96,6 @@ Vector product(const Operator& A, const Vector& x) {
   Vector y(A.getRangeMap());
   A.apply(x, y);
   return y;
-}
-
-template <class Work>
-std::string complaint(const Work& work) {
-  try {
-    work();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
 }
 
 bool has(const std::string& text, const std::string& part) {

@@ -5,11 +5,13 @@
 #include "linear/linear_solver.hpp"
 #include "multigrid/cycle.hpp"
 #include "multigrid/vanka.hpp"
+#include "unit/multigrid/complaint.hpp"
 #include "unit/multigrid/wall_matrix.hpp"
 
 namespace {
 
 using namespace tunica;
+using test::complaint;
 using test::WallMatrix;
 
 /// Cycles on the levels of the nodal coarsening, smoothed by Vanka.
@@ -51,17 +53,6 @@ linear::SolveReport solve(const CommPtr& comm, const Teuchos::ParameterList& mue
   solver->matrix_changed();
   fields::BlockVector x(tube.wall);
   return solver->solve(test::scattered(tube.wall, 1), x, 1e-8);
-}
-
-/// What the work throws says, empty if nothing.
-template <class Work>
-std::string complaint(const Work& work) {
-  try {
-    work();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEUCHOS_UNIT_TEST(vanka_smoother, does_what_vanka_does) {
