@@ -16,7 +16,8 @@ RunLog::RunLog(const output::RunFolder& folder, bool is_root, int steps)
                 is_root),
       newton_(folder.file("newton.csv"),
               {"step", "coupling_iteration", "field", "iteration", "increment",
-               "relative_increment", "residual", "exponent", "step_length"},
+               "relative_increment", "residual", "exponent", "step_length", "linear_tolerance",
+               "linear_residual", "linear_iterations"},
               is_root),
       linear_(folder.file("linear.csv"),
               {"step", "coupling_iteration", "field", "newton_iteration", "method", "iterations",
@@ -29,9 +30,10 @@ void RunLog::newton(const Moment& moment, const std::string& field,
   for (std::size_t k = 0; k < report.steps.size(); ++k) {
     const nonlinear::NewtonStep& s = report.steps[k];
     const auto iteration = static_cast<long long>(k + 1);
-    newton_.row({moment.step, moment.coupling_iteration, field, iteration, s.increment,
-                 s.relative_increment, s.residual, s.exponent, s.step_length});
     const linear::SolveReport& l = s.linear;
+    newton_.row({moment.step, moment.coupling_iteration, field, iteration, s.increment,
+                 s.relative_increment, s.residual, s.exponent, s.step_length, l.tolerance,
+                 l.true_residual, l.iterations});
     linear_.row({moment.step, moment.coupling_iteration, field, iteration, l.method, l.iterations,
                  l.tolerance, l.recurrence_residual, l.true_residual, l.setup_seconds,
                  l.solve_seconds, l.is_converged});

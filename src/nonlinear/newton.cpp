@@ -23,22 +23,17 @@ params::Table newton_table() {
               "deciding in late coupling iterations, whose first increment is already tiny")
       .number("growth limit", 1e4, params::positive(), "1",
               "give up when the increment has grown to this multiple of the first one")
-      .number("linear tolerance", 1e-8, params::Range{0.0, 1.0, true, true}, "1",
-              "reduction of the linear residual in each step; the first one with an adaptive "
-              "forcing term")
-      .choice("forcing", "constant", {"constant", "type 1", "type 2"},
-              "linear tolerance from step to step: constant or Eisenstat and Walker's choices")
       .choice("line search", "guarded", {"guarded", "full step", "backtrack", "polynomial"},
               "guarded: full steps, halved only where an element would invert; the others are "
               "NOX's");
+  add_forcing_keys(table);
   return table;
 }
 
 NewtonOptions newton_options(const Teuchos::ParameterList& list) {
   return {list.get<int>("max iterations"),        list.get<double>("relative increment"),
           list.get<double>("absolute increment"), list.get<double>("growth limit"),
-          list.get<double>("linear tolerance"),   list.get<std::string>("forcing"),
-          list.get<std::string>("line search")};
+          list.get<std::string>("line search"),   forcing_options(list)};
 }
 
 int NewtonReport::linear_iterations() const {
@@ -65,17 +60,13 @@ NOX::Thyra::Vector nox_vector(const ProductSpace& space, const fields::BlockVect
   return vector;
 }
 
-Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options, int rank) {
+Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options,
+                                              const NewtonReport& report, int rank) {
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
   list->set("Nonlinear Solver", "Line Search Based");
   list->sublist("Printing").set("Output Information", 0).set("MyPID", rank);
-  Teuchos::ParameterList& newton =
-      list->sublist("Direction").set("Method", "Newton").sublist("Newton");
-  newton.sublist("Linear Solver").set("Tolerance", options.linear_tolerance);
-  newton.set("Forcing Term Method", options.forcing == "constant" ? "Constant"
-                                    : options.forcing == "type 1" ? "Type 1"
-                                                                  : "Type 2");
-  newton.set("Forcing Term Initial Tolerance", options.linear_tolerance);
+  choose_direction(options.forcing, {options.relative_increment, options.absolute_increment},
+                   report, *list);
   Teuchos::ParameterList& search = list->sublist("Line Search");
   if (options.line_search == "guarded") {
     search.set("Method", "User Defined");
@@ -103,7 +94,7 @@ NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& option
   }
   const auto test = Teuchos::rcp(new IncrementTest(problem, options, log, report));
   const int rank = problem.mesh().comm->getRank();
-  const auto solver = NOX::Solver::buildSolver(group, test, nox_list(options, rank));
+  const auto solver = NOX::Solver::buildSolver(group, test, nox_list(options, report, rank));
   NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
   try {
     status = solver->solve();

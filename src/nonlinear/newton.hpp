@@ -4,6 +4,7 @@
 
 #include "fields/block_vector.hpp"
 #include "linear/linear_solver.hpp"
+#include "nonlinear/forcing.hpp"
 
 namespace tunica::nonlinear {
 
@@ -30,9 +31,8 @@ struct NewtonOptions {
   double relative_increment;  ///< ε2: stop at |dx_k| ≤ ε2 |dx_1|
   double absolute_increment;  ///< or at |dx_k| ≤ this
   double growth_limit;        ///< give up at |dx_k| > limit |dx_1|
-  double linear_tolerance;    ///< ε1
-  std::string forcing;        ///< "constant", "type 1", "type 2" (Eisenstat–Walker)
   std::string line_search;    ///< "guarded", "full step", "backtrack", "polynomial"
+  ForcingOptions forcing;
 };
 params::Table newton_table();
 NewtonOptions newton_options(const Teuchos::ParameterList& list);

@@ -99,7 +99,7 @@ nonlinear::NewtonOptions options() {
   Teuchos::ParameterList list;
   nonlinear::newton_table().resolve(list, "Newton", "");
   auto found = nonlinear::newton_options(list);
-  found.linear_tolerance = 1e-12;
+  found.forcing.tolerance = 1e-12;
   return found;
 }
 
@@ -146,12 +146,15 @@ TEUCHOS_UNIT_TEST(newton, steps_report_increment_residual_and_linear_solve) {
 TEUCHOS_UNIT_TEST(newton, every_line_search_and_forcing_term_converges) {
   const SmallTube tube;
   for (const std::string search : {"guarded", "full step", "backtrack", "polynomial"})
-    for (const std::string forcing : {"constant", "type 1", "type 2"}) {
+    for (const std::string forcing : {"constant", "type 1", "type 2", "increment"}) {
       auto problem = square_root_of_two(tube.fluid);
       auto chosen = options();
       chosen.line_search = search;
-      chosen.forcing = forcing;
-      chosen.linear_tolerance = forcing == "constant" ? 1e-12 : 0.1;
+      chosen.forcing.kind = forcing;
+      chosen.forcing.tolerance = forcing == "constant" ? 1e-12 : 0.1;
+      chosen.forcing.smallest = 1e-10;
+      chosen.forcing.largest = 0.1;
+      chosen.forcing.scale = 10.0;
       auto x = start(tube.fluid, 2.0);
       const auto report = nonlinear::solve_newton(problem, chosen, x);
       out << search << ", " << forcing << ": " << report.steps.size() << " steps " << report.reason
@@ -166,13 +169,40 @@ TEUCHOS_UNIT_TEST(newton, forcing_terms_tighten_the_linear_tolerance) {
   for (const std::string forcing : {"type 1", "type 2"}) {
     auto problem = square_root_of_two(tube.fluid);
     auto chosen = options();
-    chosen.forcing = forcing;
-    chosen.linear_tolerance = 0.1;
+    chosen.forcing = {forcing, 0.1, 1e-10, 0.01};
     auto x = start(tube.fluid, 2.0);
     nonlinear::solve_newton(problem, chosen, x);
     TEST_EQUALITY(problem.tolerances().front(), 0.1);
     TEST_COMPARE(problem.tolerances().back(), <, 0.01);
   }
+}
+
+TEUCHOS_UNIT_TEST(newton, increments_force_the_square_of_their_size) {
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  auto chosen = options();
+  chosen.forcing = {"increment", 0.0, 0.0, 0.1, 1.0};
+  auto x = start(tube.fluid, 2.0);
+  const auto report = nonlinear::solve_newton(problem, chosen, x);
+  TEST_ASSERT(report.is_converged);
+  TEST_EQUALITY(problem.tolerances()[0], 0.1);
+  for (std::size_t k = 1; k < report.steps.size(); ++k) {
+    const double e = report.steps[k - 1].relative_increment;
+    TEST_FLOATING_EQUALITY(problem.tolerances()[k], std::min(0.1, e * e), 1e-12);
+  }
+  const auto last = report.steps.size() - 1;
+  TEST_COMPARE(report.steps[last].exponent, >, 1.8);  // the order of exact solves
+}
+
+TEUCHOS_UNIT_TEST(newton, final_part_keeps_the_last_solves_short) {
+  const nonlinear::ForcingOptions paper{"increment", 0.0, 0.0, 0.1, 100.0},
+      short_of{"increment", 0.0, 0.0, 0.1, 100.0, 0.1};
+  const double stop = 1e-8;
+  TEST_FLOATING_EQUALITY(nonlinear::increment_forcing(paper, 1e-7, stop), 1e-10, 1e-12);
+  TEST_FLOATING_EQUALITY(nonlinear::increment_forcing(short_of, 1e-7, stop), 0.01, 1e-12);
+  TEST_FLOATING_EQUALITY(nonlinear::increment_forcing(short_of, 1e-5, stop), 1e-4, 1e-12);
+  TEST_FLOATING_EQUALITY(nonlinear::increment_forcing(paper, 1.0, stop), 0.1, 1e-12);
+  TEST_FLOATING_EQUALITY(nonlinear::increment_forcing(short_of, 0.0, stop), 0.1, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(newton, guarded_line_search_halves_where_the_residual_refuses) {
