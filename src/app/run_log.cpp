@@ -12,7 +12,8 @@ RunLog::RunLog(const output::RunFolder& folder, bool is_root, int steps)
     : steps_file_(folder.file("steps.csv")), is_root_(is_root), steps_(steps),
       coupling_(folder.file("coupling.csv"),
                 {"step", "time", "iteration", "interface_residual", "relaxation", "columns",
-                 "fluid_newton", "wall_newton", "fluid_linear", "wall_linear"},
+                 "fluid_newton", "wall_newton", "fluid_linear", "wall_linear", "motion_seconds",
+                 "fluid_seconds", "wall_seconds"},
                 is_root),
       newton_(folder.file("newton.csv"),
               {"step", "coupling_iteration", "field", "iteration", "increment",
@@ -45,7 +46,8 @@ void RunLog::coupling(const Moment& moment, const coupling::Iteration& iteration
                  iteration.relaxation, iteration.columns,
                  static_cast<long long>(iteration.fluid.steps.size()),
                  static_cast<long long>(iteration.wall.steps.size()),
-                 iteration.fluid.linear_iterations(), iteration.wall.linear_iterations()});
+                 iteration.fluid.linear_iterations(), iteration.wall.linear_iterations(),
+                 iteration.motion_seconds, iteration.fluid_seconds, iteration.wall_seconds});
   newton(moment, "fluid", iteration.fluid);
   newton(moment, "wall", iteration.wall);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/timer.hpp"
 #include "fields/reduce.hpp"
 
 namespace tunica::coupling {
@@ -39,16 +40,21 @@ bool DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& iterat
   std::vector<Vec3> on_fluid(fluid_->mesh().n_owned);
   for (int k = 0; k < interface_->n_owned(); ++k)
     on_fluid[interface_->fluid_nodes[k]] = {d[3 * k], d[3 * k + 1], d[3 * k + 2]};
-  if (const auto failure = motion_->extend(on_fluid)) {
+  const Stopwatch moving;
+  const auto failure = motion_->extend(on_fluid);
+  iteration.motion_seconds = moving.seconds();
+  if (failure) {
     reason = "the mesh motion: " + *failure;
     return false;
   }
+  const Stopwatch flowing;
   const auto inversion = fluid_->set_domain(motion_->displacement(), motion_->old_displacement());
   if (inversion) {
     reason = "the fluid's mesh: " + *inversion;
     return false;
   }
   iteration.fluid = fluid_->solve();
+  iteration.fluid_seconds = flowing.seconds();
   if (!iteration.fluid.is_converged)
     reason = "the fluid's Newton method: " + iteration.fluid.reason;
   return iteration.fluid.is_converged;
@@ -57,12 +63,14 @@ bool DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& iterat
 bool DirichletNeumann::respond(const InterfaceVector& d, Iteration& iteration,
                                InterfaceVector& answer, std::string& reason) {
   if (!move_and_flow(d, iteration, reason)) return false;
+  const Stopwatch watch;
   const std::vector<Vec3> reaction = fluid_->reaction();
   std::vector<Vec3> force(wall_->mesh().n_owned);
   for (int k = 0; k < interface_->n_owned(); ++k)
     force[interface_->wall_nodes[k]] = reaction[interface_->fluid_nodes[k]];
   wall_->set_nodal_force(force);
   iteration.wall = wall_->solve();
+  iteration.wall_seconds = watch.seconds();
   if (!iteration.wall.is_converged) reason = "the wall's Newton method: " + iteration.wall.reason;
   answer = wall_displacement();
   return iteration.wall.is_converged;

@@ -27,6 +27,7 @@ struct Iteration {
   double relaxation = 0.0;
   int columns = 0;
   nonlinear::NewtonReport fluid, wall;
+  double motion_seconds = 0.0, fluid_seconds = 0.0, wall_seconds = 0.0;
 };
 
 /// What became of a time step.
