@@ -79,12 +79,17 @@ def write_table(path, heading, rows):
         writer.writerows(rows)
 
 
+NEWTON_COLUMNS = ("step,coupling_iteration,field,iteration,increment,relative_increment,residual,exponent,step_length,"
+                  "linear_tolerance,linear_residual,linear_iterations")
+
+
 def newton_rows(step, rounds, fields):
     for k in range(1, rounds + 1):
         for field in fields:
             for i, increment in enumerate((1e-1, 2e-3, 3e-6, 1e-11), 1):
                 increment *= 0.3**k
-                yield [step, k, field, i, increment, increment / 5, increment * 0.1, 1.9 if i > 2 else "nan", 1.0]
+                yield [step, k, field, i, increment, increment / 5, increment * 0.1, 1.9 if i > 2 else "nan", 1.0,
+                       1e-6, 8.1e-7, 11 + i]
 
 
 def linear_rows(step, rounds, fields):
@@ -113,11 +118,11 @@ def write_run(folder, grids=("fluid", "wall"), stress_at_cells=False, steps=24):
     if coupled:
         write_table(os.path.join(folder, "coupling.csv"),
                     "step,time,iteration,interface_residual,relaxation,columns,fluid_newton,wall_newton,fluid_linear,"
-                    "wall_linear",
+                    "wall_linear,motion_seconds,fluid_seconds,wall_seconds",
                     [[s, 0.5 * s, k, 0.1 * 0.12**k * (1 + 0.3 * np.sin(s * k)), 0.4 + 0.1 * np.cos(s + 2 * k), 0, 4, 4,
-                      50, 50] for s in range(1, steps + 1) for k in range(1, rounds(s) + 1)])
+                      50, 50, 0.01, 0.4, 0.9] for s in range(1, steps + 1) for k in range(1, rounds(s) + 1)])
     write_table(os.path.join(folder, "newton.csv"),
-                "step,coupling_iteration,field,iteration,increment,relative_increment,residual,exponent,step_length",
+                NEWTON_COLUMNS,
                 [r for s in range(1, steps + 1) for r in newton_rows(s, rounds(s), grids)])
     write_table(os.path.join(folder, "linear.csv"),
                 "step,coupling_iteration,field,newton_iteration,method,iterations,tolerance,recurrence_residual,"
@@ -149,6 +154,6 @@ def write_solver_run(folder, unknowns=9072, fields=("fluid", "wall"), growth=1, 
                 "recurrence_residual,setup_seconds,solve_seconds,difference,verdict",
                 solver_rows(unknowns, fields, growth))
     write_table(os.path.join(folder, "newton.csv"),
-                "step,coupling_iteration,field,iteration,increment,relative_increment,residual,exponent,step_length",
+                NEWTON_COLUMNS,
                 newton_rows(1, 2, ("fluid", "wall")))
     return folder

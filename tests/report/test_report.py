@@ -1,4 +1,5 @@
 """tunica-report on synthetic runs: test_report.py PROGRAM SCRATCH_FOLDER"""
+import json
 import os
 import re
 import shutil
@@ -106,6 +107,35 @@ class Report(unittest.TestCase):
         self.expect_one_line(run, "--magnify", "--magnify", "-1")
         self.expect_one_line(run, "unknown option", "--unknown")
         self.expect_one_line(run, "cannot write", "--output", os.path.join(run, "run.json"))
+
+    def test_paper_stands_beside_what_was_run(self):
+        paper = self.folder("paper")
+        for mesh, items in (("coarse", ("pulse-artery-aitken", "newton-mooney-rivlin-increment", "speed")),
+                            ("fine", ("pulse-artery-iqn-ils",))):
+            for item in items:
+                run = write_run(os.path.join(paper, mesh, item))
+                with open(os.path.join(run, "item.json"), "w", encoding="utf-8") as file:
+                    json.dump({"commit": "0123456789abcdef", "processor": "A Processor"}, file)
+        write_solver_run(os.path.join(paper, "coarse", "krylov-fluid"), fields=("fluid",))
+        os.makedirs(os.path.join(paper, "fine", "amg-artery"))  # has just begun
+        result = report("--paper", paper)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        with open(os.path.join(paper, "report", "RESULTS.md"), encoding="utf-8") as file:
+            page = file.read()
+        for text in ("| 2 | 6.2e-03 | 1.8e-03 | 1 | 1.8e-04 | 8.1e-07 | 13 |", "| artery | Aitken | coarse | 24 of 72 |",
+                     "| artery | IQN-ILS | fine |", "paper P_L, BiCGStab", "0123456789 | A Processor"):
+            self.assertIn(text, page)
+        images = re.findall(r"!\[[^]]*\]\(([^)]+)\)", page)
+        self.assertEqual(set(images), {"figures/" + name for name in (
+            "coupling-counts.png", "coupling-artery.png", "state-artery.png", "newton-krylov-fluid.png",
+            "krylov-fluid.png")})
+        for name in images:
+            self.assertTrue(os.path.exists(os.path.join(paper, "report", name)), name)
+
+    def test_paper_without_runs_is_one_line_and_status_1(self):
+        os.makedirs(self.folder("no_paper"))
+        self.expect_one_line(self.folder("no_paper"), "holds no run", "--paper")
+        self.expect_one_line(self.folder("no_paper"), "--step does not fit", "--paper", "--step", "2")
 
     def test_solvers_give_newton_and_krylov_figures(self):
         run = write_solver_run(self.folder("solvers"))
