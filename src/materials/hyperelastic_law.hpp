@@ -13,7 +13,8 @@ struct Response {
 
 /// Isochoric part of a hyperelastic law, as the mixed displacement–pressure solid sees it.
 ///
-/// The volumetric part is not here: the pressure field carries it (kernels/solid_up.hpp).
+/// The volumetric part κ/2 (J − 1)² is not here: the pressure field carries it
+/// (kernels/solid_up.hpp). A law with another one has the difference in Ψ'.
 /// Every law is a value without hidden state; one object serves all elements. Tensors live
 /// in the reference frame; C is the right Cauchy–Green tensor FᵀF. Where a law does not permit
 /// a deformation it returns values that are not finite, so that Newton steps back.

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "materials/holzapfel.hpp"
 #include "materials/mooney_rivlin.hpp"
+#include "materials/st_venant_kirchhoff.hpp"
 
 namespace tunica::materials {
 
@@ -15,6 +16,7 @@ const std::vector<LawEntry>& laws() {
       mooney_rivlin(),
       neo_hookean(),
       holzapfel(),
+      st_venant_kirchhoff(),
   };
   return all;
 }

@@ -28,6 +28,8 @@ struct LawEntry {
   std::string sentence;
   std::vector<Constant> constants;
   std::function<std::unique_ptr<HyperelasticLaw>(const Constants&)> make;
+  /// κ [kPa] of a law whose constants fix it; empty where it is a key of its own.
+  std::function<double(const Constants&)> bulk_modulus = {};
 };
 
 /// Every law there is, in the order of the reference.

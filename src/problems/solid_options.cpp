@@ -13,15 +13,15 @@ namespace tunica::problems {
 namespace {
 
 Layer layer_of(const std::string& region, const Teuchos::ParameterList& list) {
-  Layer layer{region,
-              list.get<std::string>("law"),
-              {},
-              list.get<double>("bulk modulus"),
-              list.get<double>("density")};
-  for (const materials::LawEntry& law : materials::laws())
-    if (law.name == layer.law)
-      for (const materials::Constant& c : law.constants)
-        layer.constants.emplace_back(c.name, list.get<double>(c.name));
+  Layer layer{region, list.get<std::string>("law"), {}, 0.0, list.get<double>("density")};
+  for (const materials::LawEntry& law : materials::laws()) {
+    if (law.name != layer.law) continue;
+    for (const materials::Constant& c : law.constants)
+      layer.constants.emplace_back(c.name, list.get<double>(c.name));
+    layer.bulk_modulus = law.bulk_modulus
+                             ? law.bulk_modulus({layer.constants.begin(), layer.constants.end()})
+                             : list.get<double>("bulk modulus");
+  }
   return layer;
 }
 
@@ -41,11 +41,12 @@ params::Table layer_table() {
     params::Table table(law.sentence);
     for (const materials::Constant& c : law.constants)
       table.number(c.name, c.fallback, params::between(c.low, c.high), c.unit, c.sentence);
+    if (!law.bulk_modulus)
+      table.number("bulk modulus", 1e5, params::positive(), "kPa", "bulk modulus κ");
     laws.push_back({law.name, table});
   }
   params::Table table("One layer of the wall.");
-  table.variant("law", laws.front().value, laws, "isochoric part of the hyperelastic law")
-      .number("bulk modulus", 1e5, params::positive(), "kPa", "bulk modulus κ")
+  table.variant("law", laws.front().value, laws, "hyperelastic law")
       .number("density", 1.2, params::positive(), "mg/mm^3", "density of the unloaded wall")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         try {

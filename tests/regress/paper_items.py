@@ -25,7 +25,7 @@ def settings_are_valid(verdict, programs, folder):
     module = SourceFileLoader("reproduce", str(REPRODUCE)).load_module()
     for item in module.items():
         words = [REPRODUCE.parent / f"{item.case}.xml", "--dry-run"]
-        for setting in item.settings:
+        for setting in item.settings + item.on_coarse:
             words += ["--set", setting]
         run = Run(command(programs / item.program, words), folder)
         verdict.claim(run.status == 0, f"{item.name} has a valid case {run.err}")
