@@ -2,6 +2,7 @@
 //
 //   tunica-fluid xml/poiseuille.xml --output results/poiseuille
 
+#include "app/checkpoints.hpp"
 #include "app/field_output.hpp"
 #include "app/probes.hpp"
 #include "app/run.hpp"
@@ -14,12 +15,14 @@ using namespace tunica;
 
 app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain,
                    app::RunOutput& output) {
-  // 1. The fluid and what is written of it.
+  // 1. The fluid, from where it goes on after a restart, and what is written of it.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   stepping::Clock clock(list.sublist("Time"));
   const app::Probes probes(list.sublist("Probes"), &*domain.fluid, nullptr);
   const CommPtr comm = domain.fluid->comm;
-  app::RunLog log(output.folder, comm->getRank() == 0, clock.steps());
+  const app::Checkpoints checkpoints(output, {{"fluid", &fluid}}, comm);
+  checkpoints.begin(clock);
+  app::RunLog log(output, comm->getRank() == 0, clock.steps());
   app::FieldSeries fields(output, {app::grid_of(*domain.fluid, "fluid")}, comm);
 
   // 2. March.
@@ -31,6 +34,7 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
              app::joined({fluid.observe(), probes.observe(&fluid, nullptr)}));
     if (!report.is_converged) return {false, app::failure(clock, "the fluid", report)};
     if (fields.is_due(clock)) fields.write(clock, {{"fluid", app::fluid_arrays(fluid, {}), {}}});
+    checkpoints.write_if_due(clock);
   }
   app::record_assembly(output.record, "fluid", fluid.jacobian_meter(), *comm);
   return {};

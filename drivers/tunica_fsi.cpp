@@ -3,6 +3,7 @@
 //   tunica-fsi xml/pulse.xml --output results/pulse
 //   mpirun -n 2 tunica-fsi xml/pulse-tiny.xml --steps 2 --set "Coupling/accelerator=aitken"
 
+#include "app/checkpoints.hpp"
 #include "app/field_output.hpp"
 #include "app/probes.hpp"
 #include "app/run.hpp"
@@ -26,11 +27,15 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
   coupling::DirichletNeumann scheme(list.sublist("Coupling"), *domain.interface, fluid, wall,
                                     motion);
 
-  // 3. What is written, and when.
+  // 3. From where it goes on after a restart; what is written, and when.
   const CommPtr comm = domain.fluid->comm;
   stepping::Clock clock(list.sublist("Time"));
   const app::Probes probes(list.sublist("Probes"), &*domain.fluid, &*domain.wall);
-  app::RunLog log(output.folder, comm->getRank() == 0, clock.steps());
+  const app::Checkpoints checkpoints(
+      output, {{"fluid", &fluid}, {"wall", &wall}, {"mesh motion", &motion}, {"coupling", &scheme}},
+      comm);
+  checkpoints.begin(clock);
+  app::RunLog log(output, comm->getRank() == 0, clock.steps());
   app::FieldSeries fields(
       output, {app::grid_of(*domain.fluid, "fluid"), app::grid_of(*domain.wall, "wall")}, comm);
 
@@ -47,6 +52,7 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
     if (fields.is_due(clock))
       fields.write(clock, {{"fluid", app::fluid_arrays(fluid, motion.displacement()), {}},
                            {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});
+    checkpoints.write_if_due(clock);
   }
 
   // 5. Report.

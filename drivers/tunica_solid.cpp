@@ -2,6 +2,7 @@
 //
 //   tunica-solid xml/inflation.xml --output results/inflation
 
+#include "app/checkpoints.hpp"
 #include "app/field_output.hpp"
 #include "app/probes.hpp"
 #include "app/run.hpp"
@@ -14,12 +15,14 @@ using namespace tunica;
 
 app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain,
                    app::RunOutput& output) {
-  // 1. The wall and what is written of it.
+  // 1. The wall, from where it goes on after a restart, and what is written of it.
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
   stepping::Clock clock(list.sublist("Time"));
   const app::Probes probes(list.sublist("Probes"), nullptr, &*domain.wall);
   const CommPtr comm = domain.wall->comm;
-  app::RunLog log(output.folder, comm->getRank() == 0, clock.steps());
+  const app::Checkpoints checkpoints(output, {{"wall", &wall}}, comm);
+  checkpoints.begin(clock);
+  app::RunLog log(output, comm->getRank() == 0, clock.steps());
   app::FieldSeries fields(output, {app::grid_of(*domain.wall, "wall")}, comm);
 
   // 2. March; in statics each step is an equilibrium.
@@ -33,6 +36,7 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
     wall.end_step();
     if (fields.is_due(clock))
       fields.write(clock, {{"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});
+    checkpoints.write_if_due(clock);
   }
   app::record_assembly(output.record, "wall", wall.jacobian_meter(), *comm);
   return {};

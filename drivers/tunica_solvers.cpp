@@ -67,7 +67,7 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
 
   // 3. March as far as needed.
   const stepping::Clock clock(list.sublist("Time"));
-  app::RunLog log(output.folder, comm->getRank() == 0, clock.steps());
+  app::RunLog log(output, comm->getRank() == 0, clock.steps());
   app::Verdict verdict;
   try {
     verdict = march_to_wanted(capture, scheme, clock, log);

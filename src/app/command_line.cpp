@@ -23,6 +23,9 @@ std::vector<Option> options_of(const std::string& program) {
       {"--dry-run", "", "do everything but the solve"},
       {"--print-defaults", "", "print a complete, commented case file"},
       {"--help", "", "print this text"}};
+  if (program == "tunica-fsi" || program == "tunica-solid" || program == "tunica-fluid")
+    options.insert(options.begin() + 2,
+                   {"--restart", "", "go on from the folder's last checkpoint"});
   if (program == "tunica-check")
     options.push_back({"--reference", "", "print the parameter reference (Markdown)"});
   if (program == "tunica-solvers")
@@ -53,6 +56,7 @@ void store(CommandLine& line, const std::string& name, const std::string& value)
   if (name == "--steps") line.steps = to_steps(value);
   if (name == "--set") line.set.push_back(value);
   if (name == "--dry-run") line.dry_run = true;
+  if (name == "--restart") line.restart = true;
   if (name == "--print-defaults") line.print_defaults = true;
   if (name == "--help") line.help = true;
   if (name == "--reference") line.reference = true;

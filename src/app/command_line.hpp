@@ -11,6 +11,7 @@ struct CommandLine {
   std::string output;              ///< folder of the results; "" if not given
   std::optional<int> steps;        ///< stop after so many time steps
   bool dry_run = false;            ///< everything but the solve
+  bool restart = false;            ///< go on from the newest checkpoint of the folder
   bool print_defaults = false;     ///< a complete, commented XML; no case file needed
   bool help = false;               ///< no case file needed
   bool reference = false;          ///< tunica-check only; no case file needed

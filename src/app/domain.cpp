@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "fields/broadcast_mesh.hpp"
 #include "mesh/faces.hpp"
+#include "mesh/fingerprint.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/read.hpp"
 #include "mesh/validate.hpp"
@@ -135,9 +136,10 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
   shares.fluid = region_indices(shares.mesh, wishes.fluid_regions, "Fluid / regions");
   shares.wall = region_indices(shares.mesh, wishes.wall_regions, "Wall / Layers");
 
+  Domain domain;
+  domain.fingerprint = mesh::fingerprint(shares.mesh);
   const mesh::Partition partition = mesh::partition(
       shares.mesh, comm->getSize(), marks(shares.fluid, shares.mesh.regions.size()));
-  Domain domain;
   if (!shares.fluid.empty())
     domain.fluid = fields::make_field_mesh(shares.mesh, partition, shares.fluid, comm);
   if (!shares.wall.empty())

@@ -12,6 +12,7 @@ namespace tunica::app {
 struct Domain {
   std::optional<fields::FieldMesh> fluid, wall;
   std::optional<fields::Interface> interface;
+  std::string fingerprint;              ///< of the mesh
   std::vector<int> interface_surfaces;  ///< indices into FieldMesh::surfaces
 };
 

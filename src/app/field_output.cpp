@@ -1,5 +1,7 @@
 #include "app/field_output.hpp"
 
+#include <iostream>
+
 #include "assembly/gather.hpp"
 #include "kernels/wall_stress.hpp"
 
@@ -27,10 +29,12 @@ output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name) {
   grid.points_global = static_cast<long long>(mesh.node_map->getGlobalNumElements());
   grid.first_point = mesh.n_owned > 0 ? mesh.node_map->getMinGlobalIndex() : 0;
   grid.points.assign(mesh.x.begin(), mesh.x.begin() + mesh.n_owned);
+  grid.vertex.assign(mesh.vertex.begin(), mesh.vertex.begin() + mesh.n_owned);
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_counted[e]) continue;
     auto& tet = grid.tets.emplace_back();
     for (int a = 0; a < 4; ++a) tet[a] = mesh.ghosted_map->getGlobalElement(mesh.tets[e][a]);
+    grid.tet_number.push_back(mesh.tet_number[e]);
     grid.region.push_back(mesh.region[e]);
     grid.partition.push_back(mesh.comm->getRank());
   }
@@ -80,7 +84,10 @@ std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall) 
 FieldSeries::FieldSeries(const RunOutput& output, std::vector<output::Grid> grids,
                          const CommPtr& comm)
     : every_(output.fields_every) {
-  if (every_ > 0) writer_.emplace(output.folder.path(), std::move(grids), comm);
+  if (every_ == 0) return;
+  writer_.emplace(output.folder.path(), std::move(grids), comm, output.steps_done());
+  if (comm->getRank() == 0 && !writer_->remark().empty())
+    std::cerr << "warning: " << writer_->remark() << std::endl;
 }
 
 bool FieldSeries::is_due(const stepping::Clock& clock) const {

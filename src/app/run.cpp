@@ -63,6 +63,9 @@ int conclude(const Program& program, RunOutput& output, const Comm& comm,
   const Stopwatch marching;
   const Verdict verdict = work();
   output.record.add_time("march", marching.seconds());
+  if (output.restart)
+    output.record.add_time("march from the first step",
+                           output.restart->head.seconds + marching.seconds());
   output.record.finish(
       verdict.is_converged ? output::RunStatus::done : output::RunStatus::not_converged,
       verdict.reason);
@@ -73,15 +76,30 @@ int conclude(const Program& program, RunOutput& output, const Comm& comm,
   return verdict.is_converged ? exit_done : exit_not_converged;
 }
 
+/// True, and says so, if the run has made all its steps before.
+bool is_over(const output::CheckpointHead& head, const Teuchos::ParameterList& time,
+             const Comm& comm) {
+  const int steps = time.get<int>("steps");
+  if (head.step < steps) return false;
+  if (comm.getRank() == 0)
+    std::cout << "nothing to do: the run has made " << head.step << " of " << steps
+              << " steps. More with --steps." << std::endl;
+  return true;
+}
+
 int solve(const Program& program, const CommandLine& command, const March& march,
           const CommPtr& comm) {
   const Stopwatch set_up;
   const Teuchos::ParameterList list = read_case(command, program.table, *comm);
   const Domain domain = load_domain(list, comm);
   describe_domain(domain, *comm);
+  std::optional<Restart> restart;
+  if (command.restart) restart = find_restart(list, domain);
+  if (restart && is_over(restart->head, list.sublist("Time"), *comm)) return exit_done;
   if (command.dry_run) return exit_done;
   linear::check_direct_solver(comm);
-  RunOutput output(program, list, comm);
+  RunOutput output(program, list, comm, restart);
+  output.fingerprint = domain.fingerprint;
   output.record.set("case", "file", command.case_file);
   record_sizes(domain, output.record);
   output.record.add_time("set-up", set_up.seconds());
@@ -101,6 +119,12 @@ int solve(const Program& program, const CommandLine& command, const Alternative&
   return conclude(program, output, *comm, [&] { return work(output); });
 }
 
+/// A key of the list "Output" that not every case has.
+int every(const Teuchos::ParameterList& list, const std::string& key) {
+  const Teuchos::ParameterList& output = list.sublist("Output");
+  return output.isParameter(key) ? output.get<int>(key) : 0;
+}
+
 }  // namespace
 
 int fault(const std::string& message, const Comm& comm) {
@@ -110,12 +134,12 @@ int fault(const std::string& message, const Comm& comm) {
 }
 
 RunOutput::RunOutput(const Program& program, const Teuchos::ParameterList& list,
-                     const CommPtr& comm)
+                     const CommPtr& comm, std::optional<Restart> from)
     : folder(list.sublist("Output").get<std::string>("folder"), comm),
       record(folder.file("run.json"), program.name, TUNICA_VERSION, comm),
-      fields_every(list.sublist("Output").isParameter("fields every")
-                       ? list.sublist("Output").get<int>("fields every")
-                       : 0) {
+      fields_every(every(list, "fields every")), checkpoint_every(every(list, "checkpoint every")),
+      restart(std::move(from)) {
+  if (restart) record.take_over(steps_done());
   on_root(*comm, [&] { params::write_xml(list, folder.file("case.xml")); });
 }
 
@@ -135,6 +159,11 @@ int run_program(int argc, char** argv, const Program& program, const March& marc
   } catch (const Error& error) {  // the same on all ranks
     if (is_root) std::cerr << program.name << ": " << error.what() << std::endl;
     return exit_bad_input;
+  } catch (const MachineFault& error) {  // the same on all ranks
+    if (is_root) std::cerr << program.name << ": " << error.what() << std::endl;
+    comm->barrier();  // told before MPI ends all
+    if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, exit_fault);
+    return exit_fault;
   } catch (const std::exception& error) {
     return fault(program.name + ": " + error.what(), *comm);
   }

@@ -6,6 +6,7 @@
 #include "app/case.hpp"
 #include "app/command_line.hpp"
 #include "app/domain.hpp"
+#include "app/restart.hpp"
 #include "output/field_writer.hpp"
 #include "output/run_folder.hpp"
 #include "output/run_record.hpp"
@@ -22,11 +23,16 @@ struct Program {
 /// What every run writes beside its tables. Made when the case and the mesh are known to be
 /// good, so that a bad input leaves nothing behind.
 struct RunOutput {
-  RunOutput(const Program& program, const Teuchos::ParameterList& list, const CommPtr& comm);
+  RunOutput(const Program& program, const Teuchos::ParameterList& list, const CommPtr& comm,
+            std::optional<Restart> from = {});
+
+  int steps_done() const { return restart ? restart->head.step : 0; }
 
   output::RunFolder folder;
   output::RunRecord record;
-  int fields_every;
+  int fields_every, checkpoint_every;
+  std::optional<Restart> restart;  ///< from where the run goes on
+  std::string fingerprint{};       ///< of the mesh
 };
 
 /// How a run ended.

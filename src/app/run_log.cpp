@@ -1,30 +1,33 @@
 #include "app/run_log.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <sstream>
 
 #include "fields/reduce.hpp"
 
 namespace tunica::app {
 
-RunLog::RunLog(const output::RunFolder& folder, bool is_root, int steps)
-    : steps_file_(folder.file("steps.csv")), is_root_(is_root), steps_(steps),
-      coupling_(folder.file("coupling.csv"),
+RunLog::RunLog(const RunOutput& output, bool is_root, int steps)
+    : steps_file_(output.folder.file("steps.csv")), is_root_(is_root), steps_(steps),
+      steps_done_(output.steps_done()),
+      coupling_(output.folder.file("coupling.csv"),
                 {"step", "time", "iteration", "interface_residual", "relaxation", "columns",
                  "fluid_newton", "wall_newton", "fluid_linear", "wall_linear", "motion_seconds",
                  "fluid_seconds", "wall_seconds"},
-                is_root),
-      newton_(folder.file("newton.csv"),
+                is_root, output.steps_done()),
+      newton_(output.folder.file("newton.csv"),
               {"step", "coupling_iteration", "field", "iteration", "increment",
                "relative_increment", "residual", "exponent", "step_length", "linear_tolerance",
                "linear_residual", "linear_iterations"},
-              is_root),
-      linear_(folder.file("linear.csv"),
+              is_root, output.steps_done()),
+      linear_(output.folder.file("linear.csv"),
               {"step", "coupling_iteration", "field", "newton_iteration", "method", "iterations",
                "tolerance", "recurrence_residual", "true_residual", "setup_seconds",
                "solve_seconds", "converged"},
-              is_root) {}
+              is_root, output.steps_done()) {}
 
 void RunLog::newton(const Moment& moment, const std::string& field,
                     const nonlinear::NewtonReport& report) {
@@ -57,7 +60,7 @@ void RunLog::open_steps(const problems::Observables& observables) {
       "step",         "time",        "converged",    "coupling_iterations", "interface_residual",
       "fluid_newton", "wall_newton", "fluid_linear", "wall_linear",         "seconds"};
   for (const problems::Observable& o : observables) columns.push_back(o.name);
-  steps_table_ = std::make_unique<output::CsvTable>(steps_file_, columns, is_root_);
+  steps_table_ = std::make_unique<output::CsvTable>(steps_file_, columns, is_root_, steps_done_);
 }
 
 void RunLog::warn(const std::string& text) const {
@@ -73,13 +76,21 @@ void RunLog::step(const Moment& moment, const StepSummary& s,
       s.fluid_newton, s.wall_newton, s.fluid_linear, s.wall_linear,         now - last_};
   for (const problems::Observable& o : observables) row.emplace_back(o.value);
   steps_table_->row(row);
-  print(moment, s, now - last_);
+  seconds_.push_front(now - last_);
   last_ = now;
+  print(moment, s);
 }
 
-void RunLog::print(const Moment& moment, const StepSummary& s, double seconds) const {
+std::string RunLog::time_left(int steps) const {
+  // The first step of a program sets up its solvers and tells little of the others.
+  const std::size_t known = std::min<std::size_t>(seconds_.size() - 1, 5);
+  if (known == 0 || steps == 0) return "";
+  const double sum = std::accumulate(seconds_.begin(), seconds_.begin() + known, 0.0);
+  return ", about " + rough_duration(sum / static_cast<double>(known) * steps) + " left";
+}
+
+void RunLog::print(const Moment& moment, const StepSummary& s) const {
   if (!is_root_) return;
-  const double left = run_.seconds() / moment.step * (steps_ - moment.step);
   std::printf("step %d/%d  t %g ms", moment.step, steps_, moment.time);
   if (s.coupling_iterations > 0) std::printf("  coupling %d", s.coupling_iterations);
   if (s.coupling_iterations > 0 && std::isfinite(s.interface_residual))
@@ -89,8 +100,19 @@ void RunLog::print(const Moment& moment, const StepSummary& s, double seconds) c
   };
   print_field("fluid", s.fluid_newton, s.fluid_linear);
   print_field("wall", s.wall_newton, s.wall_linear);
-  std::printf("  %.2f s, %.0f s left%s\n", seconds, left, s.is_converged ? "" : "  NOT CONVERGED");
+  std::printf("  %.2f s%s%s\n", seconds_.front(), time_left(steps_ - moment.step).c_str(),
+              s.is_converged ? "" : "  NOT CONVERGED");
   std::fflush(stdout);
+}
+
+std::string rough_duration(double seconds) {
+  const auto text = [seconds](double unit, const char* name) {
+    return std::to_string(std::max(1L, std::lround(seconds / unit))) + name;
+  };
+  if (seconds < 90.0) return text(1.0, " s");
+  if (seconds < 90.0 * 60.0) return text(60.0, " min");
+  if (seconds < 48.0 * 3600.0) return text(3600.0, " h");
+  return text(24.0 * 3600.0, " days");
 }
 
 StepSummary summary_of(const coupling::Report& report) {

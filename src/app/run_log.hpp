@@ -1,9 +1,10 @@
 #pragma once
+#include <deque>
+
+#include "app/run.hpp"
 #include "base/timer.hpp"
 #include "coupling/dirichlet_neumann.hpp"
 #include "output/csv_table.hpp"
-#include "output/run_folder.hpp"
-#include "output/run_record.hpp"
 #include "problems/observable.hpp"
 
 namespace tunica::app {
@@ -28,7 +29,8 @@ struct StepSummary {
 /// one line on the screen per step.
 class RunLog {
 public:
-  RunLog(const output::RunFolder& folder, bool is_root, int steps);
+  /// A run that goes on keeps the rows of the steps before.
+  RunLog(const RunOutput& output, bool is_root, int steps);
 
   void newton(const Moment& moment, const std::string& field,
               const nonlinear::NewtonReport& report);
@@ -40,16 +42,22 @@ public:
 
 private:
   void open_steps(const problems::Observables& observables);
-  void print(const Moment& moment, const StepSummary& summary, double seconds) const;
+  /// ", about 12 min left" for so many steps to come, from the mean of the last ones.
+  std::string time_left(int steps) const;
+  void print(const Moment& moment, const StepSummary& summary) const;
 
   std::string steps_file_;
   bool is_root_;
-  int steps_;
+  int steps_, steps_done_;
   std::unique_ptr<output::CsvTable> steps_table_;
   output::CsvTable coupling_, newton_, linear_;
   Stopwatch run_;
-  double last_ = 0.0;  ///< seconds of the run at the end of the last step
+  double last_ = 0.0;           ///< seconds of the run at the end of the last step
+  std::deque<double> seconds_;  ///< of the last steps, newest first
 };
+
+/// "12 min": as precise as an estimate deserves.
+std::string rough_duration(double seconds);
 
 StepSummary summary_of(const coupling::Report& report);
 /// Of a field that is solved alone.

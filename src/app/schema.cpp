@@ -26,7 +26,9 @@ params::Table output_table() {
   params::Table table("What a run leaves behind.");
   table.text("folder", "results", "folder of the results; --output overrides it")
       .integer("fields every", 1, params::non_negative(),
-               "write the fields after every so many steps; 0 never");
+               "write the fields after every so many steps; 0 never")
+      .integer("checkpoint every", 1, params::non_negative(),
+               "write a checkpoint for --restart after every so many steps; 0 never");
   return table;
 }
 

@@ -28,13 +28,17 @@ std::string agreed_message(const Comm& comm, const std::string& message) {
 }
 
 void on_root(const Comm& comm, const std::function<void()>& work) {
+  on_all(comm, [&] {
+    if (comm.getRank() == 0) work();
+  });
+}
+
+void on_all(const Comm& comm, const std::function<void()>& work) {
   std::string message;
-  if (comm.getRank() == 0) {
-    try {
-      work();
-    } catch (const Error& error) {
-      message = error.what();
-    }
+  try {
+    work();
+  } catch (const Error& error) {
+    message = error.what();
   }
   message = agreed_message(comm, message);
   TUNICA_CHECK(message.empty(), message);

@@ -11,6 +11,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// The machine refuses: a full disk, a file that cannot be written. Every rank throws it alike, so
+/// that it can be told once. Drivers turn it into exit status 3.
+class MachineFault : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
 namespace detail {
 [[noreturn]] void throw_error(const std::string& message);
 [[noreturn]] void broken_promise(const char* condition, const std::string& message,

@@ -25,6 +25,29 @@ std::unique_ptr<Accelerator> make_accelerator(const Teuchos::ParameterList& list
   return std::make_unique<IqnIls>(list, comm);
 }
 
+fields::State::Array packed(const std::deque<InterfaceVector>& vectors) {
+  const std::size_t columns = 3 * vectors.size();
+  fields::State::Array rows{static_cast<int>(columns), {}};
+  if (vectors.empty()) return rows;
+  rows.values.resize(vectors.size() * vectors.front().size());
+  for (std::size_t k = 0; k < vectors.size(); ++k)
+    for (std::size_t i = 0; i < vectors[k].size(); ++i)
+      rows.values[i / 3 * columns + 3 * k + i % 3] = vectors[k][i];
+  return rows;
+}
+
+std::deque<InterfaceVector> unpacked(const fields::State::Array& rows) {
+  const std::size_t columns = rows.columns;
+  std::deque<InterfaceVector> vectors(columns / 3);
+  if (vectors.empty()) return vectors;
+  for (std::size_t k = 0; k < vectors.size(); ++k) {
+    vectors[k].resize(rows.values.size() / vectors.size());
+    for (std::size_t i = 0; i < vectors[k].size(); ++i)
+      vectors[k][i] = rows.values[i / 3 * columns + 3 * k + i % 3];
+  }
+  return vectors;
+}
+
 double inner_product(const Comm& comm, const InterfaceVector& a, const InterfaceVector& b) {
   return fields::global_sum(comm, std::inner_product(a.begin(), a.end(), b.begin(), 0.0));
 }

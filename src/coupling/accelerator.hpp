@@ -1,8 +1,10 @@
 #pragma once
+#include <deque>
 #include <memory>
 #include <vector>
 
 #include "base/types.hpp"
+#include "fields/state.hpp"
 #include "params/table.hpp"
 
 namespace tunica::coupling {
@@ -20,6 +22,10 @@ public:
   virtual InterfaceVector next(const InterfaceVector& d, const InterfaceVector& residual) = 0;
   virtual void end_step() = 0;
 
+  /// Adds to a state what the next steps need of the earlier ones, and takes it back.
+  virtual void save(fields::State&) const {}
+  virtual void restore(const fields::State&) {}
+
   /// Relaxation factor of the last next(); 1 where a least-squares update was made.
   virtual double relaxation() const = 0;
   /// Columns of the least-squares update of the last next(); 0 for plain relaxation.
@@ -31,6 +37,10 @@ void add_accelerator_keys(params::Table& table);
 
 std::unique_ptr<Accelerator> make_accelerator(const Teuchos::ParameterList& list,
                                               const CommPtr& comm);
+
+/// Vectors side by side as the columns of one array, three per vector, and back.
+fields::State::Array packed(const std::deque<InterfaceVector>& vectors);
+std::deque<InterfaceVector> unpacked(const fields::State::Array& rows);
 
 /// Sum over all ranks of the products of the entries.
 double inner_product(const Comm& comm, const InterfaceVector& a, const InterfaceVector& b);

@@ -34,6 +34,10 @@ InterfaceVector Aitken::next(const InterfaceVector& d, const InterfaceVector& re
   return next_d;
 }
 
+void Aitken::save(fields::State& state) const { state.numbers["factor"] = {factor_}; }
+
+void Aitken::restore(const fields::State& state) { factor_ = state.number_list("factor").at(0); }
+
 params::Table aitken_table() {
   params::Table table("dynamic relaxation, the paper's choice");
   table

@@ -20,6 +20,8 @@ public:
   void begin_step() override;
   InterfaceVector next(const InterfaceVector& d, const InterfaceVector& residual) override;
   void end_step() override {}
+  void save(fields::State& state) const override;
+  void restore(const fields::State& state) override;
   double relaxation() const override { return factor_; }
   int columns() const override { return 0; }
 

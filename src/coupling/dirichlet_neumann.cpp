@@ -14,7 +14,7 @@ DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
                                    problems::FluidProblem& fluid, problems::SolidProblem& wall,
                                    problems::MeshMotion& motion)
     : options_(coupling_options(list)), interface_(&interface), fluid_(&fluid), wall_(&wall),
-      motion_(&motion),
+      motion_(&motion), accelerator_kind_(list.get<std::string>("accelerator")),
       accelerator_(make_accelerator(list, wall.mesh().comm)), history_{InterfaceVector(
                                                                   3 * interface.n_owned(), 0.0)} {}
 
@@ -96,8 +96,30 @@ void DirichletNeumann::accept() {
   wall_->end_step();
   motion_->end_step();
   accelerator_->end_step();
-  history_.insert(history_.begin(), wall_displacement());
+  history_.push_front(wall_displacement());
   if (history_.size() > 3) history_.pop_back();
+}
+
+fields::State DirichletNeumann::save() const {
+  fields::State state;
+  for (const int a : interface_->fluid_nodes) state.vertices.push_back(fluid_->mesh().vertex[a]);
+  state.arrays["displacements"] = packed(history_);
+  state.numbers["displacements"] = {static_cast<double>(history_.size())};
+  state.texts["accelerator"] = accelerator_kind_;
+  accelerator_->save(state);
+  return state;
+}
+
+std::string DirichletNeumann::restore(const fields::State& state) {
+  const int kept = static_cast<int>(state.number_list("displacements").at(0));
+  history_ = unpacked(state.array("displacements", 3 * kept));
+  const std::string& kind = state.text("accelerator");
+  if (kind == accelerator_kind_) {
+    accelerator_->restore(state);
+    return "";
+  }
+  return "the accelerator was \"" + kind + "\" and is \"" + accelerator_kind_ +
+         "\" now: it begins without history";
 }
 
 Report DirichletNeumann::solve_step(const stepping::Clock& clock,

@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <memory>
 
@@ -43,7 +44,7 @@ struct Report {
 
 /// Dirichlet–Neumann coupling ([LY1] section 5.1): mesh motion and fluid for a given interface
 /// displacement d, wall for the fluid's force, d̃ its answer, until r = d̃ − d is small.
-class DirichletNeumann {
+class DirichletNeumann : public fields::Restartable {
 public:
   /// list: the resolved "Coupling" list. The problems must outlive the object.
   DirichletNeumann(const Teuchos::ParameterList& list, const fields::Interface& interface,
@@ -54,6 +55,10 @@ public:
   /// called after every iteration with its number, counted from 1.
   Report solve_step(const stepping::Clock& clock,
                     const std::function<void(int, const Iteration&)>& watch);
+
+  // Restartable: what belongs to the coupling alone, without the three problems
+  fields::State save() const override;
+  std::string restore(const fields::State& state) override;
 
 private:
   InterfaceVector predict() const;
@@ -71,8 +76,9 @@ private:
   problems::FluidProblem* fluid_;
   problems::SolidProblem* wall_;
   problems::MeshMotion* motion_;
+  std::string accelerator_kind_;
   std::unique_ptr<Accelerator> accelerator_;
-  std::vector<InterfaceVector> history_;  ///< accepted displacements, newest first, at most 3
+  std::deque<InterfaceVector> history_;  ///< accepted displacements, newest first, at most 3
 };
 
 }  // namespace tunica::coupling

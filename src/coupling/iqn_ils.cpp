@@ -1,5 +1,7 @@
 #include "coupling/iqn_ils.hpp"
 
+#include <numeric>
+
 #include "coupling/least_squares.hpp"
 
 namespace tunica::coupling {
@@ -52,6 +54,21 @@ InterfaceVector IqnIls::next(const InterfaceVector& d, const InterfaceVector& re
 }
 
 void IqnIls::end_step() { forget_old_steps(); }
+
+void IqnIls::save(fields::State& state) const {
+  state.numbers["columns of steps"] = {columns_of_step_.begin(), columns_of_step_.end()};
+  state.arrays["V"] = packed(V_);
+  state.arrays["W"] = packed(W_);
+}
+
+void IqnIls::restore(const fields::State& state) {
+  const std::vector<double>& counts = state.number_list("columns of steps");
+  columns_of_step_.assign(counts.begin(), counts.end());
+  const int columns = 3 * std::accumulate(columns_of_step_.begin(), columns_of_step_.end(), 0);
+  V_ = unpacked(state.array("V", columns));
+  W_ = unpacked(state.array("W", columns));
+  forget_old_steps();  // the case may reuse fewer than before
+}
 
 void IqnIls::forget_old_steps() {
   while (static_cast<int>(columns_of_step_.size()) > reused_steps_) {

@@ -3,6 +3,8 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "output/atomic_file.hpp"
@@ -28,13 +30,31 @@ std::string text(const std::string& value) {
 
 }  // namespace
 
-CsvTable::CsvTable(const std::string& path, std::vector<std::string> columns, bool active)
+CsvTable::CsvTable(const std::string& path, std::vector<std::string> columns, bool active,
+                   int kept_step)
     : path_(path), columns_(std::move(columns)), active_(active) {
   if (!active_) return;
-  file_.open(path_, std::ios::trunc);
-  std::string line;
-  for (const std::string& column : columns_) line += (line.empty() ? "" : ",") + text(column);
-  put(line);
+  std::string heading;
+  for (const std::string& column : columns_) heading += (heading.empty() ? "" : ",") + text(column);
+  if (kept_step > 0) keep(heading, kept_step);
+  file_.open(path_, kept_step > 0 ? std::ios::app : std::ios::trunc);
+  if (kept_step == 0) put(heading);
+}
+
+void CsvTable::keep(const std::string& heading, int kept_step) {
+  std::ifstream earlier(path_);
+  std::string line, kept;
+  std::getline(earlier, line);
+  const bool is_another = earlier.is_open() && line != heading;
+  // A row that a killed run has not finished lacks its line break.
+  while (!is_another && std::getline(earlier, line) && !earlier.eof()) {
+    const long step = std::strtol(line.c_str(), nullptr, 10);
+    if (step > 0 && step <= kept_step) kept += line + '\n';
+  }
+  earlier.close();
+  if (is_another) std::rename(path_.c_str(), (path_ + ".old").c_str());
+  const std::string problem = replace_file(path_, heading + '\n' + kept);
+  if (!problem.empty()) throw std::runtime_error(problem);
 }
 
 void CsvTable::row(const std::vector<Cell>& cells) {

@@ -18,8 +18,11 @@ using Cell = std::variant<long long, double, std::string>;
 /// throws on the active rank only.
 class CsvTable {
 public:
-  /// Replaces the file and writes the heading.
-  CsvTable(const std::string& path, std::vector<std::string> columns, bool active);
+  /// Replaces the file and writes the heading. With kept_step > 0 the whole rows of the file whose
+  /// first cell is at most kept_step stay; where its heading is another one, the file gets the
+  /// ending ".old" instead.
+  CsvTable(const std::string& path, std::vector<std::string> columns, bool active,
+           int kept_step = 0);
 
   /// Throws std::runtime_error that names the file if it cannot be written, and
   /// std::logic_error if the number of cells is not that of the columns.
@@ -28,6 +31,7 @@ public:
   const std::vector<std::string>& columns() const { return columns_; }
 
 private:
+  void keep(const std::string& heading, int kept_step);
   void put(const std::string& line);
 
   std::string path_;

@@ -3,19 +3,19 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <set>
 #include <stdexcept>
 
 #include "base/agreement.hpp"
+#include "base/error.hpp"
 #include "output/atomic_file.hpp"
+#include "output/field_files.hpp"
 #include "output/hdf5_file.hpp"
 
 namespace tunica::output {
 
 namespace {
-
-constexpr const char* hdf5_name = "fields.h5";
-constexpr const char* xdmf_name = "fields.xdmf";
 
 long long sum(const Comm& comm, long long mine) {
   long long total = 0;
@@ -37,6 +37,9 @@ std::string misfit(const Grid& grid, long long points_total) {
   if (points_total != grid.points_global) return where + "the ranks own another number of points";
   if (grid.first_point < 0 || grid.first_point + owned > grid.points_global) {
     return where + "the owned points lie outside the global range";
+  }
+  if (grid.vertex.size() != grid.points.size() || grid.tet_number.size() != grid.tets.size()) {
+    return where + "every point needs a vertex of the mesh and every tet a number";
   }
   if (grid.region.size() != grid.tets.size() || grid.partition.size() != grid.tets.size()) {
     return where + "region and partition need one entry per tet";
@@ -61,14 +64,14 @@ std::vector<double> in_xdmf_order(const std::vector<double>& values) {
   return sorted;
 }
 
-void write_array(Hdf5File& file, const std::string& group, const Hdf5File::Rows& rows,
-                 const Array& array) {
-  const std::string name = group + "/" + array.name;
-  if (array.components == 6) {
-    file.write(name, rows, in_xdmf_order(array.values).data());
-  } else {
-    file.write(name, rows, array.values.data());
-  }
+void write_array(Hdf5File& file, const std::string& group, Hdf5File::Rows rows,
+                 const RowOrder* order, const Array& array) {
+  rows.columns = array.components;
+  std::vector<double> values;
+  const std::vector<double>* chosen = &array.values;
+  if (array.components == 6) chosen = &(values = in_xdmf_order(*chosen));
+  if (order != nullptr) chosen = &(values = (*order)(*chosen, array.components));
+  file.write(group + "/" + array.name, rows, chosen->data());
 }
 
 /// An upper bound of what HDF5 writes: the numbers and its own tables.
@@ -84,7 +87,8 @@ std::string group_of(int step) {
 
 }  // namespace
 
-FieldWriter::FieldWriter(const std::string& folder, std::vector<Grid> grids, const CommPtr& comm)
+FieldWriter::FieldWriter(const std::string& folder, std::vector<Grid> grids, const CommPtr& comm,
+                         int kept_step)
     : folder_(folder), comm_(comm) {
   std::string problem;
   for (const Grid& grid : grids) {
@@ -94,13 +98,65 @@ FieldWriter::FieldWriter(const std::string& folder, std::vector<Grid> grids, con
   problem = agreed_message(*comm_, problem);
   if (!problem.empty()) throw std::logic_error(problem);
 
+  if (can_go_on(kept_step))
+    go_on(grids, kept_step);
+  else
+    begin_anew(grids);
+  replace_xdmf();
+}
+
+bool FieldWriter::can_go_on(int kept_step) {
+  if (kept_step == 0) return false;
+  const bool is_root = comm_->getRank() == 0;
+  const bool exists = std::filesystem::exists(folder_ + "/" + hdf5_name);
+  std::string obstacle;
+  if (is_root) {
+    std::vector<GridSize> sizes;
+    for (const Shape& s : shapes_) sizes.push_back({s.name, s.points_total, s.cells_total});
+    obstacle = exists ? why_not_continued(folder_, sizes, kept_step) : "it does not exist";
+  }
+  obstacle = agreed_message(*comm_, obstacle);
+  try {
+    if (obstacle.empty()) drop_steps_behind(kept_step, folder_, comm_);
+  } catch (const MachineFault& fault) {  // a killed run may leave a group in pieces
+    obstacle = fault.what();
+  }
+  if (obstacle.empty()) return true;
+  if (is_root && exists) set_aside(folder_);
+  remark_ = std::string(hdf5_name) + " cannot be continued and begins anew: " + obstacle;
+  return false;
+}
+
+void FieldWriter::go_on(const std::vector<Grid>& grids, int kept_step) {
+  if (comm_->getRank() == 0) finished_steps_ = xdmf_up_to(kept_step, folder_);
+  broadcast(*comm_, finished_steps_);
+  for (std::size_t g = 0; g < grids.size(); ++g) {
+    Shape& s = shapes_[g];
+    s.point_order = take_share(s.name + "/vertices", grids[g].vertex, s.first_point, s.points);
+    s.cell_order = take_share(s.name + "/tet_numbers", grids[g].tet_number, s.first_cell, s.cells);
+  }
+}
+
+std::shared_ptr<const RowOrder> FieldWriter::take_share(const std::string& dataset,
+                                                        const std::vector<int>& given,
+                                                        long long& first, long long& count) const {
+  std::vector<int> all;
+  on_all(*comm_, [&] { all = row_numbers(folder_, dataset); });
+  const auto total = static_cast<long long>(all.size());
+  first = total * comm_->getRank() / comm_->getSize();
+  count = total * (comm_->getRank() + 1) / comm_->getSize() - first;
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+  return std::make_shared<RowOrder>(std::vector<GlobalOrdinal>(given.begin(), given.end()),
+                                    std::vector<GlobalOrdinal>(begin, begin + count), comm_);
+}
+
+void FieldWriter::begin_anew(const std::vector<Grid>& grids) {
   if (comm_->getRank() == 0) {  // an open viewer keeps the old files and disturbs nobody
     std::remove((folder_ + "/" + xdmf_name).c_str());
     std::remove((folder_ + "/" + hdf5_name).c_str());
   }
   comm_->barrier();
   write_geometry(grids);
-  replace_xdmf();
 }
 
 FieldWriter::Shape FieldWriter::shape_of(const Grid& grid) const {
@@ -111,7 +167,11 @@ FieldWriter::Shape FieldWriter::shape_of(const Grid& grid) const {
           static_cast<long long>(grid.points.size()),
           sum(*comm_, cells),
           sum_before(*comm_, cells),
-          cells};
+          cells,
+          static_cast<long long>(grid.points.size()),
+          cells,
+          nullptr,
+          nullptr};
 }
 
 void FieldWriter::write_geometry(const std::vector<Grid>& grids) const {
@@ -119,8 +179,8 @@ void FieldWriter::write_geometry(const std::vector<Grid>& grids) const {
   Hdf5File(path, Hdf5File::Mode::create, 0, comm_).close();
 
   long long numbers = 0;
-  for (const Shape& s : shapes_) numbers += 3 * s.points_total + 6 * s.cells_total;
-  Hdf5File file(path, Hdf5File::Mode::extend, bytes_of(numbers, 4 * shapes_.size()), comm_);
+  for (const Shape& s : shapes_) numbers += 4 * s.points_total + 7 * s.cells_total;
+  Hdf5File file(path, Hdf5File::Mode::extend, bytes_of(numbers, 6 * shapes_.size()), comm_);
   for (std::size_t g = 0; g < grids.size(); ++g) {
     const Shape& s = shapes_[g];
     const std::string group = "/" + s.name;
@@ -129,6 +189,9 @@ void FieldWriter::write_geometry(const std::vector<Grid>& grids) const {
     file.write(group + "/points", {s.points_total, s.first_point, s.points, 3}, points);
     file.write(group + "/tets", {s.cells_total, s.first_cell, s.cells, 4}, tets);
     const Hdf5File::Rows per_cell{s.cells_total, s.first_cell, s.cells, 1};
+    file.write(group + "/vertices", {s.points_total, s.first_point, s.points, 1},
+               grids[g].vertex.data());
+    file.write(group + "/tet_numbers", per_cell, grids[g].tet_number.data());
     file.write(group + "/region", per_cell, grids[g].region.data());
     file.write(group + "/partition", per_cell, grids[g].partition.data());
   }
@@ -171,10 +234,10 @@ std::string FieldWriter::complaint(int step, double time, const Block& block) co
     return names.insert(array.name).second ? "" : what + "is given twice";
   };
   for (const Array& array : block.point_data) {
-    if (auto text = check(array, block.shape.points); !text.empty()) return text;
+    if (auto text = check(array, block.shape.given_points); !text.empty()) return text;
   }
   for (const Array& array : block.cell_data) {
-    if (auto text = check(array, block.shape.cells); !text.empty()) return text;
+    if (auto text = check(array, block.shape.given_cells); !text.empty()) return text;
   }
   return "";
 }
@@ -208,10 +271,12 @@ void FieldWriter::write_blocks(const std::string& group) const {
     const Shape& s = block.shape;
     const std::string place = group + "/" + s.name;
     for (const Array& array : block.point_data) {
-      write_array(file, place, {s.points_total, s.first_point, s.points, array.components}, array);
+      write_array(file, place, {s.points_total, s.first_point, s.points, 1}, s.point_order.get(),
+                  array);
     }
     for (const Array& array : block.cell_data) {
-      write_array(file, place, {s.cells_total, s.first_cell, s.cells, array.components}, array);
+      write_array(file, place, {s.cells_total, s.first_cell, s.cells, 1}, s.cell_order.get(),
+                  array);
     }
   }
   file.close();
@@ -244,7 +309,7 @@ void FieldWriter::replace_xdmf() const {
     problem = replace_file(folder_ + "/" + xdmf_name, xdmf::document(finished_steps_));
   }
   problem = agreed_message(*comm_, problem);
-  if (!problem.empty()) throw std::runtime_error(problem);
+  if (!problem.empty()) throw MachineFault(problem);
 }
 
 }  // namespace tunica::output

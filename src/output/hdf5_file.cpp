@@ -7,9 +7,9 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
 
 #include "base/agreement.hpp"
+#include "base/error.hpp"
 
 namespace tunica::output {
 
@@ -92,14 +92,14 @@ Hdf5File::Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, 
     const bool is_first = comm_->getRank() == 0;
     const std::string no_room =
         agreed_message(*comm_, is_first ? take_room(path, bytes_to_come) : std::string());
-    if (!no_room.empty()) throw std::runtime_error(no_room);
+    if (!no_room.empty()) throw MachineFault(no_room);
   }
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are thrown, not printed
   file_ = noted(open(path, mode, comm), mode == Mode::create ? "create" : "open");
   const std::string problem = agreed_message(*comm_, failure_);
   if (problem.empty()) return;
   if (file_ >= 0) H5Fclose(file_);
-  throw std::runtime_error(problem);
+  throw MachineFault(problem);
 }
 
 Hdf5File::~Hdf5File() {
@@ -111,6 +111,24 @@ void Hdf5File::make_group(const std::string& name) {
   const Handle group(
       noted(H5Gcreate2(file_, name.c_str(), parents, H5P_DEFAULT, H5P_DEFAULT), "create " + name),
       H5Gclose);
+}
+
+std::vector<std::string> Hdf5File::groups() {
+  H5G_info_t info{};
+  noted(H5Gget_info(file_, &info), "list the groups");
+  std::vector<std::string> names;
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    std::array<char, 256> name{};
+    noted(H5Lget_name_by_idx(file_, "/", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(),
+                             H5P_DEFAULT),
+          "list the groups");
+    names.emplace_back(name.data());
+  }
+  return names;
+}
+
+void Hdf5File::remove(const std::string& name) {
+  noted(H5Ldelete(file_, name.c_str(), H5P_DEFAULT), "remove " + name);
 }
 
 void Hdf5File::attribute(const std::string& object, const std::string& name, double value) {
@@ -178,7 +196,7 @@ void Hdf5File::close() {
   noted(H5Fclose(file_), "close");
   file_ = H5I_INVALID_HID;
   const std::string problem = agreed_message(*comm_, failure_);
-  if (!problem.empty()) throw std::runtime_error(problem);
+  if (!problem.empty()) throw MachineFault(problem);
 }
 
 }  // namespace tunica::output

@@ -2,6 +2,7 @@
 #include <hdf5.h>
 
 #include <string>
+#include <vector>
 
 #include "base/types.hpp"
 
@@ -23,7 +24,7 @@ public:
     int columns;
   };
 
-  /// Throws std::runtime_error on all ranks if the file cannot be created or opened, or if the
+  /// Throws MachineFault on all ranks if the file cannot be created or opened, or if the
   /// disk has no room for the bytes to come. Room is taken beforehand because Open MPI does not
   /// return from a collective write in which one rank meets a full disk.
   Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, const CommPtr& comm);
@@ -32,6 +33,10 @@ public:
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
 
+  /// Names of what lies at the top.
+  std::vector<std::string> groups();
+  /// Takes a group or dataset out; its room is not used again.
+  void remove(const std::string& name);
   /// Creates a group, with its parents.
   void make_group(const std::string& name);
   /// Attribute of a group or dataset.
@@ -42,7 +47,7 @@ public:
   void write(const std::string& name, const Rows& rows, const long long* values);
   void write(const std::string& name, const Rows& rows, const int* values);
 
-  /// Flushes and closes. Throws std::runtime_error on all ranks if anything has failed on any.
+  /// Flushes and closes. Throws MachineFault on all ranks if anything has failed on any.
   void close();
 
 private:

@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "base/agreement.hpp"
+#include "base/error.hpp"
 #include "output/atomic_file.hpp"
 
 namespace tunica::output {
@@ -96,6 +98,22 @@ void RunRecord::add_time(const std::string& name, double seconds) {
   total = (before != nullptr ? *before : 0.0) + seconds;
 }
 
+void RunRecord::take_over(int step) {
+  const auto earlier = nlohmann::ordered_json::parse(std::ifstream(path_), nullptr, false);
+  int count = 0;
+  if (earlier.is_object()) {
+    const auto started = earlier.find("started");
+    if (started != earlier.end() && started->is_string()) started_ = *started;
+    const auto restarts = earlier.find("restarts");
+    if (restarts != earlier.end() && restarts->is_object())
+      for (const auto& [key, value] : restarts->items())
+        if (value.is_string()) set("restarts", std::to_string(++count), value.get<std::string>());
+  }
+  set("restarts", std::to_string(++count),
+      "after step " + std::to_string(step) + " at " + now() + " on " +
+          std::to_string(comm_->getSize()) + (comm_->getSize() == 1 ? " rank" : " ranks"));
+}
+
 void RunRecord::save() {
   measure_memory();
   replace();
@@ -141,7 +159,7 @@ void RunRecord::replace() {
   std::string problem;
   if (comm_->getRank() == 0) problem = replace_file(path_, text());
   problem = agreed_message(*comm_, problem);
-  if (!problem.empty()) throw std::runtime_error(problem);
+  if (!problem.empty()) throw MachineFault(problem);
 }
 
 }  // namespace tunica::output

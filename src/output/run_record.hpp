@@ -35,6 +35,10 @@ public:
   /// Adds seconds to an entry of "timings".
   void add_time(const std::string& name, double seconds);
 
+  /// Goes on with the record of the run that is restarted after that step: keeps when it was
+  /// started and adds this restart to those of the section "restarts".
+  void take_over(int step);
+
   /// Writes with status "running". Collective. Throws std::runtime_error on all ranks if the
   /// disk refuses.
   void save();

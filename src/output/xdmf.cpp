@@ -22,6 +22,8 @@ std::string item(long long rows, int columns, const char* type, const std::strin
 
 const char* const real_type = "NumberType=\"Float\" Precision=\"8\"";
 const char* const index_type = "NumberType=\"Int\" Precision=\"8\"";
+const char* const step_begin = "    <Grid Name=\"parts\"";
+const char* const step_end = "    </Grid>\n";
 const char* const tag_type = "NumberType=\"Int\" Precision=\"4\"";
 
 std::string grid_text(const Grid& grid, const std::string& file) {
@@ -49,11 +51,28 @@ std::string grid_text(const Grid& grid, const std::string& file) {
 std::string step(double time, const std::vector<Grid>& grids, const std::string& hdf5_file) {
   std::ostringstream out;
   out.precision(std::numeric_limits<double>::max_digits10);
-  out << "    <Grid Name=\"parts\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
+  out << step_begin << " GridType=\"Collection\" CollectionType=\"Spatial\">\n"
       << "      <Time Value=\"" << time << "\"/>\n";
   for (const Grid& grid : grids) out << grid_text(grid, hdf5_file);
-  out << "    </Grid>\n";
+  out << step_end;
   return out.str();
+}
+
+std::string steps_up_to(int last, const std::string& document) {
+  const std::string mark = "/step_", line_end = "\n";
+  std::string kept;
+  std::size_t begin = document.find(step_begin);
+  while (begin != std::string::npos) {
+    const std::size_t end = document.find(line_end + step_end, begin);
+    if (end == std::string::npos) break;
+    const std::size_t length = end + line_end.size() + std::string(step_end).size() - begin;
+    const std::string step = document.substr(begin, length);
+    const std::size_t number = step.find(mark);
+    if (number != std::string::npos && std::stoi(step.substr(number + mark.size())) <= last)
+      kept += step;
+    begin = document.find(step_begin, begin + length);
+  }
+  return kept;
 }
 
 std::string document(const std::string& steps) {

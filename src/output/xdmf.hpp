@@ -29,6 +29,9 @@ struct Grid {
 /// One spatial collection.
 std::string step(double time, const std::vector<Grid>& grids, const std::string& hdf5_file);
 
+/// The steps of a whole file up to that number, as step() made them.
+std::string steps_up_to(int last, const std::string& document);
+
 /// The whole file around the steps.
 std::string document(const std::string& steps);
 

@@ -41,6 +41,20 @@ void FieldProblem::watch_solves(SolveWatch watch) {
   solver_ = std::make_unique<WatchedSolver>(std::move(solver_), std::move(watch));
 }
 
+fields::State FieldProblem::save() const {
+  fields::State state = fields::state_on(*mesh_);
+  state.arrays["vector"] = fields::rows_of(*x_.u, 3);
+  state.arrays["scalar"] = fields::rows_of(*x_.p, 1);
+  return state;
+}
+
+std::string FieldProblem::restore(const fields::State& state) {
+  fields::assign_rows(state.array("vector", 3), *x_.u);
+  fields::assign_rows(state.array("scalar", 1), *x_.p);
+  read(x_);
+  return "";
+}
+
 bool FieldProblem::residual(const fields::BlockVector& x, fields::BlockVector& F) {
   read(x);
   if (!is_admissible()) return false;

@@ -4,13 +4,16 @@
 
 #include "assembly/block_assembler.hpp"
 #include "base/timer.hpp"
+#include "fields/state.hpp"
 #include "nonlinear/newton.hpp"
 
 namespace tunica::problems {
 
 /// What fluid and wall have in common: a state of two blocks per node, its residual and
 /// Jacobian by loops over elements, and the solvers for them.
-class FieldProblem : public nonlinear::NonlinearProblem, public linear::NamedOperators {
+class FieldProblem : public nonlinear::NonlinearProblem,
+                     public linear::NamedOperators,
+                     public fields::Restartable {
 public:
   ~FieldProblem() override;
 
@@ -23,6 +26,10 @@ public:
   using SolveWatch = std::function<void(const fields::BlockVector& b)>;
   void watch_solves(SolveWatch watch);
   const fields::BlockOperator& last_jacobian() const { return K_; }
+
+  // Restartable
+  fields::State save() const override;
+  std::string restore(const fields::State& state) override;
 
   // NonlinearProblem
   const fields::FieldMesh& mesh() const override { return *mesh_; }

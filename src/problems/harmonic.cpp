@@ -40,4 +40,12 @@ std::optional<std::string> Harmonic::extend(MultiVector& values) {
   return std::nullopt;
 }
 
+void Harmonic::start_from(const MultiVector& values) {
+  solution_.assign(values);
+  const auto view = solution_.getLocalViewHost(read_write);
+  for (int a = 0; a < mesh_->n_owned; ++a)
+    for (std::size_t j = 0; j < view.extent(1); ++j)
+      if (is_given_[a]) view(a, j) = 0.0;
+}
+
 }  // namespace tunica::problems

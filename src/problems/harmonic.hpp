@@ -20,6 +20,8 @@ public:
   /// values: on entry those of the given nodes, zero elsewhere; on return those of all nodes.
   /// Begins with the last solution. Says why where the linear solver fails. Collective.
   std::optional<std::string> extend(MultiVector& values);
+  /// Makes the next extend() begin with these values of all nodes.
+  void start_from(const MultiVector& values);
 
 private:
   const fields::FieldMesh* mesh_;

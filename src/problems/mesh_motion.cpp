@@ -38,6 +38,25 @@ std::optional<std::string> MeshMotion::extend(const std::vector<Vec3>& interface
   return std::nullopt;
 }
 
+fields::State MeshMotion::save() const {
+  fields::State state = fields::state_on(*mesh_);
+  state.arrays["displacement"] = fields::rows_of(d_, mesh_->n_owned);
+  return state;
+}
+
+std::string MeshMotion::restore(const fields::State& state) {
+  const fields::State::Array& rows = state.array("displacement", 3);
+  d_ = d_old_ = fields::ghosted_rows(rows, *mesh_);
+  MultiVector last(mesh_->node_map, 3);
+  {
+    const auto view = last.getLocalViewHost(overwrite_all);
+    for (int a = 0; a < mesh_->n_owned; ++a)
+      for (int i = 0; i < 3; ++i) view(a, i) = rows.values[3 * a + i];
+  }
+  harmonic_.start_from(last);
+  return "";
+}
+
 params::Table mesh_motion_table() {
   params::Table table("Harmonic extension of the wall's displacement into the fluid's mesh.");
   table.sublist("Linear Solver", linear::scalar_solver_table());

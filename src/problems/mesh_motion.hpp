@@ -1,4 +1,5 @@
 #pragma once
+#include "fields/state.hpp"
 #include "problems/harmonic.hpp"
 
 namespace tunica::problems {
@@ -6,7 +7,7 @@ namespace tunica::problems {
 /// Harmonic extension of the interface's displacement into the fluid's mesh, on the
 /// undeformed mesh ([LY1] eq:harext): −Δd = 0, d given on the interface, zero on every other
 /// surface of the fluid.
-class MeshMotion {
+class MeshMotion : public fields::Restartable {
 public:
   /// list: the resolved "Mesh Motion" list; surfaces: indices of the interface's surfaces.
   MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
@@ -19,6 +20,10 @@ public:
   const std::vector<Vec3>& displacement() const { return d_; }          ///< local nodes
   const std::vector<Vec3>& old_displacement() const { return d_old_; }  ///< of the last step
   void end_step() { d_old_ = d_; }
+
+  // Restartable
+  fields::State save() const override;
+  std::string restore(const fields::State& state) override;
 
 private:
   const fields::FieldMesh* mesh_;

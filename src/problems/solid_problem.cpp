@@ -117,6 +117,21 @@ void SolidProblem::end_step() {
   d_old_ = d;
 }
 
+fields::State SolidProblem::save() const {
+  fields::State state = FieldProblem::save();
+  state.arrays["velocity"] = fields::rows_of(v_old_, mesh_->n_owned);
+  state.arrays["acceleration"] = fields::rows_of(a_old_, mesh_->n_owned);
+  return state;
+}
+
+std::string SolidProblem::restore(const fields::State& state) {
+  v_old_ = fields::ghosted_rows(state.array("velocity", 3), *mesh_);
+  a_old_ = fields::ghosted_rows(state.array("acceleration", 3), *mesh_);
+  const std::string remark = FieldProblem::restore(state);
+  d_old_ = fields::ghosted_vectors(*mesh_, *x_.u);
+  return remark;
+}
+
 std::vector<Vec3> SolidProblem::displacement() const {
   const auto u = x_.u->getLocalViewHost(read_only);
   std::vector<Vec3> d(mesh_->n_owned);

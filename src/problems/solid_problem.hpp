@@ -34,6 +34,8 @@ public:
   Observables observe() const;
 
   // FieldProblem
+  fields::State save() const override;
+  std::string restore(const fields::State& state) override;
   std::string refusal() const override {
     return refusal_.empty() ? "the residual is not a number" : refusal_;
   }

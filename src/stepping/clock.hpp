@@ -13,6 +13,8 @@ public:
 
   bool is_done() const { return step_ >= steps_; }
   void advance() { ++step_; }
+  /// Goes on behind so many steps that an earlier run has made.
+  void resume_after(int steps_done) { step_ = steps_done; }
 
   /// The step being solved counts from 1; its time is the new one [ms].
   int step() const { return step_ + 1; }

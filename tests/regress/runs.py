@@ -67,6 +67,34 @@ class Verdict:
         return 1 if self.failures else 0
 
 
+def checkpoints(folder):
+    """Steps of the checkpoints in a run's folder."""
+    return sorted(int(path.stem.split("-")[1]) for path in folder.glob("checkpoint-*.h5"))
+
+
+EFFORT = ("seconds", "converged", "interface_residual", "coupling_iterations", "fluid_newton",
+          "wall_newton", "fluid_linear", "wall_linear")  # depends on what solvers remember
+
+
+def same_steps(verdict, name, results, expected, tolerance=1e-6):
+    """Both folders have the same steps.csv, apart from the effort. Columns that share their first
+    and their last word, as all pressures of the fluid do, are compared with their largest value."""
+    def kind(column):
+        words = column.split("_")
+        return words[0], words[-1]
+    one, other = table(results / "steps.csv"), table(expected / "steps.csv")
+    if not verdict.claim(one.keys() == other.keys() and one["step"] == other["step"],
+                         f"{name}: steps.csv has the same columns and steps"):
+        return
+    worst, where = 0.0, "none"
+    for column in one.keys() - set(EFFORT):
+        scale = max(abs(value) for c in other if kind(c) == kind(column) for value in other[c])
+        error = max(abs(a - b) for a, b in zip(one[column], other[column]))
+        if error > worst * scale:
+            worst, where = error / scale if scale > 0.0 else float("inf"), column
+    verdict.claim(worst < tolerance, f"{name}: steps.csv differs by {worst:.1e}, in {where}")
+
+
 def entry(parent, name):
     found = [child for child in parent if child.get("name") == name]
     assert len(found) == 1, name

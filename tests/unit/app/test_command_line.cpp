@@ -52,6 +52,13 @@ TEUCHOS_UNIT_TEST(command_line, an_unknown_option_names_the_nearest) {
   TEST_ASSERT(refusal({"case.xml", "--colour"}).find("Valid: \"--output\"") != std::string::npos);
 }
 
+TEUCHOS_UNIT_TEST(command_line, restart_belongs_to_what_marches) {
+  TEST_ASSERT(!parsed({"case.xml"}).restart);
+  for (const char* program : {"tunica-fsi", "tunica-solid", "tunica-fluid"})
+    TEST_ASSERT(parsed({"case.xml", "--restart"}, program).restart);
+  TEST_THROW(parsed({"case.xml", "--restart"}, "tunica-solvers"), tunica::Error);
+}
+
 TEUCHOS_UNIT_TEST(command_line, reference_belongs_to_tunica_check) {
   TEST_ASSERT(parsed({"--reference"}, "tunica-check").reference);
   TEST_ASSERT(!refusal({"case.xml", "--reference"}).empty());

@@ -40,6 +40,22 @@ TEUCHOS_UNIT_TEST(agreement, on_root_works_on_rank_0_only) {
   TEST_EQUALITY(worked, world()->getRank() == 0 ? 1 : 0);
 }
 
+TEUCHOS_UNIT_TEST(agreement, on_all_throws_what_one_rank_complains_of) {
+  const int last = world()->getSize() - 1;
+  std::string message;
+  int worked = 0;
+  try {
+    on_all(*world(), [&] {
+      ++worked;
+      if (world()->getRank() == last) throw Error("line 3 is wrong");
+    });
+  } catch (const Error& error) {
+    message = error.what();
+  }
+  TEST_EQUALITY(message, "line 3 is wrong");
+  TEST_EQUALITY(worked, 1);
+}
+
 TEUCHOS_UNIT_TEST(agreement, broadcast_replaces_longer_and_shorter_texts) {
   std::string text = world()->getRank() == 0 ? "seven" : std::string(world()->getRank() * 4, 'x');
   broadcast(*world(), text);

@@ -1,3 +1,4 @@
+#include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "base/error.hpp"
@@ -214,6 +215,64 @@ TEUCHOS_UNIT_TEST(iqn_ils, update_is_independent_of_ranks) {
     e = one->next(e, response.residual(e));
     TEST_COMPARE(test::largest_difference(d, e), <, 1e-9);
   }
+}
+
+/// The state as it returns from a checkpoint: with the rows of this rank.
+fields::State state_of(const coupling::Accelerator& accelerator, std::size_t nodes) {
+  fields::State state;
+  state.vertices.resize(nodes);
+  accelerator.save(state);
+  return state;
+}
+
+TEUCHOS_UNIT_TEST(accelerators, go_on_after_a_restart_as_if_there_had_been_none) {
+  const CommPtr alone = Teuchos::rcp(new Teuchos::SerialComm<int>());
+  auto last_factor = options("aitken");
+  last_factor.set("first factor of a step", "last factor");
+  const std::vector<Teuchos::ParameterList> lists{options("constant"), last_factor,
+                                                  options("iqn-ils", {})};
+  for (const Teuchos::ParameterList& list : lists) {
+    const auto straight = make(list, alone), restarted = make(list, alone);
+    const auto step = [&](coupling::Accelerator& accelerator, int number, int rounds) {
+      const LinearResponse response(12, 5.0, number);
+      InterfaceVector d(12, 0.0);
+      accelerator.begin_step();
+      for (int k = 0; k < rounds; ++k) d = accelerator.next(d, response.residual(d));
+      accelerator.end_step();
+      return d;
+    };
+    for (int number = 0; number < 3; ++number) step(*straight, number, 3 + number);
+    restarted->restore(state_of(*straight, 4));
+    TEST_ASSERT(step(*straight, 3, 4) == step(*restarted, 3, 4));
+  }
+}
+
+TEUCHOS_UNIT_TEST(interface_vectors, are_the_same_after_packing) {
+  const std::deque<InterfaceVector> vectors{{1, 2, 3, 4, 5, 6}, {7, 8, 9, 10, 11, 12}};
+  const fields::State::Array rows = coupling::packed(vectors);
+  TEST_EQUALITY(rows.columns, 6);
+  TEST_ASSERT(rows.values == std::vector<double>({1, 2, 3, 7, 8, 9, 4, 5, 6, 10, 11, 12}));
+  TEST_ASSERT(coupling::unpacked(rows) == vectors);
+  TEST_ASSERT(coupling::unpacked(coupling::packed({})).empty());
+  const std::deque<InterfaceVector> no_nodes(2);
+  TEST_ASSERT(coupling::unpacked(coupling::packed(no_nodes)) == no_nodes);
+}
+
+TEUCHOS_UNIT_TEST(iqn_ils, takes_from_a_state_no_more_steps_than_the_case_reuses) {
+  const CommPtr alone = Teuchos::rcp(new Teuchos::SerialComm<int>());
+  auto few = options("iqn-ils");
+  few.set("reused steps", 1);
+  const auto many_steps = make(options("iqn-ils"), alone), one_step = make(few, alone);
+  const LinearResponse response(12, 5.0);
+  for (int number = 0; number < 2; ++number) {
+    InterfaceVector d(12, 0.0);
+    many_steps->begin_step();
+    for (int k = 0; k < 3; ++k) d = many_steps->next(d, response.residual(d));
+    many_steps->end_step();
+  }
+  one_step->restore(state_of(*many_steps, 4));
+  TEST_EQUALITY(state_of(*many_steps, 4).arrays["V"].columns, 12);
+  TEST_EQUALITY(state_of(*one_step, 4).arrays["V"].columns, 6);
 }
 
 }  // namespace

@@ -53,6 +53,28 @@ TEUCHOS_UNIT_TEST(csv_table, replaces_the_file_of_an_earlier_run) {
   TEST_EQUALITY(content(path), "a\n2\n");
 }
 
+TEUCHOS_UNIT_TEST(csv_table, keeps_whole_rows_up_to_a_step) {
+  const std::string path = own_file("kept");
+  std::ofstream(path) << "step,a\n1,10\n1,11\n2,20\n3,30\n2";
+  CsvTable(path, {"step", "a"}, true, 2).row({3, 31});
+  TEST_EQUALITY(content(path), "step,a\n1,10\n1,11\n2,20\n3,31\n");
+  TEST_ASSERT(!std::filesystem::exists(path + ".old"));
+}
+
+TEUCHOS_UNIT_TEST(csv_table, sets_aside_a_table_with_other_columns) {
+  const std::string path = own_file("columns");
+  std::ofstream(path) << "step,a\n1,10\n";
+  CsvTable(path, {"step", "b"}, true, 1).row({2, 20});
+  TEST_EQUALITY(content(path), "step,b\n2,20\n");
+  TEST_EQUALITY(content(path + ".old"), "step,a\n1,10\n");
+}
+
+TEUCHOS_UNIT_TEST(csv_table, begins_where_there_is_nothing_to_keep) {
+  const std::string path = own_file("nothing");
+  CsvTable(path, {"step"}, true, 7).row({8});
+  TEST_EQUALITY(content(path), "step\n8\n");
+}
+
 TEUCHOS_UNIT_TEST(csv_table, does_nothing_when_inactive) {
   const std::string path = own_file("inactive");
   CsvTable(path, {"a"}, false).row({1});

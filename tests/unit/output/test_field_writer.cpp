@@ -1,10 +1,9 @@
 #include <hdf5.h>
-#include <sys/resource.h>
 
 #include <Teuchos_UnitTestHarness.hpp>
-#include <csignal>
 #include <regex>
 
+#include "full_disk.hpp"
 #include "output/field_writer.hpp"
 #include "output/run_folder.hpp"
 #include "scratch.hpp"
@@ -24,6 +23,7 @@ double value(int step, long long row, int component) {
 
 /// Points 0..total-1 and a tet (i, i+1, i+2, i+3) for each but the last three, shared out among
 /// all ranks but the idle one. A tet is written where its first point is owned.
+/// The mesh's vertex of a point is its number from behind.
 Grid chain(const std::string& name, long long total, int idle) {
   const int size = world()->getSize(), rank = world()->getRank();
   const int workers = size == 1 ? 1 : size - 1;
@@ -37,8 +37,10 @@ Grid chain(const std::string& name, long long total, int idle) {
   const long long end = size > 1 && rank == idle ? start(rank) : start(rank + 1);
   for (long long i = grid.first_point; i < end; ++i) {
     grid.points.push_back(position(i));
+    grid.vertex.push_back(static_cast<int>(total - i));
     if (i + 3 >= total) continue;
     grid.tets.push_back({i, i + 1, i + 2, i + 3});
+    grid.tet_number.push_back(static_cast<int>(i));
     grid.region.push_back(static_cast<int>(i % 2));
     grid.partition.push_back(rank);
   }
@@ -110,26 +112,6 @@ std::pair<std::vector<std::string>, int> named_and_missing(const std::string& fo
   H5Fclose(file);
   return result;
 }
-
-/// Files grow to 64 KB and no further: a disk that is full.
-class FullDisk {
-public:
-  FullDisk() : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit small{65536, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~FullDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, signal_);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
-private:
-  rlimit before_{};
-  void (*signal_)(int);
-};
 
 }  // namespace
 
@@ -245,6 +227,72 @@ TEUCHOS_UNIT_TEST(field_writer, replaces_the_files_of_an_earlier_run) {
   TEST_EQUALITY(H5Lexists(file, "/step_000007", H5P_DEFAULT), 0);
   TEST_EQUALITY(H5Lexists(file, "/wall", H5P_DEFAULT), 0);
   H5Fclose(file);
+}
+
+/// The same mesh with the points numbered from the other side, and the tets in another order.
+Grid turned(const Grid& grid) {
+  Grid other;
+  other.name = grid.name;
+  other.points_global = grid.points_global;
+  const int size = world()->getSize(), rank = world()->getRank();
+  other.first_point = grid.points_global * rank / size;
+  for (long long i = other.first_point; i < grid.points_global * (rank + 1) / size; ++i) {
+    const long long point = grid.points_global - 1 - i;
+    other.points.push_back(position(point));
+    other.vertex.push_back(static_cast<int>(grid.points_global - point));
+    if (point + 3 >= grid.points_global) continue;
+    other.tets.push_back({i, i - 1, i - 2, i - 3});
+    other.tet_number.push_back(static_cast<int>(point));
+    other.region.push_back(static_cast<int>(point % 2));
+    other.partition.push_back(rank);
+  }
+  return other;
+}
+
+TEUCHOS_UNIT_TEST(field_writer, goes_on_in_the_order_of_the_file) {
+  Run run("go on");
+  for (const int step : {1, 2, 3}) {
+    run.write(step);
+    run.writer.finish_step();
+  }
+  const Grid fluid = turned(run.fluid);
+  FieldWriter writer(run.folder, {fluid, turned(run.wall)}, world(), 1);
+  TEST_EQUALITY(writer.remark(), "");
+  TEST_EQUALITY(named_and_missing(run.folder).first.size(), 12u);
+  world()->barrier();
+  Array speed{"velocity", 3, {}}, number{"number", 1, {}};
+  for (const int vertex : fluid.vertex)
+    for (int c = 0; c < 3; ++c) speed.values.push_back(value(2, 23 - vertex, c));
+  for (const int tet : fluid.tet_number) number.values.push_back(value(2, tet, 0));
+  writer.write(2, 0.2, "fluid", {speed}, {number});
+  writer.finish_step();
+
+  const auto named = named_and_missing(run.folder);
+  TEST_EQUALITY(named.first.size(), 18u);
+  TEST_EQUALITY(named.second, 0);
+  const auto velocity = read(run.folder, "/step_000002/fluid/velocity");
+  const auto numbers = read(run.folder, "/step_000002/fluid/number");
+  TEST_EQUALITY(read(run.folder, "/fluid/points")[3], position(1)[0]);
+  TEST_EQUALITY(read(run.folder, "/step_000001/fluid/velocity")[3], value(1, 1, 0));
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    TEST_EQUALITY(velocity[i], value(2, static_cast<long long>(i / 3), i % 3));
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    TEST_EQUALITY(numbers[i], value(2, static_cast<long long>(i), 0));
+}
+
+TEUCHOS_UNIT_TEST(field_writer, sets_aside_what_it_cannot_continue) {
+  Run run("aside");
+  run.write(1);
+  run.writer.finish_step();
+  world()->barrier();
+  if (world()->getRank() == 0) std::filesystem::resize_file(run.folder + "/fields.h5", 1000);
+  world()->barrier();
+  const FieldWriter writer(run.folder, {run.fluid, run.wall}, world(), 1);
+  TEST_ASSERT(writer.remark().find("fields.h5 cannot be continued") == 0);
+  TEST_EQUALITY(named_and_missing(run.folder).first.size(), 0u);
+  TEST_ASSERT(std::filesystem::exists(run.folder + "/fields.old.h5"));
+  TEST_ASSERT(content(run.folder + "/fields.old.xdmf").find("fields.old.h5:/") !=
+              std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(field_writer, array_that_fits_not_is_refused_on_all_ranks) {

@@ -65,6 +65,21 @@ TEUCHOS_UNIT_TEST(run_record, tells_how_the_run_ended) {
   TEST_ASSERT(!std::filesystem::exists(path + ".tmp"));
 }
 
+TEUCHOS_UNIT_TEST(run_record, remembers_when_the_run_began_and_its_restarts) {
+  const std::string path = record_file("restarts");
+  if (world()->getRank() == 0)
+    std::ofstream(path) << R"({"started": "2001-02-03T04:05:06Z", "restarts": {"1": "early"}})";
+  world()->barrier();
+  RunRecord record(path, "tunica-fsi", "0.1.0", world());
+  record.take_over(7);
+  world()->barrier();
+  record.finish(RunStatus::done);
+  const auto json = parse(path);
+  TEST_EQUALITY(json["started"].get<std::string>(), "2001-02-03T04:05:06Z");
+  TEST_EQUALITY(json["restarts"]["1"].get<std::string>(), "early");
+  TEST_ASSERT(json["restarts"]["2"].get<std::string>().find("after step 7 at ") == 0);
+}
+
 TEUCHOS_UNIT_TEST(run_record, that_nobody_finished_says_failed) {
   const std::string path = record_file("abandoned");
   { RunRecord(path, "tunica-fsi", "0.1.0", world()).save(); }

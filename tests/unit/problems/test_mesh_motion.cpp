@@ -86,4 +86,20 @@ TEUCHOS_UNIT_TEST(mesh_motion, the_old_displacement_is_that_of_the_last_accepted
   TEST_COMPARE(largest(motion.displacement(), zero), <, 1e-12);
 }
 
+TEUCHOS_UNIT_TEST(mesh_motion, goes_on_from_a_saved_state) {
+  const SmallTube tube;
+  problems::MeshMotion motion(options("cg"), tube.fluid, {tube.surface("interface")});
+  problems::MeshMotion other(options("cg"), tube.fluid, {tube.surface("interface")});
+  std::vector<Vec3> given(tube.fluid.n_owned);
+  for (int a = 0; a < tube.fluid.n_owned; ++a) given[a] = linear_field(tube.fluid.x[a]);
+  TEST_ASSERT(!motion.extend(given));
+  motion.end_step();
+  TEST_EQUALITY(other.restore(motion.save()), "");
+  TEST_ASSERT(other.displacement() == motion.displacement());
+  TEST_ASSERT(other.old_displacement() == motion.old_displacement());
+  for (Vec3& d : given) d = 1.1 * d;
+  TEST_ASSERT(!motion.extend(given) && !other.extend(given));
+  TEST_COMPARE(largest(other.displacement(), motion.displacement()), <, 1e-13);
+}
+
 }  // namespace

@@ -245,4 +245,25 @@ TEUCHOS_UNIT_TEST(solid_problem, a_step_does_not_depend_on_the_ranks) {
     TEST_COMPARE(test::largest_difference(solved(many, list), solved(one, list)), <, 1e-9);
 }
 
+TEUCHOS_UNIT_TEST(solid_problem, goes_on_from_a_saved_state) {
+  const SmallTube tube;
+  auto list = clamped();
+  test::condition(list, "interface", "pressure").set("pressure", 0.5);
+  SolidProblem wall(resolved(list), tube.wall), other(resolved(list), tube.wall);
+  stepping::Clock clock(0.125, 3);
+  const auto step = [&clock](SolidProblem& one) {
+    one.begin_step(clock);
+    const bool is_converged = one.solve().is_converged;
+    one.end_step();
+    return is_converged;
+  };
+  TEST_ASSERT(step(wall));
+  clock.advance();
+  TEST_EQUALITY(other.restore(wall.save()), "");
+  TEST_ASSERT(other.displacement() == wall.displacement());
+  TEST_ASSERT(step(wall) && step(other));
+  TEST_ASSERT(other.displacement() == wall.displacement());
+  TEST_ASSERT(other.velocity() == wall.velocity());
+}
+
 }  // namespace

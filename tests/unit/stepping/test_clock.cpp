@@ -23,6 +23,15 @@ TEUCHOS_UNIT_TEST(clock, a_loop_makes_as_many_steps_as_asked) {
   TEST_EQUALITY(made, 7);
 }
 
+TEUCHOS_UNIT_TEST(clock, goes_on_behind_the_steps_of_an_earlier_run) {
+  stepping::Clock clock(0.125, 7);
+  clock.resume_after(5);
+  TEST_EQUALITY(clock.step(), 6);
+  TEST_EQUALITY(clock.time(), 0.75);
+  clock.resume_after(7);
+  TEST_ASSERT(clock.is_done());
+}
+
 TEUCHOS_UNIT_TEST(clock, ten_million_steps_collect_no_rounding) {
   Clock clock(0.1, 10000000);
   for (int n = 1; n < 10000000; ++n) clock.advance();

@@ -1,0 +1,79 @@
+#include "output/field_files.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "mesh/hdf5_file.hpp"
+#include "output/atomic_file.hpp"
+#include "output/hdf5_file.hpp"
+#include "output/xdmf.hpp"
+
+namespace tunica::output {
+
+namespace {
+
+const std::string step_group = "step_";
+
+int number_of(const std::string& group) { return std::stoi(group.substr(step_group.size())); }
+
+std::string content(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+void check_steps(const mesh::Hdf5Reader& in, const std::string& xdmf) {
+  const std::string mark = ":/" + step_group;
+  for (std::size_t at = xdmf.find(mark); at != std::string::npos; at = xdmf.find(mark, at + 1)) {
+    const std::size_t begin = at + 2, end = xdmf.find('/', begin);
+    const std::string group = xdmf.substr(begin, end - begin);
+    TUNICA_CHECK(in.has(group), "the group /" + group + " is missing");
+  }
+}
+
+}  // namespace
+
+std::string why_not_continued(const std::string& folder, const std::vector<GridSize>& grids,
+                              int step) {
+  try {
+    for (const GridSize& grid : grids) {
+      const auto points = row_numbers(folder, grid.name + "/vertices").size();
+      const auto cells = row_numbers(folder, grid.name + "/tet_numbers").size();
+      TUNICA_CHECK(static_cast<long long>(points) == grid.points &&
+                       static_cast<long long>(cells) == grid.cells,
+                   "the grid \"" + grid.name + "\" has another size");
+    }
+    check_steps(mesh::Hdf5Reader(folder + "/" + hdf5_name), xdmf_up_to(step, folder));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void set_aside(const std::string& folder) {
+  const std::string old_hdf5 = "fields.old.h5", mark = std::string(hdf5_name) + ":";
+  std::rename((folder + "/" + hdf5_name).c_str(), (folder + "/" + old_hdf5).c_str());
+  std::string text = content(folder + "/" + xdmf_name);
+  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
+    text.replace(at, mark.size() - 1, old_hdf5);
+  replace_file(folder + "/fields.old.xdmf", text);
+}
+
+std::string xdmf_up_to(int step, const std::string& folder) {
+  return xdmf::steps_up_to(step, content(folder + "/" + xdmf_name));
+}
+
+void drop_steps_behind(int step, const std::string& folder, const CommPtr& comm) {
+  Hdf5File file(folder + "/" + hdf5_name, Hdf5File::Mode::extend, 65536, comm);
+  for (const std::string& group : file.groups())
+    if (group.rfind(step_group, 0) == 0 && number_of(group) > step) file.remove(group);
+  file.close();
+}
+
+std::vector<int> row_numbers(const std::string& folder, const std::string& dataset) {
+  return mesh::Hdf5Reader(folder + "/" + hdf5_name).integers(dataset);
+}
+
+}  // namespace tunica::output

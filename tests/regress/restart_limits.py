@@ -1,0 +1,127 @@
+"""What a restart refuses, with one clear message and without touching the folder; what it takes
+over in spite of a difference; a full disk; fluid and wall alone.
+
+Usage: restart_limits.py FOLDER_OF_PROGRAMS SCRATCH
+"""
+import json
+import pathlib
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+from runs import ENVIRONMENT, ROOT, Run, Verdict, checkpoints, command, fresh, same_steps, table
+
+CASE = ROOT / "xml" / "pulse-tiny.xml"
+MESHES = ROOT / "meshes"
+
+
+def fsi(programs, folder, steps, more=(), ranks=1):
+    words = [CASE, "--output", "results", "--steps", steps] + list(more)
+    return Run(command(programs / "tunica-fsi", words, ranks), folder)
+
+
+def snapshot(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def refuses(verdict, programs, folder):
+    before = snapshot(folder / "results")
+    mesh = f"Mesh/file={MESHES / 'tube-medium.h5'}"
+    for name, more, ranks, parts in (
+            ("another mesh", ["--restart", "--set", mesh], 1,
+             ["checkpoint-000002.h5 belongs to another mesh", "tube-medium.h5"]),
+            ("another step size", ["--restart", "--set", "Time/step size=0.25"], 2,
+             ['"step size" is 0.25 ms', "was made with 0.125 ms"]),
+            ("no checkpoint", ["--restart", "--output", "nowhere"], 1,
+             ['"nowhere" has no checkpoint', "--output"]),
+            ("a bad case", ["--set", "Fluid/densty=1"], 1, ["densty"])):
+        run = fsi(programs, folder, 4, more, ranks)
+        lines = [line for line in run.err.splitlines() if line.startswith("tunica-fsi: ")]
+        verdict.claim(run.status == 1, f"{name}: exit status {run.status} is 1")
+        verdict.claim(len(lines) == 1, f"{name}: {' | '.join(lines)}")
+        for part in parts:
+            verdict.claim(part in " ".join(lines), f"{name}: the message holds: {part}")
+    verdict.claim(snapshot(folder / "results") == before, "refusals leave all as it was")
+
+
+def knows_its_end(verdict, programs, folder):
+    before = snapshot(folder / "results")
+    run = fsi(programs, folder, 2, ["--restart"])
+    verdict.claim(run.status == 0 and "has made 2 of 2 steps" in run.out,
+                  "a run that has made its steps says so")
+    verdict.claim(snapshot(folder / "results") == before, "and leaves all as it was")
+
+
+def survives_a_full_disk(verdict, programs, folder):
+    """From the first checkpoint on no file grows beyond 120 kB; a checkpoint needs more."""
+    results = folder / "full"
+    words = [CASE, "--output", "full", "--steps", 6, "--set", "Output/fields every=0"]
+    process = subprocess.Popen(
+        command(programs / "tunica-fsi", words), cwd=folder, env=ENVIRONMENT, text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
+    while process.poll() is None and not checkpoints(results):
+        time.sleep(0.01)
+    resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (120000, resource.RLIM_INFINITY))
+    _, errors = process.communicate(timeout=300)
+    lines = errors.splitlines()
+    verdict.claim(process.returncode == 3, f"full disk: exit status {process.returncode} is 3")
+    verdict.claim(len(lines) == 1 and "no checkpoint could be written" in lines[0],
+                  f"full disk: {' | '.join(lines)}")
+    last = max(checkpoints(results))
+    verdict.claim(not list(results.glob("*.tmp")), "full disk: no draft is left")
+    run = Run(command(programs / "tunica-fsi", words + ["--restart", "--steps", last + 1]), folder)
+    verdict.claim(run.status == 0 and table(results / "steps.csv")["step"][-1] == last + 1,
+                  f"full disk: with room again the run goes on after step {last}")
+
+
+def goes_further(verdict, programs, folder):
+    run = fsi(programs, folder, 3, ["--restart", "--set", "Coupling/accelerator=aitken",
+                                    "--set", "Coupling/tolerance=1e-5"])
+    verdict.claim(run.status == 0 and 'the accelerator was "iqn-ils" and is "aitken" now' in run.out,
+                  "another accelerator begins without history, and says so")
+    verdict.claim(table(folder / "results" / "steps.csv")["step"] == [1.0, 2.0, 3.0],
+                  "more --steps prolong the run")
+    record = json.loads((folder / "results" / "run.json").read_text())
+    restarts = list(record["restarts"].values())
+    verdict.claim(record["status"] == "done" and "after step 2 at" in restarts[-1],
+                  f"run.json knows {len(restarts)} restarts and the end")
+    verdict.claim(record["timings"]["march from the first step"] > record["timings"]["march"],
+                  "run.json counts the time before the restart")
+
+
+def begins_anew(verdict, programs, folder):
+    run = fsi(programs, folder, 1, ["--set", "Output/checkpoint every=0"])
+    verdict.claim(run.status == 0 and checkpoints(folder / "results") == [],
+                  "a new run removes the checkpoints of the one before, and writes none if asked")
+
+
+def one_field_goes_on(verdict, programs, folder, program, case):
+    straight = Run(command(programs / program, [case, "--output", "straight", "--steps", 4]), folder)
+    first = Run(command(programs / program, [case, "--output", "broken", "--steps", 2]), folder)
+    second = Run(command(programs / program, [case, "--output", "broken", "--steps", 4,
+                                              "--restart"], 2), folder)
+    verdict.claim([run.status for run in (straight, first, second)] == [0, 0, 0],
+                  f"{program}: all end with 0")
+    same_steps(verdict, program, folder / "broken", folder / "straight")
+    shutil.rmtree(folder / "broken")
+    shutil.rmtree(folder / "straight")
+
+
+def main(programs, scratch):
+    verdict = Verdict()
+    folder = fresh(scratch)
+    run = fsi(programs, folder, 2)
+    verdict.claim(run.status == 0, f"the first two steps end with 0 ({run.seconds:.1f} s)")
+    for part in (refuses, knows_its_end, survives_a_full_disk, goes_further, begins_anew):
+        part(verdict, programs, folder)
+    one_field_goes_on(verdict, programs, folder, "tunica-solid", ROOT / "xml" / "inflation.xml")
+    one_field_goes_on(verdict, programs, folder, "tunica-fluid", ROOT / "xml" / "poiseuille.xml")
+    return verdict.status()
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])))
