@@ -39,4 +39,15 @@ std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElement
   return tau;
 }
 
+double stabilisation_power(const fields::FieldMesh& mesh, const FluidElements& elements,
+                           const FluidFields& state) {
+  double power = 0.0;
+  for (std::size_t e = 0; e < elements.tau.size(); ++e)
+    if (mesh.is_counted[e])
+      power +=
+          kernels::fluid_stabilisation_power(elements.geometry[e], state_of(state, mesh.tets[e]),
+                                             elements.coefficients, elements.tau[e]);
+  return power;
+}
+
 }  // namespace tunica::assembly

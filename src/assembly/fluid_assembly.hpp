@@ -28,4 +28,8 @@ void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements
 std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElements& elements,
                                const FluidFields& state);
 
+/// Power that the stabilisation takes out in the elements that the rank counts [kPa mm³/ms].
+double stabilisation_power(const fields::FieldMesh& mesh, const FluidElements& elements,
+                           const FluidFields& state);
+
 }  // namespace tunica::assembly

@@ -165,4 +165,21 @@ void fluid_up_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficien
   pressure_blocks(T, c, tau, x, K);
 }
 
+// The stabilisation's rows times (u, −p): the pressure's row enters the balance of energy with
+// a minus, because −p div u is what it balances in the momentum's.
+double fluid_stabilisation_power(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
+                                 double tau) {
+  const Point x = evaluate(T, s, c);
+  Vec3 q_sum{0, 0, 0}, r_sum{0, 0, 0};
+  double products = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 q = x.G * (s.u[k] - s.w[k]) + 1.0 / c.density * x.grad_p;
+    const Vec3 r = x.m[k] + x.grad_p;
+    q_sum += q;
+    r_sum += r;
+    products += dot(q, r);
+  }
+  return tau * T.volume / 20.0 * (dot(q_sum, r_sum) + products);
+}
+
 }  // namespace tunica::kernels

@@ -31,4 +31,9 @@ MixedResidual fluid_up_residual(const Tet4& T, const FluidState& s, const FluidC
 void fluid_up_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau,
                        MixedResidual& R, MixedJacobian& K);
 
+/// Power that SUPG and PSPG take out: τ ∫ (G c + ∇p/ρ)·(m + ∇p) dV in the symbols of
+/// fluid_up.cpp [kPa mm³/ms].
+double fluid_stabilisation_power(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
+                                 double tau);
+
 }  // namespace tunica::kernels

@@ -13,7 +13,7 @@ namespace tunica::kernels {
 //   F    I + Σ_a d_a ⊗ ∇N_a, constant        1        J   det F, positive          1
 //   S'   law.stress, isochoric PK2           kPa      κ   bulk modulus             kPa
 //   p    nodal, compression positive         kPa      τ   PSPG parameter           mm²/kPa
-//   α    ρ/(βΔt²), zero in statics           kPa/mm²  r   inertia history          kPa/mm
+//   α    ρ/(βΔt²), zero in statics           kPa/mm²  r   inertia history, force   kPa/mm
 //   g_a  F⁻ᵀ∇N_a, spatial gradient           1/mm
 //
 // Every integral is exact: the integrands are at most quadratic on the element.

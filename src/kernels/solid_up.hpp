@@ -8,7 +8,7 @@ namespace tunica::kernels {
 struct SolidState {
   std::array<Vec3, 4> d;    ///< displacement [mm]
   std::array<double, 4> p;  ///< pressure, compression positive [kPa]
-  std::array<Vec3, 4> r;    ///< inertia history of the time scheme: ρ a = alpha d − r [kPa/mm]
+  std::array<Vec3, 4> r;    ///< time scheme and body force f: ρ (a − f) = alpha d − r [kPa/mm]
 };
 
 /// Constants of one element.

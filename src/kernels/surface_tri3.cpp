@@ -108,4 +108,15 @@ void backflow_jacobian(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& 
   add_backflow(x, u, w, beta_rho, R, &K);
 }
 
+double kinetic_outflow(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& u,
+                       const std::array<Vec3, 3>& w) {
+  const Vec3 n = area_normal(x);
+  double total = 0.0;
+  for (const QuadraturePoint& point : points) {
+    const Vec3 v = interpolate(point.N, u);
+    total += 0.5 * point.weight * dot(v, v) * dot(v - interpolate(point.N, w), n);
+  }
+  return total;
+}
+
 }  // namespace tunica::kernels

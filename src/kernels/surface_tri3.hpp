@@ -34,4 +34,8 @@ void backflow_jacobian(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& 
                        const std::array<Vec3, 3>& w, double beta_rho, SurfaceResidual& R,
                        SurfaceJacobian& K);
 
+/// Kinetic energy per unit density that the flow takes out: ∫ ½|u|² (u − w)·n da, exact [mm⁵/ms³].
+double kinetic_outflow(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& u,
+                       const std::array<Vec3, 3>& w);
+
 }  // namespace tunica::kernels

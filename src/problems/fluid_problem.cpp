@@ -144,6 +144,15 @@ void FluidProblem::set_initial_velocity(const std::function<Vec3(const Vec3& x)>
   fields::store(values, *mesh_, *x_.u);
 }
 
+Vec3 FluidProblem::traction_on(const std::array<Vec3, 3>& x, const FlowCondition& condition) const {
+  Vec3 traction = condition.traction;
+  if (condition.kind == "pressure") {
+    const Vec3 n = kernels::area_normal(x);
+    traction = -condition.pressure / norm(n) * n;
+  }
+  return condition.amplitude(time_) * traction;
+}
+
 void FluidProblem::add_surface_terms(assembly::BlockAssembler* K) {
   kernels::SurfaceResidual R;
   kernels::SurfaceJacobian J;
@@ -151,13 +160,7 @@ void FluidProblem::add_surface_terms(assembly::BlockAssembler* K) {
     const FlowCondition* condition = condition_of_surface_[face.surface];
     if (condition == nullptr || !condition->is_open()) continue;
     const std::array<Vec3, 3> x = assembly::gather(position_, face.nodes);
-    Vec3 traction = condition->traction;
-    if (condition->kind == "pressure") {
-      const Vec3 n = kernels::area_normal(x);
-      traction = -condition->pressure / norm(n) * n;
-    }
-    const double amplitude = condition->amplitude(time_);
-    R_.add(*mesh_, face, kernels::dead_traction(x, amplitude * traction));
+    R_.add(*mesh_, face, kernels::dead_traction(x, traction_on(x, *condition)));
     if (condition->backflow == 0.0) continue;
     const auto u = assembly::gather(local_.u, face.nodes),
                w = assembly::gather(local_.w, face.nodes);

@@ -64,7 +64,11 @@ private:
   void read(const fields::BlockVector& x) override;
   void assemble(assembly::BlockAssembler* K) override;
   const std::vector<kernels::Tet4>& geometry() const override { return elements_.geometry; }
+  /// Traction that the condition of an open surface exerts on the triangle x at present [kPa].
+  Vec3 traction_on(const std::array<Vec3, 3>& x, const FlowCondition& condition) const;
   void add_surface_terms(assembly::BlockAssembler* K);
+  void observe_volume(const assembly::FluidFields& state, Observables& found) const;
+  void observe_open_surfaces(const std::vector<Vec3>& u, Observables& found) const;
 
   FluidOptions options_;
   std::vector<const FlowCondition*> condition_of_surface_;

@@ -3,6 +3,7 @@
 #include "assembly/gather.hpp"
 #include "fields/reduce.hpp"
 #include "kernels/deformation.hpp"
+#include "kernels/energy.hpp"
 #include "problems/solid_problem.hpp"
 
 namespace tunica::problems {
@@ -14,10 +15,14 @@ struct Summary {
   double displacement = 0.0, interface_displacement = 0.0;
   double low_pressure = 1e300, high_pressure = -1e300;
   double low_J = 1e300, high_J = -1e300;
-  double energy = 0.0;
+  double elastic = 0.0, volumetric = 0.0, kinetic = 0.0;
 };
 
 }  // namespace
+
+// For the balance that the energies close see fluid_observables.cpp. The elastic energy is that
+// of the isochoric law, the volumetric one ∫ p²/(2κ) dV; the velocity is that of the last
+// accepted step.
 
 Observables SolidProblem::observe() const {
   const Comm& comm = *mesh_->comm;
@@ -38,19 +43,24 @@ Observables SolidProblem::observe() const {
     const double J = kernels::solid_jacobian_determinant(elements_.geometry[e], de);
     s.low_J = std::min(s.low_J, J);
     s.high_J = std::max(s.high_J, J);
-    if (mesh_->is_counted[e])
-      s.energy +=
-          elements_.geometry[e].volume *
-          elements_.law[e]->energy(
-              kernels::right_cauchy_green(kernels::deformation_gradient(elements_.geometry[e], de)),
-              elements_.frame(e));
+    if (!mesh_->is_counted[e]) continue;
+    const double V = elements_.geometry[e].volume;
+    const Sym3 C =
+        kernels::right_cauchy_green(kernels::deformation_gradient(elements_.geometry[e], de));
+    s.elastic += V * elements_.law[e]->energy(C, elements_.frame(e));
+    s.volumetric += 0.5 * elements_.coefficients[e].inv_kappa *
+                    kernels::squared_norm(V, assembly::gather(p, mesh_->tets[e]));
+    s.kinetic += 0.5 * elements_.density[e] *
+                 kernels::squared_norm(V, assembly::gather(v_old_, mesh_->tets[e]));
   }
   Observables found{{"max_displacement_wall_mm", fields::global_max(comm, s.displacement)},
                     {"min_det_F", fields::global_min(comm, s.low_J)},
                     {"max_det_F", fields::global_max(comm, s.high_J)},
                     {"wall_pressure_min_kPa", fields::global_min(comm, s.low_pressure)},
                     {"wall_pressure_max_kPa", fields::global_max(comm, s.high_pressure)},
-                    {"elastic_energy_kPa_mm3", fields::global_sum(comm, s.energy)}};
+                    {"elastic_energy_kPa_mm3", fields::global_sum(comm, s.elastic)},
+                    {"volumetric_energy_kPa_mm3", fields::global_sum(comm, s.volumetric)},
+                    {"wall_kinetic_energy_kPa_mm3", fields::global_sum(comm, s.kinetic)}};
   if (!options_.interface_surfaces().empty())
     found.insert(found.begin() + 1, {"max_displacement_interface_mm",
                                      fields::global_max(comm, s.interface_displacement)});

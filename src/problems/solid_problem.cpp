@@ -96,10 +96,16 @@ void SolidProblem::set_inertia_history() {
     local_.r[a] = options_.is_static ? Vec3{} : scheme.load(1.0, d_old_[a], v_old_[a], a_old_[a]);
 }
 
+void SolidProblem::add_body_force() {
+  if (!body_force_) return;
+  for (int a = 0; a < mesh_->n_nodes(); ++a) local_.r[a] += body_force_(mesh_->x[a], time_);
+}
+
 void SolidProblem::begin_step(const stepping::Clock& clock) {
   time_ = clock.time();
   if (dt_ != clock.step_size()) set_coefficients(clock.step_size());
   set_inertia_history();
+  add_body_force();
 }
 
 nonlinear::NewtonReport SolidProblem::solve() { return find_state(); }

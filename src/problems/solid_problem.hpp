@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -15,6 +16,8 @@ namespace tunica::problems {
 /// fluid. Starts at rest in the unloaded configuration.
 class SolidProblem : public FieldProblem {
 public:
+  using VectorField = std::function<Vec3(const Vec3& X, double time)>;
+
   /// list: the resolved "Wall" list. mesh must outlive the problem.
   SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
   ~SolidProblem() override;
@@ -26,6 +29,9 @@ public:
   nonlinear::NewtonReport solve();
   /// Accepts the present state as that of the new time.
   void end_step();
+
+  /// Body force per mass at the undeformed position [mm/ms²], none by default; for verification.
+  void set_body_force(VectorField f) { body_force_ = std::move(f); }
 
   std::vector<Vec3> displacement() const;  ///< of owned nodes [mm]
   std::vector<Vec3> velocity() const;      ///< of owned nodes, of the last accepted step [mm/ms]
@@ -51,6 +57,7 @@ private:
   void set_frames(const Teuchos::ParameterList& list);
   void set_coefficients(double dt);
   void set_inertia_history();
+  void add_body_force();
   void read(const fields::BlockVector& x) override;
   bool is_admissible() override;
   void assemble(assembly::BlockAssembler* K) override;
@@ -68,6 +75,7 @@ private:
   assembly::SolidFields local_;              ///< ghosted copy of the point of evaluation
   std::vector<Vec3> d_old_, v_old_, a_old_;  ///< owned and ghost nodes
   std::vector<Vec3> nodal_force_;
+  VectorField body_force_;
   double time_ = 0.0;
   double dt_ = 0.0;
   std::string refusal_;

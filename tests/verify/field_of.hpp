@@ -51,6 +51,13 @@ double mean_over_nodes(const fields::FieldMesh& mesh, const Value& f) {
   return fields::global_sum(*mesh.comm, sum) / fields::global_sum(*mesh.comm, count);
 }
 
+/// Euclidean distance of two fields of nodal vectors on one rank.
+inline double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i] - b[i], a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
 /// Exponent of h in the error between two meshes whose lengths differ by the factor.
 inline double order(double coarse_error, double fine_error, double factor = 2.0) {
   return std::log(coarse_error / fine_error) / std::log(factor);

@@ -19,19 +19,15 @@
 
 #include "base/error.hpp"
 #include "fluid_on_cube.hpp"
-#include "oracle/quadrature.hpp"
+#include "manufactured_flow.hpp"
 
 namespace {
 
 using namespace tunica;
+using verify::Flow;
+using verify::FlowErrors;
 
 constexpr double k = 1.0, density = 2.0, viscosity = 0.1;  // Re about 20
-
-struct Flow {
-  Vec3 u, dudt, laplacian, grad_p;
-  Mat3 G{};
-  double p;
-};
 
 enum class Kind { general, harmonic };
 
@@ -56,63 +52,27 @@ Flow flow_at(Kind kind, const Vec3& x, double time) {
   return flow;
 }
 
-Vec3 body_force(Kind kind, const Vec3& x, double time) {
-  const Flow flow = flow_at(kind, x, time);
-  return flow.dudt + flow.G * flow.u - viscosity / density * flow.laplacian +
-         1.0 / density * flow.grad_p;
-}
-
-struct Errors {
-  double u, p;
-};
-
-/// L2 norms over the cube of volume one; the mean of the pressure's error is taken out.
-Errors errors_of(Kind kind, const problems::FluidProblem& fluid, double time) {
-  const fields::FieldMesh& mesh = fluid.mesh();
-  const auto u = fields::ghosted_vectors(mesh, *fluid.state().u);
-  const auto p = fields::ghosted_scalars(mesh, *fluid.state().p);
-  double u2 = 0.0, p1 = 0.0, p2 = 0.0;
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    if (!mesh.is_counted[e]) continue;
-    for (const oracle::TetPoint& point : oracle::tet_rule()) {
-      Vec3 x{}, u_h{};
-      double p_h = 0.0;
-      for (int a = 0; a < 4; ++a) {
-        const int node = mesh.tets[e][a];
-        x += point.N[a] * mesh.x[node];
-        u_h += point.N[a] * u[node];
-        p_h += point.N[a] * p[node];
-      }
-      const Flow flow = flow_at(kind, x, time);
-      const double dV = point.weight * fluid.elements().geometry[e].volume;
-      u2 += dV * dot(u_h - flow.u, u_h - flow.u);
-      p1 += dV * (p_h - flow.p);
-      p2 += dV * (p_h - flow.p) * (p_h - flow.p);
-    }
-  }
-  const auto sum = [&mesh](double mine) { return fields::global_sum(*mesh.comm, mine); };
-  p1 = sum(p1);
-  return {std::sqrt(sum(u2)), std::sqrt(sum(p2) - p1 * p1)};
-}
-
-Errors errors_on_cube(Kind kind, int n, const stepping::Clock& times) {
+FlowErrors errors_on_cube(Kind kind, int n, const stepping::Clock& times) {
   const fields::FieldMesh field = verify::field_of(verify::make_cube(n));
   problems::FluidProblem fluid(verify::enclosed_fluid(density, viscosity), field);
   const auto u = [kind](const Vec3& x, double time) { return flow_at(kind, x, time).u; };
   fluid.set_initial_velocity([u](const Vec3& x) { return u(x, 0.0); });
   fluid.set_boundary_velocity(u);
-  fluid.set_body_force([kind](const Vec3& x, double time) { return body_force(kind, x, time); });
+  fluid.set_body_force([kind](const Vec3& x, double time) {
+    return verify::body_force(flow_at(kind, x, time), density, viscosity);
+  });
   for (stepping::Clock clock = times; !clock.is_done(); clock.advance()) {
     fluid.begin_step(clock);
     const nonlinear::NewtonReport report = fluid.solve();
     TUNICA_CHECK(report.is_converged, report.reason);
   }
-  return errors_of(kind, fluid, times.steps() * times.step_size());
+  const double end = times.steps() * times.step_size();
+  return verify::flow_errors(fluid, [kind, end](const Vec3& x) { return flow_at(kind, x, end); });
 }
 
 /// Checks the orders between the last errors (none: zeros) and those on cells smaller by the
 /// factor.
-void compare(const Errors& last, const Errors& e, double factor, Teuchos::FancyOStream& out,
+void compare(const FlowErrors& last, const FlowErrors& e, double factor, Teuchos::FancyOStream& out,
              bool& success) {
   out << "velocity " << e.u << ", pressure " << e.p << "\n";
   if (last.u == 0.0) return;
@@ -121,10 +81,10 @@ void compare(const Errors& last, const Errors& e, double factor, Teuchos::FancyO
 }
 
 TEUCHOS_UNIT_TEST(manufactured_flow, harmonic_flow_converges_at_second_and_first_order) {
-  Errors last{};
+  FlowErrors last{};
   int n_old = 1;
   for (const int n : {4, 8, 12}) {
-    const Errors error = errors_on_cube(Kind::harmonic, n, stepping::Clock(0.5, 2));
+    const FlowErrors error = errors_on_cube(Kind::harmonic, n, stepping::Clock(0.5, 2));
     compare(last, error, double(n) / n_old, out, success);
     last = error;
     n_old = n;
@@ -133,11 +93,11 @@ TEUCHOS_UNIT_TEST(manufactured_flow, harmonic_flow_converges_at_second_and_first
 }
 
 TEUCHOS_UNIT_TEST(manufactured_flow, general_flow_converges_at_second_and_first_order) {
-  Errors last{};
+  FlowErrors last{};
   int n_old = 1;
   for (const int n : {6, 9, 12}) {
     const int steps = n * n / 9;
-    const Errors error = errors_on_cube(Kind::general, n, stepping::Clock(0.1 / steps, steps));
+    const FlowErrors error = errors_on_cube(Kind::general, n, stepping::Clock(0.1 / steps, steps));
     compare(last, error, double(n) / n_old, out, success);
     last = error;
     n_old = n;

@@ -65,12 +65,6 @@ std::vector<Vec3> displacement(const Teuchos::ParameterList& list, const fields:
   return wall.displacement();
 }
 
-double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i] - b[i], a[i] - b[i]);
-  return std::sqrt(sum);
-}
-
 double order_in_time(const std::string& beta, const std::string& gamma, int steps,
                      std::ostream& out) {
   const fields::FieldMesh field = verify::field_of(verify::make_quarter_tube(1));
@@ -78,8 +72,9 @@ double order_in_time(const std::string& beta, const std::string& gamma, int step
       verify::resolved(problems::solid_table(), dynamic_wall(beta, gamma));
   std::vector<std::vector<Vec3>> d;
   for (const int factor : {1, 2, 4}) d.push_back(displacement(list, field, factor * steps));
-  out << "differences " << distance(d[0], d[1]) << " " << distance(d[1], d[2]) << "\n";
-  return verify::order(distance(d[0], d[1]), distance(d[1], d[2]));
+  out << "differences " << verify::distance(d[0], d[1]) << " " << verify::distance(d[1], d[2])
+      << "\n";
+  return verify::order(verify::distance(d[0], d[1]), verify::distance(d[1], d[2]));
 }
 
 TEUCHOS_UNIT_TEST(wall_dynamics, newmark_with_gamma_one_half_is_of_second_order) {

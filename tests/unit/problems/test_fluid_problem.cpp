@@ -146,6 +146,26 @@ TEUCHOS_UNIT_TEST(fluid_problem, inflow_of_a_uniform_velocity_is_velocity_times_
                          1e-12);
 }
 
+TEUCHOS_UNIT_TEST(fluid_problem, energy_and_powers_of_a_uniform_velocity_are_known) {
+  const SmallTube tube;
+  auto list = test::fluid_list(1.06, 3.5e-3);
+  test::set_vector(test::condition(list, "inlet", "traction"), "traction", {0, 0, 1.332});
+  list.sublist("Surfaces").sublist("inlet").set("backflow stabilisation", 0.2);
+  test::condition(list, "interface", "interface");
+  FluidProblem fluid(test::resolved(list, problems::fluid_table()), tube.fluid);
+  fluid.set_initial_velocity([](const Vec3&) { return Vec3{0, 0, 2}; });
+  const auto found = fluid.observe();
+  const double area = 4.0 * 1.43 * 1.43 * std::sin(M_PI / 4.0);
+  const auto expect = [&](const std::string& name, double value) {
+    TEST_FLOATING_EQUALITY(test::observed(found, name) + 1.0, value + 1.0, 1e-12);
+  };
+  expect("fluid_kinetic_energy_kPa_mm3", 0.5 * 1.06 * 4.0 * 3.0 * area);
+  expect("viscous_power_kPa_mm3_per_ms", 0.0);
+  expect("traction_power_kPa_mm3_per_ms", 1.332 * 2.0 * area);
+  expect("kinetic_inflow_kPa_mm3_per_ms", 0.0);  // what enters leaves by the free outlet
+  expect("backflow_power_kPa_mm3_per_ms", 0.2 * 1.06 * 8.0 * area);
+}
+
 TEUCHOS_UNIT_TEST(fluid_problem, the_interface_has_the_velocity_of_the_mesh) {
   const SmallTube tube;
   FluidProblem fluid(open_tube(), tube.fluid);

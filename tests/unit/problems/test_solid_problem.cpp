@@ -90,6 +90,26 @@ TEUCHOS_UNIT_TEST(solid_problem, at_rest_nothing_moves_and_no_energy_is_stored) 
   TEST_FLOATING_EQUALITY(test::observed(found, "max_det_F"), 1.0, 1e-14);
 }
 
+TEUCHOS_UNIT_TEST(solid_problem, a_wall_that_falls_freely_has_the_energy_of_its_speed) {
+  const SmallTube tube;
+  auto list = test::wall_list();
+  list.sublist("Newmark").set("beta", 0.25).set("gamma", 0.5);
+  SolidProblem wall(resolved(list), tube.wall);
+  const Vec3 g{0.1, 0.0, -0.2};
+  wall.set_body_force([g](const Vec3&, double) { return g; });
+  wall.begin_step(stepping::Clock(0.5, 1));
+  TEST_ASSERT(wall.solve().is_converged);
+  wall.end_step();
+  // From rest without acceleration to g in the first step: half of g on average.
+  const double speed = 0.5 * norm(g) * 0.5, height = 4.0 * std::sin(M_PI / 4.0) * 3.0;
+  const double volume = height * (1.82 * 1.82 - 1.43 * 1.43);
+  const auto found = wall.observe();
+  TEST_FLOATING_EQUALITY(test::observed(found, "wall_kinetic_energy_kPa_mm3"),
+                         0.5 * 1.2 * volume * speed * speed, 1e-9);
+  TEST_COMPARE(std::abs(test::observed(found, "elastic_energy_kPa_mm3")), <, 1e-12);
+  TEST_COMPARE(std::abs(test::observed(found, "volumetric_energy_kPa_mm3")), <, 1e-12);
+}
+
 TEUCHOS_UNIT_TEST(solid_problem, a_traction_and_its_nodal_forces_do_the_same) {
   const SmallTube tube;
   const Vec3 t{0.02, 0.0, 0.01};
