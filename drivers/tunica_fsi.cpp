@@ -15,6 +15,13 @@ namespace {
 
 using namespace tunica;
 
+std::vector<app::GridFields> both_fields(const problems::FluidProblem& fluid,
+                                         const problems::MeshMotion& motion,
+                                         const problems::SolidProblem& wall) {
+  return {{"fluid", app::fluid_arrays(fluid, motion.displacement()), {}},
+          {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}};
+}
+
 app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain,
                    app::RunOutput& output) {
   // 1. Three fields, each with its kernels, blocks and solver.
@@ -49,9 +56,7 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
              app::joined({wall.observe(), fluid.observe(), probes.observe(&fluid, &wall)}));
     if (!report.is_accepted) return {false, report.reason};
     if (!report.is_converged) log.warn(report.reason);
-    if (fields.is_due(clock))
-      fields.write(clock, {{"fluid", app::fluid_arrays(fluid, motion.displacement()), {}},
-                           {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});
+    if (fields.is_due(clock)) fields.write(clock, both_fields(fluid, motion, wall));
     checkpoints.write_if_due(clock);
   }
 

@@ -29,11 +29,11 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
   for (; !clock.is_done(); clock.advance()) {
     wall.begin_step(clock);
     const nonlinear::NewtonReport report = wall.solve();
+    if (report.is_converged) wall.end_step();
     log.newton({clock.step(), clock.time(), 0}, "wall", report);
     log.step({clock.step(), clock.time(), 0}, app::wall_summary(report),
              app::joined({wall.observe(), probes.observe(nullptr, &wall)}));
     if (!report.is_converged) return {false, app::failure(clock, "the wall", report)};
-    wall.end_step();
     if (fields.is_due(clock))
       fields.write(clock, {{"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});
     checkpoints.write_if_due(clock);

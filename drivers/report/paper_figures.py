@@ -48,25 +48,27 @@ def coupling_history(runs, material):
 
 
 def coupling_counts(runs):
-    """Coupling iterations over the time steps."""
-    canvas, panels = plt.subplots(1, 2, sharey=True, figsize=(11, 4.2), layout="constrained")
-    for axes, mesh in zip(panels, MESHES):
-        for material, marker in (("mooney-rivlin", "+"), ("artery", "x")):
-            for i, (accelerator, name) in enumerate(ACCELERATORS.items()):
-                run = runs.march(mesh, f"pulse-{material}-{accelerator}")
-                if run:
-                    axes.plot(run.steps["step"], run.steps["coupling_iterations"], marker + "-", markersize=4,
-                              linewidth=0.8, color=plt.get_cmap("tab10")(i), alpha=0.9 if marker == "+" else 0.6,
-                              label=f"{MATERIALS[material]}, {name}")
-        axes.set(title=f"{mesh} mesh", xlabel="time step")
-        if axes.lines:
-            axes.legend(fontsize=8)
-    if not any(axes.lines for axes in panels):
-        plt.close(canvas)
+    """Coupling iterations over the time steps; one panel per mesh."""
+    found = {(mesh, material, accelerator): runs.march(mesh, f"pulse-{material}-{accelerator}")
+             for mesh in MESHES for material in MATERIALS for accelerator in ACCELERATORS}
+    found = {key: run for key, run in found.items() if run}
+    meshes = [mesh for mesh in MESHES if any(key[0] == mesh for key in found)]
+    if not meshes:
         return None
-    panels[0].set(ylabel="coupling iterations", yscale="log")
-    panels[0].yaxis.set_major_formatter("{x:g}")
-    panels[0].yaxis.set_minor_formatter("{x:g}")
+    canvas, panels = plt.subplots(1, len(meshes), sharey=True, squeeze=False, figsize=(1 + 5.2 * len(meshes), 4.2),
+                                  layout="constrained")
+    for (mesh, material, accelerator), run in found.items():
+        is_first = material == next(iter(MATERIALS))
+        panels[0, meshes.index(mesh)].plot(
+            run.steps["step"], run.steps["coupling_iterations"], ("+" if is_first else "x") + "-", markersize=4,
+            linewidth=0.8, color=plt.get_cmap("tab10")(list(ACCELERATORS).index(accelerator)),
+            alpha=0.9 if is_first else 0.6, label=f"{MATERIALS[material]}, {ACCELERATORS[accelerator]}")
+    for axes, mesh in zip(panels[0], meshes):
+        axes.set(title=f"{mesh} mesh", xlabel="time step")
+        axes.legend(fontsize=8)
+    panels[0, 0].set(ylabel="coupling iterations", yscale="log")
+    panels[0, 0].yaxis.set_major_formatter("{x:g}")
+    panels[0, 0].yaxis.set_minor_formatter("{x:g}")
     return canvas, Figure("coupling-counts.png", "Coupling iterations over the time steps", "")
 
 

@@ -231,9 +231,10 @@ def _differences():
 def _origins(runs):
     rows = []
     for mesh, item, record, origin in runs.origins():
-        seconds = sum(record.get("timings", {}).get(part, 0.0) for part in ("set-up", "march"))
+        timings = record.get("timings", {})
+        seconds = timings.get("set-up", 0.0) + timings.get("march from the first step", timings.get("march", 0.0))
         rows.append([item, mesh, record.get("status", "?"), record.get("ranks", "?"), f"{seconds:,.0f}",
-                     record.get("started", "?")[:10], origin.get("commit", "?")[:10], origin.get("processor", "?")])
+                     record.get("started", "?")[:10], " ".join(c[:10] for c in origin.get("commit", "?").split()), origin.get("processor", "?")])
     if not rows:
         return ""
     return "## Where the numbers come from\n\n" + _table(

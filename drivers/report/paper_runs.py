@@ -38,7 +38,13 @@ class PaperRuns:
             return None
 
     def solvers(self, mesh, item):
-        return SolverRun(self.path(mesh, item)) if self.has(mesh, item, "solvers.csv") else None
+        """A run of tunica-solvers that has solved a system."""
+        if not self.has(mesh, item, "solvers.csv"):
+            return None
+        try:
+            return SolverRun(self.path(mesh, item))
+        except BadRun:  # none yet
+            return None
 
     def origins(self):
         """(mesh, item, run.json, item.json) of each run."""

@@ -21,7 +21,10 @@ std::string newest_whole(const std::string& folder) {
   std::string reason;
   for (const output::NamedCheckpoint& checkpoint : series) {
     try {
-      output::CheckpointFile(checkpoint.path).verify();
+      const output::CheckpointFile file(checkpoint.path);
+      TUNICA_CHECK(file.head().step == checkpoint.step,
+                   checkpoint.path + ": it is of step " + std::to_string(file.head().step));
+      file.verify();
       return checkpoint.path;
     } catch (const Error& error) {
       std::cout << "checkpoint of step " << checkpoint.step << " is unusable: " << error.what()

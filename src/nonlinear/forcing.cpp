@@ -89,7 +89,10 @@ void add_forcing_keys(params::Table& table) {
   constant.number("linear tolerance", 1e-8, part, "1",
                   "reduction of the linear residual in each step");
   increment
-      .number("largest tolerance", 0.1, part, "1", "of the first step, and bound of the later ones")
+      .number("largest tolerance", 0.1, part, "1",
+              "of the first step, and bound of the later ones; small where the residual falls "
+              "faster than the error, as in nearly incompressible walls")
+      .number("smallest tolerance", 1e-12, part, "1", "bound of the later ones from below")
       .number("scale", 100.0, params::positive(), "1",
               "s in (s |dx_{k-1}|/|dx_1|)^2, the reduction of the linear residual in step k")
       .number("final part", 0.0, params::Range{0.0, 1.0, false, true}, "1",
@@ -119,7 +122,7 @@ ForcingOptions forcing_options(const Teuchos::ParameterList& list) {
 double increment_forcing(const ForcingOptions& options, double e, double stop) {
   const double wanted = options.scale * e * options.scale * e;
   const double enough = e > 0.0 ? options.final_part * stop / e : options.largest;
-  return std::min(options.largest, std::max(wanted, enough));
+  return std::min(options.largest, std::max({wanted, enough, options.smallest}));
 }
 
 void choose_direction(const ForcingOptions& options, const NewtonGoal& goal,

@@ -29,11 +29,12 @@ ForcingOptions forcing_options(const Teuchos::ParameterList& list);
 /// The reduction of the linear residual that the next Newton step deserves after one whose
 /// increment was e = |dx_{k−1}|/|dx_1| in the mass norm (η_max in the first step):
 ///
-///   η_k = min(η_max, max((s e)², f ε2/e))
+///   η_k = min(η_max, max((s e)², f ε2/e, η_min))
 ///
 /// The square keeps Newton's quadratic order. f > 0 stops it short of an accuracy that no later
-/// step will ask for: with η_k = f ε2/e the error left by the linear solver is f times the
-/// increment at which Newton's method stops. The source has f = 0.
+/// step will ask for: with η_k = f ε2/e, and as far as error and residual fall alike, what the
+/// linear solver leaves is f times the increment at which Newton's method stops. The source has
+/// f = 0.
 /// stop: ε2, the e at which Newton's method stops. Source: [LY1] section 4.5, made free of units.
 double increment_forcing(const ForcingOptions& options, double e, double stop);
 

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 namespace tunica::output {
@@ -26,6 +27,17 @@ std::string replace_file(const std::string& path, const std::string& text) {
     return "cannot rename " + draft + " to " + path + system_reason();
   }
   return "";
+}
+
+std::string set_aside(const std::string& path, std::string& new_name) {
+  const std::filesystem::path old(path);
+  const std::string stem = (old.parent_path() / old.stem()).string() + ".old";
+  new_name = stem + old.extension().string();
+  for (int n = 2; std::filesystem::exists(new_name); ++n)
+    new_name = stem + "-" + std::to_string(n) + old.extension().string();
+  errno = 0;
+  if (std::rename(path.c_str(), new_name.c_str()) == 0) return "";
+  return "cannot rename " + path + " to " + new_name + system_reason();
 }
 
 }  // namespace tunica::output

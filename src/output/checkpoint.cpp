@@ -51,6 +51,12 @@ CheckpointFile::CheckpointFile(const std::string& path) : path_(path) {
   TUNICA_CHECK(text_names.size() == texts.size() && number_names.size() == counts.size() &&
                    array_names.size() == columns.size() && array_names.size() == sums.size(),
                path + ": names and values are not of the same number");
+  const auto promised = in.strings("head_checksum");
+  TUNICA_CHECK(promised.size() == 1 &&
+                   promised.front() ==
+                       head_checksum({&text_names, &texts, &number_names, &array_names, &sums},
+                                     {&counts, &columns}, numbers),
+               path + ": its head is damaged: the checksum does not fit");
   for (std::size_t i = 0; i < texts.size(); ++i) texts_[text_names[i]] = texts[i];
   for (std::size_t i = 0, first = 0; i < counts.size(); first += counts[i++]) {
     TUNICA_CHECK(first + counts[i] <= numbers.size(), path + ": numbers are missing");

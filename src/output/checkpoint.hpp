@@ -26,6 +26,7 @@ using States = std::vector<std::pair<std::string, fields::State>>;
 ///   /text_names  /texts                                         strings
 ///   /number_names  /number_counts  /numbers
 ///   /array_names  /array_columns  /array_checksums
+///   /head_checksum                                              of all above
 ///   /<part>/vertices                                            int32, vertex of each row
 ///   /<part>/<array>                                             float64, rows × columns
 ///

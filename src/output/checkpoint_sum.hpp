@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "base/hash.hpp"
@@ -15,6 +16,18 @@ inline std::uint64_t checksum(const std::vector<int>& vertices, const fields::St
     sum += hash_bytes(rows.values.data() + r * rows.columns, rows.columns * sizeof(double), start);
   }
   return sum;
+}
+
+/// Digits for everything in a checkpoint but its arrays.
+inline std::string head_checksum(const std::vector<const std::vector<std::string>*>& texts,
+                                 const std::vector<const std::vector<int>*>& integers,
+                                 const std::vector<double>& numbers) {
+  std::uint64_t hash = hash_start;
+  for (const auto* list : texts)
+    for (const std::string& text : *list) hash = hash_bytes(text.c_str(), text.size() + 1, hash);
+  for (const auto* list : integers)
+    hash = hash_bytes(list->data(), list->size() * sizeof(int), hash);
+  return hash_digits(hash_bytes(numbers.data(), numbers.size() * sizeof(double), hash));
 }
 
 }  // namespace tunica::output

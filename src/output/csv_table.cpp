@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <stdexcept>
 
 #include "output/atomic_file.hpp"
@@ -52,8 +53,13 @@ void CsvTable::keep(const std::string& heading, int kept_step) {
     if (step > 0 && step <= kept_step) kept += line + '\n';
   }
   earlier.close();
-  if (is_another) std::rename(path_.c_str(), (path_ + ".old").c_str());
-  const std::string problem = replace_file(path_, heading + '\n' + kept);
+  std::string problem, old_path;
+  if (is_another) problem = set_aside(path_, old_path);
+  if (is_another && problem.empty())
+    std::cerr << "warning: " << path_
+              << " has other columns than before and begins anew; its rows are in " << old_path
+              << std::endl;
+  if (problem.empty()) problem = replace_file(path_, heading + '\n' + kept);
   if (!problem.empty()) throw std::runtime_error(problem);
 }
 

@@ -1,6 +1,7 @@
 #include "output/field_files.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -52,13 +53,16 @@ std::string why_not_continued(const std::string& folder, const std::vector<GridS
   return "";
 }
 
-void set_aside(const std::string& folder) {
-  const std::string old_hdf5 = "fields.old.h5", mark = std::string(hdf5_name) + ":";
-  std::rename((folder + "/" + hdf5_name).c_str(), (folder + "/" + old_hdf5).c_str());
+std::string set_fields_aside(const std::string& folder) {
+  std::string new_path;
+  const std::string problem = set_aside(folder + "/" + hdf5_name, new_path);
+  if (!problem.empty()) return problem;
+  const std::filesystem::path moved(new_path);
+  const std::string name = moved.filename().string(), mark = std::string(hdf5_name) + ":";
   std::string text = content(folder + "/" + xdmf_name);
   for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
-    text.replace(at, mark.size() - 1, old_hdf5);
-  replace_file(folder + "/fields.old.xdmf", text);
+    text.replace(at, mark.size() - 1, name);
+  return replace_file(folder + "/" + moved.stem().string() + ".xdmf", text);
 }
 
 std::string xdmf_up_to(int step, const std::string& folder) {

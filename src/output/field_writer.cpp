@@ -118,11 +118,15 @@ bool FieldWriter::can_go_on(int kept_step) {
   obstacle = agreed_message(*comm_, obstacle);
   try {
     if (obstacle.empty()) drop_steps_behind(kept_step, folder_, comm_);
+  } catch (const NoRoom&) {
+    throw;
   } catch (const MachineFault& fault) {  // a killed run may leave a group in pieces
     obstacle = fault.what();
   }
   if (obstacle.empty()) return true;
-  if (is_root && exists) set_aside(folder_);
+  const std::string problem =
+      agreed_message(*comm_, is_root && exists ? set_fields_aside(folder_) : std::string());
+  if (!problem.empty()) throw MachineFault(problem);
   remark_ = std::string(hdf5_name) + " cannot be continued and begins anew: " + obstacle;
   return false;
 }

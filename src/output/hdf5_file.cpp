@@ -62,7 +62,7 @@ hid_t open(const std::string& path, Hdf5File::Mode mode, const CommPtr& comm) {
 /// needed. Returns what went wrong, and then leaves the file as it was.
 std::string take_room(const std::string& path, long long bytes) {
   const int file = ::open(path.c_str(), O_WRONLY);
-  if (file < 0) return "cannot open " + path + ": " + std::strerror(errno);
+  if (file < 0) return "";  // HDF5 will say why
   const off_t end = lseek(file, 0, SEEK_END);
   const int failure = posix_fallocate(file, end, static_cast<off_t>(bytes));
   const bool is_restored = failure == 0 || ftruncate(file, end) == 0;
@@ -92,7 +92,7 @@ Hdf5File::Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, 
     const bool is_first = comm_->getRank() == 0;
     const std::string no_room =
         agreed_message(*comm_, is_first ? take_room(path, bytes_to_come) : std::string());
-    if (!no_room.empty()) throw MachineFault(no_room);
+    if (!no_room.empty()) throw NoRoom(no_room);
   }
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are thrown, not printed
   file_ = noted(open(path, mode, comm), mode == Mode::create ? "create" : "open");

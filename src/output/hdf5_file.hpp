@@ -4,9 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/types.hpp"
 
 namespace tunica::output {
+
+/// The disk has no room; what is on it is as it was.
+class NoRoom : public MachineFault {
+public:
+  using MachineFault::MachineFault;
+};
 
 /// A parallel HDF5 file, written by all ranks together. Every member is collective.
 ///
@@ -24,7 +31,7 @@ public:
     int columns;
   };
 
-  /// Throws MachineFault on all ranks if the file cannot be created or opened, or if the
+  /// Throws MachineFault on all ranks if the file cannot be created or opened, NoRoom if the
   /// disk has no room for the bytes to come. Room is taken beforehand because Open MPI does not
   /// return from a collective write in which one rank meets a full disk.
   Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, const CommPtr& comm);

@@ -39,7 +39,7 @@ public:
   /// started and adds this restart to those of the section "restarts".
   void take_over(int step);
 
-  /// Writes with status "running". Collective. Throws std::runtime_error on all ranks if the
+  /// Writes with status "running". Collective. Throws MachineFault on all ranks if the
   /// disk refuses.
   void save();
   /// Writes the end of the run. Collective, throws as save().

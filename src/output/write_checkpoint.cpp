@@ -63,6 +63,10 @@ struct Contents {
       array_columns.push_back(rows.columns);
     }
   }
+  std::string checksum() const {
+    return head_checksum({&text_names, &texts, &number_names, &array_names, &array_checksums},
+                         {&number_counts, &array_columns}, numbers);
+  }
   /// Composed on one rank.
   void save(const std::string& path) const {
     mesh::Hdf5Writer out(path);
@@ -75,6 +79,7 @@ struct Contents {
     out.strings("array_names", array_names);
     out.integers("array_columns", array_columns.data(), array_columns.size());
     out.strings("array_checksums", array_checksums);
+    out.strings("head_checksum", {checksum()});
     out.save();
   }
 };
@@ -127,7 +132,9 @@ std::string publish(const std::string& draft, const std::string& path) {
   if (std::rename(draft.c_str(), path.c_str()) != 0)
     return "cannot rename " + draft + " to " + path + system_reason();
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  return synced(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+  const std::string problem = synced(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+  // Some network file systems cannot flush folders; the file has its name all the same.
+  return errno == EINVAL || errno == ENOTSUP ? "" : problem;
 }
 
 /// Runs the work on rank 0; all ranks throw what goes wrong there.

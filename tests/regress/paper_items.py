@@ -6,6 +6,8 @@ Usage: paper_items.py FOLDER_OF_PROGRAMS SCRATCH
 import os
 import pathlib
 import sys
+from importlib.machinery import SourceFileLoader
+from importlib.util import module_from_spec, spec_from_loader
 
 from runs import ROOT, Run, Verdict, command, fresh, table
 
@@ -20,9 +22,10 @@ def reproduce(programs, folder, *words):
 
 
 def settings_are_valid(verdict, programs, folder):
-    sys.path.insert(0, str(REPRODUCE.parent))
-    from importlib.machinery import SourceFileLoader
-    module = SourceFileLoader("reproduce", str(REPRODUCE)).load_module()
+    loader = SourceFileLoader("reproduce", str(REPRODUCE))
+    module = module_from_spec(spec_from_loader("reproduce", loader))
+    sys.modules["reproduce"] = module  # dataclasses look for it there
+    loader.exec_module(module)
     for item in module.items():
         words = [REPRODUCE.parent / f"{item.case}.xml", "--dry-run"]
         for setting in item.settings + item.on_coarse:

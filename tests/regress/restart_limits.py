@@ -99,14 +99,18 @@ def begins_anew(verdict, programs, folder):
                   "a new run removes the checkpoints of the one before, and writes none if asked")
 
 
-def one_field_goes_on(verdict, programs, folder, program, case):
-    straight = Run(command(programs / program, [case, "--output", "straight", "--steps", 4]), folder)
-    first = Run(command(programs / program, [case, "--output", "broken", "--steps", 2]), folder)
-    second = Run(command(programs / program, [case, "--output", "broken", "--steps", 4,
-                                              "--restart"], 2), folder)
+def one_field_goes_on(verdict, programs, folder, program, case, *words):
+    def run(output, steps, *more, ranks=1):
+        return Run(command(programs / program, [case, "--output", output, "--steps", steps, *words,
+                                                *more], ranks), folder)
+    straight, first = run("straight", 4), run("broken", 2)
+    second = run("broken", 4, "--restart", ranks=2)
     verdict.claim([run.status for run in (straight, first, second)] == [0, 0, 0],
                   f"{program}: all end with 0")
     same_steps(verdict, program, folder / "broken", folder / "straight")
+    if "Wall/analysis=dynamic" in words:
+        energies = table(folder / "straight" / "steps.csv")["wall_kinetic_energy_kPa_mm3"]
+        verdict.claim(min(energies) > 0, f"{program}: a moving wall has kinetic energy from its first step on")
     shutil.rmtree(folder / "broken")
     shutil.rmtree(folder / "straight")
 
@@ -118,7 +122,8 @@ def main(programs, scratch):
     verdict.claim(run.status == 0, f"the first two steps end with 0 ({run.seconds:.1f} s)")
     for part in (refuses, knows_its_end, survives_a_full_disk, goes_further, begins_anew):
         part(verdict, programs, folder)
-    one_field_goes_on(verdict, programs, folder, "tunica-solid", ROOT / "xml" / "inflation.xml")
+    one_field_goes_on(verdict, programs, folder, "tunica-solid", ROOT / "xml" / "inflation.xml",
+                      "--set", "Wall/analysis=dynamic")
     one_field_goes_on(verdict, programs, folder, "tunica-fluid", ROOT / "xml" / "poiseuille.xml")
     return verdict.status()
 

@@ -6,9 +6,10 @@
 
 is what the first-order schemes of time (and PSPG in the wall) take out: positive, half as much at
 half the step, nothing in the limit, which any term that is missing or has a wrong factor would
-spoil (but the volumetric energy, which is too small here: test_wall_energy.cpp has it). The power of the fluid's SUPG and PSPG has to be among the terms. Where the mesh moves, the
-pressure oscillates the more the weaker PSPG is, so that its power stays as tau tends to dt/2
-[BGL07].
+spoil. Only the volumetric energy is too small here to be seen: test_wall_energy.cpp has it.
+
+The power of the fluid's SUPG and PSPG has to be among the terms. Where the mesh moves, the pressure
+oscillates the more the weaker PSPG is, so that its power stays as tau tends to dt/2 [BGL07].
 
 Usage: energy_balance.py FOLDER_OF_PROGRAMS SCRATCH
 """

@@ -6,7 +6,7 @@
 
 namespace tunica::verify {
 
-/// What test_manufactured.cpp and test_moving_mesh.cpp know of an exact flow at a point.
+/// What test_manufactured.cpp and test_moving_domain.cpp know of an exact flow at a point.
 struct Flow {
   Vec3 u, dudt, laplacian, grad_p;
   Mat3 G{};  ///< ∇u

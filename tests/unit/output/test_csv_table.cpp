@@ -53,12 +53,18 @@ TEUCHOS_UNIT_TEST(csv_table, replaces_the_file_of_an_earlier_run) {
   TEST_EQUALITY(content(path), "a\n2\n");
 }
 
+/// Where a table goes that cannot be continued.
+std::string aside(const std::string& path, const std::string& number = "") {
+  const std::filesystem::path file(path);
+  return (file.parent_path() / file.stem()).string() + ".old" + number + file.extension().string();
+}
+
 TEUCHOS_UNIT_TEST(csv_table, keeps_whole_rows_up_to_a_step) {
   const std::string path = own_file("kept");
   std::ofstream(path) << "step,a\n1,10\n1,11\n2,20\n3,30\n2";
   CsvTable(path, {"step", "a"}, true, 2).row({3, 31});
   TEST_EQUALITY(content(path), "step,a\n1,10\n1,11\n2,20\n3,31\n");
-  TEST_ASSERT(!std::filesystem::exists(path + ".old"));
+  TEST_ASSERT(!std::filesystem::exists(aside(path)));
 }
 
 TEUCHOS_UNIT_TEST(csv_table, sets_aside_a_table_with_other_columns) {
@@ -66,7 +72,10 @@ TEUCHOS_UNIT_TEST(csv_table, sets_aside_a_table_with_other_columns) {
   std::ofstream(path) << "step,a\n1,10\n";
   CsvTable(path, {"step", "b"}, true, 1).row({2, 20});
   TEST_EQUALITY(content(path), "step,b\n2,20\n");
-  TEST_EQUALITY(content(path + ".old"), "step,a\n1,10\n");
+  TEST_EQUALITY(content(aside(path)), "step,a\n1,10\n");
+  CsvTable(path, {"step", "c"}, true, 2).row({3, 30});
+  TEST_EQUALITY(content(aside(path)), "step,a\n1,10\n");
+  TEST_EQUALITY(content(aside(path, "-2")), "step,b\n2,20\n");
 }
 
 TEUCHOS_UNIT_TEST(csv_table, begins_where_there_is_nothing_to_keep) {
