@@ -21,7 +21,3 @@ LEVELS = {
     ("fluid", "coarse"): [9034, 1684, 252], ("wall", "coarse"): [26096, 4012, 648, 88],
     ("fluid", "fine"): [56996, 9034, 1684, 252], ("wall", "fine"): [185424, 26096, 4012, 648, 88],
 }
-
-KRYLOV_CAP = 200
-"""Iterations at which the paper stops BiCGStab, and at which it did stop in the fourth Newton step of the artery on
-the fine mesh."""

@@ -1,5 +1,6 @@
 """The runs that xml/paper/reproduce leaves: DIR/coarse/ITEM and DIR/fine/ITEM."""
 import os
+from functools import cache
 
 from report.run_data import BadRun, Run, SolverRun, read_json, rows_where
 
@@ -28,6 +29,7 @@ class PaperRuns:
     def has(self, mesh, item, table):
         return os.path.exists(os.path.join(self.path(mesh, item), table))
 
+    @cache
     def march(self, mesh, item, with_fields=False):
         """A run of tunica-fsi that has finished a step."""
         if not self.has(mesh, item, "steps.csv"):

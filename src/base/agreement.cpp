@@ -33,6 +33,17 @@ void on_root(const Comm& comm, const std::function<void()>& work) {
   });
 }
 
+void on_root_or_fault(const Comm& comm, const std::function<std::string()>& work) {
+  std::string problem;
+  try {
+    if (comm.getRank() == 0) problem = work();
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  problem = agreed_message(comm, problem);
+  if (!problem.empty()) throw MachineFault(problem);
+}
+
 void on_all(const Comm& comm, const std::function<void()>& work) {
   std::string message;
   try {

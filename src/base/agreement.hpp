@@ -13,6 +13,10 @@ std::string agreed_message(const Comm& comm, const std::string& message);
 /// Runs the work on rank 0 only. Where it throws Error, all ranks throw the same. Collective.
 void on_root(const Comm& comm, const std::function<void()>& work);
 
+/// Runs work with the disk on rank 0, which returns what went wrong or throws. All ranks then throw
+/// the same MachineFault. Collective.
+void on_root_or_fault(const Comm& comm, const std::function<std::string()>& work);
+
 /// Runs the work, which is not collective, on all ranks. Where it throws Error on some, all ranks
 /// throw that of the lowest. Collective.
 void on_all(const Comm& comm, const std::function<void()>& work);

@@ -38,12 +38,8 @@ struct Strain {
 };
 
 Strain strain_of(const Sym3& C) {
-  const Sym3 adj = adjugate(C);
-  const double I3 = det(C, adj);
-  Strain strain;
-  for (int I = 0; I < 6; ++I) strain.C_inv[I] = adj[I] / I3;
-  strain.a = 1.0 / std::cbrt(I3);
-  return strain;
+  const auto [C_inv, I3] = inverse_of(C);
+  return {C_inv, 1.0 / std::cbrt(I3)};
 }
 
 double exponential(double exponent) {
@@ -56,6 +52,24 @@ Sym3 direction(const Sym3& H, double HC, const Sym3& C_inv) {
   Sym3 G;
   for (int I = 0; I < 6; ++I) G[I] = H[I] - HC / 3.0 * C_inv[I];
   return G;
+}
+
+/// What stress and tangent need of a family of fibres that carries.
+struct Stretch {
+  double HC, e;
+  double w;  ///< 2 k1 exp(k2 e²) a
+  Sym3 G;
+};
+
+/// False where the family is slack.
+bool is_stretched(const Sym3& H, const Sym3& C, const Strain& strain, double k1, double k2,
+                  Stretch& out) {
+  out.HC = contract(H, C);
+  out.e = strain.a * out.HC - 1.0;
+  if (!(out.e > slack)) return false;
+  out.w = 2.0 * k1 * exponential(k2 * out.e * out.e) * strain.a;
+  out.G = direction(H, out.HC, strain.C_inv);
+  return true;
 }
 
 }  // namespace
@@ -102,27 +116,23 @@ double Holzapfel::energy(const Sym3& C, const Frame& frame) const {
 
 Sym3 Holzapfel::stress(const Sym3& C, const Frame& frame) const {
   Sym3 S = matrix_.stress(C, frame);
-  const auto [C_inv, a] = strain_of(C);
+  const Strain strain = strain_of(C);
+  Stretch fibre;
   for (const Sym3& H : structure(frame)) {
-    const double HC = contract(H, C);
-    const double e = a * HC - 1.0;
-    if (!(e > slack)) continue;
-    const Sym3 G = direction(H, HC, C_inv);
-    const double factor = 2.0 * k1_ * e * exponential(k2_ * e * e) * a;
-    for (int I = 0; I < 6; ++I) S[I] += factor * G[I];
+    if (!is_stretched(H, C, strain, k1_, k2_, fibre)) continue;
+    for (int I = 0; I < 6; ++I) S[I] += fibre.w * fibre.e * fibre.G[I];
   }
   return S;
 }
 
 Response Holzapfel::response(const Sym3& C, const Frame& frame) const {
   Response result = matrix_.response(C, frame);
-  const auto [C_inv, a] = strain_of(C);
+  const Strain strain = strain_of(C);
+  const auto& [C_inv, a] = strain;
+  Stretch fibre;
   for (const Sym3& H : structure(frame)) {
-    const double HC = contract(H, C);
-    const double e = a * HC - 1.0;
-    if (!(e > slack)) continue;
-    const Sym3 G = direction(H, HC, C_inv);
-    const double w = 2.0 * k1_ * exponential(k2_ * e * e) * a;
+    if (!is_stretched(H, C, strain, k1_, k2_, fibre)) continue;
+    const auto& [HC, e, w, G] = fibre;
     const double on_GG = 2.0 * w * a * (1.0 + 2.0 * k2_ * e * e);
     const double on_dG = 2.0 * w * e;
     Sym3 Y;  // half of what stands beside C⁻¹ in ∂G/∂C

@@ -26,20 +26,6 @@ namespace {
 double shear_modulus(double E, double nu) { return 0.5 * E / (1.0 + nu); }
 double bulk_modulus(double E, double nu) { return E / (3.0 * (1.0 - 2.0 * nu)); }
 
-struct Volume {
-  Sym3 C_inv;
-  double J;
-};
-
-Volume volume_of(const Sym3& C) {
-  const Sym3 adj = adjugate(C);
-  const double I3 = det(C, adj);
-  Volume volume;
-  for (int I = 0; I < 6; ++I) volume.C_inv[I] = adj[I] / I3;
-  volume.J = std::sqrt(I3);
-  return volume;
-}
-
 }  // namespace
 
 StVenantKirchhoff::StVenantKirchhoff(double E, double nu)
@@ -55,18 +41,19 @@ double StVenantKirchhoff::energy(const Sym3& C, const Frame&) const {
 }
 
 Sym3 StVenantKirchhoff::stress(const Sym3& C, const Frame&) const {
-  const Volume volume = volume_of(C);
+  const auto [C_inv, I3] = inverse_of(C);
+  const double J = std::sqrt(I3);
   const double on_unit = 0.5 * lambda_ * (trace(C) - 3.0);
-  const double on_inverse = -kappa_ * (volume.J - 1.0) * volume.J;
+  const double on_inverse = -kappa_ * (J - 1.0) * J;
   Sym3 S;
   for (int I = 0; I < 6; ++I)
-    S[I] = on_unit * unit_tensor[I] + mu_ * (C[I] - unit_tensor[I]) + on_inverse * volume.C_inv[I];
+    S[I] = on_unit * unit_tensor[I] + mu_ * (C[I] - unit_tensor[I]) + on_inverse * C_inv[I];
   return S;
 }
 
 Response StVenantKirchhoff::response(const Sym3& C, const Frame& frame) const {
-  const Volume volume = volume_of(C);
-  const double J = volume.J;
+  const auto [C_inv, I3] = inverse_of(C);
+  const double J = std::sqrt(I3);
   Response result;
   result.S = stress(C, frame);
   result.D = {};
@@ -76,9 +63,9 @@ Response StVenantKirchhoff::response(const Sym3& C, const Frame& frame) const {
     result.D[I + 3][I + 3] = mu_;
   }
   Sym3 half;
-  for (int I = 0; I < 6; ++I) half[I] = -0.5 * kappa_ * (2.0 * J - 1.0) * J * volume.C_inv[I];
-  add_symmetric_product(result.D, half, volume.C_inv);
-  add_congruence(result.D, 2.0 * kappa_ * (J - 1.0) * J, volume.C_inv);
+  for (int I = 0; I < 6; ++I) half[I] = -0.5 * kappa_ * (2.0 * J - 1.0) * J * C_inv[I];
+  add_symmetric_product(result.D, half, C_inv);
+  add_congruence(result.D, 2.0 * kappa_ * (J - 1.0) * J, C_inv);
   return result;
 }
 

@@ -23,6 +23,19 @@ inline double det(const Sym3& A, const Sym3& adj) {
   return A[0] * adj[0] + A[3] * adj[3] + A[5] * adj[5];
 }
 
+struct Inverse {
+  Sym3 inverse;
+  double det;
+};
+
+inline Inverse inverse_of(const Sym3& A) {
+  const Sym3 adj = adjugate(A);
+  Inverse result;
+  result.det = det(A, adj);
+  for (int I = 0; I < 6; ++I) result.inverse[I] = adj[I] / result.det;
+  return result;
+}
+
 /// D += Y ⊗ Z + Z ⊗ Y.
 inline void add_symmetric_product(Sym3Map& D, const Sym3& Y, const Sym3& Z) {
   for (int I = 0; I < 6; ++I)

@@ -124,9 +124,7 @@ bool FieldWriter::can_go_on(int kept_step) {
     obstacle = fault.what();
   }
   if (obstacle.empty()) return true;
-  const std::string problem =
-      agreed_message(*comm_, is_root && exists ? set_fields_aside(folder_) : std::string());
-  if (!problem.empty()) throw MachineFault(problem);
+  on_root_or_fault(*comm_, [&] { return exists ? set_fields_aside(folder_) : std::string(); });
   remark_ = std::string(hdf5_name) + " cannot be continued and begins anew: " + obstacle;
   return false;
 }
@@ -308,12 +306,9 @@ std::vector<xdmf::Grid> FieldWriter::describe_blocks(const std::string& group) c
 }
 
 void FieldWriter::replace_xdmf() const {
-  std::string problem;
-  if (comm_->getRank() == 0) {
-    problem = replace_file(folder_ + "/" + xdmf_name, xdmf::document(finished_steps_));
-  }
-  problem = agreed_message(*comm_, problem);
-  if (!problem.empty()) throw MachineFault(problem);
+  on_root_or_fault(*comm_, [&] {
+    return replace_file(folder_ + "/" + xdmf_name, xdmf::document(finished_steps_));
+  });
 }
 
 }  // namespace tunica::output

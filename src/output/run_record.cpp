@@ -156,10 +156,7 @@ std::string RunRecord::text() const {
 }
 
 void RunRecord::replace() {
-  std::string problem;
-  if (comm_->getRank() == 0) problem = replace_file(path_, text());
-  problem = agreed_message(*comm_, problem);
-  if (!problem.empty()) throw MachineFault(problem);
+  on_root_or_fault(*comm_, [&] { return replace_file(path_, text()); });
 }
 
 }  // namespace tunica::output

@@ -137,18 +137,6 @@ std::string publish(const std::string& draft, const std::string& path) {
   return errno == EINVAL || errno == ENOTSUP ? "" : problem;
 }
 
-/// Runs the work on rank 0; all ranks throw what goes wrong there.
-void on_root_or_fault(const Comm& comm, const std::function<std::string()>& work) {
-  std::string problem;
-  try {
-    if (comm.getRank() == 0) problem = work();
-  } catch (const std::exception& error) {
-    problem = error.what();
-  }
-  problem = agreed_message(comm, problem);
-  if (!problem.empty()) throw MachineFault(problem);
-}
-
 }  // namespace
 
 void write_checkpoint(const std::string& path, const CheckpointHead& head, const States& states,
