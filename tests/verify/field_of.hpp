@@ -9,6 +9,7 @@
 #include "fields/field_mesh.hpp"
 #include "fields/reduce.hpp"
 #include "mesh/partition.hpp"
+#include "mesh/tube.hpp"
 #include "params/table.hpp"
 
 namespace tunica::verify {
@@ -37,6 +38,17 @@ inline std::string entry(const std::string& name, const std::string& type,
 }
 inline std::string sublist(const std::string& name, const std::string& entries) {
   return "<ParameterList name=\"" + name + "\">" + entries + "</ParameterList>";
+}
+
+/// The field of a round tube without a wall, the finer the larger n.
+inline fields::FieldMesh lumen(double radius, double length, int n) {
+  mesh::Tube tube;
+  tube.with_wall = false;
+  tube.radius = radius;
+  tube.length = length;
+  tube.around = 8 * n;
+  tube.axial = 6 * n;
+  return field_of(mesh::make_tube(tube));
 }
 
 /// Mean of f over the nodes where it is a number. Collective.

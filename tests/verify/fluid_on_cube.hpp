@@ -1,4 +1,5 @@
 #pragma once
+#include "base/error.hpp"
 #include "cube.hpp"
 #include "field_of.hpp"
 #include "problems/fluid_problem.hpp"
@@ -18,6 +19,16 @@ inline Teuchos::ParameterList enclosed_fluid(double density, double viscosity,
                   sublist("boundary", entry("condition", "string", "velocity") +
                                           entry("velocity", "Array(double)", "{0, 0, 0}"))) +
           sublist("Newton", newton));
+}
+
+/// Solves the clock's step on the mesh that moves from d_old to d; throws Error where it cannot.
+inline void solve_moving_step(problems::FluidProblem& fluid, const stepping::Clock& clock,
+                              const std::vector<Vec3>& d, const std::vector<Vec3>& d_old) {
+  fluid.begin_step(clock);
+  const auto inverted = fluid.set_domain(d, d_old);
+  TUNICA_CHECK(!inverted, *inverted);
+  const nonlinear::NewtonReport report = fluid.solve();
+  TUNICA_CHECK(report.is_converged, report.reason);
 }
 
 }  // namespace tunica::verify

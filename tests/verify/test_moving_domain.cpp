@@ -84,11 +84,7 @@ void march(Kind kind, problems::FluidProblem& fluid, const stepping::Clock& time
   std::vector<Vec3> d_old(fluid.mesh().n_nodes());
   for (stepping::Clock clock = times; !clock.is_done(); clock.advance()) {
     const std::vector<Vec3> d = motion(fluid.mesh(), clock.time());
-    fluid.begin_step(clock);
-    const auto inverted = fluid.set_domain(d, d_old);
-    TUNICA_CHECK(!inverted, *inverted);
-    const nonlinear::NewtonReport report = fluid.solve();
-    TUNICA_CHECK(report.is_converged, report.reason);
+    verify::solve_moving_step(fluid, clock, d, d_old);
     d_old = d;
   }
 }

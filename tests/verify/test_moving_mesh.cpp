@@ -46,11 +46,7 @@ Worst worst_of(problems::FluidProblem& fluid, const problems::FluidProblem::Vect
   std::vector<Vec3> d_old(mesh.n_nodes());
   for (stepping::Clock clock(step, 4); !clock.is_done(); clock.advance()) {
     const std::vector<Vec3> d = motion(mesh, clock.step(), 0.25);
-    fluid.begin_step(clock);
-    const auto inverted = fluid.set_domain(d, d_old);
-    TUNICA_CHECK(!inverted, *inverted);
-    const nonlinear::NewtonReport report = fluid.solve();
-    TUNICA_CHECK(report.is_converged, report.reason);
+    verify::solve_moving_step(fluid, clock, d, d_old);
     d_old = d;
     const auto u_h = fields::ghosted_vectors(mesh, *fluid.state().u);
     const auto p_h = fields::ghosted_scalars(mesh, *fluid.state().p);

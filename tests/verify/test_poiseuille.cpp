@@ -13,7 +13,6 @@
 
 #include "base/error.hpp"
 #include "field_of.hpp"
-#include "mesh/tube.hpp"
 #include "problems/fluid_problem.hpp"
 
 namespace {
@@ -77,13 +76,7 @@ struct Flow {
 };
 
 Flow flow_on(int n, const std::string& viscous_factor = "4") {
-  mesh::Tube tube;
-  tube.with_wall = false;
-  tube.radius = R;
-  tube.length = length;
-  tube.around = 8 * n;
-  tube.axial = 6 * n;
-  const fields::FieldMesh field = verify::field_of(mesh::make_tube(tube));
+  const fields::FieldMesh field = verify::lumen(R, length, n);
   problems::FluidProblem fluid(options(viscous_factor), field);
   double Q = 0.0, last = 0.0;
   for (stepping::Clock clock(1e4, 4); !clock.is_done(); clock.advance()) {

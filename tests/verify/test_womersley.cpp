@@ -10,7 +10,6 @@
 
 #include "base/error.hpp"
 #include "field_of.hpp"
-#include "mesh/tube.hpp"
 #include "problems/fluid_problem.hpp"
 #include "womersley.hpp"
 
@@ -113,13 +112,7 @@ struct Comparison {
 };
 
 Comparison flow_on(int n, int steps, std::ostream& out) {
-  mesh::Tube tube;
-  tube.with_wall = false;
-  tube.radius = R;
-  tube.length = length;
-  tube.around = 8 * n;
-  tube.axial = 6 * n;
-  const fields::FieldMesh field = verify::field_of(mesh::make_tube(tube));
+  const fields::FieldMesh field = verify::lumen(R, length, n);
   constexpr int periods = 2;
   problems::FluidProblem fluid(options(steps, periods), field);
   const verify::Womersley exact{density, viscosity, R, Complex(0.0, omega)};
