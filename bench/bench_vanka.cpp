@@ -19,6 +19,7 @@
 #include "app/schema.hpp"
 #include "base/timer.hpp"
 #include "linear/merged_matrix.hpp"
+#include "multigrid/node_ilu.hpp"
 #include "multigrid/vanka.hpp"
 #include "params/read_xml.hpp"
 #include "problems/solid_problem.hpp"
@@ -138,6 +139,22 @@ void sweep_of_kind(benchmark::State& state, const Wall& wall, const std::string&
   state.counters["MB kept"] = smoother->bytes() / 1e6;
 }
 
+void ilu_sweep(benchmark::State& state, const Wall& wall, int fill, bool is_single) {
+  const auto factors = multigrid::make_node_ilu(*wall.K(), {}, {fill, is_single});
+  factors->refresh();
+  Vector r(wall.K()->getRowMap()), x(r.getMap());
+  r.randomize();
+  const std::string name = (is_single ? "single ILU(" : "double ILU(") + std::to_string(fill) + ")";
+  const double seconds = measure(state, name, [&] { factors->smooth(1.0, r, x); });
+  state.counters["MB kept"] = factors->bytes() / 1e6;
+  state.counters["share"] = factors->bytes() / seconds / best()["bandwidth"];
+}
+
+void ilu_set_up(benchmark::State& state, const Wall& wall, int fill) {
+  const auto factors = multigrid::make_node_ilu(*wall.K(), {}, {fill});
+  measure(state, "ILU(" + std::to_string(fill) + ") set-up", [&] { factors->refresh(); });
+}
+
 void product(benchmark::State& state, const Wall& wall) {
   Vector x(wall.K()->getDomainMap()), y(wall.K()->getRangeMap());
   x.randomize();
@@ -221,6 +238,11 @@ int main(int argc, char** argv) {
   for (const std::string patch : {"diagonal", "node pair"})
     add(("forward sweep, " + patch).c_str(), sweep_of_kind, patch);
   add("forward sweep, Ifpack2", ifpack2_sweep);
+  add("ILU(0) sweep, double", ilu_sweep, 0, false);
+  add("ILU(0) sweep, single", ilu_sweep, 0, true);
+  add("ILU(1) sweep, single", ilu_sweep, 1, true);
+  add("set-up, ILU(0)", ilu_set_up, 0);
+  add("set-up, ILU(1)", ilu_set_up, 1);
   add("set-up, double", set_up, "full", false);
   add("set-up, single", set_up, "full", true);
   for (const std::string patch : {"diagonal", "node pair"})

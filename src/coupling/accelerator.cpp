@@ -48,6 +48,12 @@ std::deque<InterfaceVector> unpacked(const fields::State::Array& rows) {
   return vectors;
 }
 
+InterfaceVector difference(const InterfaceVector& a, const InterfaceVector& b) {
+  InterfaceVector c(a);
+  for (std::size_t i = 0; i < c.size(); ++i) c[i] -= b[i];
+  return c;
+}
+
 double inner_product(const Comm& comm, const InterfaceVector& a, const InterfaceVector& b) {
   return fields::global_sum(comm, std::inner_product(a.begin(), a.end(), b.begin(), 0.0));
 }

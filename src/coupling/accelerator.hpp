@@ -26,7 +26,7 @@ public:
   virtual void save(fields::State&) const {}
   virtual void restore(const fields::State&) {}
 
-  /// Relaxation factor of the last next(); 1 where a least-squares update was made.
+  /// Relaxation factor of the last next(); 1 where a whole least-squares update was made.
   virtual double relaxation() const = 0;
   /// Columns of the least-squares update of the last next(); 0 for plain relaxation.
   virtual int columns() const = 0;
@@ -41,6 +41,9 @@ std::unique_ptr<Accelerator> make_accelerator(const Teuchos::ParameterList& list
 /// Vectors side by side as the columns of one array, three per vector, and back.
 fields::State::Array packed(const std::deque<InterfaceVector>& vectors);
 std::deque<InterfaceVector> unpacked(const fields::State::Array& rows);
+
+/// a − b.
+InterfaceVector difference(const InterfaceVector& a, const InterfaceVector& b);
 
 /// Sum over all ranks of the products of the entries.
 double inner_product(const Comm& comm, const InterfaceVector& a, const InterfaceVector& b);

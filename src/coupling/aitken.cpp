@@ -21,13 +21,13 @@ void Aitken::begin_step() {
 
 InterfaceVector Aitken::next(const InterfaceVector& d, const InterfaceVector& residual) {
   if (!is_first_) {
-    InterfaceVector change(residual);
-    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= last_residual_[i];
+    const InterfaceVector change = difference(residual, last_residual_);
     const double size = inner_product(*comm_, change, change);
-    if (size > 0.0) factor_ *= -inner_product(*comm_, last_residual_, change) / size;
+    if (size > 0.0) factor_ = -inner_product(*comm_, difference(d, last_d_), change) / size;
     factor_ = std::clamp(factor_, smallest_factor_, largest_factor_);
   }
   is_first_ = false;
+  last_d_ = d;
   last_residual_ = residual;
   InterfaceVector next_d(d);
   for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += factor_ * residual[i];

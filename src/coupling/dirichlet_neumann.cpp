@@ -128,19 +128,25 @@ Report DirichletNeumann::solve_step(const stepping::Clock& clock,
   fluid_->begin_step(clock);
   wall_->begin_step(clock);
   accelerator_->begin_step();
-  InterfaceVector d = predict(), answer;
+  InterfaceVector d = predict(), answer, reached = history_.front();
+  int n_halved = 0;
   for (int k = 1; k <= options_.max_iterations; ++k) {
     Iteration& iteration = report.iterations.emplace_back();
     std::string cause;
     if (!respond(d, iteration, answer, cause)) {
       watch(k, iteration);
+      if (++n_halved <= options_.halvings && size_of(difference(d, reached)) > 0.0) {
+        for (std::size_t i = 0; i < d.size(); ++i) d[i] = 0.5 * (reached[i] + d[i]);
+        continue;
+      }
       std::ostringstream reason;
       reason << "time " << clock.time() << " ms, coupling iteration " << k << ": " << cause;
       report.reason = reason.str();
       return report;
     }
-    InterfaceVector residual(answer);
-    for (std::size_t i = 0; i < d.size(); ++i) residual[i] -= d[i];
+    n_halved = 0;
+    reached = d;
+    const InterfaceVector residual = difference(answer, d);
     iteration.residual = size_of(residual);
     report.is_converged = iteration.residual < options_.tolerance;
     if (!report.is_converged) {

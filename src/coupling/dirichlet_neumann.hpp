@@ -17,6 +17,7 @@ struct CouplingOptions {
   double tolerance;          ///< ε of |r|/√n < ε, n the vertices of the interface [mm]
   int predictor_order;       ///< 0: last displacement, 1: linear, 2: quadratic in time
   double largest_update;     ///< of a displacement component in one iteration [mm]; 0: any
+  int halvings;              ///< of an update that a field cannot follow, in a row
   bool accepts_unconverged;  ///< go on with a warning where a step does not converge
 };
 params::Table coupling_table();
@@ -43,7 +44,8 @@ struct Report {
 };
 
 /// Dirichlet–Neumann coupling ([LY1] section 5.1): mesh motion and fluid for a given interface
-/// displacement d, wall for the fluid's force, d̃ its answer, until r = d̃ − d is small.
+/// displacement d, wall for the fluid's force, d̃ its answer, until r = d̃ − d is small. Where one
+/// of the three fails, d goes back half of the way to where they last did not.
 class DirichletNeumann : public fields::Restartable {
 public:
   /// list: the resolved "Coupling" list. The problems must outlive the object.

@@ -1,27 +1,20 @@
 #include "coupling/iqn_ils.hpp"
 
+#include <cmath>
 #include <numeric>
 
 #include "coupling/least_squares.hpp"
 
 namespace tunica::coupling {
 
-namespace {
-
-InterfaceVector difference(const InterfaceVector& a, const InterfaceVector& b) {
-  InterfaceVector c(a);
-  for (std::size_t i = 0; i < c.size(); ++i) c[i] -= b[i];
-  return c;
-}
-
-}  // namespace
-
 IqnIls::IqnIls(const Teuchos::ParameterList& list, const CommPtr& comm)
     : comm_(comm), first_factor_(list.get<double>("first factor")),
-      filter_(list.get<double>("filter")), reused_steps_(list.get<int>("reused steps")) {}
+      filter_(list.get<double>("filter")), update_growth_(list.get<double>("update growth")),
+      reused_steps_(list.get<int>("reused steps")) {}
 
 void IqnIls::begin_step() {
   is_first_ = true;
+  last_update_ = 0.0;
   columns_of_step_.push_front(0);
 }
 
@@ -50,7 +43,19 @@ InterfaceVector IqnIls::next(const InterfaceVector& d, const InterfaceVector& re
   relaxation_ = columns_ > 0 ? 1.0 : first_factor_;
   if (columns_ == 0)
     for (std::size_t i = 0; i < d.size(); ++i) next_d[i] = d[i] + first_factor_ * residual[i];
+  bound(d, next_d);
   return next_d;
+}
+
+void IqnIls::bound(const InterfaceVector& d, InterfaceVector& next_d) {
+  const InterfaceVector update = difference(next_d, d);
+  double size = std::sqrt(inner_product(*comm_, update, update));
+  if (update_growth_ > 0.0 && last_update_ > 0.0 && size > update_growth_ * last_update_) {
+    relaxation_ = update_growth_ * last_update_ / size;
+    size = update_growth_ * last_update_;
+    for (std::size_t i = 0; i < d.size(); ++i) next_d[i] = d[i] + relaxation_ * update[i];
+  }
+  last_update_ = size;
 }
 
 void IqnIls::end_step() { forget_old_steps(); }
@@ -87,6 +92,9 @@ params::Table iqn_ils_table() {
               "relaxation factor while there is no column yet")
       .number("filter", 1e-7, params::Range{0.0, 1.0, false, true}, "1",
               "drop a column of which less than this part is new")
+      .number("update growth", 4.0, params::non_negative(), "1",
+              "an update is at most this many times the last one of its step: the first columns "
+              "promise too much; 0: any")
       .integer("reused steps", 8, params::between(0, 100),
                "how many earlier time steps lend their columns");
   return table;

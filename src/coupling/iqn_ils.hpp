@@ -13,7 +13,8 @@ namespace tunica::coupling {
 ///   W = [d̃_k − d̃_{k−1}, …]    changes of the wall's answer  mm
 ///
 /// newest first; columns of earlier steps follow those of the present one if they are reused.
-/// Nearly dependent columns are dropped. Without any column the update is a relaxation.
+/// Nearly dependent columns are dropped. Without any column the update is a relaxation. An
+/// update is cut short where it is many times as long as the last one of its step.
 ///
 /// Source: [DBV] Degroote, Bathe, Vierendeels 2009; filter after [HBD] Haelterman et al. 2016.
 class IqnIls : public Accelerator {
@@ -29,14 +30,17 @@ public:
   int columns() const override { return columns_; }
 
 private:
+  /// Cuts the update from d to next_d short.
+  void bound(const InterfaceVector& d, InterfaceVector& next_d);
   void remember(const InterfaceVector& answer, const InterfaceVector& residual);
   void forget_old_steps();
 
   CommPtr comm_;
-  double first_factor_, filter_;
+  double first_factor_, filter_, update_growth_;
   int reused_steps_;
   bool is_first_ = true;
   InterfaceVector last_residual_, last_answer_;
+  double last_update_ = 0.0;           ///< its length; 0 before the first of a step
   std::deque<InterfaceVector> V_, W_;  ///< newest first
   std::deque<int> columns_of_step_;    ///< newest first; front is the present step
   double relaxation_ = 0.0;

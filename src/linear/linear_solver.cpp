@@ -70,7 +70,7 @@ private:
 /// A set-up in iterations, roughly as measured on walls and fluids of 10,000 to 200,000 unknowns.
 double setup_cost(const std::string& preconditioner) {
   static const std::map<std::string, double> costs{
-      {"ilu", 20.0}, {"block", 8.0}, {"multigrid", 12.0}, {"direct", 100.0}, {"none", 0.0}};
+      {"ilu", 20.0}, {"block", 8.0}, {"multigrid", 4.0}, {"direct", 100.0}, {"none", 0.0}};
   return costs.at(preconditioner);
 }
 
@@ -162,7 +162,7 @@ private:
 params::Table krylov_table(const SolverDefaults& defaults, bool has_restart) {
   params::Table table;
   add_preconditioner_keys(table, defaults.preconditioner, defaults.block, defaults.cycle);
-  table.integer("max iterations", 1000, params::between(1, 1e6), "cap on the iterations")
+  table.integer("max iterations", 200, params::between(1, 1e6), "cap on the iterations")
       .number(
           "refresh factor", 1.0, params::non_negative(), "1",
           "set up a new preconditioner when the iterations lost by keeping the old one are this "

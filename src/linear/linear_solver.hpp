@@ -46,7 +46,7 @@ struct SolverDefaults {
   /// The Stratimikos list of the block preconditioner.
   Teuchos::ParameterList block = default_block_preconditioner(1, 1);
   /// The MueLu list of the multigrid cycle.
-  Teuchos::ParameterList cycle = multigrid::mixed_cycle_list();
+  Teuchos::ParameterList cycle = multigrid::mixed_cycle_list(2);
 };
 
 /// The keys of a "Linear Solver" list.

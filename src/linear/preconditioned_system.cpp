@@ -123,9 +123,9 @@ void add_preconditioner_keys(params::Table& table, const std::string& fallback,
       .foreign("MueLu", cycle_list, Teuchos::ParameterList(),
                "a MueLu list of factories for the whole system, the unknowns of a node side by "
                "side; our "
-               "factories in it are NodalPFactory, GalerkinFactory, VankaSmoother, "
-               "Ifpack2Smoother, SparseLUSolver and "
-               "NodalBraessSarazinSmoother, on blocks NodalBlockedPFactory")
+               "factories in it are NodalPFactory, GalerkinFactory, NodalIluSmoother, "
+               "VankaSmoother, NodalBraessSarazinSmoother, Ifpack2Smoother and SparseLUSolver, on "
+               "blocks NodalBlockedPFactory")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         if (!list.isSublist("MueLu")) return;  // another preconditioner
         try {

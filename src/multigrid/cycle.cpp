@@ -195,17 +195,9 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
   return nodal_levels(smoother, coarse_size);
 }
 
-Teuchos::ParameterList mixed_cycle_list() {
+Teuchos::ParameterList mixed_cycle_list(int sweeps) {
   Teuchos::ParameterList smoother;
-  smoother.set("factory", "Ifpack2Smoother").set("type", "RILUK").set("overlap", 1);
-  smoother.sublist("ParameterList").set("fact: iluk level-of-fill", 0);
-  return nodal_levels(smoother, coarsest_mixed);
-}
-
-Teuchos::ParameterList pair_cycle_list(int sweeps) {
-  Teuchos::ParameterList smoother;
-  smoother.set("factory", "VankaSmoother").set("patch", "node pair").set("order", "forward");
-  smoother.set("precision", "single").set("sweeps", sweeps);
+  smoother.set("factory", "NodalIluSmoother").set("sweeps", sweeps);
   return nodal_levels(smoother, coarsest_mixed);
 }
 

@@ -65,10 +65,7 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked = fal
 /// and after, sparse LU at the coarsest level of at most coarse_size unknowns.
 Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
 
-/// The same for a mixed system, smoothed by incomplete factors of all unknowns together.
-Teuchos::ParameterList mixed_cycle_list();
-
-/// The same, smoothed by Vanka's patches of node pairs in single precision.
-Teuchos::ParameterList pair_cycle_list(int sweeps);
+/// The same for a mixed system, smoothed by incomplete factors in blocks of a node's unknowns.
+Teuchos::ParameterList mixed_cycle_list(int sweeps);
 
 }  // namespace tunica::multigrid

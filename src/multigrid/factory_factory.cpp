@@ -7,6 +7,7 @@
 #include "multigrid/ifpack2_smoother.hpp"
 #include "multigrid/matrix_kind.hpp"
 #include "multigrid/nodal_blocked_p_factory.hpp"
+#include "multigrid/nodal_ilu_smoother.hpp"
 #include "multigrid/nodal_p_factory.hpp"
 #include "multigrid/pressure_schwarz_smoother.hpp"
 #include "multigrid/sparse_lu_solver.hpp"
@@ -81,6 +82,8 @@ public:
     if (name == "NodalBraessSarazinSmoother")
       return smoother(placed<NodalBraessSarazinSmoother>(list, factories, managers));
     if (name == "VankaSmoother") return smoother(placed<VankaSmoother>(list, factories, managers));
+    if (name == "NodalIluSmoother")
+      return smoother(placed<NodalIluSmoother>(list, factories, managers));
     if (name == "NodalPFactory") return nodal<NodalPFactory>(list, factories, managers);
     if (name == "NodalBlockedPFactory")
       return nodal<NodalBlockedPFactory>(list, factories, managers);
@@ -144,8 +147,8 @@ Teuchos::RCP<FactoryFactory> make_factory_factory(const Teuchos::RCP<MixedCoarse
 
 std::vector<std::string> our_factories() {
   return {
-      "GalerkinFactory", "Ifpack2Smoother", "NodalBlockedPFactory", "NodalBraessSarazinSmoother",
-      "NodalPFactory",   "SparseLUSolver",  "VankaSmoother"};
+      "GalerkinFactory",  "Ifpack2Smoother", "NodalBlockedPFactory", "NodalBraessSarazinSmoother",
+      "NodalIluSmoother", "NodalPFactory",   "SparseLUSolver",       "VankaSmoother"};
 }
 
 }  // namespace tunica::multigrid

@@ -9,8 +9,9 @@ namespace tunica::multigrid {
 
 namespace {
 
-const std::set<std::string> for_one_matrix{"GalerkinFactory", "NodalBraessSarazinSmoother",
-                                           "NodalPFactory", "RAPFactory", "VankaSmoother"};
+const std::set<std::string> for_one_matrix{"GalerkinFactory",  "NodalBraessSarazinSmoother",
+                                           "NodalIluSmoother", "NodalPFactory",
+                                           "RAPFactory",       "VankaSmoother"};
 const std::set<std::string> for_blocks{"BlockedCoarseMapFactory",
                                        "BlockedDirectSolver",
                                        "BlockedGaussSeidelSmoother",

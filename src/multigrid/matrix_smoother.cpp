@@ -16,8 +16,16 @@ void MatrixSmoother::Setup(MueLu::Level& level) {
 }
 
 void MatrixSmoother::Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const {
-  if (is_zero) x.putScalar(0.0);
-  smooth(*unwrapped(b), *unwrapped(x));
+  if (is_zero)
+    smooth_from_zero(*unwrapped(b), *unwrapped(x));
+  else
+    smooth(*unwrapped(b), *unwrapped(x));
+}
+
+void MatrixSmoother::smooth_from_zero(const ::tunica::MultiVector& b,
+                                      ::tunica::MultiVector& x) const {
+  x.putScalar(0.0);
+  smooth(b, x);
 }
 
 }  // namespace tunica::multigrid

@@ -22,6 +22,8 @@ protected:
   /// Both, graphs and values.
   virtual void set_up(int level, const Teuchos::RCP<::tunica::CrsMatrix>& K) = 0;
   virtual void smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const = 0;
+  /// Whatever x holds.
+  virtual void smooth_from_zero(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const;
 
 private:
   Teuchos::RCP<::tunica::CrsMatrix> K_;  // MueLu's base has names of its own

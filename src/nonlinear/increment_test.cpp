@@ -2,10 +2,22 @@
 
 #include <NOX_Solver_Generic.H>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 namespace tunica::nonlinear {
+
+namespace {
+
+/// The part of the last increment that the next one is expected to be, at most all of it.
+double next_part(const NOX::Solver::Generic& solver, double safety, double step_length) {
+  const auto& before = solver.getPreviousSolutionGroup();
+  if (safety == 0.0 || step_length < 1.0 || !before.isF() || before.getNormF() == 0.0) return 1.0;
+  return std::min(1.0, safety * solver.getSolutionGroup().getNormF() / before.getNormF());
+}
+
+}  // namespace
 
 void IncrementTest::record(const NOX::Solver::Generic& solver) {
   const Teuchos::RCP<NOX::Abstract::Vector> dx =
@@ -27,8 +39,9 @@ void IncrementTest::record(const NOX::Solver::Generic& solver) {
   steps.push_back(step);
 }
 
-NOX::StatusTest::StatusType IncrementTest::judge() {
+NOX::StatusTest::StatusType IncrementTest::judge(const NOX::Solver::Generic& solver) {
   const NewtonStep& step = report_->steps.back();
+  const double part = next_part(solver, options_.next_increment, step.step_length);
   std::ostringstream reason;
   if (!std::isfinite(step.increment)) {
     reason << "the increment is not a number";
@@ -36,8 +49,8 @@ NOX::StatusTest::StatusType IncrementTest::judge() {
     reason << "the linear solver (" << step.linear.method << ") reached a relative residual of "
            << step.linear.true_residual << " instead of " << step.linear.tolerance << " in "
            << step.linear.iterations << " iterations";
-  } else if (step.relative_increment <= options_.relative_increment ||
-             step.increment <= options_.absolute_increment) {
+  } else if (part * step.relative_increment <= options_.relative_increment ||
+             part * step.increment <= options_.absolute_increment) {
     return NOX::StatusTest::Converged;
   } else if (step.relative_increment > options_.growth_limit) {
     reason << "the increment grew to " << step.relative_increment << " times the first one";
@@ -57,7 +70,7 @@ NOX::StatusTest::StatusType IncrementTest::checkStatus(const NOX::Solver::Generi
   if (solver.getNumIterations() == 0) return status_ = NOX::StatusTest::Unconverged;
   if (static_cast<int>(report_->steps.size()) < solver.getNumIterations()) {
     record(solver);
-    status_ = judge();
+    status_ = judge(solver);
   }
   return status_;
 }

@@ -20,7 +20,7 @@ public:
 
 private:
   void record(const NOX::Solver::Generic& solver);
-  NOX::StatusTest::StatusType judge();
+  NOX::StatusTest::StatusType judge(const NOX::Solver::Generic& solver);
 
   NonlinearProblem* problem_;
   NewtonOptions options_;

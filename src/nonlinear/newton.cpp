@@ -14,6 +14,10 @@
 namespace tunica::nonlinear {
 
 params::Table newton_table() {
+  params::Table next;
+  next.number("safety", 30.0, params::positive(), "1",
+              "s in s |F_k|/|F_{k-1}|, the part of an increment that is expected of the next one: "
+              "residuals fall faster than errors");
   params::Table table("Newton's method for one field.");
   table.integer("max iterations", 20, params::between(1, 1000), "cap on the Newton steps")
       .number("relative increment", 1e-8, params::non_negative(), "1",
@@ -21,6 +25,9 @@ params::Table newton_table() {
       .number("absolute increment", 1e-9, params::non_negative(), "mixed",
               "or when the mass norm of the increment is at most this; keeps round-off from "
               "deciding in late coupling iterations, whose first increment is already tiny")
+      .variant("stop at", "increment", {{"increment", params::Table()}, {"next increment", next}},
+               "which increment those two look at: the one made, as in the paper, or the one that "
+               "would follow, foretold by the residual, which saves the last step")
       .number("growth limit", 1e4, params::positive(), "1",
               "give up when the increment has grown to this multiple of the first one")
       .choice("line search", "guarded", {"guarded", "full step", "backtrack", "polynomial"},
@@ -31,9 +38,13 @@ params::Table newton_table() {
 }
 
 NewtonOptions newton_options(const Teuchos::ParameterList& list) {
-  return {list.get<int>("max iterations"),        list.get<double>("relative increment"),
-          list.get<double>("absolute increment"), list.get<double>("growth limit"),
-          list.get<std::string>("line search"),   forcing_options(list)};
+  return {list.get<int>("max iterations"),
+          list.get<double>("relative increment"),
+          list.get<double>("absolute increment"),
+          list.isParameter("safety") ? list.get<double>("safety") : 0.0,
+          list.get<double>("growth limit"),
+          list.get<std::string>("line search"),
+          forcing_options(list)};
 }
 
 int NewtonReport::linear_iterations() const {

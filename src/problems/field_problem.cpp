@@ -55,6 +55,17 @@ std::string FieldProblem::restore(const fields::State& state) {
   return "";
 }
 
+nonlinear::NewtonReport FieldProblem::find_state() {
+  fields::BlockVector x(*mesh_);
+  x.assign(x_);
+  nonlinear::NewtonReport report = solve_newton(*this, newton_, x);
+  if (report.is_converged)
+    x_.assign(x);
+  else
+    read(x_);
+  return report;
+}
+
 bool FieldProblem::residual(const fields::BlockVector& x, fields::BlockVector& F) {
   read(x);
   if (!is_admissible()) return false;

@@ -45,8 +45,8 @@ protected:
   FieldProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
   /// Not part of the constructor: preconditioners ask for the names of operators at once.
   void make_solver(const Teuchos::ParameterList& list);
-  /// Newton's method from the present state.
-  nonlinear::NewtonReport find_state() { return solve_newton(*this, newton_, x_); }
+  /// Newton's method from the present state, which stays where it fails.
+  nonlinear::NewtonReport find_state();
 
   /// Takes the values at x to owned and ghost nodes. Collective.
   virtual void read(const fields::BlockVector& x) = 0;

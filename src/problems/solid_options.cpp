@@ -110,7 +110,7 @@ WallCondition condition_of(const std::string& surface, const Teuchos::ParameterL
 
 params::Table solid_solver_table() {
   return linear::linear_solver_table(
-      {"multigrid", linear::default_block_preconditioner(6, 2), multigrid::pair_cycle_list(2)});
+      {"multigrid", linear::default_block_preconditioner(6, 2), multigrid::mixed_cycle_list(3)});
 }
 
 params::Table solid_table() {

@@ -19,7 +19,7 @@ using test::WallMatrix;
 
 /// Three levels or more of the nodal coarsening for a matrix of blocks, with this smoother.
 Teuchos::ParameterList blocked_list(const std::string& smoother = "BraessSarazinSmoother") {
-  Teuchos::ParameterList list = multigrid::mixed_cycle_list();
+  Teuchos::ParameterList list = multigrid::mixed_cycle_list(1);
   Teuchos::ParameterList& factories = list.sublist("Factories");
   factories = Teuchos::ParameterList();  // later factories use those before them
   factories.sublist("Nodes").set("factory", "NodalBlockedPFactory");
@@ -39,7 +39,7 @@ Teuchos::ParameterList blocked_list(const std::string& smoother = "BraessSarazin
 
 /// The same on one matrix, with our smoother.
 Teuchos::ParameterList merged_list() {
-  Teuchos::ParameterList list = multigrid::mixed_cycle_list();
+  Teuchos::ParameterList list = multigrid::mixed_cycle_list(1);
   auto& sweeps = list.sublist("Factories").sublist("Sweeps");
   sweeps = Teuchos::ParameterList();
   sweeps.set("factory", "NodalBraessSarazinSmoother")

@@ -110,7 +110,7 @@ TEUCHOS_UNIT_TEST(braess_sarazin, a_solution_stays_and_rough_inverses_of_S_come_
 
 TEUCHOS_UNIT_TEST(braess_sarazin, slips_in_its_list_are_refused) {
   const auto message_of = [](const std::string& key, const std::string& value) -> std::string {
-    Teuchos::ParameterList list = multigrid::mixed_cycle_list();
+    Teuchos::ParameterList list = multigrid::mixed_cycle_list(1);
     Teuchos::ParameterList& sweeps = list.sublist("Factories").sublist("Sweeps");
     sweeps = Teuchos::ParameterList();
     sweeps.set("factory", "NodalBraessSarazinSmoother").set(key, value);

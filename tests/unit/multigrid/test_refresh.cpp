@@ -11,7 +11,7 @@ using test::WallMatrix;
 using Sublist = std::function<void(Teuchos::ParameterList&)>;
 
 Teuchos::ParameterList list_with(const Sublist& sweeps) {
-  Teuchos::ParameterList list = multigrid::mixed_cycle_list();
+  Teuchos::ParameterList list = multigrid::mixed_cycle_list(1);
   list.sublist("Hierarchy").set("coarse: max size", 40);
   Teuchos::ParameterList& smoother = list.sublist("Factories").sublist("Sweeps");
   smoother = Teuchos::ParameterList();
@@ -26,6 +26,9 @@ std::vector<std::pair<std::string, Teuchos::ParameterList>> lists() {
     all.emplace_back(name, list_with(sweeps));
   };
   add("Vanka", [](auto& s) { s.set("factory", "VankaSmoother"); });
+  for (const int fill : {0, 1})
+    add("nodal ILU(" + std::to_string(fill) + ")",
+        [&](auto& s) { s.set("factory", "NodalIluSmoother").set("fill", fill); });
   for (const std::string schur : {"gauss-seidel", "chebyshev", "multigrid", "direct"})
     add("Braess-Sarazin, " + schur,
         [&](auto& s) { s.set("factory", "NodalBraessSarazinSmoother").set("schur", schur); });
@@ -121,7 +124,7 @@ TEUCHOS_UNIT_TEST(cycle, lists_with_parts_of_muelu_are_set_up_anew) {
 TEUCHOS_UNIT_TEST(cycle, honours_the_factors_of_apply) {
   const WallMatrix wall;
   const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K));
-  const multigrid::Cycle cycle(wall.K(), nodes, multigrid::mixed_cycle_list());
+  const multigrid::Cycle cycle(wall.K(), nodes, multigrid::mixed_cycle_list(1));
   const Vector b = wall.scattered(1);
   Vector once(b.getMap()), y = wall.scattered(2), expected(y, Teuchos::Copy);
   cycle.apply(b, once);

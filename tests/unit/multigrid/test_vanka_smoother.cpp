@@ -16,7 +16,7 @@ using test::WallMatrix;
 
 /// Cycles on the levels of the nodal coarsening, smoothed by Vanka.
 Teuchos::ParameterList vanka_list(double stabilisation_scaling = 1.0) {
-  Teuchos::ParameterList list = multigrid::mixed_cycle_list();
+  Teuchos::ParameterList list = multigrid::mixed_cycle_list(1);
   list.sublist("Factories").sublist("Galerkin").set("factory", "GalerkinFactory");
   list.sublist("Factories").sublist("Galerkin").set("stabilisation scaling", stabilisation_scaling);
   list.sublist("Factories").sublist("Sweeps") = Teuchos::ParameterList();

@@ -325,6 +325,35 @@ TEUCHOS_UNIT_TEST(newton, an_increment_below_the_absolute_limit_is_enough) {
   TEST_EQUALITY(report.steps.size(), 1u);
 }
 
+TEUCHOS_UNIT_TEST(newton, the_increment_that_would_follow_may_be_judged) {
+  // From 2 the increments are 0.5, 0.083, 0.0025, the residuals 2, 0.25, 0.007, 6e-6.
+  const SmallTube tube;
+  const auto steps = [&](double safety) {
+    auto problem = square_root_of_two(tube.fluid);
+    auto chosen = options();
+    chosen.relative_increment = 0.01;
+    chosen.next_increment = safety;
+    auto x = start(tube.fluid, 2.0);
+    const auto report = nonlinear::solve_newton(problem, chosen, x);
+    TEST_ASSERT(report.is_converged);
+    TEST_COMPARE(worst_pressure(x, std::sqrt(2.0)), <=, 0.01 * 0.5);
+    return report.steps.size();
+  };
+  TEST_EQUALITY(steps(0.0), 3u);
+  TEST_EQUALITY(steps(2.0), 2u);
+  TEST_EQUALITY(steps(30.0), 3u);
+}
+
+TEUCHOS_UNIT_TEST(newton, a_damped_step_foretells_nothing) {
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  problem.refuse_where([](double p) { return p < 1.9998; });
+  auto chosen = options();
+  chosen.next_increment = 1e-12;
+  auto x = start(tube.fluid, 2.0);
+  TEST_ASSERT(!nonlinear::solve_newton(problem, chosen, x).is_converged);
+}
+
 TEUCHOS_UNIT_TEST(newton, the_solution_as_start_converges_in_one_step) {
   const SmallTube tube;
   auto problem = arc_tangent(tube.fluid);
