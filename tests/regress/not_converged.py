@@ -4,6 +4,7 @@ accepts it.
 Usage: not_converged.py FOLDER_OF_PROGRAMS SCRATCH
 """
 import json
+import math
 import pathlib
 import sys
 
@@ -12,8 +13,8 @@ from runs import ROOT, Run, Verdict, command, fresh, table
 CASE = ROOT / "xml" / "pulse-tiny.xml"
 
 
-def run_case(programs, folder, output, settings):
-    words = [CASE, "--steps", 2, "--output", output, "--set", "Output/fields every=0"]
+def run_case(programs, folder, output, settings, steps=2):
+    words = [CASE, "--steps", steps, "--output", output, "--set", "Output/fields every=0"]
     for setting in settings:
         words += ["--set", setting]
     return Run(command(programs / "tunica-fsi", words), folder), folder / output
@@ -60,10 +61,23 @@ def newton_fails(verdict, programs, folder):
                   "newton: steps.csv ends with the failed step")
 
 
+def goes_back(verdict, programs, folder):
+    """An update five times too large: the wall cannot follow it."""
+    update = ["Coupling/accelerator=aitken", "Coupling/first factor=1"]
+    run, _ = run_case(programs, folder, "far", update + ["Coupling/halvings=0"], 1)
+    verdict.claim(run.status == 2 and "coupling iteration 2: the wall's Newton method" in run.err,
+                  "far: without halvings the step fails in the second iteration")
+    run, results = run_case(programs, folder, "back", update, 1)
+    verdict.claim(run.status == 0, f"back: exit status {run.status} is 0")
+    residuals = table(results / "coupling.csv")["interface_residual"]
+    verdict.claim(math.isnan(residuals[1]) and residuals[-1] < 1e-8,
+                  f"back: the second of {len(residuals)} iterations fails, the last converges")
+
+
 def main(programs, scratch):
     verdict = Verdict()
     folder = fresh(scratch)
-    for part in (stops, accepts, newton_fails):
+    for part in (stops, accepts, newton_fails, goes_back):
         part(verdict, programs, folder)
     return verdict.status()
 

@@ -115,12 +115,20 @@ TEUCHOS_UNIT_TEST(aitken, the_factor_keeps_its_bounds) {
       "aitken", {{"first factor", 0.5}, {"smallest factor", 0.3}, {"largest factor", 0.6}}));
   aitken->begin_step();
   next(*aitken, {0}, {1});
-  next(*aitken, {0}, {0.9});  // the formula says 5
+  next(*aitken, {0.5}, {0.9});  // the formula says 5
   TEST_EQUALITY(aitken->relaxation(), 0.6);
-  next(*aitken, {0}, {-90});  // the formula says 0.006
+  next(*aitken, {1.04}, {-90});  // the formula says 0.006
   TEST_EQUALITY(aitken->relaxation(), 0.3);
-  next(*aitken, {0}, {-90});  // the formula divides by zero
+  next(*aitken, {-25.96}, {-90});  // the formula divides by zero
   TEST_EQUALITY(aitken->relaxation(), 0.3);
+}
+
+TEUCHOS_UNIT_TEST(aitken, sees_the_update_that_was_made_not_the_one_it_asked_for) {
+  const auto aitken = make(options("aitken", {{"first factor", 0.5}}));
+  aitken->begin_step();
+  TEST_ASSERT(next(*aitken, {0}, {1}) == std::vector<double>({0.5}));
+  // r = 1 − 2d at half of the way: the next update is exact.
+  TEST_ASSERT(next(*aitken, {0.25}, {0.5}) == std::vector<double>({0.5}));
 }
 
 TEUCHOS_UNIT_TEST(aitken, a_step_starts_as_the_case_says) {
@@ -149,6 +157,18 @@ TEUCHOS_UNIT_TEST(iqn_ils, solves_a_linear_problem_of_n_unknowns_in_n_plus_one_u
     // One relaxation and n least-squares updates; the next iteration sees the end.
     const int made = iterations(*iqn, LinearResponse(n, 5.0));
     TEST_COMPARE(made, <=, n + 2);
+  }
+}
+
+TEUCHOS_UNIT_TEST(iqn_ils, an_update_does_not_outgrow_the_last_one_of_its_step) {
+  // The residual falls by a thousandth over the first update: the model wants 999 times as much.
+  for (const auto& [growth, expected] : {std::pair{0.0, 999.0}, std::pair{4.0, 4.0}}) {
+    const auto iqn = make(options("iqn-ils", {{"first factor", 0.05}, {"update growth", growth}}));
+    iqn->begin_step();
+    const double d = next(*iqn, {0}, {1})[0];
+    TEST_FLOATING_EQUALITY(d, 0.05, 1e-12);
+    TEST_FLOATING_EQUALITY(next(*iqn, {d}, {0.999})[0] - d, expected * d, 1e-9);
+    TEST_FLOATING_EQUALITY(iqn->relaxation(), expected / 999.0, 1e-9);
   }
 }
 

@@ -211,7 +211,7 @@ TEUCHOS_UNIT_TEST(gcr, restarts_and_keeps_to_its_cap) {
   const auto b = test::scattered(tube.wall, 1);
   const Diagonals operators(jacobian.K, {{"Schur Mass", 1e-6}});
   Teuchos::ParameterList list = solver_list("gcr", linear::default_block_preconditioner(4, 2));
-  list.set("restart", 5);
+  list.set("restart", 5).set("max iterations", 1000);
   fields::BlockVector x(tube.wall);
   const auto restarted = linear::make_linear_solver(list, jacobian.K, operators);
   restarted->matrix_changed();
