@@ -43,7 +43,7 @@ params::Table aitken_table() {
   table
       .number("first factor", 0.1, params::Range{0.0, 1.0, true, false}, "1",
               "factor before there are two residuals; from 0.3 on the wall's Newton method may "
-              "fail in the second iteration")
+              "fail in the second iteration, and the update is halved")
       .number("smallest factor", 1e-4, params::Range{0.0, 1.0, true, false}, "1", "lower bound")
       .number("largest factor", 2.0, params::Range{0.0, 10.0, true, false}, "1", "upper bound")
       .choice("first factor of a step", "first factor", {"first factor", "last factor"},

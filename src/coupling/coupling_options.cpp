@@ -13,9 +13,10 @@ params::Table coupling_table() {
                "extrapolation in time")
       .number("largest update", 0.0, params::non_negative(), "mm",
               "scale an update of the interface down where a component exceeds this; 0 never")
-      .integer("halvings", 5, params::between(0, 50),
-               "how often in a row an update is halved where a field cannot follow it; 0: the "
-               "step fails at once")
+      .integer(
+          "halvings", 5, params::between(0, 50),
+          "how often in a row an update is halved where a field cannot follow it, each time an "
+          "iteration of its own; 0: the step fails at once")
       .choice("when not converged", "stop", {"stop", "accept"},
               "stop with exit status 2, or accept the step with a warning and go on");
   add_accelerator_keys(table);

@@ -122,6 +122,31 @@ std::string DirichletNeumann::restore(const fields::State& state) {
          "\" now: it begins without history";
 }
 
+void DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
+                              Iteration& iteration) {
+  const InterfaceVector residual = difference(answer, d);
+  iteration.residual = size_of(residual);
+  if (iteration.residual < options_.tolerance) return;
+  d = limited(d, accelerator_->next(d, residual));
+  iteration.relaxation = accelerator_->relaxation();
+  iteration.columns = accelerator_->columns();
+}
+
+bool DirichletNeumann::go_back(InterfaceVector& d, const InterfaceVector& reached,
+                               int n_failed) const {
+  if (n_failed > options_.halvings || size_of(difference(d, reached)) == 0.0) return false;
+  for (std::size_t i = 0; i < d.size(); ++i) d[i] = 0.5 * (reached[i] + d[i]);
+  return true;
+}
+
+std::string DirichletNeumann::why_unconverged(double time, const Report& report) const {
+  std::ostringstream reason;
+  reason << "time " << time << " ms: the interface residual is "
+         << report.iterations.back().residual << " mm after " << report.iterations.size()
+         << " coupling iterations, expected less than " << options_.tolerance << " mm";
+  return reason.str();
+}
+
 Report DirichletNeumann::solve_step(const stepping::Clock& clock,
                                     const std::function<void(int, const Iteration&)>& watch) {
   Report report;
@@ -129,42 +154,27 @@ Report DirichletNeumann::solve_step(const stepping::Clock& clock,
   wall_->begin_step(clock);
   accelerator_->begin_step();
   InterfaceVector d = predict(), answer, reached = history_.front();
-  int n_halved = 0;
-  for (int k = 1; k <= options_.max_iterations; ++k) {
+  int n_failed = 0;  // in a row
+  for (int k = 1; k <= options_.max_iterations && !report.is_converged; ++k) {
     Iteration& iteration = report.iterations.emplace_back();
     std::string cause;
-    if (!respond(d, iteration, answer, cause)) {
-      watch(k, iteration);
-      if (++n_halved <= options_.halvings && size_of(difference(d, reached)) > 0.0) {
-        for (std::size_t i = 0; i < d.size(); ++i) d[i] = 0.5 * (reached[i] + d[i]);
-        continue;
-      }
+    const bool is_solved = respond(d, iteration, answer, cause);
+    n_failed = is_solved ? 0 : n_failed + 1;
+    if (is_solved) {
+      reached = d;
+      update(d, answer, iteration);
+      report.is_converged = iteration.residual < options_.tolerance;
+    }
+    watch(k, iteration);
+    if (!is_solved && (k == options_.max_iterations || !go_back(d, reached, n_failed))) {
       std::ostringstream reason;
       reason << "time " << clock.time() << " ms, coupling iteration " << k << ": " << cause;
       report.reason = reason.str();
       return report;
     }
-    n_halved = 0;
-    reached = d;
-    const InterfaceVector residual = difference(answer, d);
-    iteration.residual = size_of(residual);
-    report.is_converged = iteration.residual < options_.tolerance;
-    if (!report.is_converged) {
-      d = limited(d, accelerator_->next(d, residual));
-      iteration.relaxation = accelerator_->relaxation();
-      iteration.columns = accelerator_->columns();
-    }
-    watch(k, iteration);
-    if (report.is_converged) break;
   }
   report.is_accepted = report.is_converged || options_.accepts_unconverged;
-  if (!report.is_converged) {
-    std::ostringstream reason;
-    reason << "time " << clock.time() << " ms: the interface residual is "
-           << report.iterations.back().residual << " mm after " << report.iterations.size()
-           << " coupling iterations, expected less than " << options_.tolerance << " mm";
-    report.reason = reason.str();
-  }
+  if (!report.is_converged) report.reason = why_unconverged(clock.time(), report);
   if (report.is_accepted) accept();
   return report;
 }

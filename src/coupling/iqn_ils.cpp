@@ -14,7 +14,6 @@ IqnIls::IqnIls(const Teuchos::ParameterList& list, const CommPtr& comm)
 
 void IqnIls::begin_step() {
   is_first_ = true;
-  last_update_ = 0.0;
   columns_of_step_.push_front(0);
 }
 
@@ -32,7 +31,9 @@ void IqnIls::remember(const InterfaceVector& answer, const InterfaceVector& resi
 InterfaceVector IqnIls::next(const InterfaceVector& d, const InterfaceVector& residual) {
   InterfaceVector answer(d);
   for (std::size_t i = 0; i < d.size(); ++i) answer[i] += residual[i];
+  const double last_update = is_first_ ? 0.0 : length(difference(d, last_d_));
   remember(answer, residual);
+  last_d_ = d;
   const LeastSquares fit = solve_least_squares(*comm_, V_, residual, filter_);
   columns_ = 0;
   InterfaceVector next_d(answer);
@@ -43,19 +44,20 @@ InterfaceVector IqnIls::next(const InterfaceVector& d, const InterfaceVector& re
   relaxation_ = columns_ > 0 ? 1.0 : first_factor_;
   if (columns_ == 0)
     for (std::size_t i = 0; i < d.size(); ++i) next_d[i] = d[i] + first_factor_ * residual[i];
-  bound(d, next_d);
+  if (last_update > 0.0 && update_growth_ > 0.0) bound(d, update_growth_ * last_update, next_d);
   return next_d;
 }
 
-void IqnIls::bound(const InterfaceVector& d, InterfaceVector& next_d) {
+double IqnIls::length(const InterfaceVector& x) const {
+  return std::sqrt(inner_product(*comm_, x, x));
+}
+
+void IqnIls::bound(const InterfaceVector& d, double most, InterfaceVector& next_d) {
   const InterfaceVector update = difference(next_d, d);
-  double size = std::sqrt(inner_product(*comm_, update, update));
-  if (update_growth_ > 0.0 && last_update_ > 0.0 && size > update_growth_ * last_update_) {
-    relaxation_ = update_growth_ * last_update_ / size;
-    size = update_growth_ * last_update_;
-    for (std::size_t i = 0; i < d.size(); ++i) next_d[i] = d[i] + relaxation_ * update[i];
-  }
-  last_update_ = size;
+  const double part = most / length(update);
+  if (!(part < 1.0)) return;
+  relaxation_ *= part;
+  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] = d[i] + part * update[i];
 }
 
 void IqnIls::end_step() { forget_old_steps(); }

@@ -30,8 +30,9 @@ public:
   int columns() const override { return columns_; }
 
 private:
-  /// Cuts the update from d to next_d short.
-  void bound(const InterfaceVector& d, InterfaceVector& next_d);
+  double length(const InterfaceVector& x) const;
+  /// Cuts the update from d to next_d to this length.
+  void bound(const InterfaceVector& d, double most, InterfaceVector& next_d);
   void remember(const InterfaceVector& answer, const InterfaceVector& residual);
   void forget_old_steps();
 
@@ -39,8 +40,7 @@ private:
   double first_factor_, filter_, update_growth_;
   int reused_steps_;
   bool is_first_ = true;
-  InterfaceVector last_residual_, last_answer_;
-  double last_update_ = 0.0;           ///< its length; 0 before the first of a step
+  InterfaceVector last_d_, last_residual_, last_answer_;
   std::deque<InterfaceVector> V_, W_;  ///< newest first
   std::deque<int> columns_of_step_;    ///< newest first; front is the present step
   double relaxation_ = 0.0;

@@ -67,7 +67,8 @@ private:
   bool is_stale_ = true;
 };
 
-/// A set-up in iterations, roughly as measured on walls and fluids of 10,000 to 200,000 unknowns.
+/// A set-up in iterations, roughly as measured for the default lists on walls and fluids of 10,000
+/// to 200,000 unknowns.
 double setup_cost(const std::string& preconditioner) {
   static const std::map<std::string, double> costs{
       {"ilu", 20.0}, {"block", 8.0}, {"multigrid", 4.0}, {"direct", 100.0}, {"none", 0.0}};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/map_of.hpp"
+
 namespace tunica::multigrid {
 
 NodeBlocks::NodeBlocks(const CrsMatrix& K, const MixedNumbering& numbering)
@@ -14,18 +16,16 @@ NodeBlocks::NodeBlocks(const CrsMatrix& K, const MixedNumbering& numbering)
     rows_[place_of_row_[r]] = {&own_, static_cast<int>(r)};
   for (std::size_t r = 0; r < ghost_places_.size(); ++r)
     rows_[ghost_places_[r]] = {&other_, static_cast<int>(r)};
+  numbers_.resize(nodes_.size());
+  for (const auto& [number, node] : nodes_) numbers_[node] = number;
   find_blocks();
+  nodes_ = Nodes();
 }
 
 int NodeBlocks::place(GlobalOrdinal number) {
   const int next = static_cast<int>(nodes_.size());
   return width_ * nodes_.emplace(number / width_, next).first->second +
          static_cast<int>(number % width_);
-}
-
-GlobalOrdinal NodeBlocks::number(int node) const {
-  const auto is_it = [&](const auto& entry) { return entry.second == node; };
-  return std::find_if(nodes_.begin(), nodes_.end(), is_it)->first;
 }
 
 void NodeBlocks::number_nodes() {
@@ -53,8 +53,7 @@ void NodeBlocks::number_ghosts() {
 }
 
 void NodeBlocks::fetch_ghosts(const std::vector<GlobalOrdinal>& numbers) {
-  const auto map = Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
-                                        Teuchos::arrayViewFromVector(numbers), 0, K_->getComm()));
+  const auto map = map_of(numbers, K_->getComm());
   import_ = Teuchos::rcp(new Import(K_->getRowMap(), map));
   CrsMatrix first(map, K_->getGlobalMaxNumRowEntries());
   first.doImport(*K_, *import_, insert);
@@ -66,13 +65,13 @@ void NodeBlocks::fetch_ghosts(const std::vector<GlobalOrdinal>& numbers) {
 void NodeBlocks::find_blocks() {
   own_.look();
   other_.look();
-  block_of_node_.assign(nodes_.size(), -1);
+  block_of_node_.assign(numbers_.size(), -1);
   const auto add = [&](int node) {
     if (block_of_node_[node] >= 0) return;
     block_of_node_[node] = 0;
     graph_.columns.push_back(node);
   };
-  for (int node = 0; node < static_cast<int>(nodes_.size()); ++node) {
+  for (int node = 0; node < static_cast<int>(numbers_.size()); ++node) {
     add(node);
     for (int i = 0; i < width_; ++i) {
       const auto& [source, local] = rows_[width_ * node + i];
@@ -108,8 +107,12 @@ void NodeBlocks::refresh() {
 double NodeBlocks::bytes() const {
   const double ghosts =
       ghosts_.is_null() ? 0.0 : 12.0 * static_cast<double>(ghosts_->getNodeNumEntries());
-  return ghosts + static_cast<double>(sizeof(int) * (graph_.columns.size() + own_.places.size()) +
-                                      sizeof(Row) * rows_.size());
+  const auto n_numbers = graph_.columns.size() + own_.places.size() + other_.places.size() +
+                         place_of_row_.size() + 2 * ghost_columns_.size() + block_of_node_.size();
+  return ghosts +
+         static_cast<double>(sizeof(int) * n_numbers +
+                             sizeof(std::size_t) * (graph_.start.size() + numbers_.size()) +
+                             sizeof(Row) * rows_.size());
 }
 
 void NodeBlocks::read(int node, double* blocks) {

@@ -30,7 +30,7 @@ public:
   void read(int node, double* blocks);
 
   /// A node's number in the numbering of K.
-  GlobalOrdinal number(int node) const;
+  GlobalOrdinal number(int node) const { return numbers_[node]; }
 
   /// Places, width*node + i, of the unknowns that K has as rows, in their order.
   const std::vector<int>& place_of_row() const { return place_of_row_; }
@@ -65,7 +65,8 @@ private:
 
   const CrsMatrix* K_;
   int width_, n_own_nodes_;
-  Nodes nodes_;  ///< by their numbers
+  Nodes nodes_;                         ///< by their numbers, while they are found
+  std::vector<GlobalOrdinal> numbers_;  ///< of the nodes
   std::vector<int> place_of_row_, ghost_columns_, ghost_places_;
   Teuchos::RCP<CrsMatrix> ghosts_;  ///< rows of other ranks; null where it is alone
   Teuchos::RCP<const Import> import_;

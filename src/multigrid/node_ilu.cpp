@@ -1,6 +1,7 @@
 #include "multigrid/node_ilu.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -38,7 +39,8 @@ public:
     std::string message;
     if (singular >= 0)
       message = "NodalIluSmoother: the block of node " + std::to_string(blocks_.number(singular)) +
-                " is singular.";
+                " cannot be inverted in the order of the nodes; systems without stabilisation need "
+                "another smoother.";
     message = agreed_message(*K_->getComm(), message);
     if (!message.empty()) throw std::runtime_error(message);
   }
@@ -108,7 +110,12 @@ private:
     std::copy_n(own, size(), inverses_.begin() + size() * node);
     std::copy_n(own + size(), size() * (upper_.start[node + 1] - upper_.start[node]),
                 upper_values_.begin() + size() * upper_.start[node]);
-    return is_regular;
+    const auto is_number = [](Real value) { return std::isfinite(value); };
+    return is_regular &&
+           std::all_of(inverses_.begin() + size() * node, inverses_.begin() + size() * (node + 1),
+                       is_number) &&
+           std::all_of(upper_values_.begin() + size() * upper_.start[node],
+                       upper_values_.begin() + size() * upper_.start[node + 1], is_number);
   }
 
   /// The blocks of a node into its row in work, which has room for fill.
@@ -161,6 +168,7 @@ private:
   void gather(const MultiVector& rows, std::vector<double>& values) const {
     const auto& places = blocks_.place_of_row();
     const auto from = rows.getLocalViewHost(read_only);
+    std::fill(values.begin(), values.end(), 0.0);
     for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = from(i, 0);
   }
 

@@ -11,7 +11,7 @@ class NodeIlu {
 public:
   virtual ~NodeIlu() = default;
   /// Takes over the present values of the matrix. Throws std::runtime_error on all ranks where one
-  /// has a singular block. Collective.
+  /// has a block that cannot be inverted. Collective.
   virtual void refresh() = 0;
   /// x += ω (L U)⁻¹ (b − K x); factors include the rows of other ranks that own ones reach, and
   /// each rank moves its own unknowns. Collective.

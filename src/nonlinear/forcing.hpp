@@ -38,7 +38,7 @@ ForcingOptions forcing_options(const Teuchos::ParameterList& list);
 /// stop: ε2, the e at which Newton's method stops. Source: [LY1] section 4.5, made free of units.
 double increment_forcing(const ForcingOptions& options, double e, double stop);
 
-/// The increments at which a Newton solve stops: the larger one counts.
+/// The increments at which a Newton solve stops, made or expected: the larger one counts.
 struct NewtonGoal {
   double relative;  ///< to the first increment
   double absolute;

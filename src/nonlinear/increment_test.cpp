@@ -41,7 +41,7 @@ void IncrementTest::record(const NOX::Solver::Generic& solver) {
 
 NOX::StatusTest::StatusType IncrementTest::judge(const NOX::Solver::Generic& solver) {
   const NewtonStep& step = report_->steps.back();
-  const double part = next_part(solver, options_.next_increment, step.step_length);
+  const double part = next_part(solver, options_.safety, step.step_length);
   std::ostringstream reason;
   if (!std::isfinite(step.increment)) {
     reason << "the increment is not a number";

@@ -6,7 +6,13 @@
 namespace tunica::nonlinear {
 
 /// Stops Newton's method on the mass norm of the increment ([LY1] eq:newstop), on divergence
-/// and at the cap, and fills the report.
+/// and at the cap, and fills the report. With s > 0 it looks at what the next increment is expected
+/// to be instead of the one made (ours):
+///
+///   |dx_{k+1}| ≈ min(1, s |F_k|/|F_{k−1}|) |dx_k|
+///
+///   F_k  residual after step k, Euclidean norm over both unknowns, mixed units
+///   s    safety  1: errors in a nearly incompressible wall fall up to 30 times less than residuals
 class IncrementTest : public NOX::StatusTest::Generic {
 public:
   IncrementTest(NonlinearProblem& problem, const NewtonOptions& options, const SolveLog& log,

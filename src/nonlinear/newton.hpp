@@ -30,11 +30,9 @@ struct NewtonOptions {
   int max_iterations;
   double relative_increment;  ///< ε2: stop at |dx_k| ≤ ε2 |dx_1|
   double absolute_increment;  ///< or at |dx_k| ≤ this
-  /// Times what the residual fell to: the part of an increment that is expected of the next one,
-  /// which is then judged instead. 0: the one made.
-  double next_increment;
-  double growth_limit;      ///< give up at |dx_k| > limit |dx_1|
-  std::string line_search;  ///< "guarded", "full step", "backtrack", "polynomial"
+  double safety;              ///< s of IncrementTest; 0: it looks at the increment made
+  double growth_limit;        ///< give up at |dx_k| > limit |dx_1|
+  std::string line_search;    ///< "guarded", "full step", "backtrack", "polynomial"
   ForcingOptions forcing;
 };
 params::Table newton_table();

@@ -45,7 +45,8 @@ protected:
   FieldProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
   /// Not part of the constructor: preconditioners ask for the names of operators at once.
   void make_solver(const Teuchos::ParameterList& list);
-  /// Newton's method from the present state, which stays where it fails.
+  /// Newton's method from the present state, to which it goes back where it fails. What a step or
+  /// an iteration prescribes stays.
   nonlinear::NewtonReport find_state();
 
   /// Takes the values at x to owned and ghost nodes. Collective.

@@ -34,6 +34,7 @@ std::optional<std::string> Harmonic::extend(MultiVector& values) {
     std::ostringstream text;
     text << "the linear solver left a relative residual of " << residual << " instead of "
          << solver_->tolerance();
+    solution_.putScalar(0.0);  // it may be no number, and is the next start
     return text.str();
   }
   values.update(1.0, solution_, 1.0);

@@ -10,9 +10,11 @@ from runs import ROOT, Run, Verdict, agree, command, fresh, table, write_case
 
 CASES = {
     "fluid": ("amg-fluid.xml", "Fluid", ["Braess-Sarazin 8+8", "Braess-Sarazin 4+4",
-                                         "Braess-Sarazin 2+2, GCR", "node pairs 2+2, GCR"]),
+                                         "Braess-Sarazin 2+2, GCR", "node pairs 2+2, GCR",
+                                         "nodal ILU(0) 3+3", "nodal ILU(0) 3+3, GCR"]),
     "wall": ("amg-mooney-rivlin.xml", "Wall", ["Vanka 12+12", "Vanka 6+6", "Vanka 2+2, GCR",
-                                               "node pairs 2+2, GCR"]),
+                                               "node pairs 2+2, GCR", "nodal ILU(0) 3+3",
+                                               "nodal ILU(0) 3+3, GCR"]),
 }
 MOST_CYCLES, MOST_ITERATIONS = 15, 10
 HALVED = {"Braess-Sarazin 4+4": "Braess-Sarazin 8+8", "Vanka 6+6": "Vanka 12+12"}

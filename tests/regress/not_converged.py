@@ -67,6 +67,11 @@ def goes_back(verdict, programs, folder):
     run, _ = run_case(programs, folder, "far", update + ["Coupling/halvings=0"], 1)
     verdict.claim(run.status == 2 and "coupling iteration 2: the wall's Newton method" in run.err,
                   "far: without halvings the step fails in the second iteration")
+    for choice in ("stop", "accept"):
+        ends = ["Coupling/max iterations=2", f"Coupling/when not converged={choice}"]
+        run, _ = run_case(programs, folder, f"far-{choice}", update + ends, 1)
+        verdict.claim(run.status == 2 and "the wall's Newton method" in run.err,
+                      f"far-{choice}: a field that fails in the last iteration is never accepted")
     run, results = run_case(programs, folder, "back", update, 1)
     verdict.claim(run.status == 0, f"back: exit status {run.status} is 0")
     residuals = table(results / "coupling.csv")["interface_residual"]

@@ -170,6 +170,11 @@ TEUCHOS_UNIT_TEST(iqn_ils, an_update_does_not_outgrow_the_last_one_of_its_step) 
     TEST_FLOATING_EQUALITY(next(*iqn, {d}, {0.999})[0] - d, expected * d, 1e-9);
     TEST_FLOATING_EQUALITY(iqn->relaxation(), expected / 999.0, 1e-9);
   }
+  // What counts is the update that was made: half of the one it asked for.
+  const auto iqn = make(options("iqn-ils", {{"first factor", 0.05}, {"update growth", 4.0}}));
+  iqn->begin_step();
+  next(*iqn, {0}, {1});
+  TEST_FLOATING_EQUALITY(next(*iqn, {0.025}, {0.999})[0], 0.025 + 4 * 0.025, 1e-9);
 }
 
 TEUCHOS_UNIT_TEST(iqn_ils, starts_with_a_relaxation) {

@@ -2,6 +2,8 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "base/map_of.hpp"
+#include "multigrid/cycle.hpp"
 #include "multigrid/node_ilu.hpp"
 #include "unit/multigrid/complaint.hpp"
 #include "unit/multigrid/dense_sweep.hpp"
@@ -144,15 +146,14 @@ TEUCHOS_UNIT_TEST(node_ilu, smooths_by_the_solution_for_the_residual) {
   }
 }
 
-/// The rows and columns of a matrix on one rank that keep() knows, with numbers of their own.
+/// The rows and columns of a matrix on one rank that have a number, with these numbers.
 template <class Number>
 Teuchos::RCP<CrsMatrix> part_of(const CrsMatrix& K, const Number& number) {
   std::vector<GlobalOrdinal> numbers;
   const auto local = K.getLocalMatrixHost();
   for (int i = 0; i < local.numRows(); ++i)
     if (number(i) >= 0) numbers.push_back(number(i));
-  const auto map = Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
-                                        Teuchos::arrayViewFromVector(numbers), 0, K.getComm()));
+  const auto map = map_of(numbers, K.getComm());
   const auto part = Teuchos::rcp(new CrsMatrix(map, K.getGlobalMaxNumRowEntries()));
   for (int i = 0; i < local.numRows(); ++i) {
     if (number(i) < 0) continue;
@@ -182,6 +183,58 @@ TEUCHOS_UNIT_TEST(node_ilu, nodes_may_lack_unknowns_or_lie_in_a_plane) {
   }
 }
 
+TEUCHOS_UNIT_TEST(node_ilu, ranks_may_have_no_rows) {
+  const WallMatrix wall;
+  const Comm& comm = *wall.K()->getComm();
+  std::vector<GlobalOrdinal> numbers;
+  if (comm.getRank() == comm.getSize() - 1)
+    for (GlobalOrdinal i = 0; i < wall.K()->getRowMap()->getMaxAllGlobalIndex() + 1; ++i)
+      numbers.push_back(i);
+  const auto map = map_of(numbers, wall.K()->getComm());
+  CrsMatrix K(map, wall.K()->getGlobalMaxNumRowEntries());
+  K.doImport(*wall.K(), Import(wall.K()->getRowMap(), map), insert);
+  K.fillComplete();
+  Vector x(map), b(map);
+  x.randomize();
+  K.apply(x, b);
+  TEST_COMPARE(distance(from_zero(K, {}, no_limit, false, b), x), <, 1e-7);
+}
+
+TEUCHOS_UNIT_TEST(nodal_ilu_smoother, does_what_its_list_says) {
+  const WallMatrix wall;
+  Teuchos::ParameterList list = multigrid::mixed_cycle_list(2);
+  list.sublist("Factories")
+      .sublist("Sweeps")
+      .set("damping", 0.7)
+      .set("fill", 1)
+      .set("precision", "double");
+  list.sublist("Hierarchy").set("max levels", 1).sublist("All").set("CoarseSolver", "Sweeps");
+  const multigrid::Cycle cycle(wall.K(),
+                               Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K)), list);
+  const auto factors = multigrid::make_node_ilu(*wall.K(), {}, {1, false});
+  factors->refresh();
+  const Vector b = wall.scattered(1);
+  Vector x = wall.scattered(2), expected(b.getMap());
+  cycle.apply(b, x);
+  factors->smooth_from_zero(0.7, b, expected);
+  factors->smooth(0.7, b, expected);
+  TEST_COMPARE(distance(x, expected), <, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(nodal_ilu_smoother, slips_in_its_list_are_refused) {
+  const auto refusal = [](const auto& slip) {
+    Teuchos::ParameterList list = multigrid::mixed_cycle_list(1);
+    slip(list.sublist("Factories").sublist("Sweeps"));
+    return test::complaint([&] { multigrid::check_cycle_list(list); });
+  };
+  for (const auto& [text, part] :
+       {std::pair{refusal([](auto& s) { s.set("precision", "half"); }), "\"single\""},
+        std::pair{refusal([](auto& s) { s.set("sweeps", 0); }), "\"sweeps\""},
+        std::pair{refusal([](auto& s) { s.set("fill", -1); }), "\"fill\""},
+        std::pair{refusal([](auto& s) { s.set("swept", 1); }), "\"swept\""}})
+    TEST_INEQUALITY(text.find(part), std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(node_ilu, a_singular_node_of_one_rank_is_told_on_all) {
   WallMatrix wall;
   const auto factors = multigrid::make_node_ilu(*wall.K(), {}, {});
@@ -197,7 +250,7 @@ TEUCHOS_UNIT_TEST(node_ilu, a_singular_node_of_one_rank_is_told_on_all) {
   const std::string text = test::complaint([&] { factors->refresh(); });
   GlobalOrdinal node = wall.K()->getRowMap()->getGlobalElement(0) / 4;
   Teuchos::broadcast<int, GlobalOrdinal>(comm, comm.getSize() - 1, &node);
-  TEST_INEQUALITY(text.find("node " + std::to_string(node) + " is"), std::string::npos);
+  TEST_INEQUALITY(text.find("node " + std::to_string(node) + " cannot"), std::string::npos);
 }
 
 }  // namespace

@@ -99,12 +99,15 @@ TEUCHOS_UNIT_TEST(cycle, entries_that_were_zero_at_first_may_become_others) {
     }
     K->fillComplete(wall.K()->getDomainMap(), wall.K()->getRangeMap());
   };
-  set(true);
-  const auto list = lists()[1].second;
-  multigrid::Cycle cycle(K, nodes, list);
-  set(false);
-  cycle.refresh();
-  TEST_COMPARE(distance(cycle, multigrid::Cycle(K, nodes, list), wall.scattered(5)), <, 1e-12);
+  for (const auto& [name, list] : lists()) {
+    if (name.find("chebyshev") != std::string::npos) continue;  // bounds by chance
+    set(true);
+    multigrid::Cycle cycle(K, nodes, list);
+    set(false);
+    cycle.refresh();
+    out << name << "\n";
+    TEST_COMPARE(distance(cycle, multigrid::Cycle(K, nodes, list), wall.scattered(5)), <, 1e-9);
+  }
 }
 
 TEUCHOS_UNIT_TEST(cycle, lists_with_parts_of_muelu_are_set_up_anew) {

@@ -332,7 +332,7 @@ TEUCHOS_UNIT_TEST(newton, the_increment_that_would_follow_may_be_judged) {
     auto problem = square_root_of_two(tube.fluid);
     auto chosen = options();
     chosen.relative_increment = 0.01;
-    chosen.next_increment = safety;
+    chosen.safety = safety;
     auto x = start(tube.fluid, 2.0);
     const auto report = nonlinear::solve_newton(problem, chosen, x);
     TEST_ASSERT(report.is_converged);
@@ -344,12 +344,20 @@ TEUCHOS_UNIT_TEST(newton, the_increment_that_would_follow_may_be_judged) {
   TEST_EQUALITY(steps(30.0), 3u);
 }
 
+TEUCHOS_UNIT_TEST(newton, the_list_says_which_increment_is_judged) {
+  Teuchos::ParameterList list;
+  list.set("stop at", "next increment").set("safety", 2.0);
+  nonlinear::newton_table().resolve(list, "Newton", "");
+  TEST_EQUALITY(nonlinear::newton_options(list).safety, 2.0);
+  TEST_EQUALITY(options().safety, 0.0);
+}
+
 TEUCHOS_UNIT_TEST(newton, a_damped_step_foretells_nothing) {
   const SmallTube tube;
   auto problem = square_root_of_two(tube.fluid);
   problem.refuse_where([](double p) { return p < 1.9998; });
   auto chosen = options();
-  chosen.next_increment = 1e-12;
+  chosen.safety = 1e-12;
   auto x = start(tube.fluid, 2.0);
   TEST_ASSERT(!nonlinear::solve_newton(problem, chosen, x).is_converged);
 }
