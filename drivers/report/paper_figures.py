@@ -65,7 +65,7 @@ def coupling_counts(runs):
             alpha=0.9 if is_first else 0.6, label=f"{MATERIALS[material]}, {ACCELERATORS[accelerator]}")
     for axes, mesh in zip(panels[0], meshes):
         axes.set(title=f"{mesh} mesh", xlabel="time step")
-    handles = dict(sum((list(zip(*reversed(axes.get_legend_handles_labels()))) for axes in panels[0]), []))
+    handles = {label: handle for axes in panels[0] for handle, label in zip(*axes.get_legend_handles_labels())}
     canvas.legend(handles.values(), handles.keys(), loc="lower center", ncols=3, fontsize=8)
     canvas.get_layout_engine().set(rect=(0, 0.13, 1, 0.87))  # the legend's room below
     panels[0, 0].set(ylabel="coupling iterations", yscale="log")

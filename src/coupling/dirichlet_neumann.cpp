@@ -122,14 +122,15 @@ std::string DirichletNeumann::restore(const fields::State& state) {
          "\" now: it begins without history";
 }
 
-void DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
+bool DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
                               Iteration& iteration) {
   const InterfaceVector residual = difference(answer, d);
   iteration.residual = size_of(residual);
-  if (iteration.residual < options_.tolerance) return;
+  if (iteration.residual < options_.tolerance) return true;
   d = limited(d, accelerator_->next(d, residual));
   iteration.relaxation = accelerator_->relaxation();
   iteration.columns = accelerator_->columns();
+  return false;
 }
 
 bool DirichletNeumann::go_back(InterfaceVector& d, const InterfaceVector& reached,
@@ -162,8 +163,7 @@ Report DirichletNeumann::solve_step(const stepping::Clock& clock,
     n_failed = is_solved ? 0 : n_failed + 1;
     if (is_solved) {
       reached = d;
-      update(d, answer, iteration);
-      report.is_converged = iteration.residual < options_.tolerance;
+      report.is_converged = update(d, answer, iteration);
     }
     watch(k, iteration);
     if (!is_solved && (k == options_.max_iterations || !go_back(d, reached, n_failed))) {

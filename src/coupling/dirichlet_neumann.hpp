@@ -68,8 +68,8 @@ private:
   bool respond(const InterfaceVector& d, Iteration& iteration, InterfaceVector& answer,
                std::string& reason);
   bool move_and_flow(const InterfaceVector& d, Iteration& iteration, std::string& reason);
-  /// Takes d to the next iterate unless its residual is small.
-  void update(InterfaceVector& d, const InterfaceVector& answer, Iteration& iteration);
+  /// Takes d to the next iterate; true, and d stays, where its residual is small.
+  bool update(InterfaceVector& d, const InterfaceVector& answer, Iteration& iteration);
   /// Takes d half of the way to where the fields last followed; false where that is of no use.
   bool go_back(InterfaceVector& d, const InterfaceVector& reached, int n_failed) const;
   std::string why_unconverged(double time, const Report& report) const;

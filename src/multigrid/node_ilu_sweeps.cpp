@@ -26,13 +26,11 @@ template <int width, class Real>
   }
   for (int node = f.n_nodes - 1; node >= 0; --node) {
     double y[width], z[width] = {};
-    for (int i = 0; i < width; ++i) y[i] = -x[width * node + i];
+    for (int i = 0; i < width; ++i) y[i] = x[width * node + i];
     for (std::size_t k = f.upper_start[node]; k < f.upper_start[node + 1]; ++k)
-      for (int c = 0; c < width; ++c)
-        for (int i = 0; i < width; ++i)
-          y[i] += f.upper[size * k + width * c + i] * x[width * f.upper_columns[k] + c];
+      subtract<width>(f.upper + size * k, x + width * f.upper_columns[k], y);
     subtract<width>(f.inverses + size * static_cast<std::size_t>(node), y, z);
-    for (int i = 0; i < width; ++i) x[width * node + i] = z[i];
+    for (int i = 0; i < width; ++i) x[width * node + i] = -z[i];
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "linear/block_preconditioner.hpp"
 #include "linear/linear_solver.hpp"
+#include "unit/fields/distance.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace tunica::test {
@@ -54,12 +55,6 @@ inline fields::BlockVector apply(const linear::BlockPreconditioner& P,
   z.u->assign(*blocks.vector_part(all_z));
   z.p->assign(*blocks.scalar_part(all_z));
   return z;
-}
-
-inline double distance(const Vector& a, const Vector& b) {
-  Vector d(a, Teuchos::Copy);
-  d.update(-1.0, b, 1.0);
-  return d.norm2() / b.norm2();
 }
 
 /// Operators of unit size: a diagonal of the given value.

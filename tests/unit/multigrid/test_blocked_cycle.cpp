@@ -7,6 +7,7 @@
 #include "linear/linear_solver.hpp"
 #include "multigrid/blocked_matrix.hpp"
 #include "multigrid/cycle.hpp"
+#include "unit/fields/distance.hpp"
 #include "unit/multigrid/complaint.hpp"
 #include "unit/multigrid/dense_sweep.hpp"
 #include "unit/multigrid/wall_matrix.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 using namespace tunica;
 using test::complaint;
+using test::distance;
 using test::WallMatrix;
 
 /// Three levels or more of the nodal coarsening for a matrix of blocks, with this smoother.
@@ -84,12 +86,6 @@ Teuchos::RCP<multigrid::Cycle> make_cycle(const WallMatrix& wall,
 Teuchos::RCP<multigrid::Cycle> blocked_cycle(const WallMatrix& wall,
                                              const Teuchos::ParameterList& list) {
   return make_cycle(wall, list, true);
-}
-
-double distance(const Vector& a, const Vector& b) {
-  Vector difference(a, Teuchos::Copy);
-  difference.update(-1.0, b, 1.0);
-  return difference.norm2() / b.norm2();
 }
 
 Vector product(const Operator& A, const Vector& x) {

@@ -4,18 +4,14 @@
 #include "multigrid/braess_sarazin.hpp"
 #include "multigrid/cycle.hpp"
 #include "multigrid/mixed_blocks.hpp"
+#include "unit/fields/distance.hpp"
 #include "unit/multigrid/wall_matrix.hpp"
 
 namespace {
 
 using namespace tunica;
+using test::distance;
 using test::WallMatrix;
-
-double distance(const Vector& a, const Vector& b) {
-  Vector difference(a, Teuchos::Copy);
-  difference.update(-1.0, b, 1.0);
-  return difference.norm2() / b.norm2();
-}
 
 /// A copy whose first row, which is one of the first rank, has no entry but zeros.
 CrsMatrix zero_on_one_rank(const WallMatrix& wall) {

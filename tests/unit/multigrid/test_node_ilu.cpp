@@ -5,6 +5,7 @@
 #include "base/map_of.hpp"
 #include "multigrid/cycle.hpp"
 #include "multigrid/node_ilu.hpp"
+#include "unit/fields/distance.hpp"
 #include "unit/multigrid/complaint.hpp"
 #include "unit/multigrid/dense_sweep.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 using namespace tunica;
 using multigrid::MixedNumbering;
+using test::largest_distance;
 using test::WallMatrix;
 
 constexpr int no_limit = 100000;
@@ -24,13 +26,6 @@ Vector from_zero(const CrsMatrix& K, const MixedNumbering& numbering, int fill, 
   x.putScalar(7.0);
   factors->smooth_from_zero(1.0, b, x);
   return x;
-}
-
-/// |a − b| / |b| in the largest entries.
-double distance(const Vector& a, const Vector& b) {
-  Vector d(a, Teuchos::Copy);
-  d.update(-1.0, b, 1.0);
-  return d.normInf() / b.normInf();
 }
 
 /// ILU(k) of 4×4 blocks on one rank without any art: full matrices, levels for all pairs of nodes.
@@ -107,9 +102,9 @@ TEUCHOS_UNIT_TEST(node_ilu, is_the_incomplete_elimination_of_full_blocks) {
     const auto values = b.getData();
     const auto solution = DenseIlu(*wall.K(), fill).solve({values.begin(), values.end()});
     Vector expected(b.getMap(), Teuchos::arrayViewFromVector(solution));
-    TEST_COMPARE(distance(from_zero(*wall.K(), {}, fill, false, b), expected), <, 1e-9);
-    TEST_COMPARE(distance(from_zero(*wall.K(), {}, fill, true, b), expected), <, 1e-3);
-    TEST_COMPARE(distance(before, expected), >, 1e-3);  // fill does change something
+    TEST_COMPARE(largest_distance(from_zero(*wall.K(), {}, fill, false, b), expected), <, 1e-9);
+    TEST_COMPARE(largest_distance(from_zero(*wall.K(), {}, fill, true, b), expected), <, 1e-3);
+    TEST_COMPARE(largest_distance(before, expected), >, 1e-3);  // fill does change something
     before.assign(expected);
   }
 }
@@ -128,7 +123,7 @@ TEUCHOS_UNIT_TEST(node_ilu, takes_the_rows_of_other_ranks_as_restricted_schwarz_
   const Vector b = wall.scattered(1);
   Vector expected(b.getMap());
   schwarz->apply(b, expected);
-  TEST_COMPARE(distance(from_zero(*wall.K(), {}, no_limit, false, b), expected), <, 1e-7);
+  TEST_COMPARE(largest_distance(from_zero(*wall.K(), {}, no_limit, false, b), expected), <, 1e-7);
 }
 
 TEUCHOS_UNIT_TEST(node_ilu, smooths_by_the_solution_for_the_residual) {
@@ -142,7 +137,7 @@ TEUCHOS_UNIT_TEST(node_ilu, smooths_by_the_solution_for_the_residual) {
     factors->smooth_from_zero(0.7, r, expected);
     expected.update(1.0, start, 1.0);
     factors->smooth(0.7, b, x);
-    TEST_COMPARE(distance(x, expected), <, is_single ? 1e-3 : 1e-10);
+    TEST_COMPARE(largest_distance(x, expected), <, is_single ? 1e-3 : 1e-10);
   }
 }
 
@@ -179,7 +174,7 @@ TEUCHOS_UNIT_TEST(node_ilu, nodes_may_lack_unknowns_or_lie_in_a_plane) {
     Vector x(K->getRowMap()), b(x.getMap());
     x.randomize();
     K->apply(x, b);
-    TEST_COMPARE(distance(from_zero(*K, numbering, no_limit, false, b), x), <, 1e-7);
+    TEST_COMPARE(largest_distance(from_zero(*K, numbering, no_limit, false, b), x), <, 1e-7);
   }
 }
 
@@ -197,7 +192,7 @@ TEUCHOS_UNIT_TEST(node_ilu, ranks_may_have_no_rows) {
   Vector x(map), b(map);
   x.randomize();
   K.apply(x, b);
-  TEST_COMPARE(distance(from_zero(K, {}, no_limit, false, b), x), <, 1e-7);
+  TEST_COMPARE(largest_distance(from_zero(K, {}, no_limit, false, b), x), <, 1e-7);
 }
 
 TEUCHOS_UNIT_TEST(nodal_ilu_smoother, does_what_its_list_says) {
@@ -218,7 +213,7 @@ TEUCHOS_UNIT_TEST(nodal_ilu_smoother, does_what_its_list_says) {
   cycle.apply(b, x);
   factors->smooth_from_zero(0.7, b, expected);
   factors->smooth(0.7, b, expected);
-  TEST_COMPARE(distance(x, expected), <, 1e-12);
+  TEST_COMPARE(largest_distance(x, expected), <, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(nodal_ilu_smoother, slips_in_its_list_are_refused) {

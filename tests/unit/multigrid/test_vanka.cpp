@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "multigrid/vanka.hpp"
+#include "unit/fields/distance.hpp"
 #include "unit/multigrid/dense_sweep.hpp"
 
 namespace {
@@ -10,6 +11,7 @@ namespace {
 using namespace tunica;
 using multigrid::VankaOptions;
 using test::DenseSweep;
+using test::largest_distance;
 using test::WallMatrix;
 
 multigrid::VankaPatches patches_of(const CrsMatrix& K) {
@@ -35,13 +37,6 @@ Vector smoothed(const WallMatrix& wall, const VankaOptions& options, const Vecto
   Vector x(start, Teuchos::Copy);
   vanka(*wall.K(), options)->smooth(b, x);
   return x;
-}
-
-/// |a − b| / |b| in the largest entries.
-double distance(const Vector& a, const Vector& b) {
-  Vector d(a, Teuchos::Copy);
-  d.update(-1.0, b, 1.0);
-  return d.normInf() / b.normInf();
 }
 
 /// The numbers of the patches in the order of a sweep.
@@ -108,8 +103,8 @@ TEUCHOS_UNIT_TEST(vanka, a_sweep_is_a_loop_over_dense_patches) {
     for (const double damping : {1.0, 0.6}) {
       Vector expected(start, Teuchos::Copy);
       reference.relax(b, expected, visits(order, reference.patches().size()), damping);
-      TEST_COMPARE(distance(smoothed(wall, in_order(order, damping), b, start), expected), <,
-                   1e-10);
+      TEST_COMPARE(largest_distance(smoothed(wall, in_order(order, damping), b, start), expected),
+                   <, 1e-10);
     }
 }
 
@@ -122,7 +117,7 @@ TEUCHOS_UNIT_TEST(vanka, additive_patches_see_the_same_residual_and_share_their_
     options.is_additive = true;
     Vector expected(start, Teuchos::Copy);
     reference.relax_at_once(b, expected, damping);
-    TEST_COMPARE(distance(smoothed(wall, options, b, start), expected), <, 1e-10);
+    TEST_COMPARE(largest_distance(smoothed(wall, options, b, start), expected), <, 1e-10);
   }
 }
 
@@ -133,7 +128,7 @@ TEUCHOS_UNIT_TEST(vanka, sweeps_follow_one_another) {
   three.sweeps = 3;
   Vector x(start, Teuchos::Copy);
   for (int sweep = 0; sweep < 3; ++sweep) x = smoothed(wall, in_order("forward", 0.8), b, x);
-  TEST_EQUALITY(distance(smoothed(wall, three, b, start), x), 0.0);
+  TEST_EQUALITY(largest_distance(smoothed(wall, three, b, start), x), 0.0);
 }
 
 TEUCHOS_UNIT_TEST(vanka, single_precision_is_close_to_double) {
@@ -145,7 +140,7 @@ TEUCHOS_UNIT_TEST(vanka, single_precision_is_close_to_double) {
     const Vector expected = smoothed(wall, options, b, start);
     const double bytes = vanka(*wall.K(), options)->bytes();
     options.is_single = true;
-    const double difference = distance(smoothed(wall, options, b, start), expected);
+    const double difference = largest_distance(smoothed(wall, options, b, start), expected);
     out << "relative difference " << difference << "\n";
     TEST_COMPARE(difference, <, 1e-5);
     TEST_COMPARE(difference, >, 1e-10);
@@ -159,10 +154,10 @@ TEUCHOS_UNIT_TEST(vanka, the_exact_solution_stays) {
   Vector b(x.getMap());
   wall.K()->apply(x, b);
   for (const std::string order : {"forward", "backward", "symmetric"})
-    TEST_COMPARE(distance(smoothed(wall, in_order(order), b, x), x), <, 1e-10);
+    TEST_COMPARE(largest_distance(smoothed(wall, in_order(order), b, x), x), <, 1e-10);
   VankaOptions additive;
   additive.is_additive = true;
-  TEST_COMPARE(distance(smoothed(wall, additive, b, x), x), <, 1e-10);
+  TEST_COMPARE(largest_distance(smoothed(wall, additive, b, x), x), <, 1e-10);
 }
 
 /// The same matrix without the zeros that it stores.
@@ -185,7 +180,7 @@ TEUCHOS_UNIT_TEST(vanka, rows_need_not_hold_the_unknowns_of_a_node_together) {
   const Vector b = wall.scattered(1), start = wall.scattered(2);
   Vector x(start, Teuchos::Copy);
   vanka(*bare, in_order("symmetric"))->smooth(b, x);
-  TEST_COMPARE(distance(x, smoothed(wall, in_order("symmetric"), b, start)), <, 1e-12);
+  TEST_COMPARE(largest_distance(x, smoothed(wall, in_order("symmetric"), b, start)), <, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(vanka, refresh_takes_over_new_values) {
@@ -197,7 +192,7 @@ TEUCHOS_UNIT_TEST(vanka, refresh_takes_over_new_values) {
   smoother->refresh();
   Vector x(start, Teuchos::Copy);
   smoother->smooth(b, x);
-  TEST_EQUALITY(distance(x, smoothed(wall, in_order("forward"), b, start)), 0.0);
+  TEST_EQUALITY(largest_distance(x, smoothed(wall, in_order("forward"), b, start)), 0.0);
 }
 
 /// Ifpack2's own block relaxation visits overlapping blocks one after the other if they are given
@@ -224,8 +219,9 @@ TEUCHOS_UNIT_TEST(vanka, on_one_rank_it_is_the_block_relaxation_of_ifpack2) {
     ifpack2.compute();
     Vector expected(start, Teuchos::Copy);
     ifpack2.apply(b, expected);
-    TEST_COMPARE(distance(expected, start), >, 0.01);
-    TEST_COMPARE(distance(smoothed(wall, in_order(order, 0.7), b, start), expected), <, 1e-10);
+    TEST_COMPARE(largest_distance(expected, start), >, 0.01);
+    TEST_COMPARE(largest_distance(smoothed(wall, in_order(order, 0.7), b, start), expected), <,
+                 1e-10);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "multigrid/vanka.hpp"
+#include "unit/fields/distance.hpp"
 #include "unit/multigrid/dense_sweep.hpp"
 
 namespace {
@@ -8,6 +9,7 @@ namespace {
 using namespace tunica;
 using multigrid::VankaOptions;
 using multigrid::VankaPatches;
+using test::largest_distance;
 using test::WallMatrix;
 
 VankaOptions of_kind(const std::string& patch) {
@@ -30,13 +32,6 @@ Vector smoothed(const CrsMatrix& K, const VankaOptions& options, const Vector& b
   Vector x(start, Teuchos::Copy);
   smoother->smooth(b, x);
   return x;
-}
-
-/// |a − b| / |b| in the largest entries.
-double distance(const Vector& a, const Vector& b) {
-  Vector d(a, Teuchos::Copy);
-  d.update(-1.0, b, 1.0);
-  return d.normInf() / b.normInf();
 }
 
 /// One rank: the entries of a row, own columns only and by their rows.
@@ -81,9 +76,9 @@ TEUCHOS_UNIT_TEST(vanka_kinds, each_is_a_loop_over_its_dense_patches) {
   for (const std::string kind : {"diagonal", "node pair"}) {
     const Vector expected = dense_sweep(*wall.K(), kind, b, Vector(start, Teuchos::Copy));
     VankaOptions options = of_kind(kind);
-    TEST_COMPARE(distance(smoothed(*wall.K(), options, b, start), expected), <, 1e-10);
+    TEST_COMPARE(largest_distance(smoothed(*wall.K(), options, b, start), expected), <, 1e-10);
     options.is_single = true;
-    TEST_COMPARE(distance(smoothed(*wall.K(), options, b, start), expected), <, 1e-5);
+    TEST_COMPARE(largest_distance(smoothed(*wall.K(), options, b, start), expected), <, 1e-5);
   }
 }
 
@@ -97,7 +92,7 @@ TEUCHOS_UNIT_TEST(vanka_kinds, the_exact_solution_stays) {
       VankaOptions options = of_kind(kind);
       options.order = "symmetric";
       options.is_additive = is_additive;
-      TEST_COMPARE(distance(smoothed(*wall.K(), options, b, x), x), <, 1e-10);
+      TEST_COMPARE(largest_distance(smoothed(*wall.K(), options, b, x), x), <, 1e-10);
     }
 }
 
@@ -150,7 +145,7 @@ TEUCHOS_UNIT_TEST(vanka_kinds, refresh_is_as_good_as_a_new_smoother_whatever_bec
       smoother->refresh();
       Vector x(start, Teuchos::Copy);
       smoother->smooth(b, x);
-      TEST_EQUALITY(distance(x, smoothed(K, of_kind(kind), b, start)), 0.0);
+      TEST_EQUALITY(largest_distance(x, smoothed(K, of_kind(kind), b, start)), 0.0);
     }
   }
 }
@@ -176,9 +171,9 @@ TEUCHOS_UNIT_TEST(vanka_kinds, full_patches_do_without_whole_nodes) {
   smoother->refresh();
   Vector same(x, Teuchos::Copy), moved(start, Teuchos::Copy);
   smoother->smooth(b, same);
-  TEST_COMPARE(distance(same, x), <, 1e-10);
+  TEST_COMPARE(largest_distance(same, x), <, 1e-10);
   smoother->smooth(b, moved);
-  TEST_COMPARE(distance(moved, start), >, 0.01);
+  TEST_COMPARE(largest_distance(moved, start), >, 0.01);
   // Its bytes tell that it keeps no copy of the rows.
   const auto nodal =
       multigrid::make_vanka(*wall.K(), multigrid::scalar_rows(*wall.K(), {}), of_kind("full"));
