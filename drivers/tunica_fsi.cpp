@@ -31,12 +31,12 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
                               domain.interface_surfaces);
 
   // 2. Couple them.
-  coupling::DirichletNeumann scheme(list.sublist("Coupling"), *domain.interface, fluid, wall,
+  stepping::Clock clock(list.sublist("Time"));
+  coupling::DirichletNeumann scheme(list.sublist("Coupling"), clock, *domain.interface, fluid, wall,
                                     motion);
 
   // 3. From where it goes on after a restart; what is written, and when.
   const CommPtr comm = domain.fluid->comm;
-  stepping::Clock clock(list.sublist("Time"));
   const app::Probes probes(list.sublist("Probes"), &*domain.fluid, &*domain.wall);
   const app::Checkpoints checkpoints(
       output, {{"fluid", &fluid}, {"wall", &wall}, {"mesh motion", &motion}, {"coupling", &scheme}},

@@ -52,7 +52,8 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
                               domain.interface_surfaces);
   Teuchos::ParameterList coupling(list.sublist("Coupling"));
   coupling.set("halvings", 0);  // a system that cannot be solved is a result
-  coupling::DirichletNeumann scheme(coupling, *domain.interface, fluid, wall, motion);
+  const stepping::Clock clock(list.sublist("Time"));
+  coupling::DirichletNeumann scheme(coupling, clock, *domain.interface, fluid, wall, motion);
 
   // 2. Every wanted system is written and goes through all settings before it is solved.
   const CommPtr comm = domain.fluid->comm;
@@ -67,7 +68,6 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
   capture.watch("wall", wall);
 
   // 3. March as far as needed.
-  const stepping::Clock clock(list.sublist("Time"));
   app::RunLog log(output, comm->getRank() == 0, clock.steps());
   app::Verdict verdict;
   try {

@@ -41,9 +41,9 @@ void Aitken::restore(const fields::State& state) { factor_ = state.number_list("
 params::Table aitken_table() {
   params::Table table("dynamic relaxation, the paper's choice");
   table
-      .number("first factor", 0.1, params::Range{0.0, 1.0, true, false}, "1",
-              "factor before there are two residuals; from 0.3 on the wall's Newton method may "
-              "fail in the second iteration, and the update is halved")
+      .number("first factor", 1.0, params::Range{0.0, 1.0, true, false}, "1",
+              "factor before there are two residuals; without a preconditioner the wall's Newton "
+              "method may fail in the second iteration from 0.3 on, and the update is halved")
       .number("smallest factor", 1e-4, params::Range{0.0, 1.0, true, false}, "1", "lower bound")
       .number("largest factor", 2.0, params::Range{0.0, 10.0, true, false}, "1", "upper bound")
       .choice("first factor of a step", "first factor", {"first factor", "last factor"},

@@ -11,8 +11,9 @@ InterfaceVector ConstantRelaxation::next(const InterfaceVector& d,
 
 params::Table constant_relaxation_table() {
   params::Table table("the same relaxation factor in every iteration");
-  table.number("factor", 0.01, params::Range{0.0, 2.0, true, false}, "1",
-               "relaxation factor; with blood and soft walls more than 0.02 diverges");
+  table.number("factor", 0.5, params::Range{0.0, 2.0, true, false}, "1",
+               "relaxation factor; with blood and soft walls more than 0.02 diverges without a "
+               "preconditioner");
   return table;
 }
 

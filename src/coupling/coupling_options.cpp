@@ -19,6 +19,12 @@ params::Table coupling_table() {
           "iteration of its own; 0: the step fails at once")
       .choice("when not converged", "stop", {"stop", "accept"},
               "stop with exit status 2, or accept the step with a warning and go on");
+  params::Table added_mass("what the fluid's inertia takes back, foretold by a Laplace problem");
+  added_mass.sublist("Added Mass Solver", linear::scalar_solver_table());
+  table.variant("preconditioner", "added mass",
+                {{"added mass", added_mass}, {"none", params::Table("as in the paper")}},
+                "what is done to a residual before the accelerator sees it; without it first "
+                "factors of 0.05 to 0.2 are in place");
   add_accelerator_keys(table);
   return table;
 }

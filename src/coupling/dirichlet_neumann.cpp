@@ -9,14 +9,22 @@
 
 namespace tunica::coupling {
 
-DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
+DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list, const stepping::Clock& clock,
                                    const fields::Interface& interface,
                                    problems::FluidProblem& fluid, problems::SolidProblem& wall,
                                    problems::MeshMotion& motion)
     : options_(coupling_options(list)), interface_(&interface), fluid_(&fluid), wall_(&wall),
       motion_(&motion), accelerator_kind_(list.get<std::string>("accelerator")),
       accelerator_(make_accelerator(list, wall.mesh().comm)), history_{InterfaceVector(
-                                                                  3 * interface.n_owned(), 0.0)} {}
+                                                                  3 * interface.n_owned(), 0.0)} {
+  const auto& preconditioner = list.get<std::string>("preconditioner");
+  if (preconditioner == "none") return;
+  accelerator_kind_ += " with " + preconditioner;
+  const double dt = clock.step_size();
+  preconditioner_ = std::make_unique<AddedMass>(
+      list.sublist("Added Mass Solver"), fluid.mesh(), interface, fluid.open_surfaces(),
+      wall_compliance(clock, fluid.mesh(), interface, wall), fluid.density() / (dt * dt));
+}
 
 InterfaceVector DirichletNeumann::wall_displacement() const {
   const std::vector<Vec3> d = wall_->displacement();
@@ -127,7 +135,8 @@ bool DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
   const InterfaceVector residual = difference(answer, d);
   iteration.residual = size_of(residual);
   if (iteration.residual < options_.tolerance) return true;
-  d = limited(d, accelerator_->next(d, residual));
+  d = limited(d,
+              accelerator_->next(d, preconditioner_ ? preconditioner_->apply(residual) : residual));
   iteration.relaxation = accelerator_->relaxation();
   iteration.columns = accelerator_->columns();
   return false;

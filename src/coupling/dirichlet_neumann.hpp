@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "coupling/accelerator.hpp"
+#include "coupling/added_mass.hpp"
 #include "fields/interface.hpp"
 #include "problems/fluid_problem.hpp"
 #include "problems/mesh_motion.hpp"
@@ -44,14 +44,16 @@ struct Report {
 };
 
 /// Dirichlet–Neumann coupling ([LY1] section 5.1): mesh motion and fluid for a given interface
-/// displacement d, wall for the fluid's force, d̃ its answer, until r = d̃ − d is small. Where one
-/// of the three fails, d goes back half of the way to where they last did not.
+/// displacement d, wall for the fluid's force, d̃ its answer, until r = d̃ − d is small. The
+/// accelerator makes the next d from r, or from what a preconditioner makes of r. Where one of the
+/// three problems fails, d goes back half of the way to where they last did not.
 class DirichletNeumann : public fields::Restartable {
 public:
-  /// list: the resolved "Coupling" list. The problems must outlive the object.
-  DirichletNeumann(const Teuchos::ParameterList& list, const fields::Interface& interface,
-                   problems::FluidProblem& fluid, problems::SolidProblem& wall,
-                   problems::MeshMotion& motion);
+  /// list: the resolved "Coupling" list; the problems are still at rest, and must outlive the
+  /// object. Throws Error where the preconditioner cannot be made. Collective.
+  DirichletNeumann(const Teuchos::ParameterList& list, const stepping::Clock& clock,
+                   const fields::Interface& interface, problems::FluidProblem& fluid,
+                   problems::SolidProblem& wall, problems::MeshMotion& motion);
 
   /// Solves the clock's present step and accepts it as far as the options allow. watch is
   /// called after every iteration with its number, counted from 1.
@@ -83,7 +85,8 @@ private:
   problems::FluidProblem* fluid_;
   problems::SolidProblem* wall_;
   problems::MeshMotion* motion_;
-  std::string accelerator_kind_;
+  std::unique_ptr<AddedMass> preconditioner_;  ///< none: the residual itself is relaxed
+  std::string accelerator_kind_;               ///< with the preconditioner
   std::unique_ptr<Accelerator> accelerator_;
   std::deque<InterfaceVector> history_;  ///< accepted displacements, newest first, at most 3
 };

@@ -90,7 +90,7 @@ void IqnIls::forget_old_steps() {
 params::Table iqn_ils_table() {
   params::Table table("interface quasi-Newton with a least-squares model");
   table
-      .number("first factor", 0.05, params::Range{0.0, 1.0, true, false}, "1",
+      .number("first factor", 1.0, params::Range{0.0, 1.0, true, false}, "1",
               "relaxation factor while there is no column yet")
       .number("filter", 1e-7, params::Range{0.0, 1.0, false, true}, "1",
               "drop a column of which less than this part is new")

@@ -177,14 +177,26 @@ int FieldMesh::surface_index(const std::string& name) const {
   return found == surfaces.end() ? -1 : static_cast<int>(found - surfaces.begin());
 }
 
+namespace {
+
+std::vector<Vec3> nodal_vectors(const Vector& v, int n_nodes) {
+  const auto view = v.getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::vector<Vec3> values(n_nodes);
+  for (int a = 0; a < n_nodes; ++a)
+    values[a] = {view(3 * a, 0), view(3 * a + 1, 0), view(3 * a + 2, 0)};
+  return values;
+}
+
+}  // namespace
+
+std::vector<Vec3> owned_vectors(const FieldMesh& mesh, const Vector& v) {
+  return nodal_vectors(v, mesh.n_owned);
+}
+
 std::vector<Vec3> ghosted_vectors(const FieldMesh& mesh, const Vector& v) {
   Vector ghosted(mesh.ghosted_vector_map, false);
   ghosted.doImport(v, *mesh.vector_import, Tpetra::INSERT);
-  const auto view = ghosted.getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::vector<Vec3> values(mesh.n_nodes());
-  for (int a = 0; a < mesh.n_nodes(); ++a)
-    values[a] = {view(3 * a, 0), view(3 * a + 1, 0), view(3 * a + 2, 0)};
-  return values;
+  return nodal_vectors(ghosted, mesh.n_nodes());
 }
 
 std::vector<double> ghosted_scalars(const FieldMesh& mesh, const Vector& v) {

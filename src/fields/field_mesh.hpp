@@ -57,6 +57,9 @@ struct FieldMesh {
 FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partition,
                           const std::vector<int>& regions, const CommPtr& comm);
 
+/// Nodal values on owned nodes.
+std::vector<Vec3> owned_vectors(const FieldMesh& mesh, const Vector& v);
+
 /// Nodal values on owned and ghost nodes. Collective.
 std::vector<Vec3> ghosted_vectors(const FieldMesh& mesh, const Vector& v);
 std::vector<double> ghosted_scalars(const FieldMesh& mesh, const Vector& v);

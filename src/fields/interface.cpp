@@ -8,7 +8,8 @@
 namespace tunica::fields {
 
 Interface::Interface(const FieldMesh& fluid, const FieldMesh& wall,
-                     const std::vector<int>& surfaces) {
+                     const std::vector<int>& shared_surfaces)
+    : surfaces(shared_surfaces) {
   std::unordered_map<int, int> wall_node_of;
   for (int a = 0; a < wall.n_owned; ++a) wall_node_of[wall.vertex[a]] = a;
   for (int a = 0; a < fluid.n_owned; ++a) {

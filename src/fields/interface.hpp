@@ -7,12 +7,12 @@ namespace tunica::fields {
 /// vertex live on the same rank, so that transfer needs no communication.
 class Interface {
 public:
-  /// surfaces: indices into FieldMesh::surfaces.
-  Interface(const FieldMesh& fluid, const FieldMesh& wall, const std::vector<int>& surfaces);
+  Interface(const FieldMesh& fluid, const FieldMesh& wall, const std::vector<int>& shared_surfaces);
 
   int n_owned() const { return static_cast<int>(fluid_nodes.size()); }
   long long n_total() const { return n_total_; }
 
+  std::vector<int> surfaces;     ///< indices into FieldMesh::surfaces
   std::vector<int> fluid_nodes;  ///< local nodes owned by this rank
   std::vector<int> wall_nodes;   ///< in the same order
 

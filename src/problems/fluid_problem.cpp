@@ -36,17 +36,23 @@ void FluidProblem::set_constraints() {
     for (int a = 0; a < mesh_->n_nodes(); ++a)
       if (mesh_->is_on(a, surface)) fixed_[a] |= assembly::fixed_vector;
   }
-  const bool is_closed =
-      std::all_of(mesh_->faces.begin(), mesh_->faces.end(), [this](const fields::Face& face) {
-        const FlowCondition* condition = condition_of_surface_[face.surface];
-        return condition != nullptr && !condition->is_open();
-      });
   // Without an open surface the pressure is known up to a constant: pin it at one node.
-  is_closed_ = fields::all_agree(*mesh_->comm, is_closed);
+  is_closed_ = open_surfaces().empty();
   if (is_closed_) {
     const int first = mesh_->ghosted_map->getLocalElement(0);
     if (first >= 0) fixed_[first] |= assembly::fixed_scalar;
   }
+}
+
+std::vector<int> FluidProblem::open_surfaces() const {
+  std::vector<int> is_open(mesh_->surfaces.size(), 0), surfaces;
+  for (const fields::Face& face : mesh_->faces) {
+    const FlowCondition* condition = condition_of_surface_[face.surface];
+    if (condition == nullptr || condition->is_open()) is_open[face.surface] = 1;
+  }
+  for (std::size_t s = 0; s < is_open.size(); ++s)
+    if (fields::global_max(*mesh_->comm, is_open[s]) == 1) surfaces.push_back(static_cast<int>(s));
+  return surfaces;
 }
 
 void FluidProblem::begin_step(const stepping::Clock& clock) {

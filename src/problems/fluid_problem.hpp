@@ -42,6 +42,10 @@ public:
   void set_boundary_velocity(VectorField u) { boundary_velocity_ = std::move(u); }
   void set_initial_velocity(const std::function<Vec3(const Vec3& x)>& u);
 
+  double density() const { return options_.density; }  ///< [mg/mm³]
+  /// Indices into FieldMesh::surfaces: where the fluid may pass. Collective.
+  std::vector<int> open_surfaces() const;
+
   const std::vector<Vec3>& positions() const { return position_; }  ///< current, local nodes
   const assembly::FluidElements& elements() const { return elements_; }
 

@@ -123,6 +123,18 @@ void SolidProblem::end_step() {
   d_old_ = d;
 }
 
+SolidProblem::Response SolidProblem::respond(const stepping::Clock& clock,
+                                             const std::vector<Vec3>& force) {
+  begin_step(clock);
+  jacobian(x_);
+  assembly::NodalResidual load(*mesh_);
+  load.u = force;
+  fields::BlockVector b(*mesh_), x(*mesh_);
+  load.store(*mesh_, fixed_, b);
+  const linear::SolveReport report = linear_solver().solve(b, x, 1e-3);
+  return {fields::owned_vectors(*mesh_, *x.u), report};
+}
+
 fields::State SolidProblem::save() const {
   fields::State state = FieldProblem::save();
   state.arrays["velocity"] = fields::rows_of(v_old_, mesh_->n_owned);
@@ -139,10 +151,7 @@ std::string SolidProblem::restore(const fields::State& state) {
 }
 
 std::vector<Vec3> SolidProblem::displacement() const {
-  const auto u = x_.u->getLocalViewHost(read_only);
-  std::vector<Vec3> d(mesh_->n_owned);
-  for (int a = 0; a < mesh_->n_owned; ++a) d[a] = {u(3 * a, 0), u(3 * a + 1, 0), u(3 * a + 2, 0)};
-  return d;
+  return fields::owned_vectors(*mesh_, *x_.u);
 }
 
 std::vector<Vec3> SolidProblem::velocity() const {

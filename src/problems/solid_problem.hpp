@@ -30,6 +30,14 @@ public:
   /// Accepts the present state as that of the new time.
   void end_step();
 
+  struct Response {
+    std::vector<Vec3> displacement;  ///< of owned nodes [mm]
+    linear::SolveReport solve;
+  };
+  /// What nodal forces [mN] on the owned nodes move the wall by within one time step, linearised
+  /// at the present state, to three digits.
+  Response respond(const stepping::Clock& clock, const std::vector<Vec3>& force);
+
   /// Body force per mass at the undeformed position [mm/ms²], none by default; for verification.
   void set_body_force(VectorField f) { body_force_ = std::move(f); }
 

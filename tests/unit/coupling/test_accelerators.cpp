@@ -153,7 +153,7 @@ TEUCHOS_UNIT_TEST(aitken, crossed_bounds_are_refused) {
 
 TEUCHOS_UNIT_TEST(iqn_ils, solves_a_linear_problem_of_n_unknowns_in_n_plus_one_updates) {
   for (const int n : {1, 2, 5, 9}) {
-    const auto iqn = make(options("iqn-ils"));
+    const auto iqn = make(options("iqn-ils", {{"first factor", 0.05}}));
     // One relaxation and n least-squares updates; the next iteration sees the end.
     const int made = iterations(*iqn, LinearResponse(n, 5.0));
     TEST_COMPARE(made, <=, n + 2);

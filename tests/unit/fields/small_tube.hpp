@@ -19,8 +19,8 @@ inline CommPtr alone() { return Teuchos::rcp(new Teuchos::SerialComm<int>); }
 
 /// A tube of a few hundred tetrahedra with both fields and two layers, distributed.
 struct SmallTube {
-  explicit SmallTube(const CommPtr& comm = world())
-      : mesh(mesh::make_tube(options())),
+  explicit SmallTube(const CommPtr& comm = world(), const mesh::Tube& shape = options())
+      : mesh(mesh::make_tube(shape)),
         partition(mesh::partition(mesh, comm->getSize(), {true, false, false})),
         fluid(fields::make_field_mesh(mesh, partition, {0}, comm)),
         wall(fields::make_field_mesh(mesh, partition, {1, 2}, comm)) {}
