@@ -32,6 +32,16 @@ void broadcast_tags(const Comm& comm, std::vector<mesh::Tag>& tags) {
   }
 }
 
+void broadcast_vectors(const Comm& comm, std::vector<mesh::TetVectors>& all) {
+  int count = static_cast<int>(all.size());
+  Teuchos::broadcast(comm, 0, 1, &count);
+  all.resize(count);
+  for (mesh::TetVectors& vectors : all) {
+    broadcast(comm, vectors.name);
+    broadcast_items<double>(comm, vectors.values);
+  }
+}
+
 }  // namespace
 
 void broadcast_mesh(const Comm& comm, mesh::Mesh& mesh) {
@@ -42,6 +52,7 @@ void broadcast_mesh(const Comm& comm, mesh::Mesh& mesh) {
   broadcast_items<int>(comm, mesh.triangle_surface);
   broadcast_tags(comm, mesh.regions);
   broadcast_tags(comm, mesh.surfaces);
+  broadcast_vectors(comm, mesh.tet_vectors);
 }
 
 }  // namespace tunica::fields

@@ -167,6 +167,10 @@ FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partiti
     field.tet_number.push_back(e + 1);
     field.is_counted.push_back(partition.tet_part[e] == rank);
   }
+  for (const mesh::TetVectors& whole : mesh.tet_vectors) {
+    auto& mine = field.tet_vectors.emplace_back(mesh::TetVectors{whole.name, {}});
+    for (const int e : tets) mine.values.push_back(whole.values[e]);
+  }
   add_faces(mesh, partition, is_in_field, local, field);
   add_maps(n, field);
   return field;

@@ -21,6 +21,10 @@ std::string fingerprint(const Mesh& mesh) {
   hash = added(hash, mesh.tet_region);
   hash = added(hash, mesh.triangles);
   hash = added(hash, mesh.triangle_surface);
+  for (const TetVectors& vectors : mesh.tet_vectors) {
+    hash = hash_bytes(vectors.name.data(), vectors.name.size(), hash);
+    hash = added(hash, vectors.values);
+  }
   return hash_digits(hash);
 }
 

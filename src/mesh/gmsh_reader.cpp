@@ -1,5 +1,6 @@
 #include "mesh/gmsh_reader.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 
@@ -59,6 +60,9 @@ void GmshReader::read_section(const std::string& name) {
     if (has_elements_) in_.fail("a second section $Elements");
     has_elements_ = true;
     is_41_ ? read_elements_41() : read_elements_22();
+  } else if (name == "ElementData") {
+    if (!has_elements_) in_.fail("$ElementData before $Elements");
+    read_element_data();
   } else {
     return skip_section(name);
   }
@@ -79,6 +83,38 @@ void GmshReader::read_names() {
     if (dimension == 3) mesh_.region_names[id] = name;
     if (dimension == 2) mesh_.surface_names[id] = name;
   }
+}
+
+void GmshReader::read_element_data() {
+  std::string name;
+  const std::size_t strings = in_.count("the number of string tags", 2);
+  for (std::size_t i = 0; i < strings; ++i) {
+    const std::string text = in_.quoted("a string tag");
+    if (i == 0) name = text;
+  }
+  const std::size_t reals = in_.count("the number of real tags", 2);
+  for (std::size_t i = 0; i < reals; ++i) in_.real("a real tag");
+  const std::size_t integers = in_.count("the number of integer tags", 2);
+  if (integers < 3) in_.fail("$ElementData with fewer than 3 integer tags");
+  in_.integer("a time step");
+  const int components = in_.integer("the number of components", 1, 9);
+  const std::size_t rows = in_.count("the number of elements with data", 4);
+  for (std::size_t i = 3; i < integers; ++i) in_.integer("an integer tag");
+  TetVectors vectors{name, std::vector<Vec3>(mesh_.tets.size(), Vec3{})};
+  std::unordered_map<long long, std::size_t> tet_of_number;
+  for (std::size_t t = 0; t < mesh_.tets.size(); ++t) tet_of_number[mesh_.tet_number[t]] = t;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto tet = tet_of_number.find(in_.integer("the number of an element"));
+    for (int i = 0; i < components; ++i) {
+      const double value = in_.real("a value on an element");
+      if (components == 3 && tet != tet_of_number.end()) vectors.values[tet->second][i] = value;
+    }
+  }
+  if (components != 3) return;
+  const auto& all = mesh_.tet_vectors;
+  if (std::any_of(all.begin(), all.end(), [&](const auto& v) { return v.name == name; }))
+    in_.fail("a second $ElementData \"" + name + "\", expected one time step of each");
+  mesh_.tet_vectors.push_back(std::move(vectors));
 }
 
 void GmshReader::add_node(long long number, const Vec3& x) {

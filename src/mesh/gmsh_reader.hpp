@@ -19,6 +19,8 @@ public:
 private:
   void read_format();
   void read_names();
+  /// Keeps vectors on tetrahedra; passes over scalars, tensors and other elements.
+  void read_element_data();
   void skip_section(const std::string& name);
   void read_section(const std::string& name);
 

@@ -68,6 +68,31 @@ std::string elements_22(const Mesh& mesh) {
   return text + "$EndElements\n";
 }
 
+/// The vectors on the tetrahedra. number_of: of each tetrahedron in the file.
+std::string element_data(const Mesh& mesh, const std::vector<std::size_t>& number_of) {
+  std::string text;
+  for (const TetVectors& vectors : mesh.tet_vectors) {
+    text += "$ElementData\n1\n\"" + vectors.name + "\"\n1\n0\n3\n0\n3\n" +
+            std::to_string(vectors.values.size()) + "\n";
+    for (std::size_t t = 0; t < vectors.values.size(); ++t)
+      text += std::to_string(number_of[t]) + " " + point(vectors.values[t]) + "\n";
+    text += "$EndElementData\n";
+  }
+  return text;
+}
+
+/// Numbers of the tetrahedra behind the triangles, as they stand or region by region.
+std::vector<std::size_t> tet_numbers(const Mesh& mesh, GmshVersion version) {
+  std::size_t next = mesh.triangles.size() + 1;
+  std::vector<std::size_t> number_of(mesh.tets.size());
+  const std::size_t passes = version == GmshVersion::v22 ? 1 : mesh.regions.size();
+  for (std::size_t r = 0; r < passes; ++r)
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+      if (version == GmshVersion::v22 || mesh.tet_region[t] == static_cast<int>(r))
+        number_of[t] = next++;
+  return number_of;
+}
+
 /// One entity per tag, with its own number; the bounding boxes play no role for readers.
 std::string entities_41(const Mesh& mesh) {
   std::string text = "$Entities\n0 0 " + std::to_string(mesh.surfaces.size()) + " " +
@@ -123,10 +148,12 @@ std::string elements_41(const Mesh& mesh) {
 void write_gmsh(const Mesh& mesh, const std::string& path, GmshVersion version) {
   if (version == GmshVersion::v22) {
     write_bytes(path, "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + names(mesh, path) +
-                          nodes_22(mesh) + elements_22(mesh));
+                          nodes_22(mesh) + elements_22(mesh) +
+                          element_data(mesh, tet_numbers(mesh, version)));
   } else {
     write_bytes(path, "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + names(mesh, path) +
-                          entities_41(mesh) + nodes_41(mesh) + elements_41(mesh));
+                          entities_41(mesh) + nodes_41(mesh) + elements_41(mesh) +
+                          element_data(mesh, tet_numbers(mesh, version)));
   }
 }
 

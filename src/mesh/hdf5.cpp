@@ -29,6 +29,34 @@ std::vector<Tag> read_tags(const Hdf5Reader& in, const std::string& kind, const 
   return tags;
 }
 
+/// One field behind the other, a row per tetrahedron. Files without them are older or have none.
+void read_tet_vectors(const Hdf5Reader& in, const std::string& path, Mesh& mesh) {
+  if (!in.has("tet_vectors")) return;
+  const std::vector<std::string> names = in.strings("tet_vector_names");
+  const auto rows = rows_of<double, 3>(in.reals("tet_vectors", 3));
+  TUNICA_CHECK(rows.size() == names.size() * mesh.tets.size(),
+               path + ": dataset /tet_vectors has " + std::to_string(rows.size()) +
+                   " rows, expected " + std::to_string(names.size()) + " times " +
+                   std::to_string(mesh.tets.size()) + " as in /tet_vector_names and /tets");
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto first = rows.begin() + static_cast<std::ptrdiff_t>(k * mesh.tets.size());
+    mesh.tet_vectors.push_back(
+        {names[k], {first, first + static_cast<std::ptrdiff_t>(mesh.tets.size())}});
+  }
+}
+
+void write_tet_vectors(Hdf5Writer& out, const std::vector<TetVectors>& all) {
+  if (all.empty()) return;
+  std::vector<std::string> names;
+  std::vector<Vec3> rows;
+  for (const TetVectors& vectors : all) {
+    names.push_back(vectors.name);
+    rows.insert(rows.end(), vectors.values.begin(), vectors.values.end());
+  }
+  out.strings("tet_vector_names", names);
+  out.reals("tet_vectors", reinterpret_cast<const double*>(rows.data()), rows.size(), 3);
+}
+
 void write_tags(Hdf5Writer& out, const std::vector<Tag>& tags, const std::string& kind) {
   std::vector<int> ids;
   std::vector<std::string> names;
@@ -59,6 +87,7 @@ Mesh read_hdf5(const std::string& path) {
   mesh.triangle_surface = in.integers("triangle_surface");
   mesh.regions = read_tags(in, "region", path);
   mesh.surfaces = read_tags(in, "surface", path);
+  read_tet_vectors(in, path, mesh);
   validate(mesh, path);
   return mesh;
 }
@@ -90,6 +119,7 @@ void write_hdf5(const Mesh& mesh, const std::string& path, const Partition* part
   out.integers("triangle_surface", mesh.triangle_surface.data(), mesh.triangle_surface.size());
   write_tags(out, mesh.regions, "region");
   write_tags(out, mesh.surfaces, "surface");
+  write_tet_vectors(out, mesh.tet_vectors);
   if (partition) {
     out.integers("tet_part", partition->tet_part.data(), partition->tet_part.size());
     out.integers("vertex_owner", partition->vertex_owner.data(), partition->vertex_owner.size());

@@ -176,6 +176,7 @@ Info inspect(const Mesh& mesh) {
   measure_edges(mesh, info);
   measure_contacts(mesh, all, info);
   measure_box(mesh, info);
+  for (const TetVectors& vectors : mesh.tet_vectors) info.tet_vectors.push_back(vectors.name);
   info.twin_vertices = count_twins(mesh, 1e-6 * info.shortest_edge);
   return info;
 }

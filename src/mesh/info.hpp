@@ -37,6 +37,7 @@ struct Info {
   std::vector<Region> regions;
   std::vector<Surface> surfaces;
   std::vector<Contact> contacts;
+  std::vector<std::string> tet_vectors;  ///< names of the vectors on the tetrahedra
 
   /// Vertices − edges + faces − tetrahedra: 1 for a ball or a solid cylinder, 0 for a ring.
   int euler() const { return vertices - edges + faces - tets; }

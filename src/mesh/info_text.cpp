@@ -51,6 +51,8 @@ std::string to_text(const Info& info) {
   for (const Info::Contact& c : info.contacts)
     text += line("%s and %s share %d faces, %d of them on a surface", c.first.c_str(),
                  c.second.c_str(), c.faces, c.tagged_faces);
+  if (!info.tet_vectors.empty())
+    text += "vectors on the tetrahedra: " + joined(info.tet_vectors) + "\n";
   text += line("connected pieces: %d; Euler characteristic: %d (solid cylinder 1, pipe 0)",
                info.pieces, info.euler());
   if (info.twin_vertices > 0)

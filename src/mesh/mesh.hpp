@@ -13,6 +13,12 @@ struct Tag {
   std::string name;
 };
 
+/// A vector on each tetrahedron that came with the mesh, such as a direction of fibres.
+struct TetVectors {
+  std::string name;
+  std::vector<Vec3> values;  ///< per tet; zero where the file gives none
+};
+
 /// A whole tetrahedral mesh of fluid and wall on one rank. Lengths in the user's unit (mm).
 ///
 /// Tetrahedra are positively oriented. Triangles cover every outer face and the interface
@@ -28,6 +34,7 @@ struct Mesh {
   std::vector<int> triangle_surface;  ///< per triangle: index into surfaces
   std::vector<Tag> regions;
   std::vector<Tag> surfaces;
+  std::vector<TetVectors> tet_vectors;  ///< names are unique
 };
 
 }  // namespace tunica::mesh

@@ -81,6 +81,7 @@ Mesh finish(RawMesh raw) {
   Mesh mesh;
   mesh.vertices = std::move(raw.vertices);
   mesh.tets = std::move(raw.tets);
+  mesh.tet_vectors = std::move(raw.tet_vectors);
   mesh.regions = number_tags(raw.tet_tag, raw.region_names, "region", mesh.tet_region);
   orient(mesh, raw);
   drop_untagged_triangles(raw, mesh);

@@ -18,6 +18,7 @@ struct RawMesh {
   std::vector<long long> tet_number;  ///< in the file, for messages
   std::vector<std::array<int, 3>> triangles;
   std::vector<int> triangle_tag;
+  std::vector<TetVectors> tet_vectors;
   std::map<int, std::string> region_names;
   std::map<int, std::string> surface_names;
 };

@@ -26,6 +26,7 @@ public:
     for (std::size_t i = 0; i < old_.triangles.size(); ++i) split_triangle(static_cast<int>(i));
     new_.regions = old_.regions;
     new_.surfaces = old_.surfaces;
+    inherit_vectors();
   }
 
   void project(const std::string& surface) {
@@ -108,6 +109,13 @@ private:
     const int a = (d + 1) % 3, b = (d + 2) % 3;
     const std::array<int, 4> belt{m[a], m[b], m[5 - a], m[5 - b]};
     for (int i = 0; i < 4; ++i) add({m[d], m[5 - d], belt[i], belt[(i + 1) % 4]}, region);
+  }
+
+  void inherit_vectors() {
+    for (const TetVectors& old : old_.tet_vectors) {
+      TetVectors& vectors = new_.tet_vectors.emplace_back(TetVectors{old.name, {}});
+      for (const Vec3& v : old.values) vectors.values.insert(vectors.values.end(), 8, v);
+    }
   }
 
   void add(std::array<int, 4> tet, int region) {

@@ -31,6 +31,26 @@ void check_tags(const std::vector<Tag>& tags, const std::string& kind, const std
   }
 }
 
+void check_tet_vectors(const Mesh& mesh, const std::string& name) {
+  std::set<std::string> names;
+  for (const TetVectors& vectors : mesh.tet_vectors) {
+    TUNICA_CHECK(
+        !vectors.name.empty() && vectors.name.find_first_of("\"<>&\n") == std::string::npos,
+        name + ": vectors on tetrahedra are named \"" + vectors.name +
+            "\", expected a name without quotation marks, <, > and &");
+    TUNICA_CHECK(names.insert(vectors.name).second,
+                 name + ": two sets of vectors on tetrahedra are named \"" + vectors.name + "\"");
+    TUNICA_CHECK(vectors.values.size() == mesh.tets.size(),
+                 name + ": \"" + vectors.name + "\" has " + number(vectors.values.size()) +
+                     " vectors, expected one for each of " + number(mesh.tets.size()) +
+                     " tetrahedra");
+    for (std::size_t t = 0; t < vectors.values.size(); ++t)
+      TUNICA_CHECK(std::isfinite(norm(vectors.values[t])),
+                   name + ": \"" + vectors.name + "\" on tetrahedron " + number(t) + " is " +
+                       show(vectors.values[t]) + ", expected finite numbers");
+  }
+}
+
 /// Vertices in range and different, tag in range. what: "tetrahedron" or "triangle".
 template <std::size_t N>
 void check_elements(const std::vector<std::array<int, N>>& elements, const std::vector<int>& tags,
@@ -124,6 +144,7 @@ void validate(const Mesh& mesh, const std::string& name) {
                  name + ": tetrahedron");
   check_elements(mesh.triangles, mesh.triangle_surface, mesh.vertices.size(), mesh.surfaces.size(),
                  name + ": triangle");
+  check_tet_vectors(mesh, name);
   check_vertices(mesh, name);
   check_shapes(mesh, name);
   check_triangles(mesh, faces(mesh, name), name);

@@ -12,6 +12,10 @@ std::string number(double value) {
   return text;
 }
 
+std::string point(const Vec3& x) {
+  return number(x[0]) + " " + number(x[1]) + " " + number(x[2]) + "\n";
+}
+
 std::string array(const std::string& type, const std::string& name, const std::string& values,
                   int components = 1) {
   return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
@@ -38,8 +42,7 @@ std::string per_cell(const Mesh& mesh, OfTet of_tet, OfTriangle of_triangle) {
 
 std::string points(const Mesh& mesh) {
   std::string text;
-  for (const Vec3& x : mesh.vertices)
-    text += number(x[0]) + " " + number(x[1]) + " " + number(x[2]) + "\n";
+  for (const Vec3& x : mesh.vertices) text += point(x);
   return "<Points>\n" + array("Float64", "points", text, 3) + "</Points>\n";
 }
 
@@ -71,6 +74,12 @@ std::string cell_data(const Mesh& mesh, const Partition* partition) {
                   per_cell(
                       mesh, [&](std::size_t t) { return partition->tet_part[t]; },
                       [](std::size_t) { return -1; }));
+  for (const TetVectors& vectors : mesh.tet_vectors) {
+    std::string values;
+    for (const Vec3& v : vectors.values) values += point(v);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) values += point({0, 0, 0});
+    text += array("Float64", vectors.name, values, 3);
+  }
   return "<CellData>\n" + text + "</CellData>\n";
 }
 

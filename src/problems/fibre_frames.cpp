@@ -24,6 +24,7 @@ namespace tunica::problems {
 //           on the outer surface; both harmonic. The gradients are averaged to the nodes by
 //           volume and from there to the element: the gradient of a single linear tetrahedron
 //           follows its faces, and it is zero where all four vertices lie on one surface.
+// mesh:     o and l from the file.
 //
 // Source: rule-based fibres of [LDRB], of which a wall needs these two functions only.
 
@@ -162,6 +163,26 @@ std::vector<materials::Frame> frames_of(const fields::FieldMesh& mesh, const Dir
   return frames;
 }
 
+std::vector<Vec3> vectors_of(const fields::FieldMesh& mesh, const std::string& name) {
+  std::vector<std::string> names;
+  for (const mesh::TetVectors& vectors : mesh.tet_vectors) {
+    if (vectors.name == name) return vectors.values;
+    names.push_back(vectors.name);
+  }
+  throw Error(std::string(where) + ": the mesh has no vectors \"" + name + "\" on its elements. " +
+              (names.empty() ? "It has none at all." : params::did_you_mean(name, names)));
+}
+
+params::Table mesh_table() {
+  params::Table table("from vectors that the mesh file gives on its elements");
+  table
+      .text("axial vectors", "axial",
+            "along the vessel: name of a $ElementData of three components in a Gmsh file")
+      .text("radial vectors", "radial",
+            "out of the lumen; their part across the axial ones counts, of any length");
+  return table;
+}
+
 params::Table tube_table() {
   params::Table table("from a straight axis");
   table.numbers("axis point", std::vector<double>{0, 0, 0}, params::any(), 3, "mm", "on the axis")
@@ -206,7 +227,8 @@ params::Table fibre_frame_table() {
   table.variant("kind", "none",
                 {{"none", params::Table("no directions")},
                  {"tube", tube_table()},
-                 {"laplace", laplace_table()}},
+                 {"laplace", laplace_table()},
+                 {"mesh", mesh_table()}},
                 "where the directions come from");
   return table;
 }
@@ -221,9 +243,15 @@ std::vector<std::string> frame_surfaces(const Teuchos::ParameterList& list) {
 
 std::vector<materials::Frame> fibre_frames(const Teuchos::ParameterList& list,
                                            const fields::FieldMesh& mesh) {
-  if (list.get<std::string>("kind") == "tube")
+  const auto& kind = list.get<std::string>("kind");
+  if (kind == "tube")
     return frames_of(mesh, tube_directions(list, mesh),
                      "it lies on the axis. Check \"axis point\" and \"axis direction\".");
+  if (kind == "mesh")
+    return frames_of(mesh,
+                     {vectors_of(mesh, list.get<std::string>("radial vectors")),
+                      vectors_of(mesh, list.get<std::string>("axial vectors"))},
+                     "the mesh file gives none, or the same as the other one.");
   const Directions directions{gradient_between(list, mesh, "inner surfaces", "outer surfaces"),
                               gradient_between(list, mesh, "start surfaces", "end surfaces")};
   return frames_of(mesh, directions,

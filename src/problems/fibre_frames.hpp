@@ -11,6 +11,7 @@ namespace tunica::problems {
 /// The keys of "Fibre Frame": where the directions of the wall's fibres come from.
 ///   tube      from a straight axis
 ///   laplace   from two harmonic functions, one through the wall, one along it
+///   mesh      from vectors that the mesh file gives on its elements
 params::Table fibre_frame_table();
 
 /// The surfaces that a resolved "Fibre Frame" list names.

@@ -150,12 +150,16 @@ TEUCHOS_UNIT_TEST(field_mesh, nodes_know_their_surfaces_on_every_rank) {
 }
 
 TEUCHOS_UNIT_TEST(broadcast_mesh, every_rank_receives_the_mesh_of_rank_0) {
-  const mesh::Mesh whole = mesh::make_tube(SmallTube::options());
+  mesh::Mesh whole = mesh::make_tube(SmallTube::options());
+  whole.tet_vectors = {{"axial", std::vector<Vec3>(whole.tets.size(), Vec3{0.1, 0.2, 0.3})}};
   mesh::Mesh mesh = world()->getRank() == 0 ? whole : mesh::Mesh{};
   fields::broadcast_mesh(*world(), mesh);
   TEST_ASSERT(mesh.vertices == whole.vertices && mesh.tets == whole.tets);
   TEST_ASSERT(mesh.tet_region == whole.tet_region && mesh.triangles == whole.triangles);
   TEST_ASSERT(mesh.triangle_surface == whole.triangle_surface);
+  TEST_EQUALITY(mesh.tet_vectors.size(), 1);
+  TEST_EQUALITY(mesh.tet_vectors.at(0).name, "axial");
+  TEST_ASSERT(mesh.tet_vectors[0].values == whole.tet_vectors[0].values);
   TEST_EQUALITY(mesh.surfaces.size(), whole.surfaces.size());
   for (std::size_t s = 0; s < whole.surfaces.size(); ++s) {
     TEST_EQUALITY(mesh.surfaces[s].id, whole.surfaces[s].id);

@@ -54,15 +54,37 @@ inline Tube smallest_tube() {
   return tube;
 }
 
-/// The same vertices bit by bit, elements, tags and names; numbers of tags may differ.
+inline Vec3 centroid(const Mesh& mesh, std::size_t t) {
+  Vec3 sum{};
+  for (const int v : mesh.tets[t]) sum += 0.25 * mesh.vertices[v];
+  return sum;
+}
+
+/// The mesh with two sets of vectors on its tetrahedra, the first their centroids.
+inline Mesh with_vectors(Mesh mesh) {
+  mesh.tet_vectors = {{"centre", {}}, {"number", {}}};
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    mesh.tet_vectors[0].values.push_back(centroid(mesh, t));
+    mesh.tet_vectors[1].values.push_back({double(t), 0.5, -1.0 / 3.0});
+  }
+  return mesh;
+}
+
+/// The same vertices bit by bit, elements, tags, names and vectors; numbers of tags may differ.
 inline bool are_equal(const Mesh& a, const Mesh& b) {
   const auto same_names = [](const std::vector<Tag>& x, const std::vector<Tag>& y) {
     return std::equal(x.begin(), x.end(), y.begin(), y.end(),
                       [](const Tag& s, const Tag& t) { return s.name == t.name; });
   };
-  return a.vertices == b.vertices && a.tets == b.tets && a.tet_region == b.tet_region &&
-         a.triangles == b.triangles && a.triangle_surface == b.triangle_surface &&
-         same_names(a.regions, b.regions) && same_names(a.surfaces, b.surfaces);
+  const bool same_vectors =
+      std::equal(a.tet_vectors.begin(), a.tet_vectors.end(), b.tet_vectors.begin(),
+                 b.tet_vectors.end(), [](const TetVectors& x, const TetVectors& y) {
+                   return x.name == y.name && x.values == y.values;
+                 });
+  return same_vectors && a.vertices == b.vertices && a.tets == b.tets &&
+         a.tet_region == b.tet_region && a.triangles == b.triangles &&
+         a.triangle_surface == b.triangle_surface && same_names(a.regions, b.regions) &&
+         same_names(a.surfaces, b.surfaces);
 }
 
 /// are_equal, and the tags' numbers too.

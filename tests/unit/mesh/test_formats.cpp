@@ -50,7 +50,8 @@ TEUCHOS_UNIT_TEST(mesh_formats, netgen_and_gmsh_files_of_one_mesh_agree) {
 }
 
 TEUCHOS_UNIT_TEST(mesh_formats, round_trips_are_exact) {
-  for (const Mesh& mesh : {make_tube(Tube()), read(data_folder + "/mesh-tube-small.msh")}) {
+  const Mesh small = read(data_folder + "/mesh-tube-small.msh");
+  for (const Mesh& mesh : {make_tube(Tube()), small, with_vectors(small)}) {
     const TemporaryFile h5("round.h5"), v22("round22.msh");
     write(mesh, h5.path);
     write(mesh, v22.path);
@@ -60,7 +61,7 @@ TEUCHOS_UNIT_TEST(mesh_formats, round_trips_are_exact) {
 }
 
 TEUCHOS_UNIT_TEST(mesh_formats, gmsh_41_groups_elements_and_keeps_the_mesh) {
-  const Mesh mesh = read(data_folder + "/mesh-tube-small.msh");
+  const Mesh mesh = with_vectors(read(data_folder + "/mesh-tube-small.msh"));
   const TemporaryFile v41("round41.msh"), again("again41.msh");
   write_gmsh(mesh, v41.path, GmshVersion::v41);
   const Mesh grouped = read(v41.path);
@@ -72,8 +73,38 @@ TEUCHOS_UNIT_TEST(mesh_formats, gmsh_41_groups_elements_and_keeps_the_mesh) {
     return tets;
   };
   TEST_ASSERT(sorted(grouped) == sorted(mesh));
+  for (std::size_t t = 0; t < grouped.tets.size(); ++t)
+    TEST_ASSERT(grouped.tet_vectors.at(0).values[t] == centroid(grouped, t));
   write_gmsh(grouped, again.path, GmshVersion::v41);
   TEST_ASSERT(are_identical(read(again.path), grouped));
+}
+
+/// A set of values on elements, as Gmsh's views have it.
+std::string element_data(const std::string& name, int components, const std::string& rows, int n) {
+  return "$ElementData\n1\n\"" + name + "\"\n1\n0.0\n3\n0\n" + std::to_string(components) + "\n" +
+         std::to_string(n) + "\n" + rows + "$EndElementData\n";
+}
+
+TEUCHOS_UNIT_TEST(mesh_formats, gmsh_vectors_on_tetrahedra_are_kept_and_other_data_passed_over) {
+  const std::string mesh = one_tet("10 20 30 40");
+  const Mesh read =
+      read_text_as("data.msh", mesh + element_data("stress", 1, "77 5\n", 1) +
+                                   element_data("axial", 3, "2 7 7 7\n77 0.5 0 -1\n", 2) +
+                                   element_data("none", 3, "2 7 7 7\n", 1));
+  TEST_EQUALITY(read.tet_vectors.size(), 2u);
+  TEST_EQUALITY(read.tet_vectors[0].name, "axial");
+  TEST_ASSERT(read.tet_vectors[0].values == std::vector<tunica::Vec3>({{0.5, 0.0, -1.0}}));
+  TEST_ASSERT(read.tet_vectors[1].values == std::vector<tunica::Vec3>({{0.0, 0.0, 0.0}}));
+  const std::string data = element_data("axial", 3, "77 0 0 1\n", 1);
+  const auto refuses = [&](const std::string& part, const std::string& text) {
+    return fails_with(part, out, [&] { read_text_as("bad-data.msh", text); });
+  };
+  TEST_ASSERT(refuses("a second $ElementData \"axial\"", mesh + data + data));
+  TEST_ASSERT(refuses("$ElementData before $Elements", head + nodes + data));
+  TEST_ASSERT(
+      refuses("a value on an element", mesh + element_data("axial", 3, "77 0 0 north\n", 1)));
+  TEST_ASSERT(
+      refuses("a name without quotation marks", mesh + element_data("a<b", 3, "77 0 0 1\n", 1)));
 }
 
 /// As Gmsh writes it: points and curves with groups and ends, parametric nodes, empty blocks,

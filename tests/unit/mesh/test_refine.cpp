@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "helpers.hpp"
+#include "mesh/faces.hpp"
 #include "mesh/info.hpp"
 #include "mesh/read.hpp"
 #include "mesh/refine.hpp"
@@ -28,6 +29,25 @@ TEUCHOS_UNIT_TEST(mesh_refine, counts_multiply_and_volumes_areas_and_names_stay)
   for (std::size_t s = 0; s < a.surfaces.size(); ++s) {
     TEST_ASSERT(b.surfaces[s].neighbours == a.surfaces[s].neighbours);
     TEST_FLOATING_EQUALITY(b.surfaces[s].area, a.surfaces[s].area, 1e-12);
+  }
+}
+
+TEUCHOS_UNIT_TEST(mesh_refine, parts_inherit_the_vectors_of_their_tetrahedron) {
+  using tunica::operator*, tunica::operator-, tunica::operator+=;
+  const Mesh mesh = with_vectors(make_tube(smallest_tube()));
+  const Mesh fine = refine(mesh);
+  TEST_EQUALITY(fine.tet_vectors.size(), 2u);
+  // The centres of the eight parts have the centre of the whole as their mean.
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    double volume_sum = 0.0;
+    tunica::Vec3 mean{};
+    for (std::size_t part = 8 * t; part < 8 * t + 8; ++part) {
+      TEST_ASSERT(fine.tet_vectors[0].values[part] == centroid(mesh, t));
+      const double V = volume(fine, static_cast<int>(part));
+      volume_sum += V;
+      mean += V * centroid(fine, part);
+    }
+    TEST_COMPARE(tunica::norm(1.0 / volume_sum * mean - centroid(mesh, t)), <, 1e-12);
   }
 }
 

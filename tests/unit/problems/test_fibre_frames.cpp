@@ -183,6 +183,44 @@ TEUCHOS_UNIT_TEST(fibre_frames, an_element_without_directions_is_named_by_all_ra
   TEST_ASSERT(says(complaint(parallel, many.wall), "no radial direction"));
 }
 
+/// A tube whose mesh has directions of its own on the elements.
+struct TubeWithVectors {
+  TubeWithVectors() {
+    mesh::Mesh mesh = mesh::make_tube(SmallTube::options());
+    mesh.tet_vectors = {{"out", {}}, {"fibres along", {}}};
+    for (const auto& tet : mesh.tets) {
+      Vec3 centre{};
+      for (const int v : tet) centre += 0.25 * mesh.vertices[v];
+      mesh.tet_vectors[0].values.push_back({3.0 * centre[0], 3.0 * centre[1], 0.5});
+      mesh.tet_vectors[1].values.push_back({0.0, 0.0, 2.0 + centre[2]});
+    }
+    const auto world = test::world();
+    wall = fields::make_field_mesh(
+        mesh, mesh::partition(mesh, world->getSize(), {true, false, false}), {1, 2}, world);
+  }
+  fields::FieldMesh wall;
+};
+
+TEUCHOS_UNIT_TEST(fibre_frames, vectors_of_the_mesh_are_taken_on_any_rank) {
+  const TubeWithVectors tube;
+  auto list = options("mesh");
+  list.set("axial vectors", std::string("fibres along"));
+  list.set("radial vectors", std::string("out"));
+  TEST_COMPARE(largest_angle(frames(list, tube.wall), frames(options("tube"), tube.wall)), <, 1e-5);
+}
+
+TEUCHOS_UNIT_TEST(fibre_frames, vectors_that_the_mesh_does_not_have_are_named) {
+  TubeWithVectors tube;
+  auto list = options("mesh");
+  list.set("axial vectors", std::string("fibres alon"));
+  list.set("radial vectors", std::string("out"));
+  TEST_ASSERT(complaint(list, tube.wall).find("\"fibres along\"") != std::string::npos);
+  TEST_ASSERT(complaint(options("mesh"), SmallTube().wall).find("none at all") !=
+              std::string::npos);
+  list.set("axial vectors", std::string("out"));
+  TEST_ASSERT(complaint(list, tube.wall).find("has no radial direction") != std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(fibre_frames, bad_input_is_refused) {
   const SmallTube tube;
   const auto refused = [&](Teuchos::ParameterList list, const std::string& word) {
