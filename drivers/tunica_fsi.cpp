@@ -32,8 +32,9 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
 
   // 2. Couple them.
   stepping::Clock clock(list.sublist("Time"));
-  coupling::DirichletNeumann scheme(list.sublist("Coupling"), clock, *domain.interface, fluid, wall,
+  coupling::DirichletNeumann scheme(list.sublist("Coupling"), *domain.interface, fluid, wall,
                                     motion);
+  if (const auto reason = scheme.prepare(clock)) return {false, *reason};
 
   // 3. From where it goes on after a restart; what is written, and when.
   const CommPtr comm = domain.fluid->comm;

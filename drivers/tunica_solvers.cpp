@@ -53,7 +53,8 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
   Teuchos::ParameterList coupling(list.sublist("Coupling"));
   coupling.set("halvings", 0);  // a system that cannot be solved is a result
   const stepping::Clock clock(list.sublist("Time"));
-  coupling::DirichletNeumann scheme(coupling, clock, *domain.interface, fluid, wall, motion);
+  coupling::DirichletNeumann scheme(coupling, *domain.interface, fluid, wall, motion);
+  if (const auto reason = scheme.prepare(clock)) return {false, *reason};
 
   // 2. Every wanted system is written and goes through all settings before it is solved.
   const CommPtr comm = domain.fluid->comm;

@@ -9,8 +9,8 @@ MATERIALS = {"mooney-rivlin": "Mooney–Rivlin", "artery": "artery"}
 FORCINGS = {"fixed": "1e-8 always", "increment": "the paper's rule", "short": "the same, final part 0.1",
             "type-1": "Eisenstat–Walker 1", "type-2": "Eisenstat–Walker 2"}
 ACCELERATORS = {"aitken": "Aitken", "iqn-ils": "IQN-ILS", "iqn-ils-alone": "IQN-ILS without earlier steps",
-                "aitken-added-mass": "Aitken, added mass taken out",
-                "iqn-ils-added-mass": "IQN-ILS, added mass taken out"}
+                "aitken-added-mass": "Aitken, added mass out, backflow stabilised",
+                "iqn-ils-added-mass": "IQN-ILS, added mass out, backflow stabilised"}
 
 
 class PaperRuns:

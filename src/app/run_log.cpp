@@ -16,7 +16,7 @@ RunLog::RunLog(const RunOutput& output, bool is_root, int steps)
       coupling_(output.folder.file("coupling.csv"),
                 {"step", "time", "iteration", "interface_residual", "relaxation", "columns",
                  "fluid_newton", "wall_newton", "fluid_linear", "wall_linear", "motion_seconds",
-                 "fluid_seconds", "wall_seconds"},
+                 "fluid_seconds", "wall_seconds", "update_seconds"},
                 is_root, output.steps_done()),
       newton_(output.folder.file("newton.csv"),
               {"step", "coupling_iteration", "field", "iteration", "increment",
@@ -50,7 +50,8 @@ void RunLog::coupling(const Moment& moment, const coupling::Iteration& iteration
                  static_cast<long long>(iteration.fluid.steps.size()),
                  static_cast<long long>(iteration.wall.steps.size()),
                  iteration.fluid.linear_iterations(), iteration.wall.linear_iterations(),
-                 iteration.motion_seconds, iteration.fluid_seconds, iteration.wall_seconds});
+                 iteration.motion_seconds, iteration.fluid_seconds, iteration.wall_seconds,
+                 iteration.update_seconds});
   newton(moment, "fluid", iteration.fluid);
   newton(moment, "wall", iteration.wall);
 }

@@ -1,7 +1,9 @@
 #pragma once
 #include <array>
 
+#include "assembly/gather.hpp"
 #include "fields/block_operator.hpp"
+#include "kernels/laplace_p1.hpp"
 
 namespace tunica::assembly {
 
@@ -29,6 +31,16 @@ Teuchos::RCP<CrsMatrix> scalar_matrix(const fields::FieldMesh& mesh, const field
   }
   matrix->fillComplete(mesh.node_map, mesh.node_map);
   return matrix;
+}
+
+/// ∫ ∇N_a·∇N_b on the undeformed mesh.
+inline Teuchos::RCP<CrsMatrix> laplacian(const fields::FieldMesh& mesh,
+                                         const fields::NodeGraph& graph,
+                                         const std::vector<char>& is_fixed) {
+  const auto element = [&mesh](std::size_t e) {
+    return kernels::laplace_p1(kernels::make_tet4(gather(mesh.x, mesh.tets[e])));
+  };
+  return scalar_matrix(mesh, graph, element, is_fixed);
 }
 
 /// factor ∫ N_a N_b on one element.

@@ -13,7 +13,8 @@ namespace tunica::coupling {
 using InterfaceVector = std::vector<double>;
 
 /// Makes the next interface displacement from the residual r = d̃ − d of a Dirichlet–Neumann
-/// iteration, d̃ the wall's answer to d. All members are collective.
+/// iteration, d̃ the wall's answer to d. Behind a preconditioner P it sees P r instead, and d + P r
+/// stands for d̃. All members are collective.
 class Accelerator {
 public:
   virtual ~Accelerator() = default;

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "assembly/gather.hpp"
 #include "assembly/scalar_matrix.hpp"
-#include "base/error.hpp"
-#include "kernels/laplace_p1.hpp"
 #include "problems/surface_geometry.hpp"
 
 namespace tunica::coupling {
 
 namespace {
+
+/// P need only be near: a relative residual of the Laplace problem up to this is good enough.
+constexpr double usable = 0.1;
 
 std::vector<char> nodes_on(const fields::FieldMesh& mesh, const std::vector<int>& surfaces) {
   std::vector<char> is_on(mesh.n_nodes(), 0);
@@ -20,31 +20,28 @@ std::vector<char> nodes_on(const fields::FieldMesh& mesh, const std::vector<int>
   return is_on;
 }
 
-Teuchos::RCP<CrsMatrix> laplacian(const fields::FieldMesh& mesh,
-                                  const std::vector<char>& is_fixed) {
-  const auto element = [&mesh](std::size_t e) {
-    return kernels::laplace_p1(kernels::make_tet4(assembly::gather(mesh.x, mesh.tets[e])));
-  };
-  return assembly::scalar_matrix(mesh, fields::make_node_graph(mesh), element, is_fixed);
+/// Zero where the interface is folded so that its areas cancel.
+Vec3 direction(const Vec3& area) {
+  const double size = norm(area);
+  return size > 0.0 ? 1.0 / size * area : Vec3{};
 }
 
 }  // namespace
 
 AddedMass::AddedMass(const Teuchos::ParameterList& list, const fields::FieldMesh& fluid,
-                     const fields::Interface& interface, const std::vector<int>& open_surfaces,
-                     const std::vector<double>& compliance, double fluid_inertia)
-    : interface_(&interface), compliance_(compliance), right_side_(fluid.node_map, 1),
+                     const fields::Interface& interface, const AddedMassModel& model)
+    : interface_(&interface), compliance_(model.compliance), right_side_(fluid.node_map, 1),
       p_(fluid.node_map, 1) {
-  const std::vector<char> is_open = nodes_on(fluid, open_surfaces);
+  const std::vector<char> is_open = nodes_on(fluid, model.open_surfaces);
   const std::vector<Vec3> area = problems::nodal_areas(fluid, interface.surfaces);
-  const Teuchos::RCP<CrsMatrix> K = laplacian(fluid, is_open);
+  const Teuchos::RCP<CrsMatrix> K =
+      assembly::laplacian(fluid, fields::make_node_graph(fluid), is_open);
   K->resumeFill();
   for (int k = 0; k < interface.n_owned(); ++k) {
     const int a = interface.fluid_nodes[k];
-    const double size = norm(area[a]);
-    normal_.push_back(1.0 / size * area[a]);
-    weight_.push_back(is_open[a] ? 0.0 : fluid_inertia * size);
-    K->sumIntoLocalValues(a, Teuchos::tuple(a), Teuchos::tuple(weight_[k] * compliance[k]));
+    normal_.push_back(direction(area[a]));
+    weight_.push_back(is_open[a] ? 0.0 : model.fluid_inertia * norm(area[a]));
+    K->sumIntoLocalValues(a, Teuchos::tuple(a), Teuchos::tuple(weight_[k] * compliance_[k]));
   }
   K->fillComplete(fluid.node_map, fluid.node_map);
   solver_ = linear::make_scalar_solver(list, K);
@@ -61,8 +58,8 @@ InterfaceVector AddedMass::apply(const InterfaceVector& residual) {
       b(interface_->fluid_nodes[k], 0) = weight_[k] * normal_part(k);
   }
   p_.putScalar(0.0);
-  solver_->solve(right_side_, p_);
   InterfaceVector result(residual);
+  if (!(solver_->solve(right_side_, p_) < usable)) return result;
   const auto p = p_.getLocalViewHost(read_only);
   for (int k = 0; k < interface_->n_owned(); ++k) {
     const double taken_back = compliance_[k] * p(interface_->fluid_nodes[k], 0);
@@ -71,24 +68,18 @@ InterfaceVector AddedMass::apply(const InterfaceVector& residual) {
   return result;
 }
 
-std::vector<double> wall_compliance(const stepping::Clock& clock, const fields::FieldMesh& fluid,
-                                    const fields::Interface& interface,
-                                    problems::SolidProblem& wall) {
-  const std::vector<Vec3> area = problems::nodal_areas(fluid, interface.surfaces);
+std::optional<std::vector<double>> wall_compliance(const stepping::Clock& clock,
+                                                   const fields::Interface& interface,
+                                                   problems::SolidProblem& wall,
+                                                   std::string& reason) {
+  const std::vector<Vec3> area = problems::nodal_areas(wall.mesh(), interface.surfaces);
   std::vector<Vec3> force(wall.mesh().n_owned);
-  for (int k = 0; k < interface.n_owned(); ++k)
-    force[interface.wall_nodes[k]] = area[interface.fluid_nodes[k]];
-  const problems::SolidProblem::Response response = wall.respond(clock, force);
-  TUNICA_CHECK(response.solve.is_converged,
-               "Coupling: the wall's linear solver (" + response.solve.method +
-                   ") fails for the wall at rest under unit pressure, which \"preconditioner\" = "
-                   "\"added mass\" asks for. See that the wall is held; \"none\" does without.");
+  for (const int a : interface.wall_nodes) force[a] = -1.0 * area[a];
+  const auto d = wall.respond(clock, force, reason);
+  if (!d) return std::nullopt;
   std::vector<double> compliance;
-  for (int k = 0; k < interface.n_owned(); ++k) {
-    const Vec3& A = area[interface.fluid_nodes[k]];
-    const double moved = dot(A, response.displacement[interface.wall_nodes[k]]) / norm(A);
-    compliance.push_back(std::max(moved, 0.0));
-  }
+  for (const int a : interface.wall_nodes)
+    compliance.push_back(std::max(0.0, -dot(direction(area[a]), (*d)[a])));
   return compliance;
 }
 

@@ -1,11 +1,24 @@
 #pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "coupling/accelerator.hpp"
 #include "fields/interface.hpp"
 #include "linear/scalar_solver.hpp"
-#include "problems/fluid_problem.hpp"
 #include "problems/solid_problem.hpp"
 
 namespace tunica::coupling {
+
+/// What the added mass depends on.
+struct AddedMassModel {
+  std::vector<int> open_surfaces;  ///< of the fluid: p = 0
+  double fluid_inertia;            ///< m = ρ_f/Δt² of implicit Euler [kPa/mm²]
+  /// c ≥ 0 of the owned nodes of the interface: what unit pressure moves the wall by within one
+  /// time step [mm/kPa].
+  std::vector<double> compliance;
+};
 
 /// Takes the fluid's added mass out of an interface residual r:
 ///
@@ -13,24 +26,22 @@ namespace tunica::coupling {
 ///                      ∂p/∂n = m (n·r − c p) on the interface, p = 0 on open surfaces
 ///
 ///   n  normal of the undeformed interface, out of the fluid                       1
-///   c  compliance: what unit pressure moves the wall by within one time step      mm/kPa
-///   m  ρ_f/Δt², the fluid's inertia for implicit Euler                            mg/(mm³ ms²)
 ///   p  how much less the fluid presses once the wall has moved by P r             kPa
 ///
 /// For an inviscid fluid and a wall that moves by c p wherever p acts, d + P r is the solution if r
 /// is the residual at d. Tangential residuals are left alone: no pressure answers to them.
 ///
 /// Source: the operators of [CGN], who show what relaxation the added mass asks for.
+/// Deviation: a number per node in place of the wall's operator; lumped masses on the interface.
+/// A wall with fluid on both sides hardly moves under pressure on its whole surface: c says
+/// nothing about such a one.
 class AddedMass {
 public:
-  /// list: a resolved list of linear::scalar_solver_table(). compliance: of the owned nodes of the
-  /// interface, ≥ 0; fluid_inertia: m. Collective.
+  /// list: a resolved list of linear::scalar_solver_table(). Collective.
   AddedMass(const Teuchos::ParameterList& list, const fields::FieldMesh& fluid,
-            const fields::Interface& interface, const std::vector<int>& open_surfaces,
-            const std::vector<double>& compliance, double fluid_inertia);
+            const fields::Interface& interface, const AddedMassModel& model);
 
-  /// P r. The linear solver may fall short of its tolerance: P must be near, not exact.
-  /// Collective.
+  /// P r; r itself where the linear solver fails, which is no worse than no P. Collective.
   InterfaceVector apply(const InterfaceVector& residual);
 
 private:
@@ -42,11 +53,12 @@ private:
   MultiVector right_side_, p_;
 };
 
-/// The compliance of AddedMass of the wall at rest: normal displacement of the owned interface
-/// nodes under unit pressure on the whole interface [mm/kPa]. Throws Error where the wall's linear
-/// solver fails. Collective.
-std::vector<double> wall_compliance(const stepping::Clock& clock, const fields::FieldMesh& fluid,
-                                    const fields::Interface& interface,
-                                    problems::SolidProblem& wall);
+/// The normal displacement of the owned interface nodes under unit pressure on the whole interface
+/// [mm/kPa], of the wall at its present state. Nothing, and reason says why, where the wall's
+/// linear solver fails. Begins the clock's present step and sets up that solver. Collective.
+std::optional<std::vector<double>> wall_compliance(const stepping::Clock& clock,
+                                                   const fields::Interface& interface,
+                                                   problems::SolidProblem& wall,
+                                                   std::string& reason);
 
 }  // namespace tunica::coupling

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/error.hpp"
 #include "base/timer.hpp"
 #include "fields/reduce.hpp"
 
 namespace tunica::coupling {
 
-DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list, const stepping::Clock& clock,
+DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
                                    const fields::Interface& interface,
                                    problems::FluidProblem& fluid, problems::SolidProblem& wall,
                                    problems::MeshMotion& motion)
@@ -17,13 +18,22 @@ DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list, const ste
       motion_(&motion), accelerator_kind_(list.get<std::string>("accelerator")),
       accelerator_(make_accelerator(list, wall.mesh().comm)), history_{InterfaceVector(
                                                                   3 * interface.n_owned(), 0.0)} {
-  const auto& preconditioner = list.get<std::string>("preconditioner");
-  if (preconditioner == "none") return;
-  accelerator_kind_ += " with " + preconditioner;
+  if (list.get<std::string>("preconditioner") == "none") return;
+  added_mass_ = list.sublist("Added Mass Solver");
+  accelerator_kind_ += " with added mass";
+}
+
+std::optional<std::string> DirichletNeumann::prepare(const stepping::Clock& clock) {
+  if (!added_mass_) return std::nullopt;
+  std::string reason;
+  const auto compliance = wall_compliance(clock, *interface_, *wall_, reason);
+  if (!compliance)
+    return "the coupling's preconditioner, the wall at rest under unit pressure: " + reason;
   const double dt = clock.step_size();
   preconditioner_ = std::make_unique<AddedMass>(
-      list.sublist("Added Mass Solver"), fluid.mesh(), interface, fluid.open_surfaces(),
-      wall_compliance(clock, fluid.mesh(), interface, wall), fluid.density() / (dt * dt));
+      *added_mass_, fluid_->mesh(), *interface_,
+      AddedMassModel{fluid_->open_surfaces(), fluid_->density() / (dt * dt), *compliance});
+  return std::nullopt;
 }
 
 InterfaceVector DirichletNeumann::wall_displacement() const {
@@ -135,8 +145,10 @@ bool DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
   const InterfaceVector residual = difference(answer, d);
   iteration.residual = size_of(residual);
   if (iteration.residual < options_.tolerance) return true;
-  d = limited(d,
-              accelerator_->next(d, preconditioner_ ? preconditioner_->apply(residual) : residual));
+  const Stopwatch watch;
+  const InterfaceVector z = preconditioner_ ? preconditioner_->apply(residual) : residual;
+  d = limited(d, accelerator_->next(d, z));
+  iteration.update_seconds = watch.seconds();
   iteration.relaxation = accelerator_->relaxation();
   iteration.columns = accelerator_->columns();
   return false;
@@ -159,6 +171,7 @@ std::string DirichletNeumann::why_unconverged(double time, const Report& report)
 
 Report DirichletNeumann::solve_step(const stepping::Clock& clock,
                                     const std::function<void(int, const Iteration&)>& watch) {
+  TUNICA_ASSERT(preconditioner_ || !added_mass_, "prepare() comes before the first step");
   Report report;
   fluid_->begin_step(clock);
   wall_->begin_step(clock);

@@ -30,6 +30,7 @@ struct Iteration {
   int columns = 0;
   nonlinear::NewtonReport fluid, wall;
   double motion_seconds = 0.0, fluid_seconds = 0.0, wall_seconds = 0.0;
+  double update_seconds = 0.0;  ///< preconditioner and accelerator
 };
 
 /// What became of a time step.
@@ -49,11 +50,14 @@ struct Report {
 /// three problems fails, d goes back half of the way to where they last did not.
 class DirichletNeumann : public fields::Restartable {
 public:
-  /// list: the resolved "Coupling" list; the problems are still at rest, and must outlive the
-  /// object. Throws Error where the preconditioner cannot be made. Collective.
-  DirichletNeumann(const Teuchos::ParameterList& list, const stepping::Clock& clock,
-                   const fields::Interface& interface, problems::FluidProblem& fluid,
-                   problems::SolidProblem& wall, problems::MeshMotion& motion);
+  /// list: the resolved "Coupling" list. The problems must outlive the object.
+  DirichletNeumann(const Teuchos::ParameterList& list, const fields::Interface& interface,
+                   problems::FluidProblem& fluid, problems::SolidProblem& wall,
+                   problems::MeshMotion& motion);
+
+  /// Makes the preconditioner, from problems that are still at rest: before the first step and
+  /// before a restart's state. Says why where that fails. Collective.
+  std::optional<std::string> prepare(const stepping::Clock& clock);
 
   /// Solves the clock's present step and accepts it as far as the options allow. watch is
   /// called after every iteration with its number, counted from 1.
@@ -85,8 +89,9 @@ private:
   problems::FluidProblem* fluid_;
   problems::SolidProblem* wall_;
   problems::MeshMotion* motion_;
-  std::unique_ptr<AddedMass> preconditioner_;  ///< none: the residual itself is relaxed
-  std::string accelerator_kind_;               ///< with the preconditioner
+  std::optional<Teuchos::ParameterList> added_mass_;  ///< solver; none: residuals stay as they are
+  std::unique_ptr<AddedMass> preconditioner_;
+  std::string accelerator_kind_;  ///< with the preconditioner
   std::unique_ptr<Accelerator> accelerator_;
   std::deque<InterfaceVector> history_;  ///< accepted displacements, newest first, at most 3
 };

@@ -2,9 +2,7 @@
 
 #include <sstream>
 
-#include "assembly/gather.hpp"
 #include "assembly/scalar_matrix.hpp"
-#include "kernels/laplace_p1.hpp"
 
 namespace tunica::problems {
 
@@ -12,11 +10,8 @@ Harmonic::Harmonic(const Teuchos::ParameterList& solver, const fields::FieldMesh
                    std::vector<char> is_given, int columns)
     : mesh_(&mesh), is_given_(std::move(is_given)), solution_(mesh.node_map, columns) {
   const fields::NodeGraph graph = fields::make_node_graph(mesh);
-  const auto element = [&mesh](std::size_t e) {
-    return kernels::laplace_p1(kernels::make_tet4(assembly::gather(mesh.x, mesh.tets[e])));
-  };
-  K_ = assembly::scalar_matrix(mesh, graph, element, is_given_);
-  whole_ = assembly::scalar_matrix(mesh, graph, element, std::vector<char>(mesh.n_nodes(), 0));
+  K_ = assembly::laplacian(mesh, graph, is_given_);
+  whole_ = assembly::laplacian(mesh, graph, std::vector<char>(mesh.n_nodes(), 0));
   solver_ = linear::make_scalar_solver(solver, K_);
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "assembly/gather.hpp"
 #include "assembly/mass_norm.hpp"
 #include "fields/reduce.hpp"
+#include "linear/direct_factor.hpp"
 #include "materials/registry.hpp"
 #include "problems/fibre_frames.hpp"
 #include "problems/inverted_element.hpp"
@@ -123,16 +125,26 @@ void SolidProblem::end_step() {
   d_old_ = d;
 }
 
-SolidProblem::Response SolidProblem::respond(const stepping::Clock& clock,
-                                             const std::vector<Vec3>& force) {
+std::optional<std::vector<Vec3>> SolidProblem::respond(const stepping::Clock& clock,
+                                                       const std::vector<Vec3>& force,
+                                                       std::string& reason) {
   begin_step(clock);
   jacobian(x_);
   assembly::NodalResidual load(*mesh_);
   load.u = force;
   fields::BlockVector b(*mesh_), x(*mesh_);
   load.store(*mesh_, fixed_, b);
-  const linear::SolveReport report = linear_solver().solve(b, x, 1e-3);
-  return {fields::owned_vectors(*mesh_, *x.u), report};
+  try {
+    const linear::SolveReport report = linear_solver().solve(b, x, 1e-8);
+    if (report.is_converged) return fields::owned_vectors(*mesh_, *x.u);
+    std::ostringstream text;
+    text << "the linear solver (" << report.method << ") reached a relative residual of "
+         << report.true_residual << " instead of 1e-8 in " << report.iterations << " iterations";
+    reason = text.str();
+  } catch (const linear::SetupFailure& error) {
+    reason = error.what();
+  }
+  return std::nullopt;
 }
 
 fields::State SolidProblem::save() const {

@@ -30,13 +30,11 @@ public:
   /// Accepts the present state as that of the new time.
   void end_step();
 
-  struct Response {
-    std::vector<Vec3> displacement;  ///< of owned nodes [mm]
-    linear::SolveReport solve;
-  };
-  /// What nodal forces [mN] on the owned nodes move the wall by within one time step, linearised
-  /// at the present state, to three digits.
-  Response respond(const stepping::Clock& clock, const std::vector<Vec3>& force);
+  /// What nodal forces [mN] on the owned nodes displace the owned nodes by within one time step
+  /// [mm], linearised at the present state. Nothing, and reason says why, where the linear solver
+  /// fails. Begins the clock's present step and sets up the solver for its Jacobian. Collective.
+  std::optional<std::vector<Vec3>> respond(const stepping::Clock& clock,
+                                           const std::vector<Vec3>& force, std::string& reason);
 
   /// Body force per mass at the undeformed position [mm/ms²], none by default; for verification.
   void set_body_force(VectorField f) { body_force_ = std::move(f); }

@@ -118,9 +118,9 @@ def write_run(folder, grids=("fluid", "wall"), stress_at_cells=False, steps=24):
     if coupled:
         write_table(os.path.join(folder, "coupling.csv"),
                     "step,time,iteration,interface_residual,relaxation,columns,fluid_newton,wall_newton,fluid_linear,"
-                    "wall_linear,motion_seconds,fluid_seconds,wall_seconds",
+                    "wall_linear,motion_seconds,fluid_seconds,wall_seconds,update_seconds",
                     [[s, 0.5 * s, k, 0.1 * 0.12**k * (1 + 0.3 * np.sin(s * k)), 0.4 + 0.1 * np.cos(s + 2 * k), 0, 4, 4,
-                      50, 50, 0.01, 0.4, 0.9] for s in range(1, steps + 1) for k in range(1, rounds(s) + 1)])
+                      50, 50, 0.01, 0.4, 0.9, 0.02] for s in range(1, steps + 1) for k in range(1, rounds(s) + 1)])
     write_table(os.path.join(folder, "newton.csv"),
                 NEWTON_COLUMNS,
                 [r for s in range(1, steps + 1) for r in newton_rows(s, rounds(s), grids)])
