@@ -34,7 +34,6 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
   stepping::Clock clock(list.sublist("Time"));
   coupling::DirichletNeumann scheme(list.sublist("Coupling"), *domain.interface, fluid, wall,
                                     motion);
-  if (const auto reason = scheme.prepare(clock)) return {false, *reason};
 
   // 3. From where it goes on after a restart; what is written, and when.
   const CommPtr comm = domain.fluid->comm;
@@ -49,6 +48,7 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
 
   // 4. March.
   for (; !clock.is_done(); clock.advance()) {
+    if (const auto reason = scheme.prepare(clock)) return {false, *reason};
     const coupling::Report report =
         scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
           log.coupling({clock.step(), clock.time(), k}, iteration);

@@ -29,6 +29,8 @@ struct Complete {};
 app::Verdict march_to_wanted(app::SystemCapture& capture, coupling::DirichletNeumann& scheme,
                              stepping::Clock clock, app::RunLog& log) {
   for (; !clock.is_done(); clock.advance()) {
+    capture.enter(0, 0);  // what the coupling solves for itself is not asked for
+    if (const auto reason = scheme.prepare(clock)) return {false, *reason};
     capture.enter(clock.step(), 1);
     const coupling::Report report =
         scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
@@ -54,7 +56,6 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
   coupling.set("halvings", 0);  // a system that cannot be solved is a result
   const stepping::Clock clock(list.sublist("Time"));
   coupling::DirichletNeumann scheme(coupling, *domain.interface, fluid, wall, motion);
-  if (const auto reason = scheme.prepare(clock)) return {false, *reason};
 
   // 2. Every wanted system is written and goes through all settings before it is solved.
   const CommPtr comm = domain.fluid->comm;

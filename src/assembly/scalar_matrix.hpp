@@ -33,12 +33,13 @@ Teuchos::RCP<CrsMatrix> scalar_matrix(const fields::FieldMesh& mesh, const field
   return matrix;
 }
 
-/// ∫ ∇N_a·∇N_b on the undeformed mesh.
+/// ∫ ∇N_a·∇N_b on the mesh with its local nodes at these positions.
 inline Teuchos::RCP<CrsMatrix> laplacian(const fields::FieldMesh& mesh,
+                                         const std::vector<Vec3>& positions,
                                          const fields::NodeGraph& graph,
                                          const std::vector<char>& is_fixed) {
-  const auto element = [&mesh](std::size_t e) {
-    return kernels::laplace_p1(kernels::make_tet4(gather(mesh.x, mesh.tets[e])));
+  const auto element = [&](std::size_t e) {
+    return kernels::laplace_p1(kernels::make_tet4(gather(positions, mesh.tets[e])));
   };
   return scalar_matrix(mesh, graph, element, is_fixed);
 }

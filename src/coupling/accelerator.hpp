@@ -1,5 +1,6 @@
 #pragma once
 #include <deque>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -13,11 +14,16 @@ namespace tunica::coupling {
 using InterfaceVector = std::vector<double>;
 
 /// Makes the next interface displacement from the residual r = d̃ − d of a Dirichlet–Neumann
-/// iteration, d̃ the wall's answer to d. Behind a preconditioner P it sees P r instead, and d + P r
-/// stands for d̃. All members are collective.
+/// iteration, d̃ the wall's answer to d. What it would relax it relaxes behind the preconditioner
+/// P, the identity unless set. All members are collective.
 class Accelerator {
 public:
+  using Preconditioner = std::function<InterfaceVector(const InterfaceVector&)>;
+
   virtual ~Accelerator() = default;
+
+  /// Between time steps; a step keeps its P.
+  void set_preconditioner(Preconditioner P) { P_ = std::move(P); }
 
   virtual void begin_step() = 0;
   virtual InterfaceVector next(const InterfaceVector& d, const InterfaceVector& residual) = 0;
@@ -31,6 +37,13 @@ public:
   virtual double relaxation() const = 0;
   /// Columns of the least-squares update of the last next(); 0 for plain relaxation.
   virtual int columns() const = 0;
+
+protected:
+  /// P r.
+  InterfaceVector preconditioned(const InterfaceVector& r) const { return P_ ? P_(r) : r; }
+
+private:
+  Preconditioner P_;
 };
 
 /// Adds the key "accelerator" and the keys of each accelerator.

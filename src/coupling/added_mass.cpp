@@ -33,9 +33,9 @@ AddedMass::AddedMass(const Teuchos::ParameterList& list, const fields::FieldMesh
     : interface_(&interface), compliance_(model.compliance), right_side_(fluid.node_map, 1),
       p_(fluid.node_map, 1) {
   const std::vector<char> is_open = nodes_on(fluid, model.open_surfaces);
-  const std::vector<Vec3> area = problems::nodal_areas(fluid, interface.surfaces);
+  const std::vector<Vec3> area = problems::nodal_areas(fluid, model.positions, interface.surfaces);
   const Teuchos::RCP<CrsMatrix> K =
-      assembly::laplacian(fluid, fields::make_node_graph(fluid), is_open);
+      assembly::laplacian(fluid, model.positions, fields::make_node_graph(fluid), is_open);
   K->resumeFill();
   for (int k = 0; k < interface.n_owned(); ++k) {
     const int a = interface.fluid_nodes[k];
@@ -70,16 +70,18 @@ InterfaceVector AddedMass::apply(const InterfaceVector& residual) {
 
 std::optional<std::vector<double>> wall_compliance(const stepping::Clock& clock,
                                                    const fields::Interface& interface,
+                                                   const std::vector<Vec3>& area,
                                                    problems::SolidProblem& wall,
                                                    std::string& reason) {
-  const std::vector<Vec3> area = problems::nodal_areas(wall.mesh(), interface.surfaces);
   std::vector<Vec3> force(wall.mesh().n_owned);
-  for (const int a : interface.wall_nodes) force[a] = -1.0 * area[a];
+  for (int k = 0; k < interface.n_owned(); ++k)
+    force[interface.wall_nodes[k]] = area[interface.fluid_nodes[k]];
   const auto d = wall.respond(clock, force, reason);
   if (!d) return std::nullopt;
   std::vector<double> compliance;
-  for (const int a : interface.wall_nodes)
-    compliance.push_back(std::max(0.0, -dot(direction(area[a]), (*d)[a])));
+  for (int k = 0; k < interface.n_owned(); ++k)
+    compliance.push_back(std::max(
+        0.0, dot(direction(area[interface.fluid_nodes[k]]), (*d)[interface.wall_nodes[k]])));
   return compliance;
 }
 

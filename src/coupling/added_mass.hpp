@@ -13,6 +13,7 @@ namespace tunica::coupling {
 
 /// What the added mass depends on.
 struct AddedMassModel {
+  std::vector<Vec3> positions;     ///< of the fluid's local nodes [mm]
   std::vector<int> open_surfaces;  ///< of the fluid: p = 0
   double fluid_inertia;            ///< m = ρ_f/Δt² of implicit Euler [kPa/mm²]
   /// c ≥ 0 of the owned nodes of the interface: what unit pressure moves the wall by within one
@@ -22,10 +23,10 @@ struct AddedMassModel {
 
 /// Takes the fluid's added mass out of an interface residual r:
 ///
-///   P r = r − c p n,   −Δp = 0 in the undeformed fluid,
+///   P r = r − c p n,   −Δp = 0 in the fluid as it lies,
 ///                      ∂p/∂n = m (n·r − c p) on the interface, p = 0 on open surfaces
 ///
-///   n  normal of the undeformed interface, out of the fluid                       1
+///   n  normal of the interface, out of the fluid                                  1
 ///   p  how much less the fluid presses once the wall has moved by P r             kPa
 ///
 /// For an inviscid fluid and a wall that moves by c p wherever p acts, d + P r is the solution if r
@@ -56,8 +57,10 @@ private:
 /// The normal displacement of the owned interface nodes under unit pressure on the whole interface
 /// [mm/kPa], of the wall at its present state. Nothing, and reason says why, where the wall's
 /// linear solver fails. Begins the clock's present step and sets up that solver. Collective.
+/// area: area times normal, out of the fluid, of the owned nodes of the fluid [mm²].
 std::optional<std::vector<double>> wall_compliance(const stepping::Clock& clock,
                                                    const fields::Interface& interface,
+                                                   const std::vector<Vec3>& area,
                                                    problems::SolidProblem& wall,
                                                    std::string& reason);
 

@@ -20,17 +20,18 @@ void Aitken::begin_step() {
 }
 
 InterfaceVector Aitken::next(const InterfaceVector& d, const InterfaceVector& residual) {
+  const InterfaceVector z = preconditioned(residual);
   if (!is_first_) {
-    const InterfaceVector change = difference(residual, last_residual_);
+    const InterfaceVector change = difference(z, last_residual_);
     const double size = inner_product(*comm_, change, change);
     if (size > 0.0) factor_ = -inner_product(*comm_, difference(d, last_d_), change) / size;
     factor_ = std::clamp(factor_, smallest_factor_, largest_factor_);
   }
   is_first_ = false;
   last_d_ = d;
-  last_residual_ = residual;
+  last_residual_ = z;
   InterfaceVector next_d(d);
-  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += factor_ * residual[i];
+  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += factor_ * z[i];
   return next_d;
 }
 

@@ -8,7 +8,7 @@ namespace tunica::coupling {
 ///   d_k = d_{k−1} + ω_{k−1} r_k,
 ///   ω_k = −(d_k − d_{k−1})·(r_{k+1} − r_k) / |r_{k+1} − r_k|²
 ///
-///   r_k  interface residual of iteration k  mm        ω_k  relaxation factor  1
+///   r_k  preconditioned interface residual of iteration k  mm        ω_k  relaxation factor  1
 ///
 /// Source: [LY1] eq:acceit, eq:dnomega (after Küttler and Wall 2008), where d_k − d_{k−1} is
 /// written ω_{k−1} r_k; here the coupling may have cut the update short. Deviation: the factor is

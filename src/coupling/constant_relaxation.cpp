@@ -4,8 +4,9 @@ namespace tunica::coupling {
 
 InterfaceVector ConstantRelaxation::next(const InterfaceVector& d,
                                          const InterfaceVector& residual) {
+  const InterfaceVector z = preconditioned(residual);
   InterfaceVector next_d(d);
-  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += factor_ * residual[i];
+  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += factor_ * z[i];
   return next_d;
 }
 

@@ -18,21 +18,30 @@ DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
       motion_(&motion), accelerator_kind_(list.get<std::string>("accelerator")),
       accelerator_(make_accelerator(list, wall.mesh().comm)), history_{InterfaceVector(
                                                                   3 * interface.n_owned(), 0.0)} {
-  if (list.get<std::string>("preconditioner") == "none") return;
-  added_mass_ = list.sublist("Added Mass Solver");
-  accelerator_kind_ += " with added mass";
+  if (list.get<std::string>("preconditioner") == "added mass")
+    added_mass_ = list.sublist("Added Mass Solver");
 }
 
 std::optional<std::string> DirichletNeumann::prepare(const stepping::Clock& clock) {
   if (!added_mass_) return std::nullopt;
-  std::string reason;
-  const auto compliance = wall_compliance(clock, *interface_, *wall_, reason);
-  if (!compliance)
-    return "the coupling's preconditioner, the wall at rest under unit pressure: " + reason;
+  const fields::FieldMesh& mesh = fluid_->mesh();
   const double dt = clock.step_size();
-  preconditioner_ = std::make_unique<AddedMass>(
-      *added_mass_, fluid_->mesh(), *interface_,
-      AddedMassModel{fluid_->open_surfaces(), fluid_->density() / (dt * dt), *compliance});
+  AddedMassModel model{mesh.x, fluid_->open_surfaces(), fluid_->density() / (dt * dt), {}};
+  for (int a = 0; a < mesh.n_nodes(); ++a) model.positions[a] += motion_->old_displacement()[a];
+  std::string reason;
+  const auto compliance = wall_compliance(
+      clock, *interface_, problems::nodal_areas(mesh, model.positions, interface_->surfaces),
+      *wall_, reason);
+  if (!compliance) {
+    std::ostringstream text;
+    text << "time " << clock.time() << " ms: the wall under unit pressure, for the coupling's "
+         << "preconditioner: " << reason;
+    return text.str();
+  }
+  model.compliance = *compliance;
+  preconditioner_ = std::make_unique<AddedMass>(*added_mass_, mesh, *interface_, model);
+  accelerator_->set_preconditioner(
+      [this](const InterfaceVector& r) { return preconditioner_->apply(r); });
   return std::nullopt;
 }
 
@@ -146,8 +155,7 @@ bool DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
   iteration.residual = size_of(residual);
   if (iteration.residual < options_.tolerance) return true;
   const Stopwatch watch;
-  const InterfaceVector z = preconditioner_ ? preconditioner_->apply(residual) : residual;
-  d = limited(d, accelerator_->next(d, z));
+  d = limited(d, accelerator_->next(d, residual));
   iteration.update_seconds = watch.seconds();
   iteration.relaxation = accelerator_->relaxation();
   iteration.columns = accelerator_->columns();
@@ -171,7 +179,7 @@ std::string DirichletNeumann::why_unconverged(double time, const Report& report)
 
 Report DirichletNeumann::solve_step(const stepping::Clock& clock,
                                     const std::function<void(int, const Iteration&)>& watch) {
-  TUNICA_ASSERT(preconditioner_ || !added_mass_, "prepare() comes before the first step");
+  TUNICA_ASSERT(preconditioner_ || !added_mass_, "prepare() comes before each step");
   Report report;
   fluid_->begin_step(clock);
   wall_->begin_step(clock);

@@ -55,8 +55,8 @@ public:
                    problems::FluidProblem& fluid, problems::SolidProblem& wall,
                    problems::MeshMotion& motion);
 
-  /// Makes the preconditioner, from problems that are still at rest: before the first step and
-  /// before a restart's state. Says why where that fails. Collective.
+  /// Makes the preconditioner for the clock's present step, before which it is to be called, from
+  /// fluid and wall as they lie. Says why where that fails. Collective.
   std::optional<std::string> prepare(const stepping::Clock& clock);
 
   /// Solves the clock's present step and accepts it as far as the options allow. watch is
@@ -91,7 +91,7 @@ private:
   problems::MeshMotion* motion_;
   std::optional<Teuchos::ParameterList> added_mass_;  ///< solver; none: residuals stay as they are
   std::unique_ptr<AddedMass> preconditioner_;
-  std::string accelerator_kind_;  ///< with the preconditioner
+  std::string accelerator_kind_;
   std::unique_ptr<Accelerator> accelerator_;
   std::deque<InterfaceVector> history_;  ///< accepted displacements, newest first, at most 3
 };

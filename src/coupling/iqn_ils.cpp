@@ -36,14 +36,17 @@ InterfaceVector IqnIls::next(const InterfaceVector& d, const InterfaceVector& re
   last_d_ = d;
   const LeastSquares fit = solve_least_squares(*comm_, V_, residual, filter_);
   columns_ = 0;
-  InterfaceVector next_d(answer);
+  InterfaceVector next_d(d), left(residual);
   for (std::size_t j = 0; j < W_.size(); ++j) {
     columns_ += fit.is_kept[j];
-    for (std::size_t i = 0; i < next_d.size(); ++i) next_d[i] -= fit.coefficients[j] * W_[j][i];
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      next_d[i] -= fit.coefficients[j] * (W_[j][i] - V_[j][i]);
+      left[i] -= fit.coefficients[j] * V_[j][i];
+    }
   }
   relaxation_ = columns_ > 0 ? 1.0 : first_factor_;
-  if (columns_ == 0)
-    for (std::size_t i = 0; i < d.size(); ++i) next_d[i] = d[i] + first_factor_ * residual[i];
+  const InterfaceVector z = preconditioned(left);
+  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += relaxation_ * z[i];
   if (last_update > 0.0 && update_growth_ > 0.0) bound(d, update_growth_ * last_update, next_d);
   return next_d;
 }

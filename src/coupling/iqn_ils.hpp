@@ -7,8 +7,9 @@ namespace tunica::coupling {
 
 /// Interface quasi-Newton with the inverse Jacobian from a least-squares model:
 ///
-///   d ← d̃ + W c,   c = argmin |r + V c|
+///   d ← d + (W − V) c + P (r + V c),   c = argmin |r + V c|
 ///
+///   P    preconditioner of what the model leaves
 ///   V = [r_k − r_{k−1}, …]    changes of the residual       mm
 ///   W = [d̃_k − d̃_{k−1}, …]    changes of the wall's answer  mm
 ///
@@ -16,7 +17,8 @@ namespace tunica::coupling {
 /// Nearly dependent columns are dropped. Without any column the update is a relaxation. An
 /// update is cut short where it is many times as long as the last one of its step.
 ///
-/// Source: [DBV] Degroote, Bathe, Vierendeels 2009; filter after [HBD] Haelterman et al. 2016.
+/// Source: [DBV] Degroote, Bathe, Vierendeels 2009, where P is the identity; filter after [HBD]
+/// Haelterman et al. 2016.
 class IqnIls : public Accelerator {
 public:
   IqnIls(const Teuchos::ParameterList& list, const CommPtr& comm);

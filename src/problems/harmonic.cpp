@@ -10,8 +10,8 @@ Harmonic::Harmonic(const Teuchos::ParameterList& solver, const fields::FieldMesh
                    std::vector<char> is_given, int columns)
     : mesh_(&mesh), is_given_(std::move(is_given)), solution_(mesh.node_map, columns) {
   const fields::NodeGraph graph = fields::make_node_graph(mesh);
-  K_ = assembly::laplacian(mesh, graph, is_given_);
-  whole_ = assembly::laplacian(mesh, graph, std::vector<char>(mesh.n_nodes(), 0));
+  K_ = assembly::laplacian(mesh, mesh.x, graph, is_given_);
+  whole_ = assembly::laplacian(mesh, mesh.x, graph, std::vector<char>(mesh.n_nodes(), 0));
   solver_ = linear::make_scalar_solver(solver, K_);
 }
 

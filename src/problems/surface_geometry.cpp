@@ -25,11 +25,12 @@ SurfaceGeometry surface_geometry(const fields::FieldMesh& mesh, int surface) {
   return {area, moment, fields::global_max(*mesh.comm, radius)};
 }
 
-std::vector<Vec3> nodal_areas(const fields::FieldMesh& mesh, const std::vector<int>& surfaces) {
+std::vector<Vec3> nodal_areas(const fields::FieldMesh& mesh, const std::vector<Vec3>& positions,
+                              const std::vector<int>& surfaces) {
   std::vector<Vec3> area(mesh.n_owned);
   for (const fields::Face& face : mesh.faces) {
     if (std::find(surfaces.begin(), surfaces.end(), face.surface) == surfaces.end()) continue;
-    const Vec3 third = 1.0 / 3.0 * kernels::area_normal(assembly::gather(mesh.x, face.nodes));
+    const Vec3 third = 1.0 / 3.0 * kernels::area_normal(assembly::gather(positions, face.nodes));
     for (const int a : face.nodes)
       if (a < mesh.n_owned) area[a] += third;
   }

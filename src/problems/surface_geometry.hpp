@@ -10,9 +10,10 @@ struct SurfaceGeometry {
   double radius;  ///< largest distance of a node from the centre
 };
 
-/// Area times normal, out of the field, that belongs to each owned node on one of the surfaces of
-/// the undeformed mesh, a third of each triangle around it; zero elsewhere [mm²].
-std::vector<Vec3> nodal_areas(const fields::FieldMesh& mesh, const std::vector<int>& surfaces);
+/// Area times normal, out of the field, that belongs to each owned node on one of the surfaces, a
+/// third of each triangle around it; zero elsewhere [mm²]. positions: of the local nodes.
+std::vector<Vec3> nodal_areas(const fields::FieldMesh& mesh, const std::vector<Vec3>& positions,
+                              const std::vector<int>& surfaces);
 
 /// Collective.
 SurfaceGeometry surface_geometry(const fields::FieldMesh& mesh, int surface);

@@ -36,7 +36,7 @@ struct Tube {
 
   coupling::AddedMassModel model(const std::vector<std::string>& open,
                                  const std::function<double(const Vec3&)>& c) const {
-    coupling::AddedMassModel model{{}, inertia, {}};
+    coupling::AddedMassModel model{tube.fluid.x, {}, inertia, {}};
     for (const std::string& name : open) model.open_surfaces.push_back(tube.surface(name));
     for (const int a : interface.fluid_nodes) model.compliance.push_back(c(tube.fluid.x[a]));
     return model;
@@ -147,7 +147,7 @@ TEUCHOS_UNIT_TEST(added_mass, is_self_adjoint_and_takes_between_nothing_and_all)
   Tube tube;
   const Comm& comm = *test::world();
   const std::vector<Vec3> area =
-      problems::nodal_areas(tube.tube.fluid, {tube.tube.surface("interface")});
+      problems::nodal_areas(tube.tube.fluid, tube.tube.fluid.x, {tube.tube.surface("interface")});
   // One compliance everywhere: the weight of the scalar product is the area. Only normal parts.
   const auto product = [&](const InterfaceVector& a, const InterfaceVector& b) {
     double sum = 0.0;
@@ -192,6 +192,10 @@ Teuchos::ParameterList clamped_wall(const std::string& inside) {
   return list;
 }
 
+std::vector<Vec3> areas_of(const SmallTube& tube) {
+  return problems::nodal_areas(tube.fluid, tube.fluid.x, {tube.surface("interface")});
+}
+
 TEUCHOS_UNIT_TEST(wall_compliance, is_what_a_small_pressure_moves_the_wall_by) {
   const SmallTube tube;
   const fields::Interface interface(tube.fluid, tube.wall, {tube.surface("interface")});
@@ -203,7 +207,7 @@ TEUCHOS_UNIT_TEST(wall_compliance, is_what_a_small_pressure_moves_the_wall_by) {
       list.sublist("Linear Solver").set("method", method);
       problems::SolidProblem wall(test::resolved(list, problems::solid_table()), tube.wall);
       std::string reason;
-      const auto c = coupling::wall_compliance(clock, interface, wall, reason);
+      const auto c = coupling::wall_compliance(clock, interface, areas_of(tube), wall, reason);
       list = clamped_wall("pressure");
       list.sublist("Surfaces").sublist("interface").set("pressure", pressure);
       problems::SolidProblem pressed(test::resolved(list, problems::solid_table()), tube.wall);
@@ -228,7 +232,8 @@ TEUCHOS_UNIT_TEST(wall_compliance, says_why_the_wall_cannot_be_solved) {
   list.sublist("Linear Solver").set("preconditioner", std::string("ilu")).set("max iterations", 1);
   problems::SolidProblem wall(test::resolved(list, problems::solid_table()), tube.wall);
   std::string reason;
-  TEST_ASSERT(!coupling::wall_compliance(stepping::Clock(0.125, 1), interface, wall, reason));
+  TEST_ASSERT(!coupling::wall_compliance(stepping::Clock(0.125, 1), interface, areas_of(tube), wall,
+                                         reason));
   TEST_ASSERT(reason.find("relative residual") != std::string::npos);
 }
 
