@@ -68,6 +68,36 @@ int iterations(coupling::Accelerator& accelerator, const LinearResponse& respons
   return 100;
 }
 
+/// P r = factor r.
+coupling::Accelerator::Preconditioner times(double factor) {
+  return [factor](InterfaceVector r) {
+    for (double& value : r) value *= factor;
+    return r;
+  };
+}
+
+TEUCHOS_UNIT_TEST(preconditioner, makes_an_exploding_iteration_converge) {
+  const LinearResponse response(40, 20.0);
+  for (const std::string name : {"constant", "aitken", "iqn-ils"}) {
+    const std::string key = name == "constant" ? "factor" : "first factor";
+    const auto plain = make(options(name, {{key, 1.0}})), tamed = make(options(name, {{key, 1.0}}));
+    tamed->set_preconditioner(times(1.0 / 21.0));
+    const int with = iterations(*tamed, response), without = iterations(*plain, response);
+    TEST_COMPARE(with, <, 40);
+    TEST_COMPARE(with, <, without);
+  }
+}
+
+TEUCHOS_UNIT_TEST(preconditioner, may_change_under_the_columns_of_earlier_steps) {
+  const auto iqn = make(options("iqn-ils", {{"first factor", 0.05}}));
+  iterations(*iqn, LinearResponse(5, 5.0));  // every direction is known now
+  for (const double factor : {1.0, 0.01, 100.0}) {
+    iqn->set_preconditioner(times(factor));
+    const int made = iterations(*iqn, LinearResponse(5, 5.0, 3));
+    TEST_COMPARE(made, <=, 3);
+  }
+}
+
 TEUCHOS_UNIT_TEST(inner_product, sums_over_all_ranks) {
   const Comm& comm = *test::world();
   TEST_EQUALITY(coupling::inner_product(comm, test::share({1, 2, 3, 4, 5}, comm),
