@@ -67,7 +67,8 @@ def coupling_counts(runs):
         axes.set(title=f"{mesh} mesh", xlabel="time step")
     handles = {label: handle for axes in panels[0] for handle, label in zip(*axes.get_legend_handles_labels())}
     canvas.legend(handles.values(), handles.keys(), loc="lower center", ncols=3, fontsize=8)
-    canvas.get_layout_engine().set(rect=(0, 0.13, 1, 0.87))  # the legend's room below
+    room = 0.02 + 0.04 * -(-len(handles) // 3)  # the legend's below
+    canvas.get_layout_engine().set(rect=(0, room, 1, 1 - room))
     panels[0, 0].set(ylabel="coupling iterations", yscale="log")
     panels[0, 0].yaxis.set_major_formatter("{x:g}")
     panels[0, 0].yaxis.set_minor_formatter("{x:g}")
