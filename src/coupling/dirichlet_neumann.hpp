@@ -56,7 +56,8 @@ public:
                    problems::MeshMotion& motion);
 
   /// Makes the preconditioner for the clock's present step, before which it is to be called, from
-  /// fluid and wall as they lie. Says why where that fails. Collective.
+  /// fluid and wall as they lie; keeps that of an earlier step where the wall cannot be solved.
+  /// Says why where there is none. Collective.
   std::optional<std::string> prepare(const stepping::Clock& clock);
 
   /// Solves the clock's present step and accepts it as far as the options allow. watch is
