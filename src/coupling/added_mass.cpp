@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "assembly/scalar_matrix.hpp"
-#include "problems/surface_geometry.hpp"
 
 namespace tunica::coupling {
 
@@ -28,22 +27,22 @@ Vec3 direction(const Vec3& area) {
 
 }  // namespace
 
-AddedMass::AddedMass(const Teuchos::ParameterList& list, const fields::FieldMesh& fluid,
+AddedMass::AddedMass(const Teuchos::ParameterList& list, const fields::BlockOperator& fluid,
                      const fields::Interface& interface, const AddedMassModel& model)
-    : interface_(&interface), compliance_(model.compliance), right_side_(fluid.node_map, 1),
-      p_(fluid.node_map, 1) {
-  const std::vector<char> is_open = nodes_on(fluid, model.open_surfaces);
-  const std::vector<Vec3> area = problems::nodal_areas(fluid, model.positions, interface.surfaces);
+    : interface_(&interface), compliance_(model.compliance), right_side_(fluid.mesh().node_map, 1),
+      p_(fluid.mesh().node_map, 1) {
+  const fields::FieldMesh& mesh = fluid.mesh();
+  const std::vector<char> is_open = nodes_on(mesh, model.open_surfaces);
   const Teuchos::RCP<CrsMatrix> K =
-      assembly::laplacian(fluid, model.positions, fields::make_node_graph(fluid), is_open);
+      assembly::laplacian(mesh, model.positions, fluid.graph(), is_open);
   K->resumeFill();
   for (int k = 0; k < interface.n_owned(); ++k) {
     const int a = interface.fluid_nodes[k];
-    normal_.push_back(direction(area[a]));
-    weight_.push_back(is_open[a] ? 0.0 : model.fluid_inertia * norm(area[a]));
+    normal_.push_back(direction(model.area[a]));
+    weight_.push_back(is_open[a] ? 0.0 : model.fluid_inertia * norm(model.area[a]));
     K->sumIntoLocalValues(a, Teuchos::tuple(a), Teuchos::tuple(weight_[k] * compliance_[k]));
   }
-  K->fillComplete(fluid.node_map, fluid.node_map);
+  K->fillComplete(mesh.node_map, mesh.node_map);
   solver_ = linear::make_scalar_solver(list, K);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/accelerator.hpp"
+#include "fields/block_operator.hpp"
 #include "fields/interface.hpp"
 #include "linear/scalar_solver.hpp"
 #include "problems/solid_problem.hpp"
@@ -14,6 +15,7 @@ namespace tunica::coupling {
 /// What the added mass depends on.
 struct AddedMassModel {
   std::vector<Vec3> positions;     ///< of the fluid's local nodes [mm]
+  std::vector<Vec3> area;          ///< problems::nodal_areas of the interface there [mm²]
   std::vector<int> open_surfaces;  ///< of the fluid: p = 0
   double fluid_inertia;            ///< m = ρ_f/Δt² of implicit Euler [kPa/mm²]
   /// c ≥ 0 of the owned nodes of the interface: what unit pressure moves the wall by within one
@@ -38,8 +40,9 @@ struct AddedMassModel {
 /// nothing about such a one.
 class AddedMass {
 public:
-  /// list: a resolved list of linear::scalar_solver_table(). Collective.
-  AddedMass(const Teuchos::ParameterList& list, const fields::FieldMesh& fluid,
+  /// list: a resolved list of linear::scalar_solver_table(); fluid: for its mesh and its graph.
+  /// Collective.
+  AddedMass(const Teuchos::ParameterList& list, const fields::BlockOperator& fluid,
             const fields::Interface& interface, const AddedMassModel& model);
 
   /// P r; r itself where the linear solver fails, which is no worse than no P. Collective.

@@ -26,12 +26,11 @@ std::optional<std::string> DirichletNeumann::prepare(const stepping::Clock& cloc
   if (!added_mass_) return std::nullopt;
   const fields::FieldMesh& mesh = fluid_->mesh();
   const double dt = clock.step_size();
-  AddedMassModel model{mesh.x, fluid_->open_surfaces(), fluid_->density() / (dt * dt), {}};
+  AddedMassModel model{mesh.x, {}, fluid_->open_surfaces(), fluid_->density() / (dt * dt), {}};
   for (int a = 0; a < mesh.n_nodes(); ++a) model.positions[a] += motion_->old_displacement()[a];
+  model.area = problems::nodal_areas(mesh, model.positions, interface_->surfaces);
   std::string reason;
-  const auto compliance = wall_compliance(
-      clock, *interface_, problems::nodal_areas(mesh, model.positions, interface_->surfaces),
-      *wall_, reason);
+  const auto compliance = wall_compliance(clock, *interface_, model.area, *wall_, reason);
   if (!compliance && preconditioner_)
     return std::nullopt;  // that of an earlier step is near enough
   if (!compliance) {
@@ -41,7 +40,8 @@ std::optional<std::string> DirichletNeumann::prepare(const stepping::Clock& cloc
     return text.str();
   }
   model.compliance = *compliance;
-  preconditioner_ = std::make_unique<AddedMass>(*added_mass_, mesh, *interface_, model);
+  preconditioner_ =
+      std::make_unique<AddedMass>(*added_mass_, fluid_->last_jacobian(), *interface_, model);
   accelerator_->set_preconditioner(
       [this](const InterfaceVector& r) { return preconditioner_->apply(r); });
   return std::nullopt;

@@ -20,6 +20,10 @@ Teuchos::ParameterList solver(const std::string& method) {
   return test::resolved(list, linear::scalar_solver_table());
 }
 
+std::vector<Vec3> areas_of(const SmallTube& tube) {
+  return problems::nodal_areas(tube.fluid, tube.fluid.x, {tube.surface("interface")});
+}
+
 constexpr double inertia = 40.0;     // m
 constexpr double compliance = 0.05;  // c, where it is the same everywhere
 
@@ -32,11 +36,11 @@ struct Tube {
                 const std::function<double(const Vec3&)>& c = same_everywhere,
                 const std::string& method = "direct")
       : tube(comm, shape), interface(tube.fluid, tube.wall, {tube.surface("interface")}),
-        P(solver(method), tube.fluid, interface, model(open, c)) {}
+        P(solver(method), fields::BlockOperator(tube.fluid), interface, model(open, c)) {}
 
   coupling::AddedMassModel model(const std::vector<std::string>& open,
                                  const std::function<double(const Vec3&)>& c) const {
-    coupling::AddedMassModel model{tube.fluid.x, {}, inertia, {}};
+    coupling::AddedMassModel model{tube.fluid.x, areas_of(tube), {}, inertia, {}};
     for (const std::string& name : open) model.open_surfaces.push_back(tube.surface(name));
     for (const int a : interface.fluid_nodes) model.compliance.push_back(c(tube.fluid.x[a]));
     return model;
@@ -146,8 +150,7 @@ TEUCHOS_UNIT_TEST(added_mass, leaves_tangential_residuals_alone) {
 TEUCHOS_UNIT_TEST(added_mass, is_self_adjoint_and_takes_between_nothing_and_all) {
   Tube tube;
   const Comm& comm = *test::world();
-  const std::vector<Vec3> area =
-      problems::nodal_areas(tube.tube.fluid, tube.tube.fluid.x, {tube.tube.surface("interface")});
+  const std::vector<Vec3> area = areas_of(tube.tube);
   // One compliance everywhere: the weight of the scalar product is the area. Only normal parts.
   const auto product = [&](const InterfaceVector& a, const InterfaceVector& b) {
     double sum = 0.0;
@@ -190,10 +193,6 @@ Teuchos::ParameterList clamped_wall(const std::string& inside) {
   test::condition(list, "struct_out", "clamped");
   test::condition(list, "interface", inside);
   return list;
-}
-
-std::vector<Vec3> areas_of(const SmallTube& tube) {
-  return problems::nodal_areas(tube.fluid, tube.fluid.x, {tube.surface("interface")});
 }
 
 TEUCHOS_UNIT_TEST(wall_compliance, is_what_a_small_pressure_moves_the_wall_by) {

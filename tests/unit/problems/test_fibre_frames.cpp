@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "problems/fibre_frames.hpp"
 #include "problems/solid_problem.hpp"
+#include "unit/mesh/helpers.hpp"
 #include "unit/problems/lists.hpp"
 
 namespace {
@@ -188,9 +189,8 @@ struct TubeWithVectors {
   TubeWithVectors() {
     mesh::Mesh mesh = mesh::make_tube(SmallTube::options());
     mesh.tet_vectors = {{"out", {}}, {"fibres along", {}}};
-    for (const auto& tet : mesh.tets) {
-      Vec3 centre{};
-      for (const int v : tet) centre += 0.25 * mesh.vertices[v];
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+      const Vec3 centre = mesh::centroid(mesh, t);
       mesh.tet_vectors[0].values.push_back({3.0 * centre[0], 3.0 * centre[1], 0.5});
       mesh.tet_vectors[1].values.push_back({0.0, 0.0, 2.0 + centre[2]});
     }
