@@ -11,14 +11,6 @@ namespace {
 /// P need only be near: a relative residual of the Laplace problem up to this is good enough.
 constexpr double usable = 0.1;
 
-std::vector<char> nodes_on(const fields::FieldMesh& mesh, const std::vector<int>& surfaces) {
-  std::vector<char> is_on(mesh.n_nodes(), 0);
-  for (int a = 0; a < mesh.n_nodes(); ++a)
-    for (const int s : surfaces)
-      if (mesh.is_on(a, s)) is_on[a] = 1;
-  return is_on;
-}
-
 /// Zero where the interface is folded so that its areas cancel.
 Vec3 direction(const Vec3& area) {
   const double size = norm(area);
@@ -32,7 +24,8 @@ AddedMass::AddedMass(const Teuchos::ParameterList& list, const fields::BlockOper
     : interface_(&interface), compliance_(model.compliance), right_side_(fluid.mesh().node_map, 1),
       p_(fluid.mesh().node_map, 1) {
   const fields::FieldMesh& mesh = fluid.mesh();
-  const std::vector<char> is_open = nodes_on(mesh, model.open_surfaces);
+  std::vector<char> is_open(mesh.n_nodes());
+  for (int a = 0; a < mesh.n_nodes(); ++a) is_open[a] = mesh.is_on_any(a, model.open_surfaces);
   const Teuchos::RCP<CrsMatrix> K =
       assembly::laplacian(mesh, model.positions, fluid.graph(), is_open);
   K->resumeFill();

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -51,6 +52,9 @@ struct FieldMesh {
   int surface_index(const std::string& name) const;
   int n_nodes() const { return static_cast<int>(x.size()); }
   bool is_on(int node, int surface) const { return (on_surface[node] >> surface) & 1U; }
+  bool is_on_any(int node, const std::vector<int>& indices) const {
+    return std::any_of(indices.begin(), indices.end(), [&](int s) { return is_on(node, s); });
+  }
 };
 
 /// The share of the calling rank in the field that fills the given regions (indices into

@@ -13,9 +13,7 @@ Interface::Interface(const FieldMesh& fluid, const FieldMesh& wall,
   std::unordered_map<int, int> wall_node_of;
   for (int a = 0; a < wall.n_owned; ++a) wall_node_of[wall.vertex[a]] = a;
   for (int a = 0; a < fluid.n_owned; ++a) {
-    bool is_on_interface = false;
-    for (const int s : surfaces) is_on_interface = is_on_interface || fluid.is_on(a, s);
-    if (!is_on_interface) continue;
+    if (!fluid.is_on_any(a, surfaces)) continue;
     const auto found = wall_node_of.find(fluid.vertex[a]);
     TUNICA_ASSERT(found != wall_node_of.end(), "the mesh check lets only conforming pairs pass");
     fluid_nodes.push_back(a);

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "base/timer.hpp"
 #include "linear/counting_operator.hpp"
@@ -196,6 +197,14 @@ std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& o
                                                  const NamedOperators& operators) {
   if (options.get<std::string>("method") == "direct") return std::make_unique<DirectSolver>(K);
   return std::make_unique<KrylovSolver>(options, K, operators);
+}
+
+std::string shortfall(const SolveReport& report) {
+  std::ostringstream text;
+  text << "the linear solver (" << report.method << ") reached a relative residual of "
+       << report.true_residual << " instead of " << report.tolerance << " in " << report.iterations
+       << " iterations";
+  return text.str();
 }
 
 }  // namespace tunica::linear

@@ -24,6 +24,9 @@ struct SolveReport {
   multigrid::Levels levels;  ///< none where the preconditioner is no multigrid for the whole system
 };
 
+/// By how much an unconverged solve fell short, in words.
+std::string shortfall(const SolveReport& report);
+
 /// Solves with the Jacobian of one field, K x = b.
 class LinearSolver {
 public:

@@ -46,9 +46,7 @@ NOX::StatusTest::StatusType IncrementTest::judge(const NOX::Solver::Generic& sol
   if (!std::isfinite(step.increment)) {
     reason << "the increment is not a number";
   } else if (!step.linear.is_converged) {
-    reason << "the linear solver (" << step.linear.method << ") reached a relative residual of "
-           << step.linear.true_residual << " instead of " << step.linear.tolerance << " in "
-           << step.linear.iterations << " iterations";
+    reason << linear::shortfall(step.linear);
   } else if (part * step.relative_increment <= options_.relative_increment ||
              part * step.increment <= options_.absolute_increment) {
     return NOX::StatusTest::Converged;

@@ -17,9 +17,7 @@ MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMe
     : mesh_(&mesh), is_interface_(mesh.n_owned, 0),
       harmonic_(list.sublist("Linear Solver"), mesh, given_nodes(mesh), 3), d_(mesh.n_nodes()),
       d_old_(mesh.n_nodes()) {
-  for (int a = 0; a < mesh.n_owned; ++a)
-    for (const int s : surfaces)
-      if (mesh.is_on(a, s)) is_interface_[a] = 1;
+  for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, surfaces);
 }
 
 std::optional<std::string> MeshMotion::extend(const std::vector<Vec3>& interface_displacement) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "assembly/gather.hpp"
 #include "assembly/mass_norm.hpp"
@@ -137,10 +136,7 @@ std::optional<std::vector<Vec3>> SolidProblem::respond(const stepping::Clock& cl
   try {
     const linear::SolveReport report = linear_solver().solve(b, x, 1e-8);
     if (report.is_converged) return fields::owned_vectors(*mesh_, *x.u);
-    std::ostringstream text;
-    text << "the linear solver (" << report.method << ") reached a relative residual of "
-         << report.true_residual << " instead of 1e-8 in " << report.iterations << " iterations";
-    reason = text.str();
+    reason = linear::shortfall(report);
   } catch (const linear::SetupFailure& error) {
     reason = error.what();
   }
