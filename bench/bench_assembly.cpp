@@ -8,11 +8,11 @@
 #include <Tpetra_Core.hpp>
 #include <memory>
 
-#include "app/domain.hpp"
-#include "app/schema.hpp"
-#include "params/read_xml.hpp"
-#include "problems/fluid_problem.hpp"
-#include "problems/solid_problem.hpp"
+#include "tunica/app/domain.hpp"
+#include "tunica/app/schema.hpp"
+#include "tunica/params/read_xml.hpp"
+#include "tunica/problems/fluid_problem.hpp"
+#include "tunica/problems/solid_problem.hpp"
 
 namespace {
 
@@ -53,7 +53,7 @@ void assemble(benchmark::State& state, Problem& problem) {
 
 template <class Problem>
 void residual(benchmark::State& state, Problem& problem) {
-  fields::BlockVector F(problem.mesh());
+  algebra::BlockVector F(problem.mesh());
   for (auto _ : state) problem.residual(problem.state(), F);
   state.SetItemsProcessed(static_cast<int64_t>(state.iterations()) *
                           static_cast<int64_t>(problem.mesh().tets.size()));

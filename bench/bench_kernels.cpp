@@ -3,10 +3,10 @@
 #include <random>
 #include <vector>
 
-#include "kernels/fluid_up.hpp"
-#include "kernels/laplace_p1.hpp"
-#include "kernels/solid_up.hpp"
-#include "materials/registry.hpp"
+#include "tunica/kernels/fluid_up.hpp"
+#include "tunica/kernels/laplace_p1.hpp"
+#include "tunica/kernels/solid_up.hpp"
+#include "tunica/materials/registry.hpp"
 
 // Tetrahedra per second of the element kernels alone, without gather and scatter.
 //   bench_kernels --benchmark_filter=jacobian

@@ -15,14 +15,14 @@
 #include <map>
 #include <memory>
 
-#include "app/domain.hpp"
-#include "app/schema.hpp"
-#include "base/timer.hpp"
-#include "linear/merged_matrix.hpp"
-#include "multigrid/node_ilu.hpp"
-#include "multigrid/vanka.hpp"
-#include "params/read_xml.hpp"
-#include "problems/solid_problem.hpp"
+#include "tunica/algebra/merged_matrix.hpp"
+#include "tunica/app/domain.hpp"
+#include "tunica/app/schema.hpp"
+#include "tunica/base/timer.hpp"
+#include "tunica/params/read_xml.hpp"
+#include "tunica/problems/solid_problem.hpp"
+#include "tunica/smoothers/node_ilu/node_ilu.hpp"
+#include "tunica/smoothers/vanka/vanka.hpp"
 
 namespace {
 
@@ -61,7 +61,7 @@ struct Wall {
   Teuchos::ParameterList list;
   app::Domain domain;
   std::unique_ptr<problems::SolidProblem> problem;
-  std::unique_ptr<linear::MergedMatrix> merged;
+  std::unique_ptr<algebra::MergedMatrix> merged;
 
   Wall(const std::string& case_file, const std::string& mesh) : list(params::read_xml(case_file)) {
     list.sublist("Mesh").set("file", mesh);
@@ -73,7 +73,7 @@ struct Wall {
     problem = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), *domain.wall);
     problem->begin_step(stepping::Clock(list.sublist("Time")));
     problem->jacobian(problem->state());
-    merged = std::make_unique<linear::MergedMatrix>(problem->last_jacobian());
+    merged = std::make_unique<algebra::MergedMatrix>(problem->last_jacobian());
     merged->refresh();
   }
 
@@ -84,7 +84,7 @@ struct Bytes {
   double inverses = 0.0, rows = 0.0, vectors = 0.0;
 };
 
-Bytes bytes_of_sweep(const CrsMatrix& K, const multigrid::VankaPatches& patches, int per_value) {
+Bytes bytes_of_sweep(const CrsMatrix& K, const smoothers::VankaPatches& patches, int per_value) {
   const auto start = K.getLocalMatrixHost().graph.row_map;
   Bytes bytes;
   for (int p = 0; p < patches.n_patches(); ++p) {
@@ -103,18 +103,18 @@ Bytes bytes_of_sweep(const CrsMatrix& K, const multigrid::VankaPatches& patches,
 }
 
 void sweep(benchmark::State& state, const Wall& wall, bool is_single) {
-  multigrid::VankaOptions options;
+  smoothers::VankaOptions options;
   options.order = "forward";
   options.is_single = is_single;
-  const auto is_pressure = multigrid::scalar_rows(*wall.K(), {});
-  const auto smoother = multigrid::make_vanka(*wall.K(), is_pressure, options);
+  const auto is_pressure = smoothers::scalar_rows(*wall.K(), {});
+  const auto smoother = smoothers::make_vanka(*wall.K(), is_pressure, options);
   smoother->refresh();
   Vector b(wall.K()->getRowMap()), x(b.getMap());
   b.randomize();
   const double seconds =
       measure(state, is_single ? "single sweep" : "double sweep", [&] { smoother->smooth(b, x); });
   const Bytes bytes =
-      bytes_of_sweep(*wall.K(), multigrid::make_vanka_patches(*wall.K(), is_pressure),
+      bytes_of_sweep(*wall.K(), smoothers::make_vanka_patches(*wall.K(), is_pressure),
                      is_single ? sizeof(float) : sizeof(double));
   const double all = bytes.inverses + bytes.rows + bytes.vectors;
   state.counters["MB kept"] = smoother->bytes() / 1e6;
@@ -127,11 +127,11 @@ void sweep(benchmark::State& state, const Wall& wall, bool is_single) {
 
 /// With the other kinds of patches, in double precision.
 void sweep_of_kind(benchmark::State& state, const Wall& wall, const std::string& patch) {
-  multigrid::VankaOptions options;
+  smoothers::VankaOptions options;
   options.order = "forward";
   options.patch = patch;
   const auto smoother =
-      multigrid::make_vanka(*wall.K(), multigrid::scalar_rows(*wall.K(), {}), options);
+      smoothers::make_vanka(*wall.K(), smoothers::scalar_rows(*wall.K(), {}), options);
   smoother->refresh();
   Vector b(wall.K()->getRowMap()), x(b.getMap());
   b.randomize();
@@ -140,7 +140,7 @@ void sweep_of_kind(benchmark::State& state, const Wall& wall, const std::string&
 }
 
 void ilu_sweep(benchmark::State& state, const Wall& wall, int fill, bool is_single) {
-  const auto factors = multigrid::make_node_ilu(*wall.K(), {}, {fill, is_single});
+  const auto factors = smoothers::make_node_ilu(*wall.K(), {}, {fill, is_single});
   factors->refresh();
   Vector r(wall.K()->getRowMap()), x(r.getMap());
   r.randomize();
@@ -151,7 +151,7 @@ void ilu_sweep(benchmark::State& state, const Wall& wall, int fill, bool is_sing
 }
 
 void ilu_set_up(benchmark::State& state, const Wall& wall, int fill) {
-  const auto factors = multigrid::make_node_ilu(*wall.K(), {}, {fill});
+  const auto factors = smoothers::make_node_ilu(*wall.K(), {}, {fill});
   measure(state, "ILU(" + std::to_string(fill) + ") set-up", [&] { factors->refresh(); });
 }
 
@@ -162,11 +162,11 @@ void product(benchmark::State& state, const Wall& wall) {
 }
 
 void set_up(benchmark::State& state, const Wall& wall, const std::string& patch, bool is_single) {
-  multigrid::VankaOptions options;
+  smoothers::VankaOptions options;
   options.is_single = is_single;
   options.patch = patch;
   const auto smoother =
-      multigrid::make_vanka(*wall.K(), multigrid::scalar_rows(*wall.K(), {}), options);
+      smoothers::make_vanka(*wall.K(), smoothers::scalar_rows(*wall.K(), {}), options);
   const std::string kind = patch != "full" ? patch : is_single ? "single" : "double";
   measure(state, kind + " set-up", [&] { smoother->refresh(); });
 }
@@ -176,7 +176,7 @@ using BlockRelaxation = Ifpack2::BlockRelaxation<RowMatrix>;
 /// Ifpack2's on the same patches: what it calls Gauss-Seidel is the forward sweep.
 std::unique_ptr<BlockRelaxation> block_relaxation(const Wall& wall) {
   const auto patches =
-      multigrid::make_vanka_patches(*wall.K(), multigrid::scalar_rows(*wall.K(), {}));
+      smoothers::make_vanka_patches(*wall.K(), smoothers::scalar_rows(*wall.K(), {}));
   Teuchos::Array<Teuchos::ArrayRCP<int>> parts;
   for (int p = 0; p < patches.n_patches(); ++p)
     parts.push_back(Teuchos::arcpClone(

@@ -1,4 +1,4 @@
-# One library per folder of src/, one executable per driver, one per folder of unit tests.
+# One library per folder of src/tunica/, one executable per driver, one per folder of unit tests.
 add_library(tunica_options INTERFACE)
 target_compile_options(tunica_options INTERFACE -Wall -Wextra -Wshadow -Werror
   -fno-math-errno $<$<BOOL:${TUNICA_NATIVE}>:-march=native>)
@@ -25,7 +25,7 @@ function(tunica_library name)
 endfunction()
 
 # Debian's KLU2 is miscompiled; the executable's own copy pre-empts the library's
-# (see src/linear/klu2_repair.cpp). An object, not an archive: every executable must carry it.
+# (see src/tunica/linear/klu2_repair.cpp). An object, not an archive: every executable must carry it.
 function(tunica_repair_klu2 target)
   if(Trilinos_VERSION VERSION_LESS 15)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:tunica_klu2_repair>)

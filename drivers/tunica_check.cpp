@@ -5,16 +5,16 @@
 
 #include <iostream>
 
-#include "app/case.hpp"
-#include "app/domain.hpp"
-#include "app/exit_status.hpp"
-#include "app/run.hpp"
-#include "app/schema.hpp"
-#include "base/agreement.hpp"
-#include "base/error.hpp"
-#include "base/session.hpp"
-#include "params/read_xml.hpp"
-#include "systems/read_system.hpp"
+#include "tunica/app/case.hpp"
+#include "tunica/app/domain.hpp"
+#include "tunica/app/exit_status.hpp"
+#include "tunica/app/run.hpp"
+#include "tunica/app/schema.hpp"
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/base/session.hpp"
+#include "tunica/params/read_xml.hpp"
+#include "tunica/systems/read_system.hpp"
 
 namespace {
 

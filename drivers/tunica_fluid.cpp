@@ -2,19 +2,19 @@
 //
 //   tunica-fluid xml/poiseuille.xml --output results/poiseuille
 
-#include "app/checkpoints.hpp"
-#include "app/field_output.hpp"
-#include "app/probes.hpp"
-#include "app/run.hpp"
-#include "app/run_log.hpp"
-#include "app/schema.hpp"
+#include "tunica/app/checkpoints.hpp"
+#include "tunica/app/field_output.hpp"
+#include "tunica/app/probes.hpp"
+#include "tunica/app/run.hpp"
+#include "tunica/app/run_log.hpp"
+#include "tunica/app/schema.hpp"
 
 namespace {
 
 using namespace tunica;
 
-app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain,
-                   app::RunOutput& output) {
+app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& domain,
+                     app::RunOutput& output) {
   // 1. The fluid, from where it goes on after a restart, and what is written of it.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   stepping::Clock clock(list.sublist("Time"));

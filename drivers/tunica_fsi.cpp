@@ -3,13 +3,13 @@
 //   tunica-fsi xml/pulse.xml --output results/pulse
 //   mpirun -n 2 tunica-fsi xml/pulse-tiny.xml --steps 2 --set "Coupling/accelerator=aitken"
 
-#include "app/checkpoints.hpp"
-#include "app/field_output.hpp"
-#include "app/probes.hpp"
-#include "app/run.hpp"
-#include "app/run_log.hpp"
-#include "app/schema.hpp"
-#include "coupling/dirichlet_neumann.hpp"
+#include "tunica/app/checkpoints.hpp"
+#include "tunica/app/field_output.hpp"
+#include "tunica/app/probes.hpp"
+#include "tunica/app/run.hpp"
+#include "tunica/app/run_log.hpp"
+#include "tunica/app/schema.hpp"
+#include "tunica/coupling/dirichlet_neumann.hpp"
 
 namespace {
 
@@ -22,8 +22,8 @@ std::vector<app::GridFields> both_fields(const problems::FluidProblem& fluid,
           {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}};
 }
 
-app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain,
-                   app::RunOutput& output) {
+app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& domain,
+                     app::RunOutput& output) {
   // 1. Three fields, each with its kernels, blocks and solver.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);

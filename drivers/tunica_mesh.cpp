@@ -7,8 +7,8 @@
 #include <exception>
 #include <iostream>
 
-#include "base/error.hpp"
-#include "params/nearest.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/params/nearest.hpp"
 #include "tunica_mesh/commands.hpp"
 
 namespace {

@@ -8,15 +8,15 @@
 #include <iostream>
 #include <memory>
 
-#include "app/run.hpp"
-#include "app/run_log.hpp"
-#include "app/schema.hpp"
-#include "app/solver_table.hpp"
-#include "app/system_capture.hpp"
-#include "app/system_export.hpp"
-#include "coupling/dirichlet_neumann.hpp"
-#include "output/matrix_market.hpp"
-#include "systems/read_system.hpp"
+#include "tunica/app/run.hpp"
+#include "tunica/app/run_log.hpp"
+#include "tunica/app/schema.hpp"
+#include "tunica/app/solver_table.hpp"
+#include "tunica/app/system_capture.hpp"
+#include "tunica/app/system_export.hpp"
+#include "tunica/coupling/dirichlet_neumann.hpp"
+#include "tunica/io/matrix_market.hpp"
+#include "tunica/systems/read_system.hpp"
 
 namespace {
 
@@ -26,8 +26,8 @@ using namespace tunica;
 struct Complete {};
 
 /// Marches until the wanted coupling iteration is over. Not converging before it is a result.
-app::Verdict march_to_wanted(app::SystemCapture& capture, coupling::DirichletNeumann& scheme,
-                             stepping::Clock clock, app::RunLog& log) {
+app::RunResult march_to_wanted(app::SystemCapture& capture, coupling::DirichletNeumann& scheme,
+                               stepping::Clock clock, app::RunLog& log) {
   for (; !clock.is_done(); clock.advance()) {
     capture.enter(0, 0);  // what the coupling solves for itself is not asked for
     if (const auto reason = scheme.prepare(clock)) return {false, *reason};
@@ -45,8 +45,8 @@ app::Verdict march_to_wanted(app::SystemCapture& capture, coupling::DirichletNeu
   return {};
 }
 
-app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain,
-                   app::RunOutput& output) {
+app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& domain,
+                     app::RunOutput& output) {
   // 1. The coupled problem of the case, as in tunica_fsi.cpp.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
@@ -71,7 +71,7 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
 
   // 3. March as far as needed.
   app::RunLog log(output, comm->getRank() == 0, clock.steps());
-  app::Verdict verdict;
+  app::RunResult verdict;
   try {
     verdict = march_to_wanted(capture, scheme, clock, log);
   } catch (const Complete&) {  // what was wanted is in the table
@@ -86,8 +86,8 @@ app::Verdict march(const Teuchos::ParameterList& list, const app::Domain& domain
 }
 
 /// A system from files in the place of a coupled problem.
-std::function<app::Verdict(app::RunOutput&)> load_system(const Teuchos::ParameterList& list,
-                                                         const CommPtr& comm) {
+std::function<app::RunResult(app::RunOutput&)> load_system(const Teuchos::ParameterList& list,
+                                                           const CommPtr& comm) {
   const auto system =
       std::make_shared<systems::System>(systems::read_system(list.sublist("System"), comm));
   if (comm->getRank() == 0)
@@ -99,11 +99,11 @@ std::function<app::Verdict(app::RunOutput&)> load_system(const Teuchos::Paramete
     const auto best =
         table.run({"system", 0, 0, 0, &system->K, &system->b, &linear::no_operators()});
     table.print();
-    if (!best) return app::Verdict{false, "no setting came nearer to the solution than zero"};
-    const fields::BlockVector x = systems::in_file_order(*system, best->x);
-    output::write_matrix_market(output.folder.file("solution.mtx"), {x.u.get(), x.p.get()},
-                                app::note_on(*best));
-    return app::Verdict();
+    if (!best) return app::RunResult{false, "no setting came nearer to the solution than zero"};
+    const algebra::BlockVector x = systems::in_file_order(*system, best->x);
+    io::write_matrix_market(output.folder.file("solution.mtx"), {x.u.get(), x.p.get()},
+                            app::note_on(*best));
+    return app::RunResult();
   };
 }
 

@@ -2,8 +2,8 @@
 
 #include <charconv>
 
-#include "base/error.hpp"
-#include "params/nearest.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/params/nearest.hpp"
 
 namespace {
 

@@ -4,15 +4,15 @@
 #include <cstdio>
 #include <iostream>
 
-#include "base/error.hpp"
-#include "mesh/gmsh.hpp"
-#include "mesh/info.hpp"
-#include "mesh/partition.hpp"
-#include "mesh/read.hpp"
-#include "mesh/refine.hpp"
-#include "mesh/tube.hpp"
-#include "mesh/validate.hpp"
-#include "mesh/write.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/mesh/gmsh.hpp"
+#include "tunica/mesh/info.hpp"
+#include "tunica/mesh/partition.hpp"
+#include "tunica/mesh/read.hpp"
+#include "tunica/mesh/refine.hpp"
+#include "tunica/mesh/tube.hpp"
+#include "tunica/mesh/validate.hpp"
+#include "tunica/mesh/write.hpp"
 
 namespace {
 

@@ -15,7 +15,7 @@ package_of() {
 }
 
 wanted() {
-  local files=(CMakeLists.txt cmake/*.cmake src/*/CMakeLists.txt drivers/CMakeLists.txt bench/CMakeLists.txt)
+  local files=(CMakeLists.txt cmake/*.cmake src/tunica/*/CMakeLists.txt drivers/CMakeLists.txt bench/CMakeLists.txt)
   sed -nE 's/.*find_package\((\w+).*/\1/p; s/.*find_library\(\w+ (\w+).*/\1/p' "${files[@]}" | sort -u
 }
 

@@ -8,24 +8,33 @@ import sys
 import tempfile
 
 CHECK = os.path.join(sys.argv[1], "cmake", "check_includes")
-CLEAN = {"src/base/error.hpp": "#pragma once\n#include <string>\n",
-         "src/base/types.hpp": "#pragma once\n#include <Tpetra_Map.hpp>\nusing Map = Tpetra::Map<>;\n",
-         "src/kernels/tet4.hpp": '#pragma once\n#include "base/error.hpp"\n',
-         "src/linear/ilu.hpp": '#pragma once\n#include "base/types.hpp"\n',
-         "src/app/run.cpp": '// Tpetra::Map in a comment\n#include "linear/ilu.hpp"\n'}
+CLEAN = {"src/tunica/base/error.hpp": "#pragma once\n#include <string>\n",
+         "src/tunica/base/types.hpp": "#pragma once\n#include <Tpetra_Map.hpp>\nusing Map = Tpetra::Map<>;\n",
+         "src/tunica/kernels/tet4.hpp": '#pragma once\n#include "tunica/base/error.hpp"\n',
+         "src/tunica/linear/ilu.hpp": '#pragma once\n#include "tunica/base/types.hpp"\n',
+         "src/tunica/app/run.cpp": '// Tpetra::Map in a comment\n#include "tunica/linear/ilu.hpp"\n'}
 CASES = {
     "nothing": ({}, None),
-    "an upward include": ({"src/base/error.hpp": '#include "app/run.hpp"\n', "src/app/run.hpp": ""},
-                          "src/base/error.hpp:1: base/ includes app/"),
-    "an include of no folder of ours": ({"src/app/run.cpp": '\n#include "run.hpp"\n'}, "src/app/run.cpp:2:"),
-    "MPI in a kernel": ({"src/kernels/tet4.hpp": "#include <mpi.h>\n"}, "src/kernels/tet4.hpp:1: kernels/ knows neither"),
-    "Trilinos in a law": ({"src/materials/law.cpp": "#include <Teuchos_RCP.hpp>\n"}, "src/materials/law.cpp:1:"),
+    "an upward include": ({"src/tunica/base/error.hpp": '#include "tunica/app/run.hpp"\n', "src/tunica/app/run.hpp": ""},
+                          "src/tunica/base/error.hpp:1: base/ includes app/"),
+    "an include of no folder of ours": ({"src/tunica/app/run.cpp": '\n#include "run.hpp"\n'}, "src/tunica/app/run.cpp:2:"),
+    "MPI in a kernel": ({"src/tunica/kernels/tet4.hpp": "#include <mpi.h>\n"}, "src/tunica/kernels/tet4.hpp:1: kernels/ knows neither"),
+    "Trilinos in a law": ({"src/tunica/materials/law.cpp": "#include <Teuchos_RCP.hpp>\n"}, "src/tunica/materials/law.cpp:1:"),
     "Trilinos in a kernel, through a header of ours": (
-        {"src/kernels/tet4.hpp": '#include "base/types.hpp"\n'}, "src/kernels/tet4.hpp:1: kernels/ knows neither"),
-    "physics in a solver": ({"src/linear/ilu.hpp": '#include "kernels/tet4.hpp"\n'}, "src/linear/ilu.hpp:1: linear/ knows no physics"),
-    "Tpetra in the application": ({"src/app/run.cpp": "Tpetra::Map<> m;\n"}, "src/app/run.cpp:1: names Tpetra"),
-    "a folder out of order": ({"src/extras/x.hpp": ""}, "src/extras/x.hpp:1: the folder extras/"),
-    "a long header": ({"src/base/error.hpp": "\n" * 151}, "src/base/error.hpp:151: 151 lines"),
+        {"src/tunica/kernels/tet4.hpp": '#include "tunica/base/types.hpp"\n'}, "src/tunica/kernels/tet4.hpp:1: kernels/ knows neither"),
+    "physics in a solver": ({"src/tunica/linear/ilu.hpp": '#include "tunica/kernels/tet4.hpp"\n'}, "src/tunica/linear/ilu.hpp:1: linear/ includes kernels/, which"),
+    "Tpetra in the application": ({"src/tunica/app/run.cpp": "Tpetra::Map<> m;\n"}, "src/tunica/app/run.cpp:1: names Tpetra"),
+    "physics in the smoothers": ({"src/tunica/smoothers/vanka/x.hpp": '#include "tunica/mesh/m.hpp"\n', "src/tunica/mesh/m.hpp": ""},
+                                 "src/tunica/smoothers/vanka/x.hpp:1: smoothers/ includes mesh/"),
+    "files in an installed part that it must do without": (
+        {"src/tunica/multigrid/muelu/x.hpp": '#include "tunica/io/f.hpp"\n', "src/tunica/io/f.hpp": ""},
+        "src/tunica/multigrid/muelu/x.hpp:1: multigrid/ belongs to the part multigrid"),
+    "an upward include within a folder": (
+        {"src/tunica/multigrid/galerkin/x.hpp": '#include "tunica/multigrid/muelu/y.hpp"\n', "src/tunica/multigrid/muelu/y.hpp": ""},
+        "src/tunica/multigrid/galerkin/x.hpp:1: multigrid/galerkin/ includes muelu/"),
+    "a crowded folder": ({f"src/tunica/base/x{k}.hpp": "" for k in range(39)}, "src/tunica/base:1: 41 files"),
+    "a folder out of order": ({"src/tunica/extras/x.hpp": ""}, "src/tunica/extras/x.hpp:1: the folder extras/"),
+    "a long header": ({"src/tunica/base/error.hpp": "\n" * 151}, "src/tunica/base/error.hpp:151: 151 lines"),
     "a long source": ({"tests/unit/test_x.cpp": "\n" * 401}, "tests/unit/test_x.cpp:401: 401 lines"),
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "materials/frame.hpp"
 #include "oracle/mooney_rivlin_energy.hpp"
 #include "oracle/samples.hpp"
+#include "tunica/materials/frame.hpp"
 
 namespace tunica::oracle {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "base/tensor.hpp"
+#include "tunica/base/tensor.hpp"
 
 namespace tunica::oracle {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <algorithm>
 
-#include "mesh/faces.hpp"
-#include "mesh/mesh.hpp"
-#include "mesh/validate.hpp"
+#include "tunica/mesh/faces.hpp"
+#include "tunica/mesh/mesh.hpp"
+#include "tunica/mesh/validate.hpp"
 
 namespace tunica::verify {
 

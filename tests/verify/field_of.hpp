@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "fields/field_mesh.hpp"
-#include "fields/reduce.hpp"
-#include "mesh/partition.hpp"
-#include "mesh/tube.hpp"
-#include "params/table.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/fields/field_mesh.hpp"
+#include "tunica/mesh/partition.hpp"
+#include "tunica/mesh/tube.hpp"
+#include "tunica/params/table.hpp"
 
 namespace tunica::verify {
 
@@ -60,7 +60,7 @@ double mean_over_nodes(const fields::FieldMesh& mesh, const Value& f) {
       sum += value;
       count += 1.0;
     }
-  return fields::global_sum(*mesh.comm, sum) / fields::global_sum(*mesh.comm, count);
+  return global_sum(*mesh.comm, sum) / global_sum(*mesh.comm, count);
 }
 
 /// Euclidean distance of two fields of nodal vectors on one rank.

@@ -1,8 +1,8 @@
 #pragma once
-#include "base/error.hpp"
 #include "cube.hpp"
 #include "field_of.hpp"
-#include "problems/fluid_problem.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/problems/fluid_problem.hpp"
 
 namespace tunica::verify {
 

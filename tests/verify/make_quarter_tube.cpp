@@ -1,8 +1,8 @@
 // Writes meshes/quarter-tube.h5: verify-quarter-tube FILE
 #include <iostream>
 
-#include "mesh/write.hpp"
 #include "quarter_tube.hpp"
+#include "tunica/mesh/write.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) {

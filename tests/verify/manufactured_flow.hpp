@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "oracle/quadrature.hpp"
-#include "problems/fluid_problem.hpp"
+#include "tunica/problems/fluid_problem.hpp"
 
 namespace tunica::verify {
 
@@ -32,7 +32,7 @@ FlowErrors flow_errors(const problems::FluidProblem& fluid, const Exact& exact) 
   const auto p = fields::ghosted_scalars(mesh, *fluid.state().p);
   double volume = 0.0, u2 = 0.0, p1 = 0.0, p2 = 0.0;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    if (!mesh.is_counted[e]) continue;
+    if (!mesh.is_owned[e]) continue;
     for (const oracle::TetPoint& point : oracle::tet_rule()) {
       Vec3 x{}, u_h{};
       double p_h = 0.0;
@@ -50,7 +50,7 @@ FlowErrors flow_errors(const problems::FluidProblem& fluid, const Exact& exact) 
       p2 += dV * (p_h - flow.p) * (p_h - flow.p);
     }
   }
-  const auto sum = [&mesh](double mine) { return fields::global_sum(*mesh.comm, mine); };
+  const auto sum = [&mesh](double mine) { return global_sum(*mesh.comm, mine); };
   p1 = sum(p1);
   return {std::sqrt(sum(u2)), std::sqrt(sum(p2) - p1 * p1 / sum(volume))};
 }

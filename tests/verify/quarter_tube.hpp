@@ -1,9 +1,9 @@
 #pragma once
 #include <cmath>
 
-#include "mesh/faces.hpp"
-#include "mesh/tube.hpp"
-#include "mesh/validate.hpp"
+#include "tunica/mesh/faces.hpp"
+#include "tunica/mesh/tube.hpp"
+#include "tunica/mesh/validate.hpp"
 
 namespace tunica::verify {
 

@@ -8,14 +8,14 @@
 #include <map>
 #include <sstream>
 
-#include "app/case.hpp"
-#include "app/schema.hpp"
-#include "base/error.hpp"
 #include "field_of.hpp"
-#include "mesh/read.hpp"
-#include "problems/fibre_frames.hpp"
-#include "problems/solid_problem.hpp"
 #include "quarter_tube.hpp"
+#include "tunica/app/case.hpp"
+#include "tunica/app/schema.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/mesh/read.hpp"
+#include "tunica/problems/fibre_frames.hpp"
+#include "tunica/problems/solid_problem.hpp"
 
 namespace {
 

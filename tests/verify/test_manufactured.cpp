@@ -17,9 +17,9 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
 #include "fluid_on_cube.hpp"
 #include "manufactured_flow.hpp"
+#include "tunica/base/error.hpp"
 
 namespace {
 

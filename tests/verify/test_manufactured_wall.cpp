@@ -13,12 +13,12 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
 #include "cube.hpp"
 #include "field_of.hpp"
 #include "oracle/mooney_rivlin_energy.hpp"
 #include "oracle/quadrature.hpp"
-#include "problems/solid_problem.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/problems/solid_problem.hpp"
 
 namespace {
 
@@ -123,7 +123,7 @@ Errors errors_of(const problems::SolidProblem& wall) {
   const auto p = fields::ghosted_scalars(mesh, *wall.state().p);
   double d2 = 0.0, p2 = 0.0;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    if (!mesh.is_counted[e]) continue;
+    if (!mesh.is_owned[e]) continue;
     for (const oracle::TetPoint& point : oracle::tet_rule()) {
       Vec3 X{}, d_h{};
       double p_h = 0.0;
@@ -139,8 +139,7 @@ Errors errors_of(const problems::SolidProblem& wall) {
       p2 += dV * std::pow(p_h - pressure(X, duration), 2);
     }
   }
-  return {std::sqrt(fields::global_sum(*mesh.comm, d2)),
-          std::sqrt(fields::global_sum(*mesh.comm, p2))};
+  return {std::sqrt(global_sum(*mesh.comm, d2)), std::sqrt(global_sum(*mesh.comm, p2))};
 }
 
 TEUCHOS_UNIT_TEST(manufactured_wall, motion_converges_at_second_and_first_order) {

@@ -9,8 +9,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <random>
 
-#include "base/error.hpp"
 #include "fluid_on_cube.hpp"
+#include "tunica/base/error.hpp"
 
 namespace {
 
@@ -58,8 +58,8 @@ Worst worst_of(problems::FluidProblem& fluid, const problems::FluidProblem::Vect
       worst.p = std::max(worst.p, std::abs(offset(a) - constant));
     }
   }
-  worst.u = fields::global_max(*mesh.comm, worst.u);
-  worst.p = fields::global_max(*mesh.comm, worst.p);
+  worst.u = global_max(*mesh.comm, worst.u);
+  worst.p = global_max(*mesh.comm, worst.p);
   return worst;
 }
 

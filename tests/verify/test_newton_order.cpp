@@ -3,11 +3,11 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "app/case.hpp"
-#include "app/schema.hpp"
 #include "fluid_on_cube.hpp"
-#include "problems/solid_problem.hpp"
 #include "quarter_tube.hpp"
+#include "tunica/app/case.hpp"
+#include "tunica/app/schema.hpp"
+#include "tunica/problems/solid_problem.hpp"
 
 namespace {
 

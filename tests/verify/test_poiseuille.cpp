@@ -11,9 +11,9 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
 #include "field_of.hpp"
-#include "problems/fluid_problem.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/problems/fluid_problem.hpp"
 
 namespace {
 
@@ -61,10 +61,10 @@ double developed_flow(const problems::FluidProblem& fluid) {
       centre += 0.25 * mesh.x[a];
       mean += 0.25 * u[a];
     }
-    if (mesh.is_counted[e] && centre[2] > 2.0 * R && centre[2] < 4.0 * R)
+    if (mesh.is_owned[e] && centre[2] > 2.0 * R && centre[2] < 4.0 * R)
       sum += fluid.elements().geometry[e].volume * mean[2];
   }
-  return fields::global_sum(*mesh.comm, sum) / (2.0 * R);
+  return global_sum(*mesh.comm, sum) / (2.0 * R);
 }
 
 struct Flow {

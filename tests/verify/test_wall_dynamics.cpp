@@ -4,12 +4,12 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "app/case.hpp"
-#include "app/schema.hpp"
-#include "base/error.hpp"
 #include "field_of.hpp"
-#include "problems/solid_problem.hpp"
 #include "quarter_tube.hpp"
+#include "tunica/app/case.hpp"
+#include "tunica/app/schema.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/problems/solid_problem.hpp"
 
 namespace {
 

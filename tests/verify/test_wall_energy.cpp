@@ -6,10 +6,10 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
 #include "field_of.hpp"
-#include "problems/solid_problem.hpp"
 #include "quarter_tube.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/problems/solid_problem.hpp"
 
 namespace {
 

@@ -8,9 +8,9 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
 #include "field_of.hpp"
-#include "problems/fluid_problem.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/problems/fluid_problem.hpp"
 #include "womersley.hpp"
 
 namespace {

@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "app/command_line.hpp"
-#include "base/error.hpp"
+#include "tunica/app/command_line.hpp"
+#include "tunica/base/error.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "app/run_log.hpp"
+#include "tunica/app/run_log.hpp"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/case.hpp"
-#include "app/schema.hpp"
-#include "base/error.hpp"
-#include "params/read_xml.hpp"
+#include "tunica/app/case.hpp"
+#include "tunica/app/schema.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/params/read_xml.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
-#include "app/solver_table.hpp"
+#include "tunica/app/solver_table.hpp"
 #include "unit/linear/mixed_operator.hpp"
 
 namespace {
@@ -21,11 +21,11 @@ app::SolverSetting setting(const std::string& method, int cap = 0) {
 struct Bench {
   test::SmallTube tube;
   test::WallJacobian jacobian{tube};
-  fields::BlockVector b = test::scattered(tube.wall, 3, 1.0);
-  fields::BlockVector x;
+  algebra::BlockVector b = test::scattered(tube.wall, 3, 1.0);
+  algebra::BlockVector x;
 
   app::SolverRow run(const app::SolverSetting& with, double tolerance = 1e-10) {
-    x = fields::BlockVector(tube.wall);
+    x = fields::zero_vector(tube.wall);
     return app::run_setting(with, {"wall", 1, 2, 3, &jacobian.K, &b, &linear::no_operators()},
                             tolerance, x);
   }
@@ -34,7 +34,7 @@ struct Bench {
 TEUCHOS_UNIT_TEST(run_setting, settings_that_converge_agree) {
   Bench bench;
   const app::SolverRow direct = bench.run(setting("direct"));
-  const fields::BlockVector exact = bench.x;
+  const algebra::BlockVector exact = bench.x;
   const app::SolverRow krylov = bench.run(setting("gmres"));
   TEST_EQUALITY(direct.verdict, "converged");
   TEST_EQUALITY(krylov.verdict, "converged");
@@ -67,7 +67,7 @@ TEUCHOS_UNIT_TEST(run_setting, an_exception_becomes_the_verdict) {
 
 TEUCHOS_UNIT_TEST(relative_difference, is_that_of_the_block_that_differs_more) {
   const test::SmallTube tube;
-  fields::BlockVector x(tube.wall), y(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall), y = fields::zero_vector(tube.wall);
   y.u->putScalar(1e6);
   y.p->putScalar(2.0);
   x.assign(y);

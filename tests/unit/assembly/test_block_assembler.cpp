@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "assembly/block_assembler.hpp"
+#include "tunica/assembly/block_assembler.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {
@@ -139,7 +139,7 @@ TEUCHOS_UNIT_TEST(nodal_residual, sums_elements_and_faces_and_stores_zeros_in_fi
     for (const int a : face.nodes) ++faces[serial.wall.vertex[a]];
   assembly::Constraints fixed(tube.wall.n_nodes());
   for (int a = 0; a < tube.wall.n_nodes(); ++a) fixed[a] = constraint(tube.wall.vertex[a]);
-  fields::BlockVector F(tube.wall);
+  algebra::BlockVector F = fields::zero_vector(tube.wall);
   R.store(tube.wall, fixed, F);
   const auto expected = test::block_vector(tube.wall, [&](int v, int i) {
     const bool is_fixed = (constraint(v) >> i) & 1;

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "assembly/mass_norm.hpp"
+#include "tunica/assembly/mass_norm.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {

@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_Core.hpp>
 
-#include "base/agreement.hpp"
-#include "base/error.hpp"
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
+#include "tunica/base/error.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/tensor.hpp"
+#include "tunica/base/tensor.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "coupling/accelerator.hpp"
+#include "tunica/coupling/accelerator.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace tunica::test {

@@ -1,8 +1,8 @@
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
-#include "coupling/dirichlet_neumann.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/coupling/dirichlet_neumann.hpp"
 #include "unit/coupling/interface_vector.hpp"
 
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <functional>
 
-#include "coupling/added_mass.hpp"
-#include "problems/surface_geometry.hpp"
+#include "tunica/coupling/added_mass.hpp"
+#include "tunica/problems/surface_geometry.hpp"
 #include "unit/problems/lists.hpp"
 
 namespace {
@@ -93,7 +93,7 @@ double error_of_a_sine(int around, int axial, const std::string& method) {
   const InterfaceVector z = tube.P.apply(sine(1.0)), exact = sine(kept);
   double error = 0.0;
   for (std::size_t i = 0; i < z.size(); ++i) error = std::max(error, std::abs(z[i] - exact[i]));
-  return fields::global_max(*test::world(), error) / kept;
+  return global_max(*test::world(), error) / kept;
 }
 
 TEUCHOS_UNIT_TEST(added_mass, leaves_of_a_sine_what_the_flow_in_a_round_tube_does_not_take_back) {
@@ -126,8 +126,8 @@ TEUCHOS_UNIT_TEST(added_mass, what_a_stiff_wall_does_not_yield_is_not_taken_back
     for (int i = 3 * k; i < 3 * k + 3; ++i)
       (is_rigid ? rigid : soft) = std::max(is_rigid ? rigid : soft, std::abs(z[i] - r[i]));
   }
-  TEST_EQUALITY(fields::global_max(*test::world(), rigid), 0.0);
-  TEST_COMPARE(fields::global_max(*test::world(), soft), >, 0.1);
+  TEST_EQUALITY(global_max(*test::world(), rigid), 0.0);
+  TEST_COMPARE(global_max(*test::world(), soft), >, 0.1);
 }
 
 TEUCHOS_UNIT_TEST(added_mass, a_residual_that_is_no_number_comes_back_as_it_is) {
@@ -163,7 +163,7 @@ TEUCHOS_UNIT_TEST(added_mass, is_self_adjoint_and_takes_between_nothing_and_all)
       const bool is_open = z < 1e-9 || z > SmallTube::options().length - 1e-9;
       if (!is_open) sum += norm(A) * normal(a) * normal(b);
     }
-    return fields::global_sum(comm, sum);
+    return global_sum(comm, sum);
   };
   for (int seed = 1; seed < 4; ++seed) {
     const InterfaceVector a = tube.scattered(seed), b = tube.scattered(seed + 10);

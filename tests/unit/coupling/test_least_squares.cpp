@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "coupling/least_squares.hpp"
+#include "tunica/coupling/least_squares.hpp"
 #include "unit/coupling/interface_vector.hpp"
 
 namespace {

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "fields/block_vector.hpp"
-#include "fields/field_mesh.hpp"
-#include "fields/reduce.hpp"
-#include "mesh/partition.hpp"
-#include "mesh/tube.hpp"
-#include "mesh/validate.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/fields/block_operator.hpp"
+#include "tunica/mesh/partition.hpp"
+#include "tunica/mesh/tube.hpp"
+#include "tunica/mesh/validate.hpp"
 
 namespace tunica::test {
 
@@ -48,8 +47,8 @@ inline double scatter(double key) {
 
 /// Sets each entry to f(vertex, component); the scalar is component 3.
 template <class Function>
-fields::BlockVector block_vector(const fields::FieldMesh& mesh, Function f) {
-  fields::BlockVector x(mesh);
+algebra::BlockVector block_vector(const fields::FieldMesh& mesh, Function f) {
+  algebra::BlockVector x = fields::zero_vector(mesh);
   const auto u = x.u->getLocalViewHost(Tpetra::Access::OverwriteAll);
   const auto p = x.p->getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (int a = 0; a < mesh.n_owned; ++a) {
@@ -59,17 +58,17 @@ fields::BlockVector block_vector(const fields::FieldMesh& mesh, Function f) {
   return x;
 }
 
-inline fields::BlockVector scattered(const fields::FieldMesh& mesh, int seed, double size = 1.0) {
+inline algebra::BlockVector scattered(const fields::FieldMesh& mesh, int seed, double size = 1.0) {
   return block_vector(mesh, [=](int vertex, int i) {
     return size * scatter(1000.0 * seed + 4.0 * vertex + i + 0.37 * seed);
   });
 }
 
-inline double norm(const fields::BlockVector& x) { return std::hypot(x.u->norm2(), x.p->norm2()); }
+inline double norm(const algebra::BlockVector& x) { return std::hypot(x.u->norm2(), x.p->norm2()); }
 
 /// |a − b| / |b|
-inline double relative_difference(const fields::BlockVector& a, const fields::BlockVector& b) {
-  fields::BlockVector c(a);
+inline double relative_difference(const algebra::BlockVector& a, const algebra::BlockVector& b) {
+  algebra::BlockVector c(a);
   c.u = Teuchos::rcp(new Vector(*a.u, Teuchos::Copy));
   c.p = Teuchos::rcp(new Vector(*a.p, Teuchos::Copy));
   c.u->update(-1.0, *b.u, 1.0);
@@ -78,13 +77,13 @@ inline double relative_difference(const fields::BlockVector& a, const fields::Bl
 }
 
 /// y ← a x + y
-inline void add(double a, const fields::BlockVector& x, fields::BlockVector& y) {
+inline void add(double a, const algebra::BlockVector& x, algebra::BlockVector& y) {
   y.u->update(a, *x.u, 1.0);
   y.p->update(a, *x.p, 1.0);
 }
 
 /// The values of a distributed block vector by vertex of the mesh, on every rank: 4 v + i.
-inline std::vector<double> by_vertex(const fields::FieldMesh& mesh, const fields::BlockVector& x,
+inline std::vector<double> by_vertex(const fields::FieldMesh& mesh, const algebra::BlockVector& x,
                                      std::size_t vertices) {
   std::vector<double> mine(4 * vertices, 0.0), all(4 * vertices, 0.0);
   const auto u = x.u->getLocalViewHost(Tpetra::Access::ReadOnly);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <set>
 
-#include "fields/block_operator.hpp"
+#include "tunica/fields/block_operator.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {

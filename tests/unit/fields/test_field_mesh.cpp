@@ -2,17 +2,16 @@
 #include <algorithm>
 #include <set>
 
-#include "assembly/gather.hpp"
-#include "base/error.hpp"
-#include "fields/broadcast_mesh.hpp"
-#include "kernels/surface_tri3.hpp"
+#include "tunica/assembly/gather.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/fields/broadcast_mesh.hpp"
+#include "tunica/kernels/surface_tri3.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {
 
 using namespace tunica;
 using fields::FieldMesh;
-using fields::global_sum;
 using test::SmallTube;
 using test::world;
 
@@ -20,7 +19,7 @@ using test::world;
 std::vector<double> counted(const SmallTube& tube, const FieldMesh& field) {
   std::vector<double> mine(tube.mesh.tets.size(), 0.0), all(mine.size());
   for (std::size_t e = 0; e < field.tets.size(); ++e)
-    if (field.is_counted[e]) mine[field.tet_number[e] - 1] += 1.0;
+    if (field.is_owned[e]) mine[field.tet_number[e] - 1] += 1.0;
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
                      all.data());
   return all;
@@ -110,7 +109,7 @@ TEUCHOS_UNIT_TEST(field_mesh, faces_close_the_field_and_point_outward) {
     Vec3 closure{};
     double flux = 0.0, volume = 0.0;  // ∫ x·n dA = 3 V
     for (const fields::Face& face : field->faces) {
-      if (!face.is_counted) continue;
+      if (!face.is_owned) continue;
       const auto x = assembly::gather(field->x, face.nodes);
       const Vec3 n = kernels::area_normal(x);
       closure += n;
@@ -118,7 +117,7 @@ TEUCHOS_UNIT_TEST(field_mesh, faces_close_the_field_and_point_outward) {
     }
     for (std::size_t e = 0; e < field->tets.size(); ++e) {
       const auto x = assembly::gather(field->x, field->tets[e]);
-      if (field->is_counted[e]) volume += signed_volume(x[0], x[1], x[2], x[3]);
+      if (field->is_owned[e]) volume += signed_volume(x[0], x[1], x[2], x[3]);
     }
     for (int i = 0; i < 3; ++i) TEST_COMPARE(std::abs(global_sum(*world(), closure[i])), <, 1e-12);
     volume = global_sum(*world(), volume);

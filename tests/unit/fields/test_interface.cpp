@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "fields/interface.hpp"
+#include "tunica/fields/interface.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {
@@ -23,7 +23,7 @@ TEUCHOS_UNIT_TEST(interface, every_vertex_of_the_inner_surface_is_paired_once) {
   const SmallTube tube;
   const fields::Interface interface(tube.fluid, tube.wall, {tube.surface("interface")});
   TEST_EQUALITY(interface.n_total(), 8 * 4);  // 8 around, 4 along
-  TEST_EQUALITY(fields::global_sum(*test::world(), interface.n_owned()), 32.0);
+  TEST_EQUALITY(global_sum(*test::world(), interface.n_owned()), 32.0);
 }
 
 }  // namespace

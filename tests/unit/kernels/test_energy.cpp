@@ -1,11 +1,11 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "kernels/energy.hpp"
-#include "kernels/fluid_up.hpp"
-#include "kernels/surface_tri3.hpp"
 #include "oracle/algebra.hpp"
 #include "oracle/quadrature.hpp"
 #include "oracle/samples.hpp"
+#include "tunica/kernels/energy.hpp"
+#include "tunica/kernels/fluid_up.hpp"
+#include "tunica/kernels/surface_tri3.hpp"
 
 namespace {
 

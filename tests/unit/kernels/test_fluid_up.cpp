@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "kernels/fluid_up.hpp"
 #include "oracle/fluid_weak_form.hpp"
 #include "oracle/samples.hpp"
+#include "tunica/kernels/fluid_up.hpp"
 
 namespace {
 

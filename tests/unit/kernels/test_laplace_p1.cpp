@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "kernels/laplace_p1.hpp"
 #include "oracle/algebra.hpp"
 #include "oracle/samples.hpp"
+#include "tunica/kernels/laplace_p1.hpp"
 
 namespace {
 

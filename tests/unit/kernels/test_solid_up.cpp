@@ -1,10 +1,10 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "kernels/solid_up.hpp"
-#include "materials/holzapfel.hpp"
 #include "oracle/holzapfel_energy.hpp"
 #include "oracle/samples.hpp"
 #include "oracle/solid_weak_form.hpp"
+#include "tunica/kernels/solid_up.hpp"
+#include "tunica/materials/holzapfel.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "kernels/surface_tri3.hpp"
 #include "oracle/samples.hpp"
 #include "oracle/surface_weak_form.hpp"
+#include "tunica/kernels/surface_tri3.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "kernels/wall_stress.hpp"
-#include "materials/holzapfel.hpp"
 #include "oracle/mooney_rivlin_energy.hpp"
 #include "oracle/samples.hpp"
+#include "tunica/kernels/wall_stress.hpp"
+#include "tunica/materials/holzapfel.hpp"
 
 namespace {
 

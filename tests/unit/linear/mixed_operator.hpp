@@ -1,8 +1,8 @@
 #pragma once
-#include "assembly/block_assembler.hpp"
-#include "assembly/mass_norm.hpp"
-#include "assembly/solid_assembly.hpp"
-#include "materials/registry.hpp"
+#include "tunica/assembly/block_assembler.hpp"
+#include "tunica/assembly/mass_norm.hpp"
+#include "tunica/assembly/solid_assembly.hpp"
+#include "tunica/materials/registry.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace tunica::test {

@@ -1,9 +1,9 @@
 #pragma once
 #include <map>
 
-#include "linear/block_preconditioner.hpp"
-#include "linear/linear_solver.hpp"
-#include "unit/fields/distance.hpp"
+#include "tunica/linear/block_preconditioner.hpp"
+#include "tunica/linear/linear_solver.hpp"
+#include "unit/algebra/distance.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace tunica::test {
@@ -44,14 +44,14 @@ inline Teuchos::ParameterList solver_list(const std::string& method,
   return list;
 }
 
-inline fields::BlockVector apply(const linear::BlockPreconditioner& P,
-                                 const fields::FieldMesh& mesh, const fields::BlockVector& r) {
-  const linear::Concatenation blocks(mesh.vector_map, mesh.node_map);
+inline algebra::BlockVector apply(const linear::BlockPreconditioner& P,
+                                  const fields::FieldMesh& mesh, const algebra::BlockVector& r) {
+  const algebra::Concatenation blocks(mesh.vector_map, mesh.node_map);
   MultiVector all_r(blocks.map(), 1), all_z(blocks.map(), 1);
   blocks.vector_part(all_r)->assign(*r.u);
   blocks.scalar_part(all_r)->assign(*r.p);
   P.apply(all_r, all_z);
-  fields::BlockVector z(mesh);
+  algebra::BlockVector z = fields::zero_vector(mesh);
   z.u->assign(*blocks.vector_part(all_z));
   z.p->assign(*blocks.scalar_part(all_z));
   return z;

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
+#include "tunica/base/error.hpp"
 #include "unit/linear/mixed_operator.hpp"
 #include "unit/linear/strategies.hpp"
 
@@ -52,7 +52,7 @@ TEUCHOS_UNIT_TEST(block_lu, with_exact_blocks_it_solves_in_at_most_two_iteration
     const auto solver =
         linear::make_linear_solver(solver_list("gcr", strategy(type, "Algebraic")), jacobian.K);
     solver->matrix_changed();
-    fields::BlockVector x(tube.wall);
+    algebra::BlockVector x = fields::zero_vector(tube.wall);
     const auto report = solver->solve(b, x, 1e-8);
     TEST_ASSERT(report.is_converged);
     TEST_COMPARE(report.iterations, <=, type == "LU Full" ? 1 : 2);
@@ -180,7 +180,7 @@ TEUCHOS_UNIT_TEST(block_lu, the_default_solves_a_real_jacobian_by_every_method) 
     const auto solver = linear::make_linear_solver(
         solver_list(method, linear::default_block_preconditioner(4, 2)), jacobian.K, operators);
     solver->matrix_changed();
-    fields::BlockVector x(tube.wall);
+    algebra::BlockVector x = fields::zero_vector(tube.wall);
     const auto report = solver->solve(b, x, 1e-8);
     out << method << ": " << report.iterations << "\n";
     TEST_ASSERT(report.is_converged);
@@ -197,7 +197,7 @@ TEUCHOS_UNIT_TEST(gcr, takes_the_iterations_of_flexible_gmres) {
     const auto solver = linear::make_linear_solver(
         solver_list(method, strategy("LU Upper", "Algebraic")), jacobian.K);
     solver->matrix_changed();
-    fields::BlockVector x(tube.wall);
+    algebra::BlockVector x = fields::zero_vector(tube.wall);
     const auto report = solver->solve(b, x, 1e-8);
     TEST_ASSERT(report.is_converged);
     iterations.push_back(report.iterations);
@@ -212,7 +212,7 @@ TEUCHOS_UNIT_TEST(gcr, restarts_and_keeps_to_its_cap) {
   const Diagonals operators(jacobian.K, {{"Schur Mass", 1e-6}});
   Teuchos::ParameterList list = solver_list("gcr", linear::default_block_preconditioner(4, 2));
   list.set("restart", 5).set("max iterations", 1000);
-  fields::BlockVector x(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall);
   const auto restarted = linear::make_linear_solver(list, jacobian.K, operators);
   restarted->matrix_changed();
   TEST_ASSERT(restarted->solve(b, x, 1e-8).is_converged);

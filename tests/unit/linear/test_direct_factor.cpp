@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "linear/direct_factor.hpp"
+#include "tunica/linear/direct_factor.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {

@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Thyra_TpetraThyraWrappers.hpp>
 
-#include "linear/inverse_sum.hpp"
+#include "tunica/linear/inverse_sum.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {

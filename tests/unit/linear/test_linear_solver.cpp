@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "linear/direct_factor.hpp"
+#include "tunica/linear/direct_factor.hpp"
 #include "unit/linear/mixed_operator.hpp"
 #include "unit/linear/strategies.hpp"
 
@@ -20,9 +20,9 @@ Teuchos::ParameterList resolved(const std::vector<std::pair<std::string, std::st
   return list;
 }
 
-double true_error(const fields::BlockOperator& K, const fields::BlockVector& b,
-                  const fields::BlockVector& x) {
-  fields::BlockVector Kx(K.mesh());
+double true_error(const fields::BlockOperator& K, const algebra::BlockVector& b,
+                  const algebra::BlockVector& x) {
+  algebra::BlockVector Kx = K.zero();
   K.apply(x, Kx);
   return test::relative_difference(Kx, b);
 }
@@ -63,7 +63,7 @@ TEUCHOS_UNIT_TEST(linear_solver, a_method_that_stagnates_says_so) {
       resolved({{"method", "bicgstab"}, {"preconditioner", "none"}}, {{"max iterations", 40}}),
       jacobian.K);
   solver->matrix_changed();
-  fields::BlockVector x(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall);
   const auto report = solver->solve(b, x, 1e-8);
   TEST_ASSERT(!report.is_converged);
   TEST_COMPARE(report.true_residual, >, 2e-8);
@@ -78,7 +78,7 @@ TEUCHOS_UNIT_TEST(linear_solver, a_cap_of_one_iteration_is_reported_as_not_conve
     const auto solver = linear::make_linear_solver(
         resolved({{"method", method}}, {{"max iterations", 1}}), jacobian.K);
     solver->matrix_changed();
-    fields::BlockVector x(tube.wall);
+    algebra::BlockVector x = fields::zero_vector(tube.wall);
     const auto report = solver->solve(b, x, 1e-8);
     TEST_ASSERT(!report.is_converged);
     TEST_EQUALITY(report.iterations, 1);
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(linear_solver, a_zero_right_side_has_the_zero_solution) {
     const auto solver = linear::make_linear_solver(resolved({{"method", method}}), jacobian.K);
     solver->matrix_changed();
     auto x = test::scattered(tube.wall, 7);
-    const auto report = solver->solve(fields::BlockVector(tube.wall), x, 1e-8);
+    const auto report = solver->solve(fields::zero_vector(tube.wall), x, 1e-8);
     TEST_ASSERT(report.is_converged);
     TEST_EQUALITY(test::norm(x), 0.0);
   }
@@ -105,7 +105,7 @@ TEUCHOS_UNIT_TEST(linear_solver, factors_are_kept_while_the_matrix_hardly_change
   const auto b = test::scattered(tube.wall, 1);
   const auto solver = linear::make_linear_solver(
       resolved({{"method", "flexible gmres"}, {"preconditioner", "direct"}}), jacobian.K);
-  fields::BlockVector x(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall);
   solver->matrix_changed();
   TEST_ASSERT(solver->solve(b, x, 1e-8).setup_seconds > 0.0);
   jacobian.set(1e-5);
@@ -123,7 +123,7 @@ TEUCHOS_UNIT_TEST(linear_solver, kept_factors_are_renewed_when_they_have_become_
   auto list = resolved({{"method", "flexible gmres"}, {"preconditioner", "direct"}});
   list.set("refresh factor", 0.02);
   const auto solver = linear::make_linear_solver(list, jacobian.K);
-  fields::BlockVector x(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall);
   std::vector<linear::SolveReport> reports;
   for (const double size : {0.0, 0.01, 0.01}) {
     jacobian.set(size);
@@ -143,7 +143,7 @@ TEUCHOS_UNIT_TEST(linear_solver, factors_too_weak_to_converge_are_renewed_in_the
       resolved({{"method", "flexible gmres"}, {"preconditioner", "direct"}},
                {{"max iterations", 6}}),
       jacobian.K);
-  fields::BlockVector x(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall);
   solver->matrix_changed();
   solver->solve(b, x, 1e-8);
   jacobian.set(0.01);
@@ -179,7 +179,7 @@ TEUCHOS_UNIT_TEST(linear_solver, a_huge_refresh_factor_keeps_the_first_set_up) {
   auto list = resolved({{"method", "gcr"}});
   list.set("refresh factor", 1e12);
   const auto solver = linear::make_linear_solver(list, jacobian.K);
-  fields::BlockVector x(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall);
   solver->matrix_changed();
   TEST_ASSERT(solver->solve(b, x, 1e-8).setup_seconds > 0.0);
   jacobian.set(0.005);
@@ -195,7 +195,7 @@ TEUCHOS_UNIT_TEST(linear_solver, a_set_up_that_failed_is_not_kept) {
   const auto b = test::scattered(tube.wall, 1);
   auto list = resolved({{"method", "gcr"}}, {{"max iterations", 2}});
   const auto solver = linear::make_linear_solver(list, jacobian.K);
-  fields::BlockVector x(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall);
   for (int k = 0; k < 2; ++k) {
     solver->matrix_changed();
     const auto report = solver->solve(b, x, 1e-12);
@@ -221,7 +221,7 @@ TEUCHOS_UNIT_TEST(linear_solver, an_equation_without_unknowns_is_reported_with_w
                    {{"max iterations", 60}}),
           jacobian.K);
       solver->matrix_changed();
-      fields::BlockVector x(tube.wall);
+      algebra::BlockVector x = fields::zero_vector(tube.wall);
       const auto report = solver->solve(b, x, 1e-8);
       out << report.method << ", " << preconditioner << ": " << report.iterations << " iterations, "
           << report.true_residual << "\n";
@@ -236,7 +236,7 @@ TEUCHOS_UNIT_TEST(linear_solver, factors_of_a_singular_matrix_fail_on_all_ranks)
   const SmallTube tube;
   const test::WallJacobian jacobian(tube);
   clear_row(jacobian.K, 4);
-  fields::BlockVector x(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall);
   for (const auto& list : {resolved({{"method", "direct"}}),
                            resolved({{"method", "gcr"}, {"preconditioner", "direct"}})}) {
     const auto solver = linear::make_linear_solver(list, jacobian.K);
@@ -250,7 +250,7 @@ TEUCHOS_UNIT_TEST(linear_solver, a_block_preconditioner_fails_as_factors_do) {
   const test::WallJacobian jacobian(tube);
   clear_row(jacobian.K, 4);
   const test::Diagonals operators(jacobian.K, {{"Schur Mass", 1e-6}});
-  fields::BlockVector x(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall);
   for (const auto& list :
        {test::strategy("LU Upper", "Algebraic"), linear::default_block_preconditioner(1, 1)}) {
     const auto solver =
@@ -272,7 +272,7 @@ TEUCHOS_UNIT_TEST(linear_solver, a_right_side_that_is_no_number_has_no_solution)
   for (const auto& list : lists) {
     const auto solver = linear::make_linear_solver(list, jacobian.K);
     solver->matrix_changed();
-    fields::BlockVector x(tube.wall);
+    algebra::BlockVector x = fields::zero_vector(tube.wall);
     TEST_ASSERT(!solver->solve(b, x, 1e-8).is_converged);
   }
 }
@@ -289,7 +289,7 @@ TEUCHOS_UNIT_TEST(linear_solver, a_singular_preconditioner_ends_with_an_honest_r
     list.set("max iterations", 60);
     const auto solver = linear::make_linear_solver(list, jacobian.K, operators);
     solver->matrix_changed();
-    fields::BlockVector x(tube.wall);
+    algebra::BlockVector x = fields::zero_vector(tube.wall);
     const auto report = solver->solve(b, x, 1e-8);
     out << report.method << ": " << report.iterations << " iterations, "
         << report.recurrence_residual << ", in truth " << report.true_residual << "\n";
@@ -310,7 +310,7 @@ TEUCHOS_UNIT_TEST(linear_solver, a_preconditioner_that_gives_no_numbers_leaves_t
         test::solver_list(method, test::strategy("LU Upper", "Scaled Mass")), jacobian.K,
         operators);
     solver->matrix_changed();
-    fields::BlockVector x(tube.wall);
+    algebra::BlockVector x = fields::zero_vector(tube.wall);
     const auto report = solver->solve(b, x, 1e-8);
     TEST_ASSERT(!report.is_converged);
     TEST_EQUALITY(report.true_residual, 1.0);

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "linear/refresh_rule.hpp"
+#include "tunica/linear/refresh_rule.hpp"
 
 namespace {
 

@@ -1,10 +1,10 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "assembly/mass_norm.hpp"
-#include "fields/block_operator.hpp"
-#include "kernels/laplace_p1.hpp"
-#include "linear/krylov.hpp"
-#include "linear/scalar_solver.hpp"
+#include "tunica/assembly/mass_norm.hpp"
+#include "tunica/fields/block_operator.hpp"
+#include "tunica/kernels/laplace_p1.hpp"
+#include "tunica/linear/krylov.hpp"
+#include "tunica/linear/scalar_solver.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {

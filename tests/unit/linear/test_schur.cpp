@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "linear/krylov.hpp"
-#include "multigrid/cycle.hpp"
+#include "tunica/linear/krylov.hpp"
+#include "tunica/multigrid/muelu/cycle.hpp"
 #include "unit/linear/mixed_operator.hpp"
 #include "unit/linear/strategies.hpp"
 
@@ -39,9 +39,9 @@ Teuchos::ParameterList nodal(int coarse_size) {
   return list;
 }
 
-fields::BlockVector applied(const Teuchos::ParameterList& list, const fields::BlockOperator& K,
-                            const fields::BlockVector& r,
-                            const linear::NamedOperators& operators = linear::no_operators()) {
+algebra::BlockVector applied(const Teuchos::ParameterList& list, const fields::BlockOperator& K,
+                             const algebra::BlockVector& r,
+                             const linear::NamedOperators& operators = linear::no_operators()) {
   linear::BlockPreconditioner P(list, K, operators);
   P.refresh();
   return apply(P, K.mesh(), r);
@@ -115,7 +115,7 @@ Vector inverse_lumped_inertia(const CrsMatrix& A, double& n_kept) {
       values(i, 0) = std::max(sums(i, 0), least);
     }
   }
-  n_kept = fields::global_sum(*A.getComm(), n_mine);
+  n_kept = global_sum(*A.getComm(), n_mine);
   D.reciprocal(D);
   return D;
 }

@@ -72,11 +72,11 @@ struct Wall {
   SmallTube tube;
   test::WallJacobian jacobian{tube};
   const fields::BlockOperator& K = jacobian.K;
-  fields::BlockVector r = test::scattered(tube.wall, 3);
+  algebra::BlockVector r = test::scattered(tube.wall, 3);
 
   Wall() { jacobian.set(0.005); }
 
-  fields::BlockVector preconditioned(const Teuchos::ParameterList& list) const {
+  algebra::BlockVector preconditioned(const Teuchos::ParameterList& list) const {
     linear::BlockPreconditioner P(list, K, linear::no_operators());
     P.refresh();
     return apply(P, tube.wall, r);
@@ -84,7 +84,7 @@ struct Wall {
   linear::SolveReport solved(const Teuchos::ParameterList& list) const {
     const auto solver = linear::make_linear_solver(test::solver_list("gcr", list), K);
     solver->matrix_changed();
-    fields::BlockVector x(tube.wall);
+    algebra::BlockVector x = fields::zero_vector(tube.wall);
     return solver->solve(r, x, 1e-8);
   }
 };

@@ -1,9 +1,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
-#include "materials/holzapfel.hpp"
 #include "oracle/holzapfel_energy.hpp"
 #include "oracle/strain.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/materials/holzapfel.hpp"
 
 namespace {
 
@@ -37,7 +37,7 @@ double deviation_at(const HolzapfelEnergy& energy, const Strain& E) {
   for (int I = 0; I < 6; ++I) oracle::seed(x[I], I, E[I]);
   const oracle::Second<6> Psi = energy(oracle::cauchy_green(x));
   const Holzapfel law = law_of(energy);
-  const materials::Response found = law.response(voigt(E), energy.frame);
+  const materials::StressTangent found = law.response(voigt(E), energy.frame);
   const Sym3 stress = law.stress(voigt(E), energy.frame);
   Deviation of_energy, of_stress, of_response, of_tangent;
   of_energy.add(law.energy(voigt(E), energy.frame), Psi.val().val());

@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "materials/mooney_rivlin.hpp"
 #include "oracle/mooney_rivlin_energy.hpp"
 #include "oracle/strain.hpp"
+#include "tunica/materials/mooney_rivlin.hpp"
 
 namespace {
 
@@ -31,7 +31,7 @@ TEUCHOS_UNIT_TEST(MooneyRivlin, stress_and_tangent_are_derivatives_of_energy) {
     std::array<oracle::Second<6>, 6> x;
     for (int I = 0; I < 6; ++I) oracle::seed(x[I], I, E[I]);
     const oracle::Second<6> Psi = exact(cauchy_green(x));
-    const materials::Response found = law.response(voigt(E), {});
+    const materials::StressTangent found = law.response(voigt(E), {});
     const Sym3 stress = law.stress(voigt(E), {});
     Deviation of_stress, of_response, of_tangent;
     for (int I = 0; I < 6; ++I) {
@@ -46,7 +46,7 @@ TEUCHOS_UNIT_TEST(MooneyRivlin, stress_and_tangent_are_derivatives_of_energy) {
 }
 
 TEUCHOS_UNIT_TEST(MooneyRivlin, tangent_at_rest_has_shear_modulus_c10_plus_c01) {
-  const materials::Response rest = law.response({1, 1, 1, 0, 0, 0}, {});
+  const materials::StressTangent rest = law.response({1, 1, 1, 0, 0, 0}, {});
   for (int I = 3; I < 6; ++I) TEST_FLOATING_EQUALITY(rest.D[I][I], 3.3, 1e-14);
   TEST_FLOATING_EQUALITY(law.stabilisation_modulus(), 6.6, 1e-14);
 }

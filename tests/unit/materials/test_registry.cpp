@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
-#include "materials/registry.hpp"
 #include "oracle/samples.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/materials/registry.hpp"
 
 namespace {
 
@@ -25,7 +25,7 @@ TEUCHOS_UNIT_TEST(Registry, every_law_has_stress_and_tangent_of_its_energy) {
   constexpr double h = 1e-6;
   for (const auto& entry : materials::laws()) {
     const auto law = make_law(entry.name, {});
-    const materials::Response at = law->response(stretched, {});
+    const materials::StressTangent at = law->response(stretched, {});
     oracle::Deviation of_stress, of_tangent, of_response;
     for (int J = 0; J < 6; ++J) {
       Sym3 up = stretched, down = stretched;

@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "materials/st_venant_kirchhoff.hpp"
 #include "oracle/strain.hpp"
+#include "tunica/materials/st_venant_kirchhoff.hpp"
 
 namespace {
 
@@ -40,7 +40,7 @@ TEUCHOS_UNIT_TEST(StVenantKirchhoff, stress_and_tangent_are_derivatives_of_energ
     const oracle::Second<6> change = determinant_of_F(x) - 1.0;
     const oracle::Second<6> Psi = plain_energy(x) - 0.5 * kappa * change * change;
     TEST_FLOATING_EQUALITY(law.energy(voigt(E), {}), Psi.val().val(), 1e-10);
-    const materials::Response found = law.response(voigt(E), {});
+    const materials::StressTangent found = law.response(voigt(E), {});
     Deviation of_stress, of_tangent;
     for (int I = 0; I < 6; ++I) {
       of_stress.add(found.S[I], Psi.dx(I).val());
@@ -75,7 +75,7 @@ TEUCHOS_UNIT_TEST(StVenantKirchhoff, with_the_pressure_it_is_the_plain_law) {
 }
 
 TEUCHOS_UNIT_TEST(StVenantKirchhoff, tangent_at_rest_is_deviatoric) {
-  const materials::Response rest = law.response({1, 1, 1, 0, 0, 0}, {});
+  const materials::StressTangent rest = law.response({1, 1, 1, 0, 0, 0}, {});
   TEST_FLOATING_EQUALITY(rest.D[0][0], 4.0 / 3.0 * mu, 1e-13);
   TEST_FLOATING_EQUALITY(rest.D[0][1], -2.0 / 3.0 * mu, 1e-13);
   TEST_FLOATING_EQUALITY(rest.D[3][3], mu, 1e-13);

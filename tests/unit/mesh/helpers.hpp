@@ -7,9 +7,9 @@
 #include <ostream>
 #include <string>
 
-#include "base/error.hpp"
-#include "mesh/mesh.hpp"
-#include "mesh/tube.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/mesh/mesh.hpp"
+#include "tunica/mesh/tube.hpp"
 
 namespace tunica::mesh {
 

@@ -1,11 +1,11 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "helpers.hpp"
-#include "mesh/gmsh.hpp"
-#include "mesh/hdf5.hpp"
-#include "mesh/read.hpp"
-#include "mesh/text_scanner.hpp"
-#include "mesh/write.hpp"
+#include "tunica/mesh/gmsh.hpp"
+#include "tunica/mesh/hdf5.hpp"
+#include "tunica/mesh/read.hpp"
+#include "tunica/mesh/text_scanner.hpp"
+#include "tunica/mesh/write.hpp"
 
 using namespace tunica::mesh;
 

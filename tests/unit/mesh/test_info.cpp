@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "helpers.hpp"
-#include "mesh/info.hpp"
+#include "tunica/mesh/info.hpp"
 
 using namespace tunica::mesh;
 

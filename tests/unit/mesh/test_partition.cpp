@@ -3,8 +3,8 @@
 #include <map>
 
 #include "helpers.hpp"
-#include "mesh/partition.hpp"
-#include "mesh/read.hpp"
+#include "tunica/mesh/partition.hpp"
+#include "tunica/mesh/read.hpp"
 
 using namespace tunica::mesh;
 

@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "helpers.hpp"
-#include "mesh/faces.hpp"
-#include "mesh/info.hpp"
-#include "mesh/read.hpp"
-#include "mesh/refine.hpp"
-#include "mesh/validate.hpp"
+#include "tunica/mesh/faces.hpp"
+#include "tunica/mesh/info.hpp"
+#include "tunica/mesh/read.hpp"
+#include "tunica/mesh/refine.hpp"
+#include "tunica/mesh/validate.hpp"
 
 using namespace tunica::mesh;
 

@@ -1,9 +1,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "helpers.hpp"
-#include "mesh/info.hpp"
-#include "mesh/read.hpp"
-#include "mesh/validate.hpp"
+#include "tunica/mesh/info.hpp"
+#include "tunica/mesh/read.hpp"
+#include "tunica/mesh/validate.hpp"
 
 using namespace tunica::mesh;
 

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "helpers.hpp"
-#include "mesh/info.hpp"
-#include "mesh/validate.hpp"
+#include "tunica/mesh/info.hpp"
+#include "tunica/mesh/validate.hpp"
 
 using namespace tunica::mesh;
 

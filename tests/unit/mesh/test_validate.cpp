@@ -4,8 +4,8 @@
 #include <map>
 
 #include "helpers.hpp"
-#include "mesh/fingerprint.hpp"
-#include "mesh/validate.hpp"
+#include "tunica/mesh/fingerprint.hpp"
+#include "tunica/mesh/validate.hpp"
 
 using namespace tunica::mesh;
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "base/types.hpp"
+#include "tunica/base/types.hpp"
 
 namespace tunica::test {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "fields/block_matrices.hpp"
+#include "tunica/algebra/block_matrices.hpp"
 #include "unit/multigrid/grid.hpp"
 
 namespace tunica::test {
@@ -13,9 +13,9 @@ inline Teuchos::RCP<const Vector> order_of(const CrsMatrix& A) {
 }
 
 /// The diagonal blocks, Laplacians, of a system on a grid.
-inline fields::BlockMatrices blocks_on(const Grid& grid, const CommPtr& comm = world(),
-                                       int components = 3) {
-  fields::BlockMatrices K;
+inline algebra::BlockMatrices blocks_on(const Grid& grid, const CommPtr& comm = world(),
+                                        int components = 3) {
+  algebra::BlockMatrices K;
   K.A = grid.laplacian(comm, components);
   K.mC = grid.laplacian(comm);
   K.components = components;

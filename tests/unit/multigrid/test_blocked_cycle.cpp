@@ -2,15 +2,15 @@
 #include <Teuchos_XMLParameterListHelpers.hpp>
 #include <map>
 
-#include "base/error.hpp"
-#include "linear/direct_factor.hpp"
-#include "linear/linear_solver.hpp"
-#include "multigrid/blocked_matrix.hpp"
-#include "multigrid/cycle.hpp"
-#include "unit/fields/distance.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/linear_solver.hpp"
+#include "tunica/multigrid/muelu/blocked_matrix.hpp"
+#include "tunica/multigrid/muelu/cycle.hpp"
+#include "unit/algebra/distance.hpp"
 #include "unit/multigrid/complaint.hpp"
-#include "unit/multigrid/dense_sweep.hpp"
-#include "unit/multigrid/wall_matrix.hpp"
+#include "unit/smoothers/dense_sweep.hpp"
+#include "unit/smoothers/wall_matrix.hpp"
 
 namespace {
 
@@ -131,7 +131,7 @@ TEUCHOS_UNIT_TEST(blocked_matrix, its_constants_are_one_in_one_component_each) {
       for (int i = 0; i < components; ++i)
         is_as_defined &= values(row, i) == (number % 4 == 3 * block + i ? 1.0 : 0.0);
     }
-    TEST_ASSERT(fields::all_agree(*test::world(), is_as_defined));
+    TEST_ASSERT(all_agree(*test::world(), is_as_defined));
   }
 }
 
@@ -229,7 +229,7 @@ TEUCHOS_UNIT_TEST(blocked_cycle, the_lists_of_the_shipped_case_solve_a_real_jaco
   test::WallJacobian jacobian(tube);
   jacobian.set(0.005);
   const auto b = test::scattered(tube.wall, 1);
-  fields::BlockVector exact(tube.wall);
+  algebra::BlockVector exact = fields::zero_vector(tube.wall);
   Teuchos::ParameterList direct;
   direct.set("method", "direct");
   linear::linear_solver_table().resolve(direct, "Linear Solver", "");
@@ -254,7 +254,7 @@ TEUCHOS_UNIT_TEST(blocked_cycle, the_lists_of_the_shipped_case_solve_a_real_jaco
     linear::linear_solver_table().resolve(list, item.first, "");
     const auto solver = linear::make_linear_solver(list, jacobian.K);
     solver->matrix_changed();
-    fields::BlockVector x(tube.wall);
+    algebra::BlockVector x = fields::zero_vector(tube.wall);
     const auto report = solver->solve(b, x, 1e-8);
     out << item.first << ": " << report.iterations << " iterations, " << report.true_residual
         << ", levels";

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "multigrid/cycle.hpp"
+#include "tunica/multigrid/muelu/cycle.hpp"
 #include "unit/fields/small_tube.hpp"
 #include "unit/multigrid/grid_blocks.hpp"
 
@@ -88,7 +88,7 @@ TEUCHOS_UNIT_TEST(cycle, treats_the_components_of_a_vector_as_it_treats_a_scalar
   for (int a = 0; a < static_cast<int>(one.size()); ++a)
     for (int i = 0; i < 3; ++i)
       error = std::max(error, std::abs(three[3 * a + i] - (i + 1) * one[a]));
-  TEST_COMPARE(fields::global_max(*test::world(), error), <, 1e-13 * z.normInf());
+  TEST_COMPARE(global_max(*test::world(), error), <, 1e-13 * z.normInf());
 }
 
 TEUCHOS_UNIT_TEST(cycle, is_symmetric) {

@@ -3,12 +3,12 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
-#include "assembly/block_assembler.hpp"
-#include "assembly/fluid_assembly.hpp"
-#include "assembly/mass_norm.hpp"
-#include "assembly/solid_assembly.hpp"
-#include "materials/registry.hpp"
-#include "multigrid/mixed_coarsening.hpp"
+#include "tunica/assembly/block_assembler.hpp"
+#include "tunica/assembly/fluid_assembly.hpp"
+#include "tunica/assembly/mass_norm.hpp"
+#include "tunica/assembly/solid_assembly.hpp"
+#include "tunica/materials/registry.hpp"
+#include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
 #include "unit/fields/small_tube.hpp"
 
 // Stability of the levels of a hierarchy for K = [A B1ᵀ; B2 −C]: the smallest λ of

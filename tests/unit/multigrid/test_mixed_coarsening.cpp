@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "fields/reduce.hpp"
-#include "multigrid/mixed_coarsening.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
 #include "unit/fields/small_tube.hpp"
 #include "unit/multigrid/grid_blocks.hpp"
 
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
     const auto K = test::blocks_on({9, 7, 5, true}, test::world(), components);
     MixedCoarsening coarsening(K);
     const int dofs = components + 1;
-    const multigrid::MixedNumbering numbering{components};
+    const algebra::DofLayout numbering{components};
     Teuchos::RCP<const Map> nodes = K.scalar_map(), vectors = K.vector_map();
     Teuchos::RCP<const Map> both = numbering.mixed_map(*vectors, *nodes);
     for (int level = 0; nodes->getGlobalNumElements() > 1; ++level) {
@@ -78,7 +78,7 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
           is_repeated &= row_of(*all, dofs * row + i) ==
                          renumbered(*P, row, [&](auto node) { return dofs * node + i; });
       }
-      TEST_ASSERT(fields::all_agree(*test::world(), is_repeated));
+      TEST_ASSERT(all_agree(*test::world(), is_repeated));
       nodes = P->getDomainMap();
       vectors = Pu->getDomainMap();
       both = all->getDomainMap();
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(mixed_coarsening, rows_of_blocks_on_different_nodes_are_those_
   K.scalars = {K.mC, test::order_of(*K.mC)};
   MixedCoarsening coarsening(K);
   Teuchos::RCP<const Map> nodes = K.scalar_map(), vectors = K.vector_map();
-  Teuchos::RCP<const Map> both = multigrid::MixedNumbering().mixed_map(*vectors, *nodes);
+  Teuchos::RCP<const Map> both = algebra::DofLayout().mixed_map(*vectors, *nodes);
   for (int level = 0; level < 2; ++level) {
     const auto Pu = coarsening.prolongator(level, *vectors);
     const auto Pp = coarsening.prolongator(level, *nodes);
@@ -105,7 +105,7 @@ TEUCHOS_UNIT_TEST(mixed_coarsening, rows_of_blocks_on_different_nodes_are_those_
     for (const GlobalOrdinal row : Pp->getRowMap()->getNodeElementList())
       is_same &=
           row_of(*all, 4 * row + 3) == renumbered(*Pp, row, [](auto node) { return 4 * node + 3; });
-    TEST_ASSERT(fields::all_agree(*test::world(), is_same));
+    TEST_ASSERT(all_agree(*test::world(), is_same));
     nodes = Pp->getDomainMap();
     vectors = Pu->getDomainMap();
     both = all->getDomainMap();
@@ -132,12 +132,12 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
     const double sum = sums.getData()[Pu->getRowMap()->getLocalElement(row)];
     n_wrong += std::abs(sum - 1.0) > 1e-14 && !row_of(*Pu, row).empty();
   }
-  TEST_EQUALITY(fields::global_sum(*test::world(), n_wrong), 0.0);
+  TEST_EQUALITY(global_sum(*test::world(), n_wrong), 0.0);
   sums.putScalar(1.0);
   Pu->apply(sums, reached, Teuchos::TRANS);
   double least = 1e300;  // no coarse unknown is without a fine one
   for (const double value : reached.getData()) least = std::min(least, value);
-  TEST_COMPARE(fields::global_max(*test::world(), -least), <, -0.99);
+  TEST_COMPARE(global_max(*test::world(), -least), <, -0.99);
 }
 
 /// As on staggered grids: as many scalars as vectors, elsewhere.

@@ -1,9 +1,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <set>
 
-#include "fields/block_operator.hpp"
-#include "multigrid/independent_set.hpp"
-#include "multigrid/nodal_coarsening.hpp"
+#include "tunica/algebra/independent_set.hpp"
+#include "tunica/fields/block_operator.hpp"
+#include "tunica/multigrid/coarsening/nodal_coarsening.hpp"
 #include "unit/fields/small_tube.hpp"
 #include "unit/multigrid/grid_blocks.hpp"
 
@@ -18,8 +18,8 @@ using test::SmallTube;
 const std::vector<Grid> grids{{9, 7, 5, true}, {6, 5, 7, false}, {40, 1, 1, false}};
 
 /// Grids, and the nodes of two meshes, whose numbers hang on the ranks.
-std::vector<fields::Nodes> graphs(const CommPtr& comm = test::world()) {
-  std::vector<fields::Nodes> all;
+std::vector<algebra::Nodes> graphs(const CommPtr& comm = test::world()) {
+  std::vector<algebra::Nodes> all;
   for (const Grid& grid : grids) all.push_back(test::blocks_on(grid, comm).scalars);
   const SmallTube tube(comm);
   for (const fields::FieldMesh* mesh : {&tube.fluid, &tube.wall})
@@ -54,20 +54,20 @@ std::vector<GlobalOrdinal> fine_numbers(const CrsMatrix& nodes, const CrsMatrix&
 TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number_of_ranks) {
   for (const Grid& grid : grids) {
     const auto nodes = grid.laplacian(test::world());
-    const auto is_coarse = multigrid::independent_set(*nodes, *test::order_of(*nodes));
+    const auto is_coarse = algebra::independent_set(*nodes, *test::order_of(*nodes));
     const auto expected = greedy_set(grid);
     TEST_EQUALITY(is_coarse.size(), nodes->getColMap()->getNodeNumElements());
     bool is_same = true;  // own nodes and ghosts
     for (std::size_t c = 0; c < is_coarse.size(); ++c)
       is_same &=
           is_coarse[c] == expected[nodes->getColMap()->getGlobalElement(static_cast<int>(c))];
-    TEST_ASSERT(fields::all_agree(*test::world(), is_same));
+    TEST_ASSERT(all_agree(*test::world(), is_same));
   }
 }
 
 TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
   for (const auto& [nodes, order] : graphs()) {
-    const auto is_coarse = multigrid::independent_set(*nodes, *order);
+    const auto is_coarse = algebra::independent_set(*nodes, *order);
     int n_neighbours_in_the_set = 0, n_without_a_neighbour = 0;
     for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList()) {
       int n_coarse = 0;
@@ -78,28 +78,28 @@ TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
       else
         n_without_a_neighbour += n_coarse == 0;
     }
-    TEST_EQUALITY(fields::global_sum(*nodes->getComm(), n_neighbours_in_the_set), 0.0);
-    TEST_EQUALITY(fields::global_sum(*nodes->getComm(), n_without_a_neighbour), 0.0);
+    TEST_EQUALITY(global_sum(*nodes->getComm(), n_neighbours_in_the_set), 0.0);
+    TEST_EQUALITY(global_sum(*nodes->getComm(), n_without_a_neighbour), 0.0);
   }
 }
 
 TEUCHOS_UNIT_TEST(independent_set, ghosts_are_in_it_where_their_owner_says_so) {
   for (const auto& [nodes, order] : graphs()) {
-    const auto is_coarse = multigrid::independent_set(*nodes, *order);
+    const auto is_coarse = algebra::independent_set(*nodes, *order);
     Vector own(nodes->getRowMap());
     for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList())
       own.replaceGlobalValue(row, is_coarse[nodes->getColMap()->getLocalElement(row)]);
-    const Vector columns = multigrid::on_columns(*nodes, own);
+    const Vector columns = algebra::on_columns(*nodes, own);
     const auto said = columns.getLocalViewHost(read_only);
     bool is_same = true;
     for (std::size_t c = 0; c < is_coarse.size(); ++c) is_same &= said(c, 0) == is_coarse[c];
-    TEST_ASSERT(fields::all_agree(*nodes->getComm(), is_same));
+    TEST_ASSERT(all_agree(*nodes->getComm(), is_same));
   }
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_in_the_set) {
   for (const auto& [nodes, order] : graphs()) {
-    const auto is_coarse = multigrid::independent_set(*nodes, *order);
+    const auto is_coarse = algebra::independent_set(*nodes, *order);
     const auto P = NodalCoarsening(nodes, *order).prolongator(0);
     const auto fine_number = fine_numbers(*nodes, *P, is_coarse);
     bool is_as_defined = true;
@@ -113,7 +113,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_i
       }
       is_as_defined &= parents == expected;  // a node of the set has itself alone
     }
-    TEST_ASSERT(fields::all_agree(*nodes->getComm(), is_as_defined));
+    TEST_ASSERT(all_agree(*nodes->getComm(), is_as_defined));
   }
 }
 
@@ -150,7 +150,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, prolongators_of_grids_do_not_depend_on_the_r
       bool is_same = true;
       for (const GlobalOrdinal row : P->getRowMap()->getNodeElementList())
         is_same &= row_of(*P, row) == row_of(*expected, row);
-      TEST_ASSERT(fields::all_agree(*test::world(), is_same));
+      TEST_ASSERT(all_agree(*test::world(), is_same));
     }
   }
 }

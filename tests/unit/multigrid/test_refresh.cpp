@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "multigrid/cycle.hpp"
-#include "unit/fields/distance.hpp"
-#include "unit/multigrid/wall_matrix.hpp"
+#include "tunica/multigrid/muelu/cycle.hpp"
+#include "unit/algebra/distance.hpp"
+#include "unit/smoothers/wall_matrix.hpp"
 
 namespace {
 

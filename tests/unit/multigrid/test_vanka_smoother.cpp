@@ -1,12 +1,12 @@
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
-#include "linear/linear_solver.hpp"
-#include "multigrid/cycle.hpp"
-#include "multigrid/vanka.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/linear/linear_solver.hpp"
+#include "tunica/multigrid/muelu/cycle.hpp"
+#include "tunica/smoothers/vanka/vanka.hpp"
 #include "unit/multigrid/complaint.hpp"
-#include "unit/multigrid/wall_matrix.hpp"
+#include "unit/smoothers/wall_matrix.hpp"
 
 namespace {
 
@@ -51,7 +51,7 @@ linear::SolveReport solve(const CommPtr& comm, const Teuchos::ParameterList& mue
   linear::linear_solver_table().resolve(list, "Linear Solver", "");
   const auto solver = linear::make_linear_solver(list, jacobian.K);
   solver->matrix_changed();
-  fields::BlockVector x(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall);
   return solver->solve(test::scattered(tube.wall, 1), x, 1e-8);
 }
 
@@ -68,9 +68,9 @@ TEUCHOS_UNIT_TEST(vanka_smoother, does_what_vanka_does) {
       .set("patch", "diagonal");
   list.sublist("Hierarchy").set("max levels", 1).sublist("All").set("CoarseSolver", "Sweeps");
   const auto M = cycle(wall, list);
-  multigrid::VankaOptions options{2, 0.7, "backward", true, true, "diagonal"};
+  smoothers::VankaOptions options{2, 0.7, "backward", true, true, "diagonal"};
   const auto vanka =
-      multigrid::make_vanka(*wall.K(), multigrid::scalar_rows(*wall.K(), {}), options);
+      smoothers::make_vanka(*wall.K(), smoothers::scalar_rows(*wall.K(), {}), options);
   vanka->refresh();
   const Vector b = wall.scattered(1);
   Vector x = wall.scattered(2), expected(b.getMap());
@@ -162,7 +162,7 @@ TEUCHOS_UNIT_TEST(galerkin_factory, scales_the_stabilisation_and_nothing_else) {
         is_as_defined &= scaled_row.value(k) == (is_pressure ? factor : 1.0) * row.value(k);
       }
     }
-    TEST_ASSERT(fields::all_agree(*test::world(), is_as_defined));
+    TEST_ASSERT(all_agree(*test::world(), is_as_defined));
   }
 }
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <functional>
 
-#include "assembly/mass_norm.hpp"
-#include "nonlinear/newton.hpp"
+#include "tunica/assembly/mass_norm.hpp"
+#include "tunica/nonlinear/newton.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {
@@ -20,14 +20,14 @@ public:
 
   NodewiseProblem(const fields::FieldMesh& mesh, Function f, Function slope)
       : mesh_(&mesh), geometry_(assembly::geometry_of(mesh, mesh.x)), f_(f), slope_(slope),
-        diagonal_(mesh) {}
+        diagonal_(fields::zero_vector(mesh)) {}
 
   void refuse_where(std::function<bool(double)> refuses) { refuses_ = refuses; }
   void fail_in_solve(int number) { failing_ = number; }
   const std::vector<double>& tolerances() const { return tolerances_; }
 
-  const fields::FieldMesh& mesh() const override { return *mesh_; }
-  bool residual(const fields::BlockVector& x, fields::BlockVector& F) override {
+  CommPtr comm() const override { return mesh_->comm; }
+  bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override {
     const auto u = x.u->getLocalViewHost(Tpetra::Access::ReadOnly);
     const auto p = x.p->getLocalViewHost(Tpetra::Access::ReadOnly);
     const auto Fu = F.u->getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -38,27 +38,27 @@ public:
       is_admissible = is_admissible && !(refuses_ && refuses_(p(k, 0)));
       Fp(k, 0) = f_(p(k, 0));
     }
-    return fields::all_agree(*mesh_->comm, is_admissible);
+    return all_agree(*mesh_->comm, is_admissible);
   }
-  void jacobian(const fields::BlockVector& x) override {
+  void jacobian(const algebra::BlockVector& x) override {
     diagonal_.u->putScalar(1.0);
     const auto p = x.p->getLocalViewHost(Tpetra::Access::ReadOnly);
     const auto d = diagonal_.p->getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (std::size_t k = 0; k < p.extent(0); ++k) d(k, 0) = slope_(p(k, 0));
   }
-  void apply_jacobian(const fields::BlockVector& x, fields::BlockVector& y) const override {
+  void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const override {
     y.u->elementWiseMultiply(1.0, *diagonal_.u, *x.u, 0.0);
     y.p->elementWiseMultiply(1.0, *diagonal_.p, *x.p, 0.0);
   }
   linear::LinearSolver& linear_solver() override { return *this; }
-  double increment_norm(const fields::BlockVector& dx) override {
+  double increment_norm(const algebra::BlockVector& dx) override {
     return assembly::mass_norm(*mesh_, geometry_, dx);
   }
   std::string refusal() const override { return "p is out of range"; }
 
   void matrix_changed() override {}
   void prepare() override {}
-  linear::SolveReport solve(const fields::BlockVector& b, fields::BlockVector& x,
+  linear::SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                             double tolerance) override {
     tolerances_.push_back(tolerance);
     Vector inverse(mesh_->node_map);
@@ -79,7 +79,7 @@ private:
   std::vector<kernels::Tet4> geometry_;
   Function f_, slope_;
   std::function<bool(double)> refuses_;
-  fields::BlockVector diagonal_;
+  algebra::BlockVector diagonal_;
   int failing_ = 0;
   std::vector<double> tolerances_;
 };
@@ -103,11 +103,11 @@ nonlinear::NewtonOptions options() {
   return found;
 }
 
-fields::BlockVector start(const fields::FieldMesh& mesh, double p) {
+algebra::BlockVector start(const fields::FieldMesh& mesh, double p) {
   return test::block_vector(mesh, [p](int, int i) { return i < 3 ? 1.0 : p; });
 }
 
-double worst_pressure(const fields::BlockVector& x, double expected) {
+double worst_pressure(const algebra::BlockVector& x, double expected) {
   Vector difference(*x.p, Teuchos::Copy);
   for (std::size_t k = 0; k < difference.getLocalLength(); ++k)
     difference.sumIntoLocalValue(static_cast<int>(k), -expected);

@@ -1,11 +1,11 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
-#include "full_disk.hpp"
-#include "output/checkpoint.hpp"
-#include "output/checkpoint_series.hpp"
-#include "output/run_folder.hpp"
-#include "scratch.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/output/checkpoint.hpp"
+#include "tunica/output/checkpoint_series.hpp"
+#include "tunica/output/run_folder.hpp"
+#include "unit/io/full_disk.hpp"
+#include "unit/io/scratch.hpp"
 
 namespace tunica::output::test {
 

@@ -3,10 +3,10 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <regex>
 
-#include "full_disk.hpp"
-#include "output/field_writer.hpp"
-#include "output/run_folder.hpp"
-#include "scratch.hpp"
+#include "tunica/output/field_writer.hpp"
+#include "tunica/output/run_folder.hpp"
+#include "unit/io/full_disk.hpp"
+#include "unit/io/scratch.hpp"
 
 namespace tunica::output::test {
 

@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
-#include "output/run_folder.hpp"
-#include "scratch.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/output/run_folder.hpp"
+#include "unit/io/scratch.hpp"
 
 namespace tunica::output::test {
 

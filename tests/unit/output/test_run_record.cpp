@@ -2,9 +2,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "output/run_folder.hpp"
-#include "output/run_record.hpp"
-#include "scratch.hpp"
+#include "tunica/output/run_folder.hpp"
+#include "tunica/output/run_record.hpp"
+#include "unit/io/scratch.hpp"
 
 namespace tunica::output::test {
 

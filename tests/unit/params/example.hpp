@@ -7,8 +7,8 @@
 #include <functional>
 #include <string>
 
-#include "base/error.hpp"
-#include "params/table.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/params/table.hpp"
 
 namespace tunica::params::test {
 

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "params/nearest.hpp"
+#include "tunica/params/nearest.hpp"
 
 namespace {
 

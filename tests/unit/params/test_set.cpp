@@ -1,7 +1,7 @@
 #include <Teuchos_Array.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "params/read_xml.hpp"
+#include "tunica/params/read_xml.hpp"
 #include "unit/params/example.hpp"
 
 namespace {

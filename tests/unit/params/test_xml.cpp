@@ -2,7 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <sstream>
 
-#include "params/read_xml.hpp"
+#include "tunica/params/read_xml.hpp"
 #include "unit/params/example.hpp"
 
 namespace {

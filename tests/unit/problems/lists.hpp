@@ -3,10 +3,10 @@
 #include <Teuchos_ParameterList.hpp>
 #include <string>
 
-#include "params/table.hpp"
-#include "problems/fluid_options.hpp"
-#include "problems/observable.hpp"
-#include "problems/solid_options.hpp"
+#include "tunica/params/table.hpp"
+#include "tunica/problems/fluid_options.hpp"
+#include "tunica/problems/observable.hpp"
+#include "tunica/problems/solid_options.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace tunica::test {
@@ -43,8 +43,8 @@ inline Teuchos::ParameterList resolved(Teuchos::ParameterList list, const params
 }
 
 /// x without the entries of nodes on the given surfaces, where conditions fix the vector.
-inline fields::BlockVector free_part(const fields::FieldMesh& mesh, fields::BlockVector x,
-                                     const std::vector<int>& surfaces) {
+inline algebra::BlockVector free_part(const fields::FieldMesh& mesh, algebra::BlockVector x,
+                                      const std::vector<int>& surfaces) {
   const auto u = x.u->getLocalViewHost(Tpetra::Access::ReadWrite);
   for (int a = 0; a < mesh.n_owned; ++a)
     for (const int s : surfaces)
@@ -55,10 +55,12 @@ inline fields::BlockVector free_part(const fields::FieldMesh& mesh, fields::Bloc
 
 /// |K v − (F(x + εv) − F(x − εv))/2ε| / |K v|
 template <class Problem>
-double jacobian_error(Problem& problem, const fields::BlockVector& x, const fields::BlockVector& v,
-                      double epsilon) {
+double jacobian_error(Problem& problem, const algebra::BlockVector& x,
+                      const algebra::BlockVector& v, double epsilon) {
   const fields::FieldMesh& mesh = problem.mesh();
-  fields::BlockVector plus(mesh), minus(mesh), F(mesh), quotient(mesh), Kv(mesh);
+  algebra::BlockVector plus = fields::zero_vector(mesh), minus = fields::zero_vector(mesh),
+                       F = fields::zero_vector(mesh), quotient = fields::zero_vector(mesh),
+                       Kv = fields::zero_vector(mesh);
   plus.assign(x);
   minus.assign(x);
   add(epsilon, v, plus);

@@ -1,9 +1,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
-#include "base/error.hpp"
-#include "problems/fibre_frames.hpp"
-#include "problems/solid_problem.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/problems/fibre_frames.hpp"
+#include "tunica/problems/solid_problem.hpp"
 #include "unit/mesh/helpers.hpp"
 #include "unit/problems/lists.hpp"
 
@@ -43,7 +43,7 @@ double largest_angle(const std::vector<Frame>& a, const std::vector<Frame>& b) {
     largest = std::max({largest, degrees(a[e].radial, b[e].radial),
                         degrees(a[e].circumferential, b[e].circumferential),
                         degrees(a[e].axial, b[e].axial)});
-  return fields::global_max(*test::world(), largest);
+  return global_max(*test::world(), largest);
 }
 
 /// The wall of a tube with the given divisions of the circumference.

@@ -1,11 +1,11 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "assembly/gather.hpp"
-#include "base/error.hpp"
-#include "kernels/surface_tri3.hpp"
-#include "problems/fluid_problem.hpp"
-#include "problems/inverted_element.hpp"
-#include "problems/surface_geometry.hpp"
+#include "tunica/assembly/gather.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/kernels/surface_tri3.hpp"
+#include "tunica/problems/fluid_problem.hpp"
+#include "tunica/problems/inverted_element.hpp"
+#include "tunica/problems/surface_geometry.hpp"
 #include "unit/problems/lists.hpp"
 
 namespace {
@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(fluid_problem, rows_of_prescribed_velocities_have_no_residual)
   FluidProblem fluid(open_tube(), tube.fluid);
   fluid.begin_step(stepping::Clock(0.125, 1));
   fluid.prepare();
-  fields::BlockVector F(tube.fluid);
+  algebra::BlockVector F = fields::zero_vector(tube.fluid);
   fluid.residual(test::scattered(tube.fluid, 1), F);
   const auto values = F.u->getData();
   for (int a = 0; a < tube.fluid.n_owned; ++a)
@@ -88,7 +88,7 @@ TEUCHOS_UNIT_TEST(fluid_problem, a_parabolic_profile_is_zero_at_the_rim_and_full
     TEST_EQUALITY(u[a][0], 0.0);
     highest = std::max(highest, u[a][2]);
   }
-  TEST_FLOATING_EQUALITY(fields::global_max(*test::world(), highest), 0.5, 1e-12);
+  TEST_FLOATING_EQUALITY(global_max(*test::world(), highest), 0.5, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(fluid_problem, inflow_into_a_closed_fluid_is_refused) {
@@ -117,9 +117,8 @@ TEUCHOS_UNIT_TEST(fluid_problem, in_creeping_flow_the_wall_carries_the_load_of_t
   const double area = problems::surface_geometry(tube.fluid, tube.surface("inlet")).area;
   const Vec3 load{0.5 * area, 0.0, 1.332 * area};
   for (int i = 0; i < 3; ++i) {
-    TEST_FLOATING_EQUALITY(fields::global_sum(*test::world(), on_wall[i]) + 10.0, load[i] + 10.0,
-                           1e-9);
-    TEST_COMPARE(std::abs(fields::global_sum(*test::world(), elsewhere[i])), <, 1e-8);
+    TEST_FLOATING_EQUALITY(global_sum(*test::world(), on_wall[i]) + 10.0, load[i] + 10.0, 1e-9);
+    TEST_COMPARE(std::abs(global_sum(*test::world(), elsewhere[i])), <, 1e-8);
   }
 }
 
@@ -216,7 +215,7 @@ TEUCHOS_UNIT_TEST(describe_inversion, the_most_inverted_element_of_all_ranks_is_
   const auto text = problems::describe_inversion(tube.fluid, smallest, 0, "det F").value_or("");
   TEST_ASSERT(text.find("(det F = -5)") != std::string::npos);
   const double mine = rank == last ? tube.fluid.tet_number[0] : 0.0;
-  const int number = static_cast<int>(fields::global_sum(*test::world(), mine));
+  const int number = static_cast<int>(global_sum(*test::world(), mine));
   TEST_ASSERT(text.find("element " + std::to_string(number) + " at") == 0);
 }
 

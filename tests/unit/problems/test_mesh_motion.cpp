@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
-#include "problems/mesh_motion.hpp"
+#include "tunica/problems/mesh_motion.hpp"
 #include "unit/problems/lists.hpp"
 
 namespace {
@@ -22,7 +22,7 @@ Vec3 linear_field(const Vec3& x) {
 double largest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   double found = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) found = std::max(found, norm(a[k] - b[k]));
-  return fields::global_max(*test::world(), found);
+  return global_max(*test::world(), found);
 }
 
 TEUCHOS_UNIT_TEST(mesh_motion, a_linear_field_on_the_whole_boundary_is_reproduced_inside) {
@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(mesh_motion, other_surfaces_stay_and_the_interface_moves_as_gi
     else
       moves_inside = moves_inside || norm(d[a]) > 1e-3;
   }
-  TEST_ASSERT(fields::global_max(*test::world(), moves_inside) > 0.5);
+  TEST_ASSERT(global_max(*test::world(), moves_inside) > 0.5);
 }
 
 TEUCHOS_UNIT_TEST(mesh_motion, the_tolerance_asked_for_is_enough_and_no_number_is_a_failure) {

@@ -1,9 +1,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
-#include "assembly/gather.hpp"
-#include "kernels/surface_tri3.hpp"
-#include "problems/solid_problem.hpp"
+#include "tunica/assembly/gather.hpp"
+#include "tunica/kernels/surface_tri3.hpp"
+#include "tunica/problems/solid_problem.hpp"
 #include "unit/problems/lists.hpp"
 
 namespace {
@@ -73,7 +73,7 @@ TEUCHOS_UNIT_TEST(solid_problem, fibres_out_of_all_bounds_are_refused) {
   SolidProblem wall(resolved(list), tube.wall);
   wall.begin_step(stepping::Clock(0.125, 1));
   const auto x = test::scattered(tube.wall, 1, 0.02);
-  fields::BlockVector F(tube.wall);
+  algebra::BlockVector F = fields::zero_vector(tube.wall);
   TEST_ASSERT(!wall.residual(x, F) || !std::isfinite(test::norm(F)));
 }
 
@@ -150,7 +150,7 @@ TEUCHOS_UNIT_TEST(solid_problem, clamped_and_held_components_stay) {
     TEST_EQUALITY(d[a][2], 0.0);
     moved = std::max(moved, norm(d[a]));
   }
-  TEST_COMPARE(fields::global_max(*test::world(), moved), >, 1e-5);
+  TEST_COMPARE(global_max(*test::world(), moved), >, 1e-5);
 }
 
 TEUCHOS_UNIT_TEST(solid_problem, layers_have_their_own_density_bulk_modulus_and_law) {
@@ -230,7 +230,7 @@ TEUCHOS_UNIT_TEST(solid_problem, an_inverting_displacement_is_refused_on_all_ran
     SolidProblem wall(resolved(clamped()), t.wall);
     wall.begin_step(stepping::Clock(0.125, 1));
     const auto x = test::scattered(t.wall, 3, 0.3);  // no two elements alike
-    fields::BlockVector F(t.wall);
+    algebra::BlockVector F = fields::zero_vector(t.wall);
     const bool is_admissible = wall.residual(x, F);
     return is_admissible ? std::string("admissible") : wall.refusal();
   };
@@ -242,7 +242,7 @@ TEUCHOS_UNIT_TEST(solid_problem, a_displacement_that_is_no_number_is_refused_wit
   const SmallTube tube;
   SolidProblem wall(resolved(clamped()), tube.wall);
   wall.begin_step(stepping::Clock(0.125, 1));
-  fields::BlockVector x(tube.wall), F(tube.wall);
+  algebra::BlockVector x = fields::zero_vector(tube.wall), F = fields::zero_vector(tube.wall);
   if (tube.wall.comm->getRank() == 0) x.u->replaceLocalValue(0, std::nan(""));
   TEST_ASSERT(!wall.residual(x, F));
   TEST_ASSERT(wall.refusal().find("nan") != std::string::npos);

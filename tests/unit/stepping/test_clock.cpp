@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "base/error.hpp"
-#include "stepping/clock.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/stepping/clock.hpp"
 
 namespace {
 

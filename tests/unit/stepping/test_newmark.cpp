@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "stepping/newmark.hpp"
+#include "tunica/stepping/newmark.hpp"
 
 namespace {
 

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <fstream>
 
-#include "base/error.hpp"
-#include "stepping/clock.hpp"
-#include "stepping/time_function.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/stepping/clock.hpp"
+#include "tunica/stepping/time_function.hpp"
 
 namespace {
 

@@ -1,0 +1,26 @@
+#include "tunica/algebra/dof_layout.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "tunica/base/map_of.hpp"
+
+namespace tunica::algebra {
+
+Teuchos::RCP<const Map> DofLayout::mixed_map(const Map& vectors, const Map& scalars) const {
+  std::vector<GlobalOrdinal> numbers;
+  for (const GlobalOrdinal number : vectors.getNodeElementList())
+    numbers.push_back(of_vector(number));
+  for (const GlobalOrdinal node : scalars.getNodeElementList()) numbers.push_back(of_scalar(node));
+  std::sort(numbers.begin(), numbers.end());
+  return map_of(numbers, vectors.getComm());
+}
+
+Teuchos::RCP<const Map> DofLayout::block_map(const Map& mixed, bool of_scalars) const {
+  std::vector<GlobalOrdinal> numbers;
+  for (const GlobalOrdinal number : mixed.getNodeElementList())
+    if (is_scalar(number) == of_scalars) numbers.push_back(in_block(number));
+  return map_of(numbers, mixed.getComm());
+}
+
+}  // namespace tunica::algebra

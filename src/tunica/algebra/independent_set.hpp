@@ -1,0 +1,20 @@
+#pragma once
+#include <vector>
+
+#include "tunica/base/types.hpp"
+
+namespace tunica::algebra {
+
+/// Takes the values of a vector on the rows of a matrix to its columns, own and ghost.
+/// Collective.
+void fetch_columns(const CrsMatrix& matrix, const MultiVector& rows, MultiVector& columns);
+/// The same into a new vector.
+Vector on_columns(const CrsMatrix& matrix, const Vector& rows);
+
+/// A maximal independent set of the graph of a square matrix, one flag per local column: no two
+/// nodes of it are neighbours, every other node has a neighbour in it. Picked greedily in the
+/// given order, a number per row, none twice: the set does not depend on where ranks meet.
+/// Collective.
+std::vector<char> independent_set(const CrsMatrix& nodes, const Vector& order);
+
+}  // namespace tunica::algebra

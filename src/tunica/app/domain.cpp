@@ -1,0 +1,155 @@
+#include "tunica/app/domain.hpp"
+
+#include <algorithm>
+
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/fields/broadcast_mesh.hpp"
+#include "tunica/mesh/faces.hpp"
+#include "tunica/mesh/fingerprint.hpp"
+#include "tunica/mesh/partition.hpp"
+#include "tunica/mesh/read.hpp"
+#include "tunica/mesh/validate.hpp"
+#include "tunica/problems/fluid_options.hpp"
+#include "tunica/problems/solid_options.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+/// What the case says of the mesh.
+struct MeshRequirements {
+  std::vector<std::string> fluid_regions, wall_regions;
+  std::vector<std::string> fluid_surfaces, wall_surfaces, frame_surfaces;
+  std::vector<std::string> interface;
+};
+
+MeshRequirements mesh_requirements_of(const Teuchos::ParameterList& list) {
+  MeshRequirements requirements;
+  std::vector<std::string> on_fluid, on_wall;
+  if (list.isSublist("Fluid")) {
+    const auto options = problems::fluid_options(list.sublist("Fluid"));
+    requirements.fluid_regions = options.regions;
+    for (const auto& c : options.conditions) requirements.fluid_surfaces.push_back(c.surface);
+    on_fluid = options.interface_surfaces();
+  }
+  if (list.isSublist("Wall")) {
+    const auto options = problems::solid_options(list.sublist("Wall"));
+    requirements.wall_regions = options.regions();
+    for (const auto& c : options.conditions) requirements.wall_surfaces.push_back(c.surface);
+    on_wall = options.interface_surfaces();
+    requirements.frame_surfaces = options.frame_surfaces;
+  }
+  if (!list.isSublist("Fluid") || !list.isSublist("Wall")) {
+    TUNICA_CHECK(on_fluid.empty() && on_wall.empty(),
+                 "Surfaces: the condition \"interface\" needs both fluid and wall.");
+    return requirements;
+  }
+  std::sort(on_fluid.begin(), on_fluid.end());
+  std::sort(on_wall.begin(), on_wall.end());
+  TUNICA_CHECK(!on_fluid.empty(), "Fluid / Surfaces: no surface has the condition \"interface\".");
+  TUNICA_CHECK(on_fluid == on_wall,
+               "Fluid / Surfaces and Wall / Surfaces name different surfaces as \"interface\".");
+  requirements.interface = on_fluid;
+  return requirements;
+}
+
+std::vector<int> region_indices(const mesh::Mesh& mesh, const std::vector<std::string>& names,
+                                const std::string& where) {
+  std::vector<int> indices;
+  try {
+    for (const std::string& name : names) indices.push_back(mesh::region_index(mesh, name));
+  } catch (const Error& error) {
+    throw Error(where + ": " + error.what());
+  }
+  return indices;
+}
+
+/// Every surface the case names must exist and bound the field.
+void check_surfaces(const mesh::Mesh& mesh, const std::vector<std::string>& names,
+                    const std::vector<int>& regions, const std::string& where) {
+  const std::vector<mesh::Face> faces = mesh::faces(mesh);
+  const auto is_in_field = [&](int tet) {
+    return tet >= 0 && std::count(regions.begin(), regions.end(), mesh.tet_region[tet]) > 0;
+  };
+  for (const std::string& name : names) {
+    int surface = 0;
+    try {
+      surface = mesh::surface_index(mesh, name);
+    } catch (const Error& error) {
+      throw Error(where + ": " + error.what());
+    }
+    bool bounds_field = false;
+    for (std::size_t t = 0; t < mesh.triangles.size() && !bounds_field; ++t) {
+      if (mesh.triangle_surface[t] != surface) continue;
+      const mesh::Face& face = *mesh::find_face(faces, mesh.triangles[t]);  // a valid mesh has it
+      bounds_field = is_in_field(face.tets[0]) != is_in_field(face.tets[1]);
+    }
+    TUNICA_CHECK(bounds_field, where + ": the surface \"" + name +
+                                   "\" does not bound this field: it lies outside or inside.");
+  }
+}
+
+struct Shares {
+  mesh::Mesh mesh;
+  std::vector<int> fluid, wall;  ///< regions
+};
+
+Shares read_and_check(const Teuchos::ParameterList& list, const MeshRequirements& requirements,
+                      int ranks) {
+  const auto& file = list.sublist("Mesh").get<std::string>("file");
+  Shares shares;
+  shares.mesh = mesh::read(file);
+  try {
+    shares.fluid = region_indices(shares.mesh, requirements.fluid_regions, "Fluid / regions");
+    shares.wall = region_indices(shares.mesh, requirements.wall_regions, "Wall / Layers");
+    check_surfaces(shares.mesh, requirements.fluid_surfaces, shares.fluid, "Fluid / Surfaces");
+    check_surfaces(shares.mesh, requirements.wall_surfaces, shares.wall, "Wall / Surfaces");
+    check_surfaces(shares.mesh, requirements.frame_surfaces, shares.wall, "Wall / Fibre Frame");
+    for (const int r : shares.fluid)
+      TUNICA_CHECK(std::count(shares.wall.begin(), shares.wall.end(), r) == 0,
+                   "the region \"" + shares.mesh.regions[r].name + "\" is both fluid and wall.");
+    if (!requirements.interface.empty())
+      mesh::check_interface(shares.mesh, requirements.fluid_regions, requirements.wall_regions,
+                            requirements.interface);
+    TUNICA_CHECK(ranks <= static_cast<int>(shares.mesh.tets.size()),
+                 "more ranks than elements: " + std::to_string(ranks) + " ranks, " +
+                     std::to_string(shares.mesh.tets.size()) + " tetrahedra.");
+  } catch (const Error& error) {
+    throw Error(file + ": " + error.what());
+  }
+  return shares;
+}
+
+std::vector<bool> marks(const std::vector<int>& regions, std::size_t count) {
+  std::vector<bool> is_marked(count, false);
+  for (const int r : regions) is_marked[r] = true;
+  return is_marked;
+}
+
+}  // namespace
+
+Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
+  const MeshRequirements requirements = mesh_requirements_of(list);
+  Shares shares;
+  on_root(*comm, [&] { shares = read_and_check(list, requirements, comm->getSize()); });
+  fields::broadcast_mesh(*comm, shares.mesh);
+  shares.fluid = region_indices(shares.mesh, requirements.fluid_regions, "Fluid / regions");
+  shares.wall = region_indices(shares.mesh, requirements.wall_regions, "Wall / Layers");
+
+  Domain domain;
+  domain.fingerprint = mesh::fingerprint(shares.mesh);
+  const mesh::Partition partition = mesh::partition(
+      shares.mesh, comm->getSize(), marks(shares.fluid, shares.mesh.regions.size()));
+  if (!shares.fluid.empty())
+    domain.fluid = fields::make_field_mesh(shares.mesh, partition, shares.fluid, comm);
+  if (!shares.wall.empty())
+    domain.wall = fields::make_field_mesh(shares.mesh, partition, shares.wall, comm);
+  for (const std::string& name : requirements.interface)
+    domain.interface_surfaces.push_back(mesh::surface_index(shares.mesh, name));
+  if (domain.fluid && domain.wall)
+    domain.interface.emplace(*domain.fluid, *domain.wall, domain.interface_surfaces);
+  return domain;
+}
+
+}  // namespace tunica::app

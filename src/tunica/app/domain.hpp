@@ -1,0 +1,24 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <memory>
+#include <optional>
+
+#include "tunica/fields/field_mesh.hpp"
+#include "tunica/fields/interface.hpp"
+
+namespace tunica::app {
+
+/// The calling rank's shares of the fields that a case has.
+struct Domain {
+  std::optional<fields::FieldMesh> fluid, wall;
+  std::optional<fields::Interface> interface;
+  std::string fingerprint;              ///< of the mesh
+  std::vector<int> interface_surfaces;  ///< indices into FieldMesh::surfaces
+};
+
+/// Reads and checks the mesh against the case (names of regions and surfaces, conforming
+/// interface, number of ranks), partitions it and builds the fields. Throws Error on all ranks
+/// alike. Collective.
+Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm);
+
+}  // namespace tunica::app

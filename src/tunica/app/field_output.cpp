@@ -1,0 +1,103 @@
+#include "tunica/app/field_output.hpp"
+
+#include <iostream>
+
+#include "tunica/assembly/gather.hpp"
+#include "tunica/kernels/wall_stress.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+output::Array vector_array(const std::string& name, const std::vector<Vec3>& values, int count) {
+  output::Array array{name, 3, {}};
+  for (int a = 0; a < count; ++a)
+    array.values.insert(array.values.end(), values[a].begin(), values[a].end());
+  return array;
+}
+
+output::Array dof_array(const std::string& name, int components, const Vector& v) {
+  const auto view = v.getLocalViewHost(read_only);
+  return {name, components, {view.data(), view.data() + view.extent(0)}};
+}
+
+}  // namespace
+
+output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name) {
+  output::Grid grid;
+  grid.name = name;
+  grid.points_global = static_cast<long long>(mesh.node_map->getGlobalNumElements());
+  grid.first_point = mesh.n_owned > 0 ? mesh.node_map->getMinGlobalIndex() : 0;
+  grid.points.assign(mesh.x.begin(), mesh.x.begin() + mesh.n_owned);
+  grid.vertex.assign(mesh.vertex.begin(), mesh.vertex.begin() + mesh.n_owned);
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    if (!mesh.is_owned[e]) continue;
+    auto& tet = grid.tets.emplace_back();
+    for (int a = 0; a < 4; ++a) tet[a] = mesh.ghosted_map->getGlobalElement(mesh.tets[e][a]);
+    grid.tet_number.push_back(mesh.tet_number[e]);
+    grid.region.push_back(mesh.region[e]);
+    grid.partition.push_back(mesh.comm->getRank());
+  }
+  return grid;
+}
+
+std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
+                                        const std::vector<Vec3>& mesh_displacement) {
+  std::vector<output::Array> arrays{dof_array("velocity", 3, *fluid.state().u),
+                                    dof_array("pressure", 1, *fluid.state().p)};
+  if (!mesh_displacement.empty())
+    arrays.push_back(vector_array("mesh_displacement", mesh_displacement, fluid.mesh().n_owned));
+  return arrays;
+}
+
+std::vector<output::Array> wall_arrays(const problems::SolidProblem& wall) {
+  return {dof_array("displacement", 3, *wall.state().u), dof_array("pressure", 1, *wall.state().p),
+          vector_array("velocity", wall.velocity(), wall.mesh().n_owned)};
+}
+
+std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall) {
+  const fields::FieldMesh& mesh = wall.mesh();
+  const auto d = fields::ghosted_vectors(mesh, *wall.state().u);
+  const auto p = fields::ghosted_scalars(mesh, *wall.state().p);
+  output::Array stress{"cauchy_stress", 6, {}}, von_mises{"von_mises", 1, {}};
+  output::Array around{"circumferential", 3, {}}, along{"axial", 3, {}};
+  const bool has_frames = !wall.elements().frames.empty();
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    if (!mesh.is_owned[e]) continue;
+    const auto& nodes = mesh.tets[e];
+    const Sym3 sigma = kernels::cauchy_stress(
+        wall.elements().geometry[e], assembly::gather(d, nodes), assembly::gather(p, nodes),
+        *wall.elements().law[e], wall.elements().frame(e));
+    stress.values.insert(stress.values.end(), sigma.begin(), sigma.end());
+    von_mises.values.push_back(kernels::von_mises(sigma));
+    if (!has_frames) continue;
+    const materials::Frame& frame = wall.elements().frames[e];
+    for (auto& [array, direction] :
+         {std::pair(&around, frame.circumferential), std::pair(&along, frame.axial)})
+      array->values.insert(array->values.end(), direction.begin(), direction.end());
+  }
+  std::vector<output::Array> arrays{stress, von_mises};
+  if (has_frames) arrays.insert(arrays.end(), {around, along});
+  return arrays;
+}
+
+FieldSeries::FieldSeries(const RunOutput& output, std::vector<output::Grid> grids,
+                         const CommPtr& comm)
+    : every_(output.fields_every) {
+  if (every_ == 0) return;
+  writer_.emplace(output.folder.path(), std::move(grids), comm, output.steps_done());
+  if (comm->getRank() == 0 && !writer_->remark().empty())
+    std::cerr << "warning: " << writer_->remark() << std::endl;
+}
+
+bool FieldSeries::is_due(const stepping::Clock& clock) const {
+  return every_ > 0 && (clock.step() % every_ == 0 || clock.step() == clock.steps());
+}
+
+void FieldSeries::write(const stepping::Clock& clock, const std::vector<GridFields>& fields) {
+  for (const GridFields& f : fields)
+    writer_->write(clock.step(), clock.time(), f.grid, f.points, f.cells);
+  writer_->finish_step();
+}
+
+}  // namespace tunica::app

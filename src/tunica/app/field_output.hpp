@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+
+#include "tunica/app/run.hpp"
+#include "tunica/problems/fluid_problem.hpp"
+#include "tunica/problems/solid_problem.hpp"
+
+namespace tunica::app {
+
+/// The share of a field's mesh that this rank writes.
+output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name);
+
+/// Velocity, pressure and mesh displacement (of all local nodes; empty: rigid) at the nodes.
+std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
+                                        const std::vector<Vec3>& mesh_displacement);
+
+/// Displacement, pressure and velocity at the nodes.
+std::vector<output::Array> wall_arrays(const problems::SolidProblem& wall);
+/// Cauchy stress and von Mises stress of the elements; with fibres the circumferential and the
+/// axial direction in the unloaded wall.
+std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall);
+
+/// The fields of one grid at one time.
+struct GridFields {
+  std::string grid;
+  std::vector<output::Array> points, cells;
+};
+
+/// The time series of the fields, as often as the case wants them.
+class FieldSeries {
+public:
+  /// Collective.
+  FieldSeries(const RunOutput& output, std::vector<output::Grid> grids, const CommPtr& comm);
+
+  bool is_due(const stepping::Clock& clock) const;
+  /// Collective.
+  void write(const stepping::Clock& clock, const std::vector<GridFields>& fields);
+
+private:
+  int every_;
+  std::optional<output::FieldWriter> writer_;
+};
+
+}  // namespace tunica::app

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+
+#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/fields/field_mesh.hpp"
+#include "tunica/linear/named_operators.hpp"
+
+namespace tunica::app {
+
+/// One linear system K x = b, and where in a run it stands. The objects referred to belong to the
+/// problem and change with the next Newton step.
+struct LinearSystem {
+  std::string field;  ///< "fluid", "wall", or "system" for one of another program
+  int step;           ///< all three counted from 1; 0 for one of another program
+  int coupling_iteration;
+  int newton_step;
+  const algebra::BlockMatrices* K;
+  const algebra::BlockVector* b;
+  const linear::NamedOperators* operators;
+  const fields::FieldMesh* mesh = nullptr;  ///< none for one of another program
+
+  /// "fluid-newton-1", "system"
+  std::string name() const {
+    return newton_step == 0 ? field : field + "-newton-" + std::to_string(newton_step);
+  }
+};
+
+}  // namespace tunica::app

@@ -1,0 +1,32 @@
+#pragma once
+#include "tunica/base/tensor.hpp"
+#include "tunica/problems/fluid_problem.hpp"
+#include "tunica/problems/solid_problem.hpp"
+
+namespace tunica::app {
+
+/// The keys of a probe where the case has a fluid, a wall, or both.
+params::Table probe_table(bool has_fluid, bool has_wall);
+
+/// Values at the vertices nearest to given points of the undeformed mesh.
+class Probes {
+public:
+  /// list: the resolved "Probes" list; a field that the case lacks is null. Collective.
+  Probes(const Teuchos::ParameterList& list, const fields::FieldMesh* fluid,
+         const fields::FieldMesh* wall);
+
+  /// One value per probe. Collective.
+  problems::Observables observe(const problems::FluidProblem* fluid,
+                                const problems::SolidProblem* wall) const;
+
+private:
+  struct Probe {
+    std::string name;
+    std::string quantity;
+    Vec3 position;
+    int node;  ///< on the rank that owns the nearest vertex; -1 elsewhere
+  };
+  std::vector<Probe> probes_;
+};
+
+}  // namespace tunica::app

@@ -1,0 +1,21 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+
+#include "tunica/app/domain.hpp"
+#include "tunica/output/checkpoint.hpp"
+
+namespace tunica::app {
+
+/// From where a run goes on.
+struct Restart {
+  std::string file;
+  output::CheckpointHead head;
+};
+
+/// The newest checkpoint in the folder of the case that can be read whole, and says so on the
+/// screen. Throws Error if there is none, or if it does not fit: another mesh, other fields,
+/// another step size. Writes nothing. Collective.
+Restart find_restart(const Teuchos::ParameterList& list, const Domain& domain);
+
+}  // namespace tunica::app

@@ -1,0 +1,172 @@
+#include "tunica/app/run.hpp"
+
+#include <iostream>
+
+#include "tunica/app/exit_status.hpp"
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/base/session.hpp"
+#include "tunica/base/timer.hpp"
+#include "tunica/linear/direct_factor.hpp"
+#include "tunica/params/read_xml.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+long long global_nodes(const fields::FieldMesh& mesh) {
+  return static_cast<long long>(mesh.node_map->getGlobalNumElements());
+}
+
+long long global_tets(const fields::FieldMesh& mesh) {
+  double counted = 0.0;
+  for (const char is_owned : mesh.is_owned) counted += is_owned;
+  return static_cast<long long>(global_sum(*mesh.comm, counted));
+}
+
+/// Entries of the four blocks of a field's Jacobian: 16 per pair of coupled nodes.
+double jacobian_megabytes(const fields::FieldMesh& mesh) {
+  const double pairs = 15.0 * static_cast<double>(global_nodes(mesh));  // typical of tetrahedra
+  return pairs * 16.0 * 12.0 / 1e6;
+}
+
+void describe(std::ostream& out, const std::string& name, const fields::FieldMesh& mesh) {
+  out << name << ": " << global_nodes(mesh) << " vertices, " << global_tets(mesh) << " tetrahedra, "
+      << 4 * global_nodes(mesh) << " unknowns, Jacobian about " << jacobian_megabytes(mesh)
+      << " MB\n";
+}
+
+void describe_domain(const Domain& domain, const Comm& comm) {
+  std::ostringstream text;
+  if (domain.fluid) describe(text, "fluid", *domain.fluid);
+  if (domain.wall) describe(text, "wall", *domain.wall);
+  if (domain.interface) text << "interface: " << domain.interface->n_total() << " vertices\n";
+  text << "ranks: " << comm.getSize() << "\n";
+  if (comm.getRank() == 0) std::cout << text.str() << std::flush;
+}
+
+void record_sizes(const Domain& domain, output::RunRecord& record) {
+  const auto put = [&record](const std::string& name, const fields::FieldMesh& mesh) {
+    record.set("sizes", name + " vertices", global_nodes(mesh));
+    record.set("sizes", name + " tetrahedra", global_tets(mesh));
+  };
+  if (domain.fluid) put("fluid", *domain.fluid);
+  if (domain.wall) put("wall", *domain.wall);
+  if (domain.interface) record.set("sizes", "interface vertices", domain.interface->n_total());
+}
+
+/// The work and what is written about it.
+int conclude(const Program& program, RunOutput& output, const Comm& comm,
+             const std::function<RunResult()>& work) {
+  output.record.save();
+  const Stopwatch marching;
+  const RunResult verdict = work();
+  output.record.add_time("march", marching.seconds());
+  if (output.restart)
+    output.record.add_time("march from the first step",
+                           output.restart->head.seconds + marching.seconds());
+  output.record.finish(
+      verdict.is_converged ? output::RunStatus::done : output::RunStatus::not_converged,
+      verdict.reason);
+  if (comm.getRank() == 0) {
+    if (!verdict.is_converged) std::cerr << program.name << ": " << verdict.reason << std::endl;
+    std::cout << "results in " << output.folder.path() << std::endl;
+  }
+  return verdict.is_converged ? exit_done : exit_not_converged;
+}
+
+/// True, and says so, if the run has made all its steps before.
+bool is_over(const output::CheckpointHead& head, const Teuchos::ParameterList& time,
+             const Comm& comm) {
+  const int steps = time.get<int>("steps");
+  if (head.step < steps) return false;
+  if (comm.getRank() == 0)
+    std::cout << "nothing to do: the run has made " << head.step << " of " << steps
+              << " steps. More with --steps." << std::endl;
+  return true;
+}
+
+int solve(const Program& program, const CommandLine& command, const March& march,
+          const CommPtr& comm) {
+  const Stopwatch set_up;
+  const Teuchos::ParameterList list = read_case(command, program.table, *comm);
+  const Domain domain = load_domain(list, comm);
+  describe_domain(domain, *comm);
+  std::optional<Restart> restart;
+  if (command.restart) restart = find_restart(list, domain);
+  if (restart && is_over(restart->head, list.sublist("Time"), *comm)) return exit_done;
+  if (command.dry_run) return exit_done;
+  linear::check_direct_solver(comm);
+  RunOutput output(program, list, comm, restart);
+  output.fingerprint = domain.fingerprint;
+  output.record.set("case", "file", command.case_file);
+  record_sizes(domain, output.record);
+  output.record.add_time("set-up", set_up.seconds());
+  return conclude(program, output, *comm, [&] { return march(list, domain, output); });
+}
+
+int solve(const Program& program, const CommandLine& command, const Alternative& alternative,
+          const CommPtr& comm) {
+  const Stopwatch set_up;
+  const Teuchos::ParameterList list = read_case(command, alternative.table, *comm);
+  const auto work = alternative.load(list, comm);
+  if (command.dry_run) return exit_done;
+  linear::check_direct_solver(comm);
+  RunOutput output(program, list, comm);
+  output.record.set("case", "file", command.case_file);
+  output.record.add_time("set-up", set_up.seconds());
+  return conclude(program, output, *comm, [&] { return work(output); });
+}
+
+/// A key of the list "Output" that not every case has.
+int every(const Teuchos::ParameterList& list, const std::string& key) {
+  const Teuchos::ParameterList& output = list.sublist("Output");
+  return output.isParameter(key) ? output.get<int>(key) : 0;
+}
+
+}  // namespace
+
+int fault(const std::string& message, const Comm& comm) {
+  std::cerr << message << std::endl;
+  if (comm.getSize() > 1) MPI_Abort(MPI_COMM_WORLD, exit_fault);
+  return exit_fault;
+}
+
+RunOutput::RunOutput(const Program& program, const Teuchos::ParameterList& list,
+                     const CommPtr& comm, std::optional<Restart> from)
+    : folder(list.sublist("Output").get<std::string>("folder"), comm),
+      record(folder.file("run.json"), program.name, TUNICA_VERSION, comm),
+      fields_every(every(list, "fields every")), checkpoint_every(every(list, "checkpoint every")),
+      restart(std::move(from)) {
+  if (restart) record.take_over(steps_done());
+  on_root(*comm, [&] { params::write_xml(list, folder.file("case.xml")); });
+}
+
+int run_program(int argc, char** argv, const Program& program, const March& march,
+                const std::optional<Alternative>& alternative) {
+  const Session session;
+  const CommPtr comm = all_ranks();
+  const bool is_root = comm->getRank() == 0;
+  try {
+    const CommandLine command = parse(argc, argv, program.name, program.sentence);
+    if (command.help && is_root) std::cout << usage(program.name, program.sentence);
+    if (command.print_defaults && is_root) program.table.print_xml(std::cout, "Case");
+    if (command.help || command.print_defaults) return exit_done;
+    if (alternative && has_list(command.case_file, alternative->list, *comm))
+      return solve(program, command, *alternative, comm);
+    return solve(program, command, march, comm);
+  } catch (const Error& error) {  // the same on all ranks
+    if (is_root) std::cerr << program.name << ": " << error.what() << std::endl;
+    return exit_bad_input;
+  } catch (const MachineFault& error) {  // the same on all ranks
+    if (is_root) std::cerr << program.name << ": " << error.what() << std::endl;
+    comm->barrier();  // told before MPI ends all
+    if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, exit_fault);
+    return exit_fault;
+  } catch (const std::exception& error) {
+    return fault(program.name + ": " + error.what(), *comm);
+  }
+}
+
+}  // namespace tunica::app

@@ -1,0 +1,64 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "tunica/app/case.hpp"
+#include "tunica/app/command_line.hpp"
+#include "tunica/app/domain.hpp"
+#include "tunica/app/restart.hpp"
+#include "tunica/output/field_writer.hpp"
+#include "tunica/output/run_folder.hpp"
+#include "tunica/output/run_record.hpp"
+
+namespace tunica::app {
+
+/// A program that solves a case.
+struct Program {
+  std::string name;      ///< "tunica-fsi"
+  std::string sentence;  ///< for --help
+  params::Table table;   ///< every key of its cases
+};
+
+/// What every run writes beside its tables. Made when the case and the mesh are known to be
+/// good, so that a bad input leaves nothing behind.
+struct RunOutput {
+  RunOutput(const Program& program, const Teuchos::ParameterList& list, const CommPtr& comm,
+            std::optional<Restart> from = {});
+
+  int steps_done() const { return restart ? restart->head.step : 0; }
+
+  output::RunFolder folder;
+  output::RunRecord record;
+  int fields_every, checkpoint_every;
+  std::optional<Restart> restart;  ///< from where the run goes on
+  std::string fingerprint{};       ///< of the mesh
+};
+
+/// How a run ended.
+struct RunResult {
+  bool is_converged = true;
+  std::string reason;
+};
+
+/// Ends a program by a fault of ours or of the machine. A fault of one rank would leave the
+/// others waiting in a collective call: it ends them too.
+int fault(const std::string& message, const Comm& comm);
+
+using March = std::function<RunResult(const Teuchos::ParameterList&, const Domain&, RunOutput&)>;
+
+/// What a program does with a case that has a certain list at the top: such a case has no mesh.
+struct Alternative {
+  std::string list;
+  params::Table table;
+  /// Reads what the case names, and returns the work. Collective, both.
+  std::function<std::function<RunResult(RunOutput&)>(const Teuchos::ParameterList&, const CommPtr&)>
+      load;
+};
+
+/// The frame of every solving driver: command line, case, mesh, --dry-run, the march, and the
+/// one place where errors become exit statuses. Starts and ends MPI.
+int run_program(int argc, char** argv, const Program& program, const March& march,
+                const std::optional<Alternative>& alternative = {});
+
+}  // namespace tunica::app

@@ -1,0 +1,78 @@
+#pragma once
+#include <deque>
+
+#include "tunica/app/run.hpp"
+#include "tunica/base/timer.hpp"
+#include "tunica/coupling/dirichlet_neumann.hpp"
+#include "tunica/io/csv_table.hpp"
+#include "tunica/problems/observable.hpp"
+
+namespace tunica::app {
+
+/// Where a row belongs.
+struct IterationIndex {
+  int step;
+  double time;
+  int coupling_iteration;  ///< 0 where there is no coupling
+};
+
+/// Totals of one time step.
+struct StepSummary {
+  bool is_converged = false;
+  int coupling_iterations = 0;
+  double interface_residual = 0.0;
+  int fluid_newton = 0, wall_newton = 0;
+  int fluid_linear = 0, wall_linear = 0;
+};
+
+/// The tables of a run, a row per step, coupling iteration, Newton step and linear solve, and
+/// one line on the screen per step.
+class RunLog {
+public:
+  /// A run that goes on keeps the rows of the steps before.
+  RunLog(const RunOutput& output, bool is_root, int steps);
+
+  void newton(const IterationIndex& moment, const std::string& field,
+              const nonlinear::NewtonReport& report);
+  void coupling(const IterationIndex& moment, const coupling::Iteration& iteration);
+  /// A line on the screen for what the run goes on in spite of.
+  void warn(const std::string& text) const;
+  void step(const IterationIndex& moment, const StepSummary& summary,
+            const problems::Observables& observables);
+
+private:
+  void open_steps(const problems::Observables& observables);
+  /// ", about 12 min left" for so many steps to come, from the mean of the last ones.
+  std::string time_left(int steps) const;
+  void print(const IterationIndex& moment, const StepSummary& summary) const;
+
+  std::string steps_file_;
+  bool is_root_;
+  int steps_, steps_done_;
+  std::unique_ptr<io::CsvTable> steps_table_;
+  io::CsvTable coupling_, newton_, linear_;
+  Stopwatch run_;
+  double last_ = 0.0;           ///< seconds of the run at the end of the last step
+  std::deque<double> seconds_;  ///< of the last steps, newest first
+};
+
+/// "12 min": as precise as an estimate deserves.
+std::string rough_duration(double seconds);
+
+StepSummary summary_of(const coupling::Report& report);
+/// Of a field that is solved alone.
+StepSummary fluid_summary(const nonlinear::NewtonReport& report);
+StepSummary wall_summary(const nonlinear::NewtonReport& report);
+/// Why a run of one field ends early.
+std::string failure(const stepping::Clock& clock, const std::string& field,
+                    const nonlinear::NewtonReport& report);
+
+/// All observables in one list.
+problems::Observables joined(const std::vector<problems::Observables>& parts);
+
+/// Notes how fast a field's Jacobians were assembled, in tetrahedra per second and rank.
+/// Collective.
+void record_assembly(output::RunRecord& record, const std::string& field, const Throughput& meter,
+                     const Comm& comm);
+
+}  // namespace tunica::app

@@ -1,0 +1,104 @@
+#include "tunica/app/schema.hpp"
+
+#include "tunica/app/probes.hpp"
+#include "tunica/app/solver_table.hpp"
+#include "tunica/app/system_capture.hpp"
+#include "tunica/app/system_export.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/coupling/dirichlet_neumann.hpp"
+#include "tunica/problems/fluid_options.hpp"
+#include "tunica/problems/mesh_motion.hpp"
+#include "tunica/problems/solid_options.hpp"
+#include "tunica/stepping/clock.hpp"
+#include "tunica/systems/read_system.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+params::Table mesh_table() {
+  params::Table table("The mesh of fluid and wall.");
+  table.file("file", std::nullopt, "Gmsh 2.2 or 4.1, Netgen .vol, or our HDF5; lengths in mm");
+  return table;
+}
+
+params::Table output_table() {
+  params::Table table("What a run leaves behind.");
+  table.text("folder", "results", "folder of the results; --output overrides it")
+      .integer("fields every", 1, params::non_negative(),
+               "write the fields after every so many steps; 0 never")
+      .integer("checkpoint every", 1, params::non_negative(),
+               "write a checkpoint for --restart after every so many steps; 0 never");
+  return table;
+}
+
+/// The wanted step and iteration must come to pass.
+void check_wish(const Teuchos::ParameterList& list, const std::string&) {
+  const auto check = [&](const char* key, const std::string& where, const char* limit) {
+    const int wanted = list.sublist("Solvers").get<int>(key);
+    const int most = list.sublist(where).get<int>(limit);
+    TUNICA_CHECK(wanted <= most, std::string("Solvers: \"") + key + "\" is " +
+                                     std::to_string(wanted) + ", but " + where + " / " + limit +
+                                     " is " + std::to_string(most) + ".");
+  };
+  check("step", "Time", "steps");
+  check("coupling iteration", "Coupling", "max iterations");
+}
+
+/// Keys that every case has.
+params::Table common_table(const std::string& sentence, bool has_fluid, bool has_wall) {
+  params::Table table(sentence);
+  table.sublist("Mesh", mesh_table())
+      .sublist("Time", stepping::time_table())
+      .sublist("Output", output_table())
+      .entries("Probes", probe_table(has_fluid, has_wall),
+               "points whose values become columns of steps.csv");
+  return table;
+}
+
+}  // namespace
+
+params::Table fsi_table() {
+  params::Table table = common_table("A fluid-structure interaction problem.", true, true);
+  table.sublist("Fluid", problems::fluid_table())
+      .sublist("Wall", problems::solid_table())
+      .sublist("Mesh Motion", problems::mesh_motion_table())
+      .sublist("Coupling", coupling::coupling_table());
+  return table;
+}
+
+params::Table solid_table() {
+  params::Table table = common_table("A wall alone.", false, true);
+  table.sublist("Wall", problems::solid_table());
+  return table;
+}
+
+params::Table fluid_table() {
+  params::Table table = common_table("A fluid alone, in a rigid domain.", true, false);
+  table.sublist("Fluid", problems::fluid_table());
+  return table;
+}
+
+params::Table solvers_table() {
+  params::Table solvers("What tunica-solvers compares, and on which linear systems.");
+  add_capture_keys(solvers);
+  add_setting_keys(solvers);
+  add_export_keys(solvers);
+  params::Table table = fsi_table();
+  table.sublist("Solvers", solvers).check(check_wish);
+  return table;
+}
+
+params::Table system_solvers_table() {
+  params::Table solvers("What tunica-solvers compares.");
+  add_system_setting_keys(solvers);
+  params::Table output("What a run leaves behind.");
+  output.text("folder", "results", "folder of the results; --output overrides it");
+  params::Table table("A linear system of another program.");
+  table.sublist("System", systems::system_table())
+      .sublist("Solvers", solvers)
+      .sublist("Output", output);
+  return table;
+}
+
+}  // namespace tunica::app

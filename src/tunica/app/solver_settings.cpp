@@ -1,0 +1,86 @@
+#include "tunica/app/solver_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/exception_summary.hpp"
+#include "tunica/base/heap.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/base/timer.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+std::string verdict_of(const SolverSetting& setting, const linear::SolveReport& solve) {
+  if (solve.is_converged) return "converged";
+  if (!std::isfinite(solve.recurrence_residual)) return "breakdown";
+  if (!(solve.true_residual < 1.0)) return "diverged";
+  if (solve.recurrence_residual <= solve.tolerance) return "drifted";
+  const bool has_cap = setting.list.isParameter("max iterations");
+  return has_cap && solve.iterations >= setting.list.get<int>("max iterations") ? "cap"
+                                                                                : "stagnated";
+}
+
+double norm_of_difference(const Vector& x, const Vector& y) {
+  Vector difference(x, Teuchos::Copy);
+  difference.update(-1.0, y, 1.0);
+  return difference.norm2();
+}
+
+}  // namespace
+
+double SolverRow::convergence_factor() const {
+  if (solve.iterations == 0) return std::numeric_limits<double>::quiet_NaN();
+  return std::pow(solve.true_residual, 1.0 / solve.iterations);
+}
+
+SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, double tolerance,
+                      algebra::BlockVector& x) {
+  const Comm& comm = *system.K->comm();
+  SolverRow row;
+  row.field = system.field;
+  row.newton_step = system.newton_step;
+  row.setting = setting.name;
+  row.method = setting.list.get<std::string>("method");
+  if (setting.list.isParameter("preconditioner"))
+    row.preconditioner = setting.list.get<std::string>("preconditioner");
+  row.unknowns = system.K->n_unknowns();
+  row.solve.true_residual = row.solve.recurrence_residual =
+      std::numeric_limits<double>::quiet_NaN();
+  std::string failure;
+  comm.barrier();
+  const Stopwatch watch;
+  const double heap_before = heap_bytes();
+  double held = 0.0, setup_seconds = 0.0;
+  try {
+    const auto solver = linear::make_linear_solver(setting.list, *system.K, *system.operators);
+    solver->prepare();
+    setup_seconds = watch.seconds();
+    solver->prepare();
+    row.refresh_seconds = watch.seconds() - setup_seconds;
+    row.solve = solver->solve(*system.b, x, tolerance);
+    held = heap_bytes() - heap_before;
+  } catch (const std::exception& error) {
+    failure = exception_summary(error.what());
+  }
+  row.solve.setup_seconds = global_max(comm, setup_seconds);
+  row.refresh_seconds = global_max(comm, row.refresh_seconds);
+  row.solve.solve_seconds = global_max(comm, row.solve.solve_seconds);
+  row.memory_megabytes = global_sum(comm, held) / 1e6;
+  failure = agreed_message(comm, failure);
+  row.verdict = failure.empty() ? verdict_of(setting, row.solve) : failure;
+  row.solve.is_converged = row.verdict == "converged";
+  return row;
+}
+
+double relative_difference(const algebra::BlockVector& x, const algebra::BlockVector& y) {
+  const auto part = [](const Vector& a, const Vector& b) {
+    const double difference = norm_of_difference(a, b), size = b.norm2();
+    return size > 0.0 ? difference / size : difference;
+  };
+  return std::max(part(*x.u, *y.u), part(*x.p, *y.p));
+}
+
+}  // namespace tunica::app

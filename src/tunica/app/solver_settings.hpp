@@ -1,0 +1,44 @@
+#pragma once
+#include <limits>
+#include <vector>
+
+#include "tunica/app/linear_system.hpp"
+#include "tunica/linear/linear_solver.hpp"
+
+namespace tunica::app {
+
+/// One entry of the list of settings.
+struct SolverSetting {
+  std::string name;
+  Teuchos::ParameterList list;  ///< a resolved "Linear Solver" list
+};
+
+/// What a setting did to a system.
+struct SolverRow {
+  std::string field;
+  int newton_step = 0;
+  std::string setting, method, preconditioner;
+  long long unknowns = 0;
+  /// Here setup_seconds is all that is not iteration: matrices made and copied, factors.
+  linear::SolveReport solve;
+  double refresh_seconds = 0.0;   ///< to set up once more, as for new values on the same graphs
+  double memory_megabytes = 0.0;  ///< what the solver holds after the solve, on all ranks
+  double difference = std::numeric_limits<double>::quiet_NaN();  ///< see SolverTable
+  /// "converged"; "cap" on the iterations; "stagnated" before it; "drifted": small by the
+  /// recurrence, not in truth; "diverged"; "breakdown"; or what an exception said.
+  std::string verdict;
+
+  /// Mean factor by which an iteration reduced the true residual.
+  double convergence_factor() const;
+  double seconds() const { return solve.setup_seconds + solve.solve_seconds; }
+};
+
+/// Sets a solver up anew and solves from zero to the tolerance; times are those of the slowest
+/// rank. No exception of the solver gets through. Collective.
+SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, double tolerance,
+                      algebra::BlockVector& x);
+
+/// |x − y| / |y|, the larger one of the two blocks.
+double relative_difference(const algebra::BlockVector& x, const algebra::BlockVector& y);
+
+}  // namespace tunica::app

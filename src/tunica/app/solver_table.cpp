@@ -1,0 +1,195 @@
+#include "tunica/app/solver_table.hpp"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "tunica/base/timer.hpp"
+#include "tunica/io/atomic_file.hpp"
+#include "tunica/problems/fluid_options.hpp"
+#include "tunica/problems/solid_options.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> columns() {
+  return {"field",
+          "newton_step",
+          "setting",
+          "method",
+          "preconditioner",
+          "unknowns",
+          "iterations",
+          "convergence_factor",
+          "true_residual",
+          "recurrence_residual",
+          "setup_seconds",
+          "solve_seconds",
+          "difference",
+          "verdict",
+          "levels",
+          "operator_complexity",
+          "operator_applications",
+          "refresh_seconds",
+          "memory_megabytes"};
+}
+
+/// `25200 3840 640`
+std::string level_sizes(const SolverRow& row) {
+  std::string text;
+  for (const long long n : row.solve.levels.unknowns)
+    text += (text.empty() ? "" : " ") + std::to_string(n);
+  return text;
+}
+
+std::vector<io::Cell> cells(const SolverRow& row) {
+  const linear::SolveReport& s = row.solve;
+  return {row.field,
+          row.newton_step,
+          row.setting,
+          row.method,
+          row.preconditioner,
+          row.unknowns,
+          s.iterations,
+          row.convergence_factor(),
+          s.true_residual,
+          s.recurrence_residual,
+          s.setup_seconds,
+          s.solve_seconds,
+          row.difference,
+          row.verdict,
+          level_sizes(row),
+          s.levels.operator_complexity,
+          s.operator_applications,
+          row.refresh_seconds,
+          row.memory_megabytes};
+}
+
+/// For systems that come without named operators.
+params::Table foreign_solver_table() {
+  linear::SolverDefaults defaults;
+  defaults.block = linear::default_block_preconditioner(1, 1, "Algebraic");
+  return linear::linear_solver_table(defaults);
+}
+
+std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,
+                                       const std::string& field) {
+  const Teuchos::ParameterList& entries = list.sublist("Solvers").sublist(field);
+  std::vector<SolverSetting> settings;
+  for (auto it = entries.begin(); it != entries.end(); ++it)
+    settings.push_back({entries.name(it), entries.sublist(entries.name(it))});
+  if (settings.empty() && !list.isSublist(field)) {
+    Teuchos::ParameterList fallback;
+    foreign_solver_table().resolve(fallback, "", "");
+    settings.push_back({"default", fallback});
+  }
+  if (settings.empty()) settings.push_back({"case", list.sublist(field).sublist("Linear Solver")});
+  return settings;
+}
+
+std::map<std::string, std::vector<SolverSetting>> all_settings(const Teuchos::ParameterList& list) {
+  if (list.isSublist("System")) return {{"system", settings_of(list, "Settings")}};
+  return {{"fluid", settings_of(list, "Fluid")}, {"wall", settings_of(list, "Wall")}};
+}
+
+std::map<std::string, int> place_of(const Teuchos::ParameterList& solvers) {
+  std::map<std::string, int> place;
+  for (const char* key : {"step", "coupling iteration"})
+    if (solvers.isParameter(key)) place[key] = solvers.get<int>(key);
+  return place;
+}
+
+void add_tolerance(params::Table& table) {
+  table.number("tolerance", 1e-8, params::Range{0.0, 1.0, true, true}, "1",
+               "reduction of the residual that every setting has to reach");
+}
+
+constexpr const char* settings_sentence =
+    "settings to compare, each like a \"Linear Solver\" list; the first is the measure of the "
+    "others";
+
+}  // namespace
+
+void add_system_setting_keys(params::Table& table) {
+  add_tolerance(table);
+  table.entries("Settings", foreign_solver_table(), settings_sentence);
+}
+
+void add_setting_keys(params::Table& table) {
+  add_tolerance(table);
+  table.entries("Fluid", problems::fluid_solver_table(), settings_sentence)
+      .entries("Wall", problems::solid_solver_table(), settings_sentence);
+}
+
+std::string note_on(const BestSolution& solution) {
+  std::ostringstream text;
+  text << "setting \"" << solution.setting << "\", relative residual " << solution.true_residual;
+  return text.str();
+}
+
+SolverTable::SolverTable(const Teuchos::ParameterList& list, const RunOutput& output, bool is_root)
+    : settings_(all_settings(list)), tolerance_(list.sublist("Solvers").get<double>("tolerance")),
+      place_(place_of(list.sublist("Solvers"))), is_root_(is_root), record_(&output.record),
+      json_file_(output.folder.file("solvers.json")),
+      csv_(output.folder.file("solvers.csv"), columns(), is_root) {
+  save();  // so that it never tells of an earlier run
+}
+
+std::optional<BestSolution> SolverTable::run(const LinearSystem& system) {
+  std::optional<BestSolution> best;
+  std::optional<algebra::BlockVector> first;
+  const Stopwatch watch;
+  for (const SolverSetting& setting : settings_.at(system.field)) {
+    algebra::BlockVector x = system.K->zero();
+    SolverRow row = run_setting(setting, system, tolerance_, x);
+    if (row.solve.is_converged) {
+      if (!first) first = x;
+      row.difference = relative_difference(x, *first);
+    }
+    if (row.solve.true_residual < (best ? best->true_residual : 1.0))
+      best = {setting.name, row.solve.true_residual, x};
+    add(row);
+  }
+  save();
+  if (is_root_)
+    std::cout << system.name() << ": " << settings_.at(system.field).size() << " settings, "
+              << watch.seconds() << " s" << std::endl;
+  return best;
+}
+
+void SolverTable::add(const SolverRow& row) {
+  csv_.row(cells(row));
+  rows_.push_back(row);
+}
+
+void SolverTable::save() const {
+  if (!is_root_) return;
+  const Json record = Json::parse(record_->text());
+  Json out;
+  for (const char* section : {"program", "case", "ranks", "versions", "sizes"})
+    if (record.contains(section)) out[section] = record.at(section);
+  for (const auto& [key, number] : place_) out[key] = number;
+  out["tolerance"] = tolerance_;
+  out["solves"] = Json::array();
+  for (const SolverRow& row : rows_) {
+    Json& solve = out["solves"].emplace_back();
+    const std::vector<io::Cell> values = cells(row);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      std::visit([&](const auto& value) { solve[csv_.columns()[i]] = value; }, values[i]);
+  }
+  const std::string problem =
+      io::replace_file(json_file_, out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (!problem.empty()) throw std::runtime_error(problem);
+}
+
+void SolverTable::print() const {
+  if (!is_root_) return;
+  for (const auto& [field, settings] : settings_) std::cout << text_of(rows_, field);
+  std::cout << std::flush;
+}
+
+}  // namespace tunica::app

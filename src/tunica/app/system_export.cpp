@@ -1,0 +1,114 @@
+#include "tunica/app/system_export.hpp"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "tunica/base/agreement.hpp"
+#include "tunica/io/atomic_file.hpp"
+#include "tunica/io/matrix_market.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+MultiVector coordinates(const fields::FieldMesh& mesh) {
+  MultiVector x(mesh.node_map, 3);
+  const auto values = x.getLocalViewHost(overwrite_all);
+  for (int a = 0; a < mesh.n_owned; ++a)
+    for (int i = 0; i < 3; ++i) values(a, i) = mesh.x[a][i];
+  return x;
+}
+
+/// Translations along and small rotations about the axes.
+MultiVector rigid_motions(const fields::FieldMesh& mesh) {
+  MultiVector modes(mesh.vector_map, 6);
+  const auto values = modes.getLocalViewHost(overwrite_all);
+  const Mat3 axes = identity();
+  for (int a = 0; a < mesh.n_owned; ++a)
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 turned = cross(axes[k], mesh.x[a]);
+      for (int i = 0; i < 3; ++i) {
+        values(3 * a + i, k) = axes[k][i];
+        values(3 * a + i, 3 + k) = turned[i];
+      }
+    }
+  return modes;
+}
+
+std::string state_of(const LinearSystem& system, const output::RunRecord& record) {
+  const Json run = Json::parse(record.text());
+  const auto nodes = static_cast<long long>(system.mesh->node_map->getGlobalNumElements());
+  const bool is_fluid = system.field == "fluid";
+  Json out;
+  for (const char* section : {"program", "case", "ranks", "versions"})
+    out[section] = run.at(section);
+  out["field"] = system.field;
+  out["step"] = system.step;
+  out["coupling iteration"] = system.coupling_iteration;
+  out["newton step"] = system.newton_step;
+  out["sizes"] = {{"nodes", nodes}, {"vector unknowns", 3 * nodes}, {"scalar unknowns", nodes}};
+  out["operator"] = "K = [A B1T; B2 -C]; constrained rows and columns keep their diagonal only";
+  out["ordering"] =
+      "vector unknown 3*node + i, scalar unknown node, both counted from 0; "
+      "rhs and solution hold all vector unknowns, then all scalar ones";
+  out["meaning"] = "K x = rhs = residual of Newton's method; its full step is -x";
+  out["units"] = {{"base", "mm, ms, mg"},
+                  {"coordinates", "mm, undeformed mesh"},
+                  {"vector unknowns", is_fluid ? "mm/ms" : "mm"},
+                  {"scalar unknowns", "kPa"},
+                  {"vector rows of rhs", "mN"},
+                  {"scalar rows of rhs", is_fluid ? "mm^3/ms" : "mm^3"}};
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+void add_export_keys(params::Table& table) {
+  table.text("export folder", "",
+             "write the systems there as Matrix Market files; --export overrides it");
+}
+
+SystemExport::SystemExport(const std::string& folder, const output::RunRecord& record,
+                           const CommPtr& comm)
+    : folder_(folder), record_(&record), comm_(comm) {
+  if (!folder_.empty()) const output::RunFolder made(folder_, comm_);
+}
+
+std::string SystemExport::path(const LinearSystem& system, const std::string& file) const {
+  return folder_ + "/" + system.name() + "/" + file;
+}
+
+void SystemExport::write(const LinearSystem& system) const {
+  if (folder_.empty()) return;
+  const output::RunFolder made(folder_ + "/" + system.name(), comm_);
+  using io::write_matrix_market;
+  write_matrix_market(path(system, "A.mtx"), *system.K->A, 1.0, "");
+  write_matrix_market(path(system, "B1T.mtx"), *system.K->B1T, 1.0, "");
+  write_matrix_market(path(system, "B2.mtx"), *system.K->B2, 1.0, "");
+  write_matrix_market(path(system, "C.mtx"), *system.K->mC, -1.0, "");
+  write_matrix_market(path(system, "rhs.mtx"), {system.b->u.get(), system.b->p.get()}, "");
+  const MultiVector x = coordinates(*system.mesh), modes = rigid_motions(*system.mesh);
+  write_matrix_market(path(system, "coordinates.mtx"), {&x}, "mm");
+  write_matrix_market(path(system, "nullspace.mtx"), {&modes}, "");
+  std::string problem;
+  if (comm_->getRank() == 0)
+    problem = io::replace_file(path(system, "state.json"), state_of(system, *record_));
+  problem = agreed_message(*comm_, problem);
+  if (!problem.empty()) throw std::runtime_error(problem);
+}
+
+void SystemExport::write(const LinearSystem& system,
+                         const std::optional<BestSolution>& solution) const {
+  if (folder_.empty()) return;
+  const std::string file = path(system, "solution.mtx");
+  if (!solution) {
+    if (comm_->getRank() == 0) std::remove(file.c_str());
+    return;
+  }
+  io::write_matrix_market(file, {solution->x.u.get(), solution->x.p.get()}, note_on(*solution));
+}
+
+}  // namespace tunica::app

@@ -1,0 +1,132 @@
+#include "tunica/assembly/block_assembler.hpp"
+
+#include <algorithm>
+
+namespace tunica::assembly {
+
+namespace {
+
+/// The values of a matrix, zeroed and open for writing.
+double* open_values(CrsMatrix& matrix) {
+  matrix.resumeFill();
+  const auto values = matrix.getLocalMatrixHost().values;
+  std::fill(values.data(), values.data() + values.extent(0), 0.0);
+  return values.data();
+}
+
+void close_values(CrsMatrix& matrix) {
+  matrix.fillComplete(matrix.getDomainMap(), matrix.getRangeMap());
+}
+
+/// Zeroes constrained rows and columns of an element matrix but for their diagonals.
+void constrain(const std::array<std::uint8_t, 4>& fixed, kernels::MixedJacobian& K) {
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      const bool is_fixed_p_row = fixed[a] & fixed_scalar, is_fixed_p_col = fixed[b] & fixed_scalar;
+      for (int i = 0; i < 3; ++i) {
+        const bool is_fixed_row = (fixed[a] >> i) & 1, is_fixed_col = (fixed[b] >> i) & 1;
+        for (int j = 0; j < 3; ++j)
+          if ((is_fixed_row || ((fixed[b] >> j) & 1)) && !(a == b && i == j)) K.A[a][b][i][j] = 0.0;
+        if (is_fixed_row || is_fixed_p_col) K.B1T[a][b][i] = 0.0;
+        if (is_fixed_p_row || is_fixed_col) K.B2[a][b][i] = 0.0;
+      }
+      if ((is_fixed_p_row || is_fixed_p_col) && a != b) K.mC[a][b] = 0.0;
+    }
+}
+
+}  // namespace
+
+void NodalResidual::set_zero() {
+  std::fill(u.begin(), u.end(), Vec3{});
+  std::fill(p.begin(), p.end(), 0.0);
+}
+
+void NodalResidual::add(const fields::FieldMesh& mesh, std::size_t e,
+                        const kernels::MixedResidual& R) {
+  for (int a = 0; a < 4; ++a) {
+    const int node = mesh.tets[e][a];
+    if (node >= mesh.n_owned) continue;
+    u[node] += R.u[a];
+    p[node] += R.p[a];
+  }
+}
+
+void NodalResidual::add(const fields::FieldMesh& mesh, const fields::Face& face,
+                        const kernels::SurfaceResidual& R) {
+  for (int a = 0; a < 3; ++a)
+    if (face.nodes[a] < mesh.n_owned) u[face.nodes[a]] += R.u[a];
+}
+
+void NodalResidual::store(const fields::FieldMesh& mesh, const Constraints& fixed,
+                          algebra::BlockVector& F) const {
+  const auto fu = F.u->getLocalViewHost(overwrite_all);
+  const auto fp = F.p->getLocalViewHost(overwrite_all);
+  for (int a = 0; a < mesh.n_owned; ++a) {
+    for (int i = 0; i < 3; ++i) fu(3 * a + i, 0) = (fixed[a] >> i) & 1 ? 0.0 : u[a][i];
+    fp(a, 0) = fixed[a] & fixed_scalar ? 0.0 : p[a];
+  }
+}
+
+BlockAssembler::BlockAssembler(fields::BlockOperator& K, const Constraints& fixed)
+    : K_(&K), mesh_(&K.mesh()), graph_(&K.graph()), fixed_(&fixed), A_(open_values(*K.A)),
+      B1T_(open_values(*K.B1T)), B2_(open_values(*K.B2)), mC_(open_values(*K.mC)) {}
+
+void BlockAssembler::finish() {
+  for (CrsMatrix* matrix : {K_->A.get(), K_->B1T.get(), K_->B2.get(), K_->mC.get()})
+    close_values(*matrix);
+}
+
+void BlockAssembler::add(std::size_t e, const kernels::MixedJacobian& Ke) {
+  const auto& nodes = mesh_->tets[e];
+  const std::array<std::uint8_t, 4> fixed{(*fixed_)[nodes[0]], (*fixed_)[nodes[1]],
+                                          (*fixed_)[nodes[2]], (*fixed_)[nodes[3]]};
+  if ((fixed[0] | fixed[1] | fixed[2] | fixed[3]) == 0) return scatter(e, Ke);
+  kernels::MixedJacobian constrained = Ke;
+  constrain(fixed, constrained);
+  scatter(e, constrained);
+}
+
+void BlockAssembler::scatter(std::size_t e, const kernels::MixedJacobian& Ke) {
+  const auto& nodes = mesh_->tets[e];
+  const auto& position = graph_->position[e];
+  for (int a = 0; a < 4; ++a) {
+    if (nodes[a] >= mesh_->n_owned) continue;
+    const std::size_t start = graph_->row_start[nodes[a]];
+    const std::size_t length = graph_->row_start[nodes[a] + 1] - start;
+    for (int b = 0; b < 4; ++b) {
+      const std::size_t k = position[4 * a + b];
+      double* A = A_ + 9 * start + 3 * k;
+      double* B1T = B1T_ + 3 * start + k;
+      double* B2 = B2_ + 3 * start + 3 * k;
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) A[3 * length * i + j] += Ke.A[a][b][i][j];
+        B1T[length * i] += Ke.B1T[a][b][i];
+        B2[i] += Ke.B2[a][b][i];
+      }
+      mC_[start + k] += Ke.mC[a][b];
+    }
+  }
+}
+
+void BlockAssembler::add(const fields::Face& face, const kernels::SurfaceJacobian& Ke) {
+  for (int a = 0; a < 3; ++a) {
+    const int row = face.nodes[a];
+    if (row >= mesh_->n_owned) continue;
+    const std::size_t start = graph_->row_start[row];
+    const std::size_t length = graph_->row_start[row + 1] - start;
+    const int* columns = graph_->columns.data() + start;
+    for (int b = 0; b < 3; ++b) {
+      const int column = face.nodes[b];
+      const std::size_t k = std::lower_bound(columns, columns + length, column) - columns;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const bool is_fixed = (((*fixed_)[row] >> i) | ((*fixed_)[column] >> j)) & 1;
+          const bool is_diagonal = row == column && i == j;
+          if (!is_fixed || is_diagonal)
+            A_[9 * start + 3 * length * i + 3 * k + j] += Ke.A[a][b][i][j];
+        }
+    }
+  }
+}
+
+}  // namespace tunica::assembly

@@ -1,0 +1,55 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "tunica/fields/block_operator.hpp"
+#include "tunica/kernels/surface_tri3.hpp"
+#include "tunica/kernels/tet4.hpp"
+
+namespace tunica::assembly {
+
+/// Dirichlet dofs of the local nodes: bits 0, 1, 2 for the components of the vector unknown,
+/// bit 3 for the scalar one.
+using Constraints = std::vector<std::uint8_t>;
+constexpr std::uint8_t fixed_vector = 7;
+constexpr std::uint8_t fixed_scalar = 8;
+
+/// Residual of a field on the owned nodes, before Dirichlet rows are removed, so that it holds
+/// the reactions there.
+struct NodalResidual {
+  std::vector<Vec3> u;
+  std::vector<double> p;
+
+  explicit NodalResidual(const fields::FieldMesh& mesh) : u(mesh.n_owned), p(mesh.n_owned) {}
+  void set_zero();
+  void add(const fields::FieldMesh& mesh, std::size_t e, const kernels::MixedResidual& R);
+  void add(const fields::FieldMesh& mesh, const fields::Face& face,
+           const kernels::SurfaceResidual& R);
+  /// Copies into F with zeros in the constrained rows.
+  void store(const fields::FieldMesh& mesh, const Constraints& fixed,
+             algebra::BlockVector& F) const;
+};
+
+/// Writes element Jacobians straight into the values of a BlockOperator's four matrices.
+///
+/// Constrained rows and columns keep only their diagonal, summed like any other entry, so
+/// that it has the size of its neighbours; the increments there are zero, so that the dropped
+/// columns need no right-hand side. Writing begins with zeros and ends with finish().
+class BlockAssembler {
+public:
+  BlockAssembler(fields::BlockOperator& K, const Constraints& fixed);
+  void add(std::size_t e, const kernels::MixedJacobian& Ke);
+  void add(const fields::Face& face, const kernels::SurfaceJacobian& Ke);
+  void finish();
+
+private:
+  void scatter(std::size_t e, const kernels::MixedJacobian& Ke);
+
+  fields::BlockOperator* K_;
+  const fields::FieldMesh* mesh_;
+  const fields::NodeGraph* graph_;
+  const Constraints* fixed_;
+  double *A_, *B1T_, *B2_, *mC_;
+};
+
+}  // namespace tunica::assembly

@@ -1,0 +1,53 @@
+#include "tunica/assembly/fluid_assembly.hpp"
+
+#include "tunica/assembly/gather.hpp"
+
+namespace tunica::assembly {
+
+namespace {
+
+kernels::FluidState state_of(const FluidFields& s, const std::array<int, 4>& nodes) {
+  return {gather(s.u, nodes), gather(s.p, nodes), gather(s.u_old, nodes), gather(s.w, nodes),
+          gather(s.f, nodes)};
+}
+
+}  // namespace
+
+void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements,
+                    const FluidFields& state, NodalResidual& R, BlockAssembler* K) {
+  kernels::MixedResidual Re;
+  kernels::MixedJacobian Ke;
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    const kernels::FluidState s = state_of(state, mesh.tets[e]);
+    const kernels::Tet4& T = elements.geometry[e];
+    if (K == nullptr) {
+      Re = kernels::fluid_up_residual(T, s, elements.coefficients, elements.tau[e]);
+    } else {
+      kernels::fluid_up_jacobian(T, s, elements.coefficients, elements.tau[e], Re, Ke);
+      K->add(e, Ke);
+    }
+    R.add(mesh, e, Re);
+  }
+}
+
+std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElements& elements,
+                               const FluidFields& state) {
+  std::vector<double> tau(mesh.tets.size());
+  for (std::size_t e = 0; e < tau.size(); ++e)
+    tau[e] = kernels::fluid_tau(elements.geometry[e], state_of(state, mesh.tets[e]),
+                                elements.coefficients);
+  return tau;
+}
+
+double stabilisation_power(const fields::FieldMesh& mesh, const FluidElements& elements,
+                           const FluidFields& state) {
+  double power = 0.0;
+  for (std::size_t e = 0; e < elements.tau.size(); ++e)
+    if (mesh.is_owned[e])
+      power +=
+          kernels::fluid_stabilisation_power(elements.geometry[e], state_of(state, mesh.tets[e]),
+                                             elements.coefficients, elements.tau[e]);
+  return power;
+}
+
+}  // namespace tunica::assembly

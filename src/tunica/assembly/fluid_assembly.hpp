@@ -1,0 +1,35 @@
+#pragma once
+#include "tunica/assembly/block_assembler.hpp"
+#include "tunica/kernels/fluid_up.hpp"
+
+namespace tunica::assembly {
+
+/// The fluid's elements on the current mesh; constant during a Newton solve.
+struct FluidElements {
+  std::vector<kernels::Tet4> geometry;
+  std::vector<double> tau;
+  kernels::FluidCoefficients coefficients;
+};
+
+/// Nodal state of the fluid on owned and ghost nodes.
+struct FluidFields {
+  std::vector<Vec3> u;
+  std::vector<double> p;
+  std::vector<Vec3> u_old;
+  std::vector<Vec3> w;
+  std::vector<Vec3> f;
+};
+
+/// Adds the element residuals, and the Jacobians where K is not null.
+void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements,
+                    const FluidFields& state, NodalResidual& R, BlockAssembler* K);
+
+/// The stabilisation parameters for u_old and w of the state.
+std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElements& elements,
+                               const FluidFields& state);
+
+/// Power that the stabilisation takes out in the elements that the rank counts [kPa mm³/ms].
+double stabilisation_power(const fields::FieldMesh& mesh, const FluidElements& elements,
+                           const FluidFields& state);
+
+}  // namespace tunica::assembly

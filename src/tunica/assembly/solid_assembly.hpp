@@ -1,0 +1,40 @@
+#pragma once
+#include "tunica/assembly/block_assembler.hpp"
+#include "tunica/kernels/solid_up.hpp"
+
+namespace tunica::assembly {
+
+/// What stays constant of the wall's elements during a run.
+struct SolidElements {
+  std::vector<kernels::Tet4> geometry;  ///< undeformed
+  std::vector<const materials::HyperelasticLaw*> law;
+  std::vector<double> density;  ///< ρ [mg/mm³]
+  std::vector<kernels::SolidCoefficients> coefficients;
+  std::vector<materials::Frame> frames;  ///< empty where no law has fibres
+
+  const materials::Frame& frame(std::size_t e) const {
+    static constexpr materials::Frame none;
+    return frames.empty() ? none : frames[e];
+  }
+};
+
+/// Nodal state of the wall on owned and ghost nodes.
+struct SolidFields {
+  std::vector<Vec3> d;
+  std::vector<double> p;
+  std::vector<Vec3> r;  ///< inertia history of kernels::SolidState for unit density [mm/ms²]
+};
+
+/// The local element of smallest det F and its value.
+struct WorstElement {
+  double determinant;
+  int element;
+};
+WorstElement worst_solid_element(const fields::FieldMesh& mesh, const SolidElements& elements,
+                                 const std::vector<Vec3>& d);
+
+/// Adds the element residuals, and the Jacobians where K is not null.
+void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements,
+                    const SolidFields& state, NodalResidual& R, BlockAssembler* K);
+
+}  // namespace tunica::assembly

@@ -1,0 +1,23 @@
+#pragma once
+#include <Teuchos_CommHelpers.hpp>
+
+#include "tunica/base/types.hpp"
+
+namespace tunica {
+
+inline double global_sum(const Comm& comm, double mine) {
+  double sum = 0.0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &mine, &sum);
+  return sum;
+}
+inline double global_max(const Comm& comm, double mine) {
+  double largest = 0.0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 1, &mine, &largest);
+  return largest;
+}
+inline double global_min(const Comm& comm, double mine) { return -global_max(comm, -mine); }
+
+/// True where it is true on every rank.
+inline bool all_agree(const Comm& comm, bool mine) { return global_min(comm, mine ? 1 : 0) > 0.5; }
+
+}  // namespace tunica

@@ -1,0 +1,80 @@
+#include "tunica/coupling/added_mass.hpp"
+
+#include <algorithm>
+
+#include "tunica/assembly/scalar_matrix.hpp"
+
+namespace tunica::coupling {
+
+namespace {
+
+/// P need only be near: a relative residual of the Laplace problem up to this is good enough.
+constexpr double usable = 0.1;
+
+/// Zero where the interface is folded so that its areas cancel.
+Vec3 direction(const Vec3& area) {
+  const double size = norm(area);
+  return size > 0.0 ? 1.0 / size * area : Vec3{};
+}
+
+}  // namespace
+
+AddedMass::AddedMass(const Teuchos::ParameterList& list, const fields::BlockOperator& fluid,
+                     const fields::Interface& interface, const AddedMassModel& model)
+    : interface_(&interface), compliance_(model.compliance), right_side_(fluid.mesh().node_map, 1),
+      p_(fluid.mesh().node_map, 1) {
+  const fields::FieldMesh& mesh = fluid.mesh();
+  std::vector<char> is_open(mesh.n_nodes());
+  for (int a = 0; a < mesh.n_nodes(); ++a) is_open[a] = mesh.is_on_any(a, model.open_surfaces);
+  const Teuchos::RCP<CrsMatrix> K =
+      assembly::laplacian(mesh, model.positions, fluid.graph(), is_open);
+  K->resumeFill();
+  for (int k = 0; k < interface.n_owned(); ++k) {
+    const int a = interface.fluid_nodes[k];
+    normal_.push_back(direction(model.area[a]));
+    weight_.push_back(is_open[a] ? 0.0 : model.fluid_inertia * norm(model.area[a]));
+    K->sumIntoLocalValues(a, Teuchos::tuple(a), Teuchos::tuple(weight_[k] * compliance_[k]));
+  }
+  K->fillComplete(mesh.node_map, mesh.node_map);
+  solver_ = linear::make_scalar_solver(list, K);
+}
+
+InterfaceVector AddedMass::apply(const InterfaceVector& residual) {
+  const auto normal_part = [&](int k) {
+    return dot(normal_[k], {residual[3 * k], residual[3 * k + 1], residual[3 * k + 2]});
+  };
+  right_side_.putScalar(0.0);
+  {
+    const auto b = right_side_.getLocalViewHost(read_write);
+    for (int k = 0; k < interface_->n_owned(); ++k)
+      b(interface_->fluid_nodes[k], 0) = weight_[k] * normal_part(k);
+  }
+  p_.putScalar(0.0);
+  InterfaceVector result(residual);
+  if (!(solver_->solve(right_side_, p_) < usable)) return result;
+  const auto p = p_.getLocalViewHost(read_only);
+  for (int k = 0; k < interface_->n_owned(); ++k) {
+    const double taken_back = compliance_[k] * p(interface_->fluid_nodes[k], 0);
+    for (int i = 0; i < 3; ++i) result[3 * k + i] -= taken_back * normal_[k][i];
+  }
+  return result;
+}
+
+std::optional<std::vector<double>> wall_compliance(const stepping::Clock& clock,
+                                                   const fields::Interface& interface,
+                                                   const std::vector<Vec3>& area,
+                                                   problems::SolidProblem& wall,
+                                                   std::string& reason) {
+  std::vector<Vec3> force(wall.mesh().n_owned);
+  for (int k = 0; k < interface.n_owned(); ++k)
+    force[interface.wall_nodes[k]] = area[interface.fluid_nodes[k]];
+  const auto d = wall.respond(clock, force, reason);
+  if (!d) return std::nullopt;
+  std::vector<double> compliance;
+  for (int k = 0; k < interface.n_owned(); ++k)
+    compliance.push_back(std::max(
+        0.0, dot(direction(area[interface.fluid_nodes[k]]), (*d)[interface.wall_nodes[k]])));
+  return compliance;
+}
+
+}  // namespace tunica::coupling

@@ -1,0 +1,52 @@
+#include "tunica/coupling/dirichlet_neumann.hpp"
+
+namespace tunica::coupling {
+
+params::Table coupling_table() {
+  params::Table table("Dirichlet-Neumann coupling of fluid and wall.");
+  table
+      .number("tolerance", 1e-8, params::positive(), "mm",
+              "stop at |r|/sqrt(n) below this, r the interface residual, n its vertices")
+      .integer("max iterations", 100, params::between(1, 1e5), "cap on the coupling iterations")
+      .integer("predictor order", 1, params::between(0, 2),
+               "first guess of a step: 0 the last displacement, 1 linear and 2 quadratic "
+               "extrapolation in time")
+      .number("largest update", 0.0, params::non_negative(), "mm",
+              "scale an update of the interface down where a component exceeds this; 0 never")
+      .integer(
+          "halvings", 5, params::between(0, 50),
+          "how often in a row an update is halved where a field cannot follow it, each time an "
+          "iteration of its own; 0: the step fails at once")
+      .choice("when not converged", "stop", {"stop", "accept"},
+              "stop with exit status 2, or accept the step with a warning and go on");
+  params::Table added_mass("what the fluid's inertia takes back, foretold by a Laplace problem");
+  added_mass.sublist("Added Mass Solver", linear::scalar_solver_table());
+  table.variant("preconditioner", "added mass",
+                {{"added mass", added_mass}, {"none", params::Table("as in the paper")}},
+                "what is done to a residual before the accelerator sees it; without it first "
+                "factors of 0.05 to 0.2 are in place");
+  add_accelerator_keys(table);
+  return table;
+}
+
+CouplingOptions coupling_options(const Teuchos::ParameterList& list) {
+  return {
+      list.get<int>("max iterations"),  list.get<double>("tolerance"),
+      list.get<int>("predictor order"), list.get<double>("largest update"),
+      list.get<int>("halvings"),        list.get<std::string>("when not converged") == "accept"};
+}
+
+int Report::newton_steps(nonlinear::NewtonReport Iteration::*field) const {
+  int sum = 0;
+  for (const Iteration& iteration : iterations)
+    sum += static_cast<int>((iteration.*field).steps.size());
+  return sum;
+}
+
+int Report::linear_iterations(nonlinear::NewtonReport Iteration::*field) const {
+  int sum = 0;
+  for (const Iteration& iteration : iterations) sum += (iteration.*field).linear_iterations();
+  return sum;
+}
+
+}  // namespace tunica::coupling

@@ -1,0 +1,214 @@
+#include "tunica/coupling/dirichlet_neumann.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "tunica/base/error.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/base/timer.hpp"
+
+namespace tunica::coupling {
+
+DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
+                                   const fields::Interface& interface,
+                                   problems::FluidProblem& fluid, problems::SolidProblem& wall,
+                                   problems::MeshMotion& motion)
+    : options_(coupling_options(list)), interface_(&interface), fluid_(&fluid), wall_(&wall),
+      motion_(&motion), accelerator_kind_(list.get<std::string>("accelerator")),
+      accelerator_(make_accelerator(list, wall.mesh().comm)), history_{InterfaceVector(
+                                                                  3 * interface.n_owned(), 0.0)} {
+  if (list.get<std::string>("preconditioner") == "added mass")
+    added_mass_ = list.sublist("Added Mass Solver");
+}
+
+std::optional<std::string> DirichletNeumann::prepare(const stepping::Clock& clock) {
+  if (!added_mass_) return std::nullopt;
+  const fields::FieldMesh& mesh = fluid_->mesh();
+  const double dt = clock.step_size();
+  AddedMassModel model{mesh.x, {}, fluid_->open_surfaces(), fluid_->density() / (dt * dt), {}};
+  for (int a = 0; a < mesh.n_nodes(); ++a) model.positions[a] += motion_->old_displacement()[a];
+  model.area = problems::nodal_areas(mesh, model.positions, interface_->surfaces);
+  std::string reason;
+  const auto compliance = wall_compliance(clock, *interface_, model.area, *wall_, reason);
+  if (!compliance && preconditioner_)
+    return std::nullopt;  // that of an earlier step is near enough
+  if (!compliance) {
+    std::ostringstream text;
+    text << "time " << clock.time() << " ms: the wall under unit pressure, for the coupling's "
+         << "preconditioner: " << reason;
+    return text.str();
+  }
+  model.compliance = *compliance;
+  preconditioner_ =
+      std::make_unique<AddedMass>(*added_mass_, fluid_->last_jacobian(), *interface_, model);
+  accelerator_->set_preconditioner(
+      [this](const InterfaceVector& r) { return preconditioner_->apply(r); });
+  return std::nullopt;
+}
+
+InterfaceVector DirichletNeumann::wall_displacement() const {
+  const std::vector<Vec3> d = wall_->displacement();
+  InterfaceVector values;
+  values.reserve(3 * interface_->n_owned());
+  for (const int a : interface_->wall_nodes) values.insert(values.end(), d[a].begin(), d[a].end());
+  return values;
+}
+
+InterfaceVector DirichletNeumann::predict() const {
+  const int order = std::min<int>(options_.predictor_order, static_cast<int>(history_.size()) - 1);
+  static const double weights[3][3] = {{1, 0, 0}, {2, -1, 0}, {3, -3, 1}};
+  InterfaceVector d(history_.front().size(), 0.0);
+  for (int k = 0; k <= order; ++k)
+    for (std::size_t i = 0; i < d.size(); ++i) d[i] += weights[order][k] * history_[k][i];
+  return d;
+}
+
+bool DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& iteration,
+                                     std::string& reason) {
+  std::vector<Vec3> on_fluid(fluid_->mesh().n_owned);
+  for (int k = 0; k < interface_->n_owned(); ++k)
+    on_fluid[interface_->fluid_nodes[k]] = {d[3 * k], d[3 * k + 1], d[3 * k + 2]};
+  const Stopwatch moving;
+  const auto failure = motion_->extend(on_fluid);
+  iteration.motion_seconds = moving.seconds();
+  if (failure) {
+    reason = "the mesh motion: " + *failure;
+    return false;
+  }
+  const Stopwatch flowing;
+  const auto inversion = fluid_->set_domain(motion_->displacement(), motion_->old_displacement());
+  if (inversion) {
+    reason = "the fluid's mesh: " + *inversion;
+    return false;
+  }
+  iteration.fluid = fluid_->solve();
+  iteration.fluid_seconds = flowing.seconds();
+  if (!iteration.fluid.is_converged)
+    reason = "the fluid's Newton method: " + iteration.fluid.reason;
+  return iteration.fluid.is_converged;
+}
+
+bool DirichletNeumann::respond(const InterfaceVector& d, Iteration& iteration,
+                               InterfaceVector& answer, std::string& reason) {
+  if (!move_and_flow(d, iteration, reason)) return false;
+  const Stopwatch watch;
+  const std::vector<Vec3> reaction = fluid_->reaction();
+  std::vector<Vec3> force(wall_->mesh().n_owned);
+  for (int k = 0; k < interface_->n_owned(); ++k)
+    force[interface_->wall_nodes[k]] = reaction[interface_->fluid_nodes[k]];
+  wall_->set_nodal_force(force);
+  iteration.wall = wall_->solve();
+  iteration.wall_seconds = watch.seconds();
+  if (!iteration.wall.is_converged) reason = "the wall's Newton method: " + iteration.wall.reason;
+  answer = wall_displacement();
+  return iteration.wall.is_converged;
+}
+
+double DirichletNeumann::size_of(const InterfaceVector& residual) const {
+  const double square = inner_product(*wall_->mesh().comm, residual, residual);
+  return std::sqrt(square / static_cast<double>(interface_->n_total()));
+}
+
+InterfaceVector DirichletNeumann::limited(const InterfaceVector& d, InterfaceVector next) const {
+  if (options_.largest_update == 0.0) return next;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < d.size(); ++i) largest = std::max(largest, std::abs(next[i] - d[i]));
+  largest = global_max(*wall_->mesh().comm, largest);
+  if (largest > options_.largest_update)
+    for (std::size_t i = 0; i < d.size(); ++i)
+      next[i] = d[i] + options_.largest_update / largest * (next[i] - d[i]);
+  return next;
+}
+
+void DirichletNeumann::accept() {
+  wall_->end_step();
+  motion_->end_step();
+  accelerator_->end_step();
+  history_.push_front(wall_displacement());
+  if (history_.size() > 3) history_.pop_back();
+}
+
+fields::State DirichletNeumann::save() const {
+  fields::State state;
+  for (const int a : interface_->fluid_nodes) state.vertices.push_back(fluid_->mesh().vertex[a]);
+  state.arrays["displacements"] = packed(history_);
+  state.numbers["displacements"] = {static_cast<double>(history_.size())};
+  state.texts["accelerator"] = accelerator_kind_;
+  accelerator_->save(state);
+  return state;
+}
+
+std::string DirichletNeumann::restore(const fields::State& state) {
+  const int kept = static_cast<int>(state.number_list("displacements").at(0));
+  history_ = unpacked(state.array("displacements", 3 * kept));
+  const std::string& kind = state.text("accelerator");
+  if (kind == accelerator_kind_) {
+    accelerator_->restore(state);
+    return "";
+  }
+  return "the accelerator was \"" + kind + "\" and is \"" + accelerator_kind_ +
+         "\" now: it begins without history";
+}
+
+bool DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
+                              Iteration& iteration) {
+  const InterfaceVector residual = difference(answer, d);
+  iteration.residual = size_of(residual);
+  if (iteration.residual < options_.tolerance) return true;
+  const Stopwatch watch;
+  d = limited(d, accelerator_->next(d, residual));
+  iteration.update_seconds = watch.seconds();
+  iteration.relaxation = accelerator_->relaxation();
+  iteration.columns = accelerator_->columns();
+  return false;
+}
+
+bool DirichletNeumann::go_back(InterfaceVector& d, const InterfaceVector& reached,
+                               int n_failed) const {
+  if (n_failed > options_.halvings || size_of(difference(d, reached)) == 0.0) return false;
+  for (std::size_t i = 0; i < d.size(); ++i) d[i] = 0.5 * (reached[i] + d[i]);
+  return true;
+}
+
+std::string DirichletNeumann::why_unconverged(double time, const Report& report) const {
+  std::ostringstream reason;
+  reason << "time " << time << " ms: the interface residual is "
+         << report.iterations.back().residual << " mm after " << report.iterations.size()
+         << " coupling iterations, expected less than " << options_.tolerance << " mm";
+  return reason.str();
+}
+
+Report DirichletNeumann::solve_step(const stepping::Clock& clock,
+                                    const std::function<void(int, const Iteration&)>& watch) {
+  TUNICA_ASSERT(preconditioner_ || !added_mass_, "prepare() comes before each step");
+  Report report;
+  fluid_->begin_step(clock);
+  wall_->begin_step(clock);
+  accelerator_->begin_step();
+  InterfaceVector d = predict(), answer, reached = history_.front();
+  int n_failed = 0;  // in a row
+  for (int k = 1; k <= options_.max_iterations && !report.is_converged; ++k) {
+    Iteration& iteration = report.iterations.emplace_back();
+    std::string cause;
+    const bool is_solved = respond(d, iteration, answer, cause);
+    n_failed = is_solved ? 0 : n_failed + 1;
+    if (is_solved) {
+      reached = d;
+      report.is_converged = update(d, answer, iteration);
+    }
+    watch(k, iteration);
+    if (!is_solved && (k == options_.max_iterations || !go_back(d, reached, n_failed))) {
+      std::ostringstream reason;
+      reason << "time " << clock.time() << " ms, coupling iteration " << k << ": " << cause;
+      report.reason = reason.str();
+      return report;
+    }
+  }
+  report.is_accepted = report.is_converged || options_.accepts_unconverged;
+  if (!report.is_converged) report.reason = why_unconverged(clock.time(), report);
+  if (report.is_accepted) accept();
+  return report;
+}
+
+}  // namespace tunica::coupling

@@ -1,0 +1,108 @@
+#include "tunica/coupling/iqn_ils.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include "tunica/coupling/least_squares.hpp"
+
+namespace tunica::coupling {
+
+IqnIls::IqnIls(const Teuchos::ParameterList& list, const CommPtr& comm)
+    : comm_(comm), first_factor_(list.get<double>("first factor")),
+      filter_(list.get<double>("filter")), update_growth_(list.get<double>("update growth")),
+      reused_steps_(list.get<int>("reused steps")) {}
+
+void IqnIls::begin_step() {
+  is_first_ = true;
+  columns_of_step_.push_front(0);
+}
+
+void IqnIls::remember(const InterfaceVector& answer, const InterfaceVector& residual) {
+  if (!is_first_) {
+    V_.push_front(difference(residual, last_residual_));
+    W_.push_front(difference(answer, last_answer_));
+    ++columns_of_step_.front();
+  }
+  is_first_ = false;
+  last_residual_ = residual;
+  last_answer_ = answer;
+}
+
+InterfaceVector IqnIls::next(const InterfaceVector& d, const InterfaceVector& residual) {
+  InterfaceVector answer(d);
+  for (std::size_t i = 0; i < d.size(); ++i) answer[i] += residual[i];
+  const double last_update = is_first_ ? 0.0 : length(difference(d, last_d_));
+  remember(answer, residual);
+  last_d_ = d;
+  const LeastSquares fit = solve_least_squares(*comm_, V_, residual, filter_);
+  columns_ = 0;
+  InterfaceVector next_d(d), left(residual);
+  for (std::size_t j = 0; j < W_.size(); ++j) {
+    columns_ += fit.is_kept[j];
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      next_d[i] -= fit.coefficients[j] * (W_[j][i] - V_[j][i]);
+      left[i] -= fit.coefficients[j] * V_[j][i];
+    }
+  }
+  relaxation_ = columns_ > 0 ? 1.0 : first_factor_;
+  const InterfaceVector z = preconditioned(left);
+  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += relaxation_ * z[i];
+  if (last_update > 0.0 && update_growth_ > 0.0) bound(d, update_growth_ * last_update, next_d);
+  return next_d;
+}
+
+double IqnIls::length(const InterfaceVector& x) const {
+  return std::sqrt(inner_product(*comm_, x, x));
+}
+
+void IqnIls::bound(const InterfaceVector& d, double most, InterfaceVector& next_d) {
+  const InterfaceVector update = difference(next_d, d);
+  const double part = most / length(update);
+  if (!(part < 1.0)) return;
+  relaxation_ *= part;
+  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] = d[i] + part * update[i];
+}
+
+void IqnIls::end_step() { forget_old_steps(); }
+
+void IqnIls::save(fields::State& state) const {
+  state.numbers["columns of steps"] = {columns_of_step_.begin(), columns_of_step_.end()};
+  state.arrays["V"] = packed(V_);
+  state.arrays["W"] = packed(W_);
+}
+
+void IqnIls::restore(const fields::State& state) {
+  const std::vector<double>& counts = state.number_list("columns of steps");
+  columns_of_step_.assign(counts.begin(), counts.end());
+  const int columns = 3 * std::accumulate(columns_of_step_.begin(), columns_of_step_.end(), 0);
+  V_ = unpacked(state.array("V", columns));
+  W_ = unpacked(state.array("W", columns));
+  forget_old_steps();  // the case may reuse fewer than before
+}
+
+void IqnIls::forget_old_steps() {
+  while (static_cast<int>(columns_of_step_.size()) > reused_steps_) {
+    for (int j = 0; j < columns_of_step_.back(); ++j) {
+      V_.pop_back();
+      W_.pop_back();
+    }
+    columns_of_step_.pop_back();
+  }
+}
+
+params::Table iqn_ils_table() {
+  params::Table table("interface quasi-Newton with a least-squares model");
+  table
+      .number("first factor", 1.0, params::Range{0.0, 1.0, true, false}, "1",
+              "relaxation factor while there is no column yet")
+      .number("filter", 1e-7, params::Range{0.0, 1.0, false, true}, "1",
+              "drop a column of which less than this part is new")
+      .number("update growth", 4.0, params::non_negative(), "1",
+              "an update is at most this many times the last one of its step: the first columns "
+              "promise too much; 0: any")
+      .integer("reused steps", 8, params::between(0, 100),
+               "how many earlier time steps lend their columns");
+  return table;
+}
+
+}  // namespace tunica::coupling

@@ -1,0 +1,60 @@
+#include "tunica/coupling/least_squares.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <cmath>
+
+namespace tunica::coupling {
+
+namespace {
+
+/// Inner products of v with every vector of the basis, in one reduction.
+std::vector<double> products(const Comm& comm, const std::vector<InterfaceVector>& basis,
+                             const InterfaceVector& v) {
+  std::vector<double> mine(basis.size(), 0.0), sum(basis.size(), 0.0);
+  for (std::size_t j = 0; j < basis.size(); ++j)
+    for (std::size_t i = 0; i < v.size(); ++i) mine[j] += basis[j][i] * v[i];
+  if (!basis.empty())
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
+                       sum.data());
+  return sum;
+}
+
+}  // namespace
+
+LeastSquares solve_least_squares(const Comm& comm, const std::deque<InterfaceVector>& columns,
+                                 const InterfaceVector& b, double filter) {
+  LeastSquares result{std::vector<double>(columns.size(), 0.0),
+                      std::vector<char>(columns.size(), 0)};
+  std::vector<InterfaceVector> Q;
+  std::vector<std::vector<double>> R;  // columns of the triangle
+  std::vector<std::size_t> kept;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    InterfaceVector q = columns[j];
+    std::vector<double> r(Q.size(), 0.0);
+    const double length = std::sqrt(inner_product(comm, q, q));
+    for (int pass = 0; pass < 2; ++pass) {
+      const std::vector<double> along = products(comm, Q, q);
+      for (std::size_t k = 0; k < Q.size(); ++k) {
+        r[k] += along[k];
+        for (std::size_t i = 0; i < q.size(); ++i) q[i] -= along[k] * Q[k][i];
+      }
+    }
+    const double rest = std::sqrt(inner_product(comm, q, q));
+    if (!(rest > filter * length)) continue;
+    for (double& value : q) value /= rest;
+    r.push_back(rest);
+    R.push_back(r);
+    Q.push_back(q);
+    kept.push_back(j);
+    result.is_kept[j] = 1;
+  }
+  std::vector<double> c = products(comm, Q, b);
+  for (std::size_t k = Q.size(); k-- > 0;) {
+    for (std::size_t l = k + 1; l < Q.size(); ++l) c[k] -= R[l][k] * c[l];
+    c[k] /= R[k][k];
+    result.coefficients[kept[k]] = c[k];
+  }
+  return result;
+}
+
+}  // namespace tunica::coupling

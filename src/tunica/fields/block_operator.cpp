@@ -1,0 +1,71 @@
+#include "tunica/fields/block_operator.hpp"
+
+#include <algorithm>
+
+namespace tunica::fields {
+
+NodeGraph make_node_graph(const FieldMesh& mesh) {
+  std::vector<std::vector<int>> rows(mesh.n_owned);
+  for (const auto& tet : mesh.tets)
+    for (const int a : tet)
+      if (a < mesh.n_owned) rows[a].insert(rows[a].end(), tet.begin(), tet.end());
+  NodeGraph graph;
+  graph.row_start.push_back(0);
+  for (auto& row : rows) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+    graph.columns.insert(graph.columns.end(), row.begin(), row.end());
+    graph.row_start.push_back(graph.columns.size());
+  }
+  for (const auto& tet : mesh.tets) {
+    auto& position = graph.position.emplace_back();
+    position.fill(-1);
+    for (int a = 0; a < 4; ++a) {
+      if (tet[a] >= mesh.n_owned) continue;
+      const auto& row = rows[tet[a]];
+      for (int b = 0; b < 4; ++b)
+        position[4 * a + b] =
+            static_cast<int>(std::lower_bound(row.begin(), row.end(), tet[b]) - row.begin());
+    }
+  }
+  return graph;
+}
+
+Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
+                                    int dofs_column) {
+  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
+  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
+  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
+  const std::size_t pairs = graph.columns.size();
+  RowStart row_start("row start", static_cast<std::size_t>(dofs_row) * mesh.n_owned + 1);
+  Columns columns("columns", pairs * dofs_row * dofs_column);
+  Values values("values", pairs * dofs_row * dofs_column);
+  std::size_t next = 0;
+  for (int a = 0; a < mesh.n_owned; ++a)
+    for (int i = 0; i < dofs_row; ++i) {
+      for (std::size_t k = graph.row_start[a]; k < graph.row_start[a + 1]; ++k)
+        for (int j = 0; j < dofs_column; ++j) columns(next++) = dofs_column * graph.columns[k] + j;
+      row_start(dofs_row * a + i + 1) = next;
+    }
+  const auto row_map = dofs_row == 3 ? mesh.vector_map : mesh.node_map;
+  const auto domain_map = dofs_column == 3 ? mesh.vector_map : mesh.node_map;
+  const auto column_map = dofs_column == 3 ? mesh.ghosted_vector_map : mesh.ghosted_map;
+  const auto matrix = Teuchos::rcp(new CrsMatrix(row_map, column_map, row_start, columns, values));
+  matrix->expertStaticFillComplete(domain_map, row_map);
+  return matrix;
+}
+
+BlockOperator::BlockOperator(const FieldMesh& mesh) : mesh_(&mesh), graph_(make_node_graph(mesh)) {
+  A = make_matrix(graph_, mesh, 3, 3);
+  B1T = make_matrix(graph_, mesh, 3, 1);
+  B2 = make_matrix(graph_, mesh, 1, 3);
+  mC = make_matrix(graph_, mesh, 1, 1);
+  const auto order = Teuchos::rcp(new Vector(mesh.node_map));
+  {
+    const auto numbers = order->getLocalViewHost(overwrite_all);
+    for (int a = 0; a < mesh.n_owned; ++a) numbers(a, 0) = mesh.vertex[a];
+  }
+  vectors = scalars = {mC, order};
+}
+
+}  // namespace tunica::fields

@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+
+#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/base/types.hpp"
+#include "tunica/fields/field_mesh.hpp"
+
+namespace tunica::fields {
+
+/// Which nodes each owned node couples to, and where each element finds its pairs: row a of
+/// the node graph holds the local nodes columns[row_start[a] .. row_start[a+1]), ascending.
+struct NodeGraph {
+  std::vector<std::size_t> row_start;         ///< size n_owned + 1
+  std::vector<int> columns;                   ///< local nodes
+  std::vector<std::array<int, 16>> position;  ///< per tet: offset of column b in row a at 4a + b;
+                                              ///< -1 where node a is not owned
+};
+NodeGraph make_node_graph(const FieldMesh& mesh);
+
+/// The Jacobian of a field: four matrices on static graphs that share one node graph. Values are
+/// written in place by assembly/.
+class BlockOperator : public algebra::BlockMatrices {
+public:
+  explicit BlockOperator(const FieldMesh& mesh);
+
+  const FieldMesh& mesh() const { return *mesh_; }
+  const NodeGraph& graph() const { return graph_; }
+
+private:
+  const FieldMesh* mesh_;
+  NodeGraph graph_;
+};
+
+/// Zero unknowns of a field.
+inline algebra::BlockVector zero_vector(const FieldMesh& mesh) {
+  return {mesh.vector_map, mesh.node_map};
+}
+
+/// A matrix with rows dofs_row*node + i and columns dofs_column*node + j on the node graph,
+/// rows sorted by local column, all values zero.
+Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
+                                    int dofs_column);
+
+}  // namespace tunica::fields

@@ -1,0 +1,75 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tunica/base/tensor.hpp"
+#include "tunica/base/types.hpp"
+#include "tunica/mesh/mesh.hpp"
+
+namespace tunica::mesh {
+struct Partition;
+}
+
+namespace tunica::fields {
+
+/// A boundary triangle of a field, counter-clockwise seen from outside the field.
+struct Face {
+  std::array<int, 3> nodes;  ///< local nodes
+  int surface;               ///< index into FieldMesh::surfaces
+  bool is_owned;             ///< true on exactly one rank: sums over the surface use it there
+};
+
+/// One field's share of the mesh on one rank: the owned nodes, every tetrahedron and boundary
+/// triangle that touches one of them, and the ghost nodes these need. Owned rows can thus be
+/// assembled without communication.
+struct FieldMesh {
+  CommPtr comm;
+  std::vector<std::string> regions;   ///< of the whole mesh
+  std::vector<std::string> surfaces;  ///< of the whole mesh
+
+  int n_owned = 0;                        ///< owned nodes stand first in all node arrays
+  std::vector<Vec3> x;                    ///< reference positions [mm]
+  std::vector<int> vertex;                ///< vertex number in the mesh file
+  std::vector<std::uint64_t> on_surface;  ///< bit s is set on the nodes of surface s
+
+  std::vector<std::array<int, 4>> tets;
+  std::vector<int> region;                    ///< per tet: index into regions
+  std::vector<int> tet_number;                ///< per tet: number in the mesh file, for messages
+  std::vector<char> is_owned;                 ///< per tet: true on exactly one rank
+  std::vector<mesh::TetVectors> tet_vectors;  ///< those of the mesh, per tet of this rank
+  std::vector<Face> faces;
+
+  Teuchos::RCP<const Map> node_map;     ///< owned nodes, contiguous on each rank
+  Teuchos::RCP<const Map> ghosted_map;  ///< owned nodes, then ghosts
+  Teuchos::RCP<const Map> vector_map;   ///< 3*node + i of the owned nodes
+  Teuchos::RCP<const Map> ghosted_vector_map;
+  Teuchos::RCP<const Import> import;  ///< node_map -> ghosted_map
+  Teuchos::RCP<const Import> vector_import;
+
+  /// Index into surfaces; -1 for an unknown name.
+  int surface_index(const std::string& name) const;
+  int n_nodes() const { return static_cast<int>(x.size()); }
+  bool is_on(int node, int surface) const { return (on_surface[node] >> surface) & 1U; }
+  bool is_on_any(int node, const std::vector<int>& indices) const {
+    return std::any_of(indices.begin(), indices.end(), [&](int s) { return is_on(node, s); });
+  }
+};
+
+/// The share of the calling rank in the field that fills the given regions (indices into
+/// mesh.regions). Collective.
+FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partition,
+                          const std::vector<int>& regions, const CommPtr& comm);
+
+/// Nodal values on owned nodes.
+std::vector<Vec3> owned_vectors(const FieldMesh& mesh, const Vector& v);
+
+/// Nodal values on owned and ghost nodes. Collective.
+std::vector<Vec3> ghosted_vectors(const FieldMesh& mesh, const Vector& v);
+std::vector<double> ghosted_scalars(const FieldMesh& mesh, const Vector& v);
+
+/// Copies the owned part of nodal values into a distributed vector.
+void store(const std::vector<Vec3>& values, const FieldMesh& mesh, Vector& v);
+
+}  // namespace tunica::fields

@@ -1,0 +1,58 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tunica/base/tensor.hpp"
+#include "tunica/base/types.hpp"
+
+namespace tunica::fields {
+
+struct FieldMesh;
+
+/// What a part of a run keeps between time steps and needs to go on from there: words, numbers,
+/// and values at nodes. The nodes are named by their vertices of the mesh, so that another
+/// number of ranks can take the state over.
+struct State {
+  /// Rows of the calling rank, one per entry of vertices, each of so many numbers.
+  struct Array {
+    int columns = 0;
+    std::vector<double> values;
+  };
+
+  std::vector<int> vertices;  ///< of the rows; each vertex on exactly one rank
+  std::map<std::string, std::string> texts;
+  std::map<std::string, std::vector<double>> numbers;
+  std::map<std::string, Array> arrays;
+
+  bool has_array(const std::string& name) const { return arrays.count(name) > 0; }
+  /// Throw Error that names what is missing, or has another shape.
+  const std::string& text(const std::string& name) const;
+  const std::vector<double>& number_list(const std::string& name) const;
+  const Array& array(const std::string& name, int columns) const;
+};
+
+/// A part of a run that can be put back into an earlier state.
+class Restartable {
+public:
+  virtual ~Restartable() = default;
+
+  /// The state after an accepted time step. Collective.
+  virtual State save() const = 0;
+  /// Takes back a state of save(), whose vertices are those save() gives here. Returns a sentence
+  /// about what could not be used, or nothing. Throws Error where something is missing.
+  /// Collective.
+  virtual std::string restore(const State& state) = 0;
+};
+
+/// A state without values on the owned nodes of the mesh.
+State state_on(const FieldMesh& mesh);
+
+/// Nodal values as rows, and back. Vectors have `columns` entries per node.
+State::Array rows_of(const Vector& v, int columns);
+State::Array rows_of(const std::vector<Vec3>& values, int count);
+void assign_rows(const State::Array& rows, Vector& v);
+/// On owned and ghost nodes. Collective.
+std::vector<Vec3> ghosted_rows(const State::Array& rows, const FieldMesh& mesh);
+
+}  // namespace tunica::fields

@@ -1,0 +1,74 @@
+#pragma once
+#include <hdf5.h>
+
+#include <string>
+#include <vector>
+
+#include "tunica/base/error.hpp"
+#include "tunica/base/types.hpp"
+
+namespace tunica::io {
+
+/// The disk has no room; what is on it is as it was.
+class NoRoom : public MachineFault {
+public:
+  using MachineFault::MachineFault;
+};
+
+/// A parallel HDF5 file, written by all ranks together. Every member is collective.
+///
+/// A call that fails on one rank must not leave the others waiting: failures are kept, later
+/// calls go on, and close() throws on all ranks.
+class Hdf5File {
+public:
+  enum class Mode { create, extend };
+
+  /// The rows of a dataset that this rank writes. One column gives a one-dimensional dataset.
+  struct Rows {
+    long long total;
+    long long first;
+    long long count;
+    int columns;
+  };
+
+  /// Throws MachineFault on all ranks if the file cannot be created or opened, NoRoom if the
+  /// disk has no room for the bytes to come. Room is taken beforehand because Open MPI does not
+  /// return from a collective write in which one rank meets a full disk.
+  Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, const CommPtr& comm);
+  /// Closes without a word about failures: the way out of an exception.
+  ~Hdf5File();
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+
+  /// Names of what lies at the top.
+  std::vector<std::string> groups();
+  /// Takes a group or dataset out; its room is not used again.
+  void remove(const std::string& name);
+  /// Creates a group, with its parents.
+  void make_group(const std::string& name);
+  /// Attribute of a group or dataset.
+  void attribute(const std::string& object, const std::string& name, double value);
+  void attribute(const std::string& object, const std::string& name, long long value);
+  /// Creates a dataset (with parent groups) and writes it.
+  void write(const std::string& name, const Rows& rows, const double* values);
+  void write(const std::string& name, const Rows& rows, const long long* values);
+  void write(const std::string& name, const Rows& rows, const int* values);
+
+  /// Flushes and closes. Throws MachineFault on all ranks if anything has failed on any.
+  void close();
+
+private:
+  void write_any(const std::string& name, const Rows& rows, hid_t type, const void* values);
+  void attribute_any(const std::string& object, const std::string& name, hid_t type,
+                     const void* value);
+  /// Keeps the first failure. Negative return values of HDF5 are failures.
+  template <class Result>
+  Result noted(Result result, const std::string& action);
+
+  std::string path_;
+  CommPtr comm_;
+  hid_t file_ = H5I_INVALID_HID;
+  std::string failure_;
+};
+
+}  // namespace tunica::io

@@ -1,0 +1,29 @@
+#include "tunica/kernels/energy.hpp"
+
+namespace tunica::kernels {
+
+double squared_norm(double volume, const std::array<double, 4>& v) {
+  const double sum = v[0] + v[1] + v[2] + v[3];
+  const double squares = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3];
+  return volume / 20.0 * (sum * sum + squares);
+}
+
+double squared_norm(double volume, const std::array<Vec3, 4>& v) {
+  double total = 0.0;
+  for (int i = 0; i < 3; ++i)
+    total += squared_norm(volume, std::array<double, 4>{v[0][i], v[1][i], v[2][i], v[3][i]});
+  return total;
+}
+
+double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u, double viscosity) {
+  Mat3 G{};
+  for (int a = 0; a < 4; ++a)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) G[i][j] += u[a][i] * T.grad_N[a][j];
+  double squares = 0.0;  // ε:ε = |G + Gᵀ|²/4
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) squares += 0.25 * (G[i][j] + G[j][i]) * (G[i][j] + G[j][i]);
+  return 2.0 * viscosity * T.volume * squares;
+}
+
+}  // namespace tunica::kernels

@@ -1,0 +1,13 @@
+#pragma once
+#include "tunica/kernels/tet4.hpp"
+
+namespace tunica::kernels {
+
+/// ∫ |v|² dV of the linear field with these values at the vertices: V/20 (|Σv_a|² + Σ|v_a|²).
+double squared_norm(double volume, const std::array<Vec3, 4>& v);
+double squared_norm(double volume, const std::array<double, 4>& v);
+
+/// ∫ 2μ ε(u):ε(u) dV, the power that the viscosity μ [kPa ms] turns into heat [kPa mm³/ms].
+double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u, double viscosity);
+
+}  // namespace tunica::kernels

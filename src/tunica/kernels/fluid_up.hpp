@@ -1,0 +1,39 @@
+#pragma once
+#include "tunica/kernels/tet4.hpp"
+
+namespace tunica::kernels {
+
+/// What the ALE fluid needs on one tetrahedron of the current mesh; nodal values.
+struct FluidState {
+  std::array<Vec3, 4> u;      ///< velocity [mm/ms]
+  std::array<double, 4> p;    ///< pressure [kPa]
+  std::array<Vec3, 4> u_old;  ///< velocity of the previous step [mm/ms]
+  std::array<Vec3, 4> w;      ///< mesh velocity [mm/ms]
+  std::array<Vec3, 4> f;      ///< body force per mass [mm/ms²], zero but for tests
+};
+
+struct FluidCoefficients {
+  double density;               ///< ρ [mg/mm³]
+  double viscosity;             ///< μ [kPa ms]
+  double inv_dt;                ///< 1/Δt, zero for steady flow [1/ms]
+  double viscous_factor = 4.0;  ///< c_ν in τ
+};
+
+/// SUPG/PSPG parameter τ = ((2/Δt)² + (2|c|/h)² + (c_ν ν/h²)²)^(−1/2) [ms], c = u_old − w at the
+/// centroid, so that it is constant in a Newton solve.
+double fluid_tau(const Tet4& T, const FluidState& s, const FluidCoefficients& c);
+
+/// Residual of the P1–P1 SUPG/PSPG fluid; see fluid_up.cpp for the equations.
+MixedResidual fluid_up_residual(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
+                                double tau);
+
+/// Residual and its exact Jacobian (tau held constant).
+void fluid_up_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau,
+                       MixedResidual& R, MixedJacobian& K);
+
+/// Power that SUPG and PSPG take out: τ ∫ (G c + ∇p/ρ)·(m + ∇p) dV in the symbols of
+/// fluid_up.cpp [kPa mm³/ms].
+double fluid_stabilisation_power(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
+                                 double tau);
+
+}  // namespace tunica::kernels

@@ -1,0 +1,204 @@
+#include "tunica/kernels/solid_up.hpp"
+
+#include "tunica/base/error.hpp"
+#include "tunica/kernels/deformation.hpp"
+
+namespace tunica::kernels {
+
+// The P1–P1 mixed solid with PSPG on one tetrahedron of the reference configuration.
+//
+//   R_u[a] = ∫ N_a (α d − r) + P ∇N_a dV,               P = F S' − p J F⁻ᵀ
+//   R_p[a] = −∫ N_a (J − 1 + p/κ) dV − τ ∫ s·g_a dV,    s = α d − r + J F⁻ᵀ∇p
+//
+//   F    I + Σ_a d_a ⊗ ∇N_a, constant        1        J   det F, positive          1
+//   S'   law.stress, isochoric PK2           kPa      κ   bulk modulus             kPa
+//   p    nodal, compression positive         kPa      τ   PSPG parameter           mm²/kPa
+//   α    ρ/(βΔt²), zero in statics           kPa/mm²  r   inertia history, force   kPa/mm
+//   g_a  F⁻ᵀ∇N_a, spatial gradient           1/mm
+//
+// Every integral is exact: the integrands are at most quadratic on the element.
+// The Jacobian is exact, with the derivative of the PSPG term:
+//
+//   A[a][b]     = α M_ab I + V [(∇N_a·S'∇N_b) I + B_aᵀ D B_b] − p̄ J V (g_a⊗g_b − g_b⊗g_a)
+//   B1ᵀ[a][b]   = −V J/4 g_a
+//   B2[a][b]    = −V J/4 g_b − τ V [α/4 g_a + J (g_p·g_a) g_b − J (g_a·g_b) g_p − (s̄·g_b) g_a]
+//   −C[a][b]    = −M_ab/κ − τ V J g_a·g_b
+//
+//   M_ab  V/20 (1 + δ_ab)       g_p  F⁻ᵀ∇p       B_b  dE/dd_b in Voigt's order
+//   D     dS'/dE                bar  mean of the four nodal values
+//
+// Source: [LY1] eq:weakelas, eq:stelas.
+// Deviation: [LY1] prints τ without inertia; τ is an argument here, problems/ chooses.
+
+namespace {
+
+struct Point {
+  Mat3 F;
+  Sym3 C;
+  double J;
+  double p_mean;
+  Vec3 g[4];  ///< F⁻ᵀ∇N_a
+  Vec3 g_p;   ///< F⁻ᵀ∇p
+  Vec3 q[4];  ///< α d_a − r_a
+  Vec3 s;     ///< mean of q + J g_p
+};
+
+Point evaluate(const Tet4& T, const SolidState& s, const SolidCoefficients& c) {
+  Point x;
+  x.F = deformation_gradient(T, s.d);
+  x.C = right_cauchy_green(x.F);
+  const Mat3 adj = adjugate(x.F);
+  x.J = x.F[0][0] * adj[0][0] + x.F[0][1] * adj[1][0] + x.F[0][2] * adj[2][0];
+  TUNICA_ASSERT(x.J > 0.0, "inverted element reached the solid kernel");
+  const double inv_J = 1.0 / x.J;
+  x.g_p = {0, 0, 0};
+  Vec3 q_sum{0, 0, 0};
+  for (int a = 0; a < 4; ++a) {
+    const Vec3& N = T.grad_N[a];
+    for (int i = 0; i < 3; ++i) {
+      x.g[a][i] = inv_J * (adj[0][i] * N[0] + adj[1][i] * N[1] + adj[2][i] * N[2]);
+      x.g_p[i] += s.p[a] * x.g[a][i];
+      x.q[a][i] = c.alpha * s.d[a][i] - s.r[a][i];
+      q_sum[i] += x.q[a][i];
+    }
+  }
+  x.p_mean = 0.25 * (s.p[0] + s.p[1] + s.p[2] + s.p[3]);
+  for (int i = 0; i < 3; ++i) x.s[i] = 0.25 * q_sum[i] + x.J * x.g_p[i];
+  return x;
+}
+
+void residual_at(const Tet4& T, const SolidState& s, const SolidCoefficients& c, const Point& x,
+                 const Sym3& S, MixedResidual& R) {
+  const double V = T.volume;
+  const double m = V / 20.0;
+  const double pJV = x.p_mean * x.J * V;
+  const Vec3 q_sum = x.q[0] + x.q[1] + x.q[2] + x.q[3];
+  for (int a = 0; a < 4; ++a) {
+    const Vec3 FSN = x.F * apply(S, T.grad_N[a]);
+    for (int i = 0; i < 3; ++i)
+      R.u[a][i] = m * (q_sum[i] + x.q[a][i]) + V * FSN[i] - pJV * x.g[a][i];
+    R.p[a] = -0.25 * V * (x.J - 1.0) - c.inv_kappa * m * (4.0 * x.p_mean + s.p[a]) -
+             c.tau * V * dot(x.s, x.g[a]);
+  }
+}
+
+/// B[I][3a+k] = dE_I / dd_a[k] for the first three vertices, engineering shears.
+void strain_operator(const Tet4& T, const Mat3& F, double B[6][9]) {
+  for (int a = 0; a < 3; ++a) {
+    const Vec3& N = T.grad_N[a];
+    for (int k = 0; k < 3; ++k) {
+      B[0][3 * a + k] = F[k][0] * N[0];
+      B[1][3 * a + k] = F[k][1] * N[1];
+      B[2][3 * a + k] = F[k][2] * N[2];
+      B[3][3 * a + k] = F[k][0] * N[1] + F[k][1] * N[0];
+      B[4][3 * a + k] = F[k][1] * N[2] + F[k][2] * N[1];
+      B[5][3 * a + k] = F[k][2] * N[0] + F[k][0] * N[2];
+    }
+  }
+}
+
+/// H = V Bᵀ D B, upper triangle by rows of three.
+void material_tangent(double V, const double B[6][9], const Sym3Map& D, double H[9][9]) {
+  double DB[6][9];
+  for (int I = 0; I < 6; ++I)
+    for (int n = 0; n < 9; ++n) {
+      double sum = 0.0;
+      for (int J = 0; J < 6; ++J) sum += D[I][J] * B[J][n];
+      DB[I][n] = V * sum;
+    }
+  for (int m = 0; m < 9; ++m)
+    for (int n = 3 * (m / 3); n < 9; ++n) {
+      double sum = 0.0;
+      for (int I = 0; I < 6; ++I) sum += B[I][m] * DB[I][n];
+      H[m][n] = sum;
+    }
+}
+
+/// The stiffness depends on the vertices through F alone, hence its rows and columns add up
+/// to zero over the vertices: three are computed, the fourth follows. Mass comes on top.
+void stiffness_block(const Tet4& T, const Point& x, const materials::StressTangent& law,
+                     double alpha, double A[4][4][3][3]) {
+  const double V = T.volume;
+  const double pJV = x.p_mean * x.J * V;
+  double B[6][9];
+  double H[9][9];
+  strain_operator(T, x.F, B);
+  material_tangent(V, B, law.D, H);
+  for (int a = 0; a < 3; ++a) {
+    const Vec3 SN = apply(law.S, T.grad_N[a]);
+    for (int b = a; b < 3; ++b) {
+      const double geometric = V * dot(SN, T.grad_N[b]);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const double value = H[3 * a + i][3 * b + j] + (i == j ? geometric : 0.0) -
+                               pJV * (x.g[a][i] * x.g[b][j] - x.g[b][i] * x.g[a][j]);
+          A[a][b][i][j] = value;
+          A[b][a][j][i] = value;
+        }
+    }
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      for (int a = 0; a < 3; ++a) {
+        const double value = -(A[a][0][i][j] + A[a][1][i][j] + A[a][2][i][j]);
+        A[a][3][i][j] = value;
+        A[3][a][j][i] = value;
+      }
+    }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) A[3][3][i][j] = -(A[0][3][i][j] + A[1][3][i][j] + A[2][3][i][j]);
+  const double m = alpha * V / 20.0;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b)
+      for (int i = 0; i < 3; ++i) A[a][b][i][i] += a == b ? 2.0 * m : m;
+}
+
+void pressure_blocks(const Tet4& T, const Point& x, const SolidCoefficients& c, MixedJacobian& K) {
+  const double V = T.volume;
+  const double tau_V = c.tau * V;
+  const double tau_VJ = tau_V * x.J;
+  const double quarter_VJ = 0.25 * V * x.J;
+  const double m = c.inv_kappa * V / 20.0;
+  double sg[4];
+  double pg[4];
+  for (int a = 0; a < 4; ++a) {
+    sg[a] = tau_V * (0.25 * c.alpha - dot(x.s, x.g[a]));
+    pg[a] = quarter_VJ + tau_VJ * dot(x.g_p, x.g[a]);
+  }
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      const double gg = tau_VJ * dot(x.g[a], x.g[b]);
+      K.mC[a][b] = -(a == b ? 2.0 * m : m) - gg;
+      for (int j = 0; j < 3; ++j) {
+        K.B1T[a][b][j] = -quarter_VJ * x.g[a][j];
+        K.B2[a][b][j] = gg * x.g_p[j] - pg[a] * x.g[b][j] - sg[b] * x.g[a][j];
+      }
+    }
+}
+
+}  // namespace
+
+double solid_jacobian_determinant(const Tet4& T, const std::array<Vec3, 4>& d) {
+  return det(deformation_gradient(T, d));
+}
+
+MixedResidual solid_up_residual(const Tet4& T, const SolidState& s,
+                                const materials::HyperelasticLaw& law, const SolidCoefficients& c,
+                                const materials::Frame& frame) {
+  const Point x = evaluate(T, s, c);
+  MixedResidual R;
+  residual_at(T, s, c, x, law.stress(x.C, frame), R);
+  return R;
+}
+
+void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::HyperelasticLaw& law,
+                       const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K,
+                       const materials::Frame& frame) {
+  const Point x = evaluate(T, s, c);
+  const materials::StressTangent response = law.response(x.C, frame);
+  residual_at(T, s, c, x, response.S, R);
+  stiffness_block(T, x, response, c.alpha, K.A);
+  pressure_blocks(T, x, c, K);
+}
+
+}  // namespace tunica::kernels

@@ -1,0 +1,245 @@
+#include "tunica/linear/block_preconditioner.hpp"
+
+#include <Stratimikos_DefaultLinearSolverBuilder.hpp>
+#include <Stratimikos_MueLuHelpers.hpp>
+#include <Teko_InverseLibrary.hpp>
+#include <Teko_PreconditionerFactory.hpp>
+#include <Teko_RequestCallback.hpp>
+#include <Teko_RequestHandler.hpp>
+#include <Teko_StratimikosFactory.hpp>
+#include <Teko_Utilities.hpp>
+#include <Teuchos_AbstractFactoryStd.hpp>
+#include <Teuchos_VerboseObject.hpp>
+#include <Thyra_DefaultProductMultiVector.hpp>
+#include <Thyra_DefaultProductVectorSpace.hpp>
+#include <Thyra_Ifpack2PreconditionerFactory.hpp>
+#include <Thyra_PreconditionerFactoryHelpers.hpp>
+#include <Thyra_TpetraThyraWrappers.hpp>
+#include <algorithm>
+#include <sstream>
+
+#include "tunica/base/error.hpp"
+#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/lu_strategy.hpp"
+#include "tunica/linear/nodal_multigrid.hpp"
+#include "tunica/linear/thyra_operator.hpp"
+#include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
+#include "tunica/params/nearest.hpp"
+
+namespace tunica::linear {
+
+namespace {
+
+/// Hands named operators to Teko.
+class Callback : public Teko::RequestCallback<Teko::LinearOp> {
+public:
+  explicit Callback(const NamedOperators& operators) : operators_(&operators) {}
+
+  bool handlesRequest(const Teko::RequestMesg& message) override {
+    const auto names = operators_->operator_names();
+    return std::find(names.begin(), names.end(), message.getName()) != names.end();
+  }
+  void preRequest(const Teko::RequestMesg&) override {}
+  Teko::LinearOp request(const Teko::RequestMesg& message) override {
+    return thyra_operator(operators_->assemble_operator(message.getName()));
+  }
+
+private:
+  const NamedOperators* operators_;
+};
+
+/// Every strategy and inverse that a library can hold.
+std::string known_types(const Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder>& builder) {
+  std::vector<std::string> strategies;
+  Teko::PreconditionerFactory::getPreconditionerFactoryNames(strategies);
+  std::vector<std::string> inverses;
+  const auto valid = builder->getValidParameters();
+  for (const char* kind : {"Linear Solver Types", "Preconditioner Types"}) {
+    const Teuchos::ParameterList& list = valid->sublist(kind);
+    for (auto it = list.begin(); it != list.end(); ++it) inverses.push_back(list.name(it));
+  }
+  std::sort(strategies.begin(), strategies.end());
+  std::sort(inverses.begin(), inverses.end());
+  return "Strategies: " + params::quoted(strategies) + ".\nInverses: " + params::quoted(inverses) +
+         ".";
+}
+
+/// Hands the nodes of the blocks to "Nodal Multigrid".
+class NodesCallback : public Teko::RequestCallback<Teuchos::RCP<multigrid::MixedCoarsening>> {
+public:
+  explicit NodesCallback(const algebra::BlockMatrices& K)
+      : nodes_(Teuchos::rcp(new multigrid::MixedCoarsening(K))) {}
+
+  bool handlesRequest(const Teko::RequestMesg& message) override {
+    return message.getName() == "Nodal Coarsening";
+  }
+  void preRequest(const Teko::RequestMesg&) override {}
+  Teuchos::RCP<multigrid::MixedCoarsening> request(const Teko::RequestMesg&) override {
+    return nodes_;
+  }
+
+private:
+  Teuchos::RCP<multigrid::MixedCoarsening> nodes_;
+};
+
+/// Takes in what Teko prints while this lives: it prints the causes of its failures and throws
+/// empty exceptions.
+class TekoOutput {
+public:
+  TekoOutput() : before_(Teuchos::VerboseObjectBase::getDefaultOStream()) {
+    Teuchos::VerboseObjectBase::setDefaultOStream(
+        Teuchos::fancyOStream(Teuchos::rcpFromRef<std::ostream>(text_)));
+  }
+  ~TekoOutput() { Teuchos::VerboseObjectBase::setDefaultOStream(before_); }
+  TekoOutput(const TekoOutput&) = delete;
+  TekoOutput& operator=(const TekoOutput&) = delete;
+
+  /// The innermost cause that was printed, otherwise what the exception says.
+  std::string cause_of(const std::exception& error) const {
+    const std::string start = "*** THROWN EXCEPTION ***\n", end = "****", text = text_.str();
+    const auto from = text.find(start);
+    if (from == std::string::npos) return text.empty() ? error.what() : text;
+    const auto first = text.find_first_not_of(" \n", from + start.size());
+    const auto last = text.find_last_not_of(" \n", text.find(end, first) - 1);
+    return text.substr(first, last + 1 - first);
+  }
+
+private:
+  std::ostringstream text_;
+  Teuchos::RCP<Teuchos::FancyOStream> before_;
+};
+
+/// Builds the inverse that the list asks for once, without a matrix, so that wrong names are
+/// found before anything is solved.
+void check_teko_list(Teuchos::ParameterList stratimikos,
+                     const Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder>& builder,
+                     const Teuchos::RCP<Teko::RequestHandler>& handler) {
+  const auto kind = stratimikos.get<std::string>("Preconditioner Type", "");
+  TUNICA_CHECK(kind == "Teko", "\"Preconditioner Type\" is \"" + kind +
+                                   "\", expected \"Teko\": the matrix is one of blocks.");
+  Teuchos::ParameterList& teko = stratimikos.sublist("Preconditioner Types").sublist("Teko");
+  const auto name = teko.get<std::string>("Inverse Type", "Amesos2");
+  std::string cause;
+  const TekoOutput output;
+  try {
+    const auto library = Teko::InverseLibrary::buildFromParameterList(
+        teko.sublist("Inverse Factory Library"), builder);
+    library->setRequestHandler(handler);
+    if (library->getInverseFactory(name).is_null()) cause = "no such inverse";
+  } catch (const std::exception& error) {
+    cause = output.cause_of(error);
+  }
+  TUNICA_CHECK(cause.empty(), "the inverse \"" + name + "\" cannot be built: " + cause + "\n" +
+                                  known_types(builder));
+}
+
+/// A builder that knows MueLu and Ifpack2; the strategies of ours are registered with it.
+/// Teko copies the builder, so that it must come last.
+Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder> make_builder() {
+  register_lu_strategies();
+  register_nodal_multigrid();
+  const auto builder = Teuchos::rcp(new Stratimikos::DefaultLinearSolverBuilder);
+  Stratimikos::enableMueLu<LocalOrdinal, GlobalOrdinal, Node>(*builder);
+  builder->setPreconditioningStrategyFactory(
+      Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>,
+                                  Thyra::Ifpack2PreconditionerFactory<CrsMatrix>>(),
+      "Ifpack2", true);
+  return builder;
+}
+
+}  // namespace
+
+struct BlockPreconditioner::Stack {
+  Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder> builder = make_builder();
+  Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> factory;
+  Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner;
+  Teko::LinearOp K;
+  Teuchos::RCP<const Thyra::TpetraVectorSpace<Scalar, LocalOrdinal, GlobalOrdinal, Node>> u, p;
+  Teuchos::RCP<const Thyra::DefaultProductVectorSpace<double>> product;
+
+  Teuchos::RCP<Thyra::DefaultProductMultiVector<double>> view(
+      const Teuchos::RCP<MultiVector>& xu, const Teuchos::RCP<MultiVector>& xp) const {
+    const auto wrap = [](const Teuchos::RCP<MultiVector>& x, const auto& space) {
+      const Teuchos::RCP<const Thyra::VectorSpaceBase<double>> base = space;
+      return Teuchos::RCP<Thyra::MultiVectorBase<double>>(
+          Thyra::createMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>(x, base));
+    };
+    return Thyra::defaultProductMultiVector<double>(product,
+                                                    Teuchos::tuple(wrap(xu, u), wrap(xp, p)));
+  }
+};
+
+BlockPreconditioner::BlockPreconditioner(const Teuchos::ParameterList& stratimikos,
+                                         const algebra::BlockMatrices& K,
+                                         const NamedOperators& operators)
+    : blocks_(K.vector_map(), K.scalar_map()), stack_(Teuchos::rcp(new Stack)) {
+  using Space = Thyra::TpetraVectorSpace<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  auto& builder = *stack_->builder;
+  const auto handler = Teuchos::rcp(new Teko::RequestHandler);
+  handler->addRequestCallback(Teuchos::rcp(new Callback(operators)));
+  handler->addRequestCallback(Teuchos::rcp(new NodesCallback(K)));
+  Teko::addTekoToStratimikosBuilder(builder, handler);
+  check_teko_list(stratimikos, stack_->builder, handler);
+  builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(stratimikos)));
+  stack_->factory = builder.createPreconditioningStrategy("");
+
+  Teko::BlockedLinearOp blocks = Teko::createBlockedOp();
+  Teko::beginBlockFill(blocks, 2, 2);
+  Teko::setBlock(0, 0, blocks, thyra_operator(K.A));
+  Teko::setBlock(0, 1, blocks, thyra_operator(K.B1T));
+  Teko::setBlock(1, 0, blocks, thyra_operator(K.B2));
+  Teko::setBlock(1, 1, blocks, thyra_operator(K.mC));
+  Teko::endBlockFill(blocks);
+  stack_->K = blocks;
+  stack_->u = Teuchos::rcp_dynamic_cast<const Space>(
+      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(K.vector_map()));
+  stack_->p = Teuchos::rcp_dynamic_cast<const Space>(
+      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(K.scalar_map()));
+  stack_->product = Thyra::productVectorSpace<double>(
+      Teuchos::tuple<Teuchos::RCP<const Thyra::VectorSpaceBase<double>>>(stack_->u, stack_->p));
+  stack_->preconditioner = stack_->factory->createPrec();
+}
+
+BlockPreconditioner::~BlockPreconditioner() = default;
+
+void check_block_preconditioner(const Teuchos::ParameterList& stratimikos) {
+  check_teko_list(stratimikos, make_builder(), Teuchos::null);
+}
+
+void BlockPreconditioner::refresh() {
+  const TekoOutput output;
+  try {
+    Thyra::initializePrec<double>(*stack_->factory, stack_->K, stack_->preconditioner.ptr());
+  } catch (const std::exception& error) {
+    throw SetupFailure("the block preconditioner cannot be set up: " + output.cause_of(error));
+  }
+}
+
+void BlockPreconditioner::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,
+                                Scalar alpha, Scalar beta) const {
+  if (mode != Teuchos::NO_TRANS) throw std::logic_error("BlockPreconditioner: no transpose");
+  const auto x = stack_->view(blocks_.vector_part(X), blocks_.scalar_part(X));
+  const auto y = stack_->view(blocks_.vector_part(Y), blocks_.scalar_part(Y));
+  const auto P = stack_->preconditioner->getUnspecifiedPrecOp();
+  Thyra::apply<double>(*P, Thyra::NOTRANS, *x, y.ptr(), alpha, beta);
+}
+
+Teuchos::ParameterList default_block_preconditioner(int velocity_sweeps, int schur_sweeps,
+                                                    const std::string& schur) {
+  Teuchos::ParameterList list("Stratimikos");
+  list.set("Preconditioner Type", "Teko");
+  Teuchos::ParameterList& teko = list.sublist("Preconditioner Types").sublist("Teko");
+  teko.set("Inverse Type", "Block LU");
+  Teuchos::ParameterList& library = teko.sublist("Inverse Factory Library");
+  library.sublist("Block LU")
+      .set("Type", "LU Upper")
+      .set("Inverse Velocity Type", "Velocity Cycle")
+      .set("Schur Complement", schur)
+      .set("Inverse Schur Type", "Pressure Cycle");
+  if (schur == "Two Scale") library.sublist("Block LU").set("Inverse Mass Type", "Pressure Cycle");
+  library.sublist("Velocity Cycle").set("Type", "Nodal Multigrid").set("Sweeps", velocity_sweeps);
+  library.sublist("Pressure Cycle").set("Type", "Nodal Multigrid").set("Sweeps", schur_sweeps);
+  return list;
+}
+
+}  // namespace tunica::linear

@@ -1,0 +1,64 @@
+#include "tunica/linear/direct_factor.hpp"
+
+#include <stdexcept>
+
+#include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
+
+namespace tunica::linear {
+
+struct DirectFactor::Solver {
+  Teuchos::RCP<smoothers::SparseLu> klu2;
+};
+
+DirectFactor::DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix)
+    : matrix_(matrix), solver_(Teuchos::rcp(new Solver)) {
+  solver_->klu2 = smoothers::make_sparse_lu(matrix_);
+}
+
+DirectFactor::~DirectFactor() = default;
+
+void DirectFactor::refresh() {
+  try {
+    smoothers::refactor(*solver_->klu2, matrix_);
+  } catch (const std::exception&) {  // Amesos2 tells of its source lines
+    throw SetupFailure("the matrix is singular: are all rigid motions held, is a pressure given?");
+  }
+}
+
+void DirectFactor::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,
+                         Scalar beta) const {
+  if (mode != Teuchos::NO_TRANS) throw std::logic_error("DirectFactor: no transposed solve");
+  MultiVector solution(Y.getMap(), Y.getNumVectors());
+  solver_->klu2->solve(&solution, &X);
+  Y.update(alpha, solution, beta);
+}
+
+Teuchos::RCP<const Map> DirectFactor::getDomainMap() const { return matrix_->getRangeMap(); }
+Teuchos::RCP<const Map> DirectFactor::getRangeMap() const { return matrix_->getDomainMap(); }
+
+void check_direct_solver(const CommPtr& comm) {
+  const int n = 6 * comm->getSize();
+  const Teuchos::RCP<const Map> map = Teuchos::rcp(new Map(n, 0, comm));
+  const auto A = Teuchos::rcp(new CrsMatrix(map, 3));
+  for (const GlobalOrdinal row : map->getNodeElementList()) {
+    if (row > 0)
+      A->insertGlobalValues(row, Teuchos::tuple<GlobalOrdinal>(row - 1), Teuchos::tuple(-2.0));
+    A->insertGlobalValues(row, Teuchos::tuple<GlobalOrdinal>(row), Teuchos::tuple(4.0));
+    if (row < n - 1)
+      A->insertGlobalValues(row, Teuchos::tuple<GlobalOrdinal>(row + 1), Teuchos::tuple(-1.0));
+  }
+  A->fillComplete();
+  Vector x(map), b(map), r(map);
+  b.putScalar(1.0);
+  DirectFactor factor(A);
+  factor.refresh();
+  factor.apply(b, x);
+  A->apply(x, r);
+  r.update(1.0, b, -1.0);
+  if (!(r.norm2() < 1e-12 * b.norm2()))
+    throw std::runtime_error(
+        "KLU2 solves a 6-by-6 system per rank wrongly: this executable was linked without "
+        "the repair in src/linear/klu2_repair.cpp (call tunica_repair_klu2 in CMake).");
+}
+
+}  // namespace tunica::linear

@@ -1,0 +1,41 @@
+#pragma once
+#include <stdexcept>
+
+#include "tunica/base/types.hpp"
+
+namespace tunica::linear {
+
+/// A matrix that cannot be factored; on all ranks alike. A result for Newton's method, not a
+/// fault.
+class SetupFailure : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Sparse LU factors of a matrix by Amesos2's KLU2; the factors live on rank 0. For small
+/// systems. The graph must not change after construction.
+class DirectFactor : public Operator {
+public:
+  explicit DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix);
+  ~DirectFactor() override;
+
+  /// Factors the present values. Throws SetupFailure where the matrix is singular.
+  void refresh();
+
+  /// Y = alpha K⁻¹ X + beta Y.
+  void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
+             Scalar alpha = 1.0, Scalar beta = 0.0) const override;
+  Teuchos::RCP<const Map> getDomainMap() const override;
+  Teuchos::RCP<const Map> getRangeMap() const override;
+
+private:
+  struct Solver;
+  Teuchos::RCP<const CrsMatrix> matrix_;
+  Teuchos::RCP<Solver> solver_;
+};
+
+/// Solves a small nonsymmetric system on all ranks and throws std::runtime_error if the answer
+/// is wrong: an executable without the KLU2 repair must not run. Collective.
+void check_direct_solver(const CommPtr& comm);
+
+}  // namespace tunica::linear

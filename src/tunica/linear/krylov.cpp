@@ -1,0 +1,50 @@
+#include "tunica/linear/krylov.hpp"
+
+#include <BelosLinearProblem.hpp>
+#include <BelosSolverFactory_Tpetra.hpp>
+#include <BelosTpetraAdapter.hpp>
+#include <cmath>
+#include <limits>
+
+#include "tunica/linear/gcr.hpp"
+
+namespace tunica::linear {
+
+namespace {
+
+Teuchos::RCP<Teuchos::ParameterList> belos_list(const KrylovOptions& options, double tolerance) {
+  const auto list = Teuchos::rcp(new Teuchos::ParameterList);
+  list->set("Maximum Iterations", options.max_iterations);
+  list->set("Convergence Tolerance", tolerance);
+  // CG starts from a guess; Belos would reduce the guess's residual, however small, further.
+  if (options.method == "CG") list->set("Implicit Residual Scaling", "Norm of RHS");
+  if (options.restart > 0) {
+    list->set("Num Blocks", std::min(options.restart, options.max_iterations));
+    list->set("Maximum Restarts", options.max_iterations / options.restart + 1);
+  }
+  return list;
+}
+
+}  // namespace
+
+KrylovResult solve_krylov(const KrylovOptions& options, const Teuchos::RCP<const Operator>& A,
+                          const Teuchos::RCP<const Operator>& preconditioner, const MultiVector& B,
+                          MultiVector& X, double tolerance) {
+  const auto x = Teuchos::rcpFromRef(X);
+  const auto problem = Teuchos::rcp(
+      new Belos::LinearProblem<Scalar, MultiVector, Operator>(A, x, Teuchos::rcpFromRef(B)));
+  if (!preconditioner.is_null()) problem->setRightPrec(preconditioner);
+  problem->setProblem();
+  Belos::SolverFactory<Scalar, MultiVector, Operator> factory;
+  factory.addFactory(Teuchos::rcp(new GcrFactory));
+  const auto solver = factory.create(options.method, belos_list(options, tolerance));
+  solver->setProblem(problem);
+  try {
+    solver->solve();
+    return {solver->getNumIters(), solver->achievedTol()};
+  } catch (const Belos::BelosError&) {  // breakdown: the caller's true residual tells
+    return {solver->getNumIters(), std::numeric_limits<double>::quiet_NaN()};
+  }
+}
+
+}  // namespace tunica::linear

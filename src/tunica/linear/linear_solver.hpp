@@ -1,0 +1,63 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/linear/block_preconditioner.hpp"
+#include "tunica/linear/named_operators.hpp"
+#include "tunica/multigrid/muelu/cycle.hpp"
+#include "tunica/params/table.hpp"
+
+namespace tunica::linear {
+
+/// What became of one linear solve. Not converging is a result, not an error.
+struct SolveReport {
+  std::string method;
+  bool is_converged = false;
+  int iterations = 0;
+  int operator_applications = 0;     ///< products with K on the way
+  double tolerance = 0.0;            ///< asked for: |b − Kx| ≤ tolerance |b|
+  double recurrence_residual = 0.0;  ///< relative, as the Krylov method believes
+  double true_residual = 0.0;        ///< relative, |b − Kx| / |b| computed anew
+  double setup_seconds = 0.0;
+  double solve_seconds = 0.0;
+  multigrid::Levels levels;  ///< none where the preconditioner is no multigrid for the whole system
+};
+
+/// By how much an unconverged solve fell short, in words.
+std::string describe_unconverged(const SolveReport& report);
+
+/// Solves with the Jacobian of one field, K x = b.
+class LinearSolver {
+public:
+  virtual ~LinearSolver() = default;
+
+  /// The values of K are new: what was set up for the old ones may be kept or refreshed.
+  virtual void matrix_changed() = 0;
+
+  /// Sets everything up for the present values, though what is there might do. Collective.
+  virtual void prepare() = 0;
+
+  /// Solves from a zero start. Collective.
+  virtual SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
+                            double tolerance) = 0;
+};
+
+/// What a field makes of keys that are not given.
+struct SolverDefaults {
+  std::string preconditioner = "block";
+  /// The Stratimikos list of the block preconditioner.
+  Teuchos::ParameterList block = default_block_preconditioner(1, 1);
+  /// The MueLu list of the multigrid cycle.
+  Teuchos::ParameterList cycle = multigrid::mixed_cycle_list(2);
+};
+
+/// The keys of a "Linear Solver" list.
+params::Table linear_solver_table(const SolverDefaults& defaults = {});
+
+/// Builds the solver that the resolved list describes; K and operators must outlive it.
+std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& options,
+                                                 const algebra::BlockMatrices& K,
+                                                 const NamedOperators& operators = no_operators());
+
+}  // namespace tunica::linear

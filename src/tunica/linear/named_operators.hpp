@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tunica/base/types.hpp"
+
+namespace tunica::linear {
+
+/// Matrices by which physics helps a preconditioner, asked for by name. linear/ knows only the
+/// names; the owner of the Jacobian knows what stands behind them.
+class NamedOperators {
+public:
+  virtual ~NamedOperators() = default;
+  virtual std::vector<std::string> operator_names() const = 0;
+  /// The matrix for the present state; null for an unknown name. Collective.
+  virtual Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const = 0;
+};
+
+/// Of a system that has none.
+const NamedOperators& no_operators();
+
+}  // namespace tunica::linear

@@ -1,0 +1,45 @@
+#pragma once
+#include <memory>
+
+#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/linear/named_operators.hpp"
+#include "tunica/multigrid/muelu/cycle.hpp"
+#include "tunica/params/table.hpp"
+
+namespace tunica::linear {
+
+/// A block system in the form of vector that its preconditioner works on.
+class PreconditionedSystem {
+public:
+  virtual ~PreconditionedSystem() = default;
+
+  virtual Teuchos::RCP<const Map> map() const = 0;
+  virtual Teuchos::RCP<const Operator> matrix() const = 0;
+  /// Null: none.
+  virtual Teuchos::RCP<const Operator> preconditioner() const = 0;
+
+  /// Takes over the present values of the block operator.
+  virtual void refresh_matrix() = 0;
+  /// Sets the preconditioner up for them.
+  virtual void refresh_preconditioner() = 0;
+
+  /// Of the multigrid hierarchy as it was set up last, none by default. Collective.
+  virtual multigrid::Levels levels() const { return {}; }
+
+  virtual void gather(const algebra::BlockVector& x, MultiVector& all) const = 0;
+  virtual void scatter(const MultiVector& all, algebra::BlockVector& x) const = 0;
+};
+
+/// Adds the key "preconditioner" with its default and the keys of each preconditioner; block and
+/// cycle are the default lists of the block preconditioner and of the multigrid cycle.
+void add_preconditioner_keys(params::Table& table, const std::string& fallback,
+                             const Teuchos::ParameterList& block,
+                             const Teuchos::ParameterList& cycle);
+
+/// The system for the preconditioner that the resolved list names. K and operators must
+/// outlive it.
+std::unique_ptr<PreconditionedSystem> make_system(const Teuchos::ParameterList& list,
+                                                  const algebra::BlockMatrices& K,
+                                                  const NamedOperators& operators);
+
+}  // namespace tunica::linear

@@ -1,0 +1,25 @@
+#pragma once
+#include <memory>
+
+#include "tunica/base/types.hpp"
+#include "tunica/params/table.hpp"
+
+namespace tunica::linear {
+
+/// Solves with one symmetric positive definite matrix that never changes, as mesh motion does.
+class ScalarSolver {
+public:
+  virtual ~ScalarSolver() = default;
+  /// X = K⁻¹ B for every column, started from the X given. Returns the relative residual.
+  virtual double solve(const MultiVector& B, MultiVector& X) = 0;
+  /// The relative residual that solve() aims at.
+  virtual double tolerance() const = 0;
+};
+
+/// The keys of a "Linear Solver" list for symmetric positive definite scalar problems.
+params::Table scalar_solver_table();
+
+std::unique_ptr<ScalarSolver> make_scalar_solver(const Teuchos::ParameterList& options,
+                                                 const Teuchos::RCP<CrsMatrix>& K);
+
+}  // namespace tunica::linear

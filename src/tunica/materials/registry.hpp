@@ -1,0 +1,41 @@
+#pragma once
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tunica/materials/hyperelastic_law.hpp"
+
+namespace tunica::materials {
+
+/// A constant of a law, as XML names it.
+struct Constant {
+  std::string name;
+  double fallback;
+  double low;  ///< smallest admissible value
+  std::string unit;
+  std::string sentence;
+  double high = std::numeric_limits<double>::infinity();  ///< largest admissible value
+};
+
+using Constants = std::map<std::string, double>;
+
+/// A law, as XML names it. make() receives every constant, checked and completed.
+struct LawEntry {
+  std::string name;
+  std::string sentence;
+  std::vector<Constant> constants;
+  std::function<std::unique_ptr<HyperelasticLaw>(const Constants&)> make;
+  /// κ [kPa] of a law whose constants fix it; empty where it is a key of its own.
+  std::function<double(const Constants&)> bulk_modulus = {};
+};
+
+/// Every law there is, in the order of the reference.
+const std::vector<LawEntry>& laws();
+
+/// The law `name` with the given constants, the others at their fallback.
+std::unique_ptr<HyperelasticLaw> make_law(const std::string& name, const Constants& constants);
+
+}  // namespace tunica::materials

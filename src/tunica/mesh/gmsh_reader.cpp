@@ -1,0 +1,191 @@
+#include "tunica/mesh/gmsh_reader.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include "tunica/mesh/gmsh.hpp"
+
+namespace tunica::mesh {
+namespace {
+
+constexpr int most = std::numeric_limits<int>::max();
+constexpr int line_type = 1, triangle_type = 2, tet_type = 4, point_type = 15;
+
+}  // namespace
+
+GmshReader::GmshReader(const std::string& path) : in_(path) { mesh_.path = path; }
+
+RawMesh GmshReader::read() {
+  read_format();
+  while (!in_.is_at_end()) {
+    const std::string section(in_.word("a section"));
+    if (section.size() < 2 || section[0] != '$')
+      in_.fail("found \"" + section.substr(0, 40) + "\", expected a section such as $Nodes");
+    read_section(section.substr(1));
+  }
+  if (!has_nodes_ || !has_elements_)
+    in_.fail("the file ends without $Nodes or without $Elements. Is it truncated?");
+  return std::move(mesh_);
+}
+
+void GmshReader::read_format() {
+  in_.expect("$MeshFormat");
+  const double version = in_.real("the version");
+  if (version != 2.2 && version != 4.1)
+    in_.fail("Gmsh version " + std::to_string(version).substr(0, 3) +
+             ", expected 2.2 or 4.1. Save it with \"gmsh -0 -format msh41\".");
+  is_41_ = version == 4.1;
+  if (in_.integer("the file type") != 0)
+    in_.fail(
+        "a binary Gmsh file, expected ASCII. Save it with \"gmsh -0 -format msh41\", "
+        "without -bin.");
+  in_.integer("the data size");
+  in_.expect("$EndMeshFormat");
+}
+
+void GmshReader::read_section(const std::string& name) {
+  if (name == "PartitionedEntities")
+    in_.fail("a partitioned Gmsh file, expected a whole one. Save it with \"gmsh -unpartition\".");
+  if (name == "PhysicalNames") {
+    read_names();
+  } else if (name == "Entities" && is_41_) {
+    read_entities_41();
+  } else if (name == "Nodes") {
+    if (has_nodes_) in_.fail("a second section $Nodes");
+    has_nodes_ = true;
+    is_41_ ? read_nodes_41() : read_nodes_22();
+  } else if (name == "Elements") {
+    if (!has_nodes_) in_.fail("$Elements before $Nodes");
+    if (has_elements_) in_.fail("a second section $Elements");
+    has_elements_ = true;
+    is_41_ ? read_elements_41() : read_elements_22();
+  } else if (name == "ElementData") {
+    if (!has_elements_) in_.fail("$ElementData before $Elements");
+    read_element_data();
+  } else {
+    return skip_section(name);
+  }
+  in_.expect("$End" + name);
+}
+
+void GmshReader::skip_section(const std::string& name) {
+  const std::string end = "$End" + name;
+  while (in_.word(end) != end) continue;
+}
+
+void GmshReader::read_names() {
+  const std::size_t n = in_.count("the number of physical names", 7);
+  for (std::size_t i = 0; i < n; ++i) {
+    const int dimension = in_.integer("the dimension of a physical group", 0, 3);
+    const int id = in_.integer("the number of a physical group", 1, most);
+    const std::string name = in_.quoted("the name of a physical group");
+    if (dimension == 3) mesh_.region_names[id] = name;
+    if (dimension == 2) mesh_.surface_names[id] = name;
+  }
+}
+
+void GmshReader::read_element_data() {
+  std::string name;
+  const std::size_t strings = in_.count("the number of string tags", 2);
+  for (std::size_t i = 0; i < strings; ++i) {
+    const std::string text = in_.quoted("a string tag");
+    if (i == 0) name = text;
+  }
+  const std::size_t reals = in_.count("the number of real tags", 2);
+  for (std::size_t i = 0; i < reals; ++i) in_.real("a real tag");
+  const std::size_t integers = in_.count("the number of integer tags", 2);
+  if (integers < 3) in_.fail("$ElementData with fewer than 3 integer tags");
+  in_.integer("a time step");
+  const int components = in_.integer("the number of components", 1, 9);
+  const std::size_t rows = in_.count("the number of elements with data", 4);
+  for (std::size_t i = 3; i < integers; ++i) in_.integer("an integer tag");
+  TetVectors vectors{name, std::vector<Vec3>(mesh_.tets.size(), Vec3{})};
+  std::unordered_map<long long, std::size_t> tet_of_number;
+  for (std::size_t t = 0; t < mesh_.tets.size(); ++t) tet_of_number[mesh_.tet_number[t]] = t;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto tet = tet_of_number.find(in_.integer("the number of an element"));
+    for (int i = 0; i < components; ++i) {
+      const double value = in_.real("a value on an element");
+      if (components == 3 && tet != tet_of_number.end()) vectors.values[tet->second][i] = value;
+    }
+  }
+  if (components != 3) return;
+  const auto& all = mesh_.tet_vectors;
+  if (std::any_of(all.begin(), all.end(), [&](const auto& v) { return v.name == name; }))
+    in_.fail("a second $ElementData \"" + name + "\", expected one time step of each");
+  mesh_.tet_vectors.push_back(std::move(vectors));
+}
+
+void GmshReader::add_node(long long number, const Vec3& x) {
+  const int index = static_cast<int>(mesh_.vertices.size());
+  if (!index_of_node_.emplace(number, index).second)
+    in_.fail("a second node with the number " + std::to_string(number));
+  mesh_.vertices.push_back(x);
+}
+
+Vec3 GmshReader::read_point() {
+  Vec3 x;
+  for (double& value : x) value = in_.real("a coordinate");
+  return x;
+}
+
+template <std::size_t N>
+std::array<int, N> GmshReader::read_corners() {
+  std::array<int, N> corners;
+  for (int& corner : corners) {
+    const long long number = in_.integer("the number of a node");
+    const auto found = index_of_node_.find(number);
+    if (found == index_of_node_.end())
+      in_.fail("node " + std::to_string(number) + " is not in $Nodes");
+    corner = found->second;
+  }
+  return corners;
+}
+
+void GmshReader::read_element(long long number, int type, int physical) {
+  if (type == tet_type) {
+    mesh_.tets.push_back(read_corners<4>());
+    mesh_.tet_tag.push_back(physical);
+    mesh_.tet_number.push_back(number);
+  } else if (type == triangle_type) {
+    mesh_.triangles.push_back(read_corners<3>());
+    mesh_.triangle_tag.push_back(physical);
+  } else if (type == line_type) {
+    read_corners<2>();
+  } else if (type == point_type) {
+    read_corners<1>();
+  } else {
+    in_.fail("element " + std::to_string(number) + " is of Gmsh type " + std::to_string(type) +
+             ", expected 4 (tetrahedron with 4 nodes), 2 (triangle with 3), 1 or 15. Mesh with "
+             "tetrahedra of first order.");
+  }
+}
+
+void GmshReader::read_nodes_22() {
+  const std::size_t n = in_.count("the number of nodes", 8);
+  mesh_.vertices.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const long long number = in_.integer("the number of a node");
+    add_node(number, read_point());
+  }
+}
+
+void GmshReader::read_elements_22() {
+  const std::size_t n = in_.count("the number of elements", 8);
+  for (std::size_t i = 0; i < n; ++i) {
+    const long long number = in_.integer("the number of an element");
+    const int type = in_.integer("the type of an element", 1, most);
+    const std::size_t tags = in_.count("the number of an element's tags", 2);
+    int physical = 0;
+    for (std::size_t tag = 0; tag < tags; ++tag) {
+      const int value = in_.integer("a tag of an element", -most, most);
+      if (tag == 0) physical = std::abs(value);
+    }
+    read_element(number, type, physical);
+  }
+}
+
+Mesh read_gmsh(const std::string& path) { return finish(GmshReader(path).read()); }
+
+}  // namespace tunica::mesh

@@ -1,0 +1,51 @@
+#pragma once
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "tunica/mesh/raw_mesh.hpp"
+#include "tunica/mesh/text_scanner.hpp"
+
+namespace tunica::mesh {
+
+/// Reads the sections of a Gmsh file. Both versions share the names, the numbering of the
+/// nodes and the elements' kinds; they differ in the order of the numbers.
+class GmshReader {
+public:
+  explicit GmshReader(const std::string& path);
+  RawMesh read();
+
+private:
+  void read_format();
+  void read_names();
+  /// Keeps vectors on tetrahedra; passes over scalars, tensors and other elements.
+  void read_element_data();
+  void skip_section(const std::string& name);
+  void read_section(const std::string& name);
+
+  void read_nodes_22();
+  void read_elements_22();
+  void read_entities_41();
+  void read_nodes_41();
+  void read_elements_41();
+  /// The one physical number of an entity, 0 for none.
+  int read_physical();
+
+  void add_node(long long number, const Vec3& x);
+  Vec3 read_point();
+  /// Reads the nodes of an element and keeps tetrahedra and triangles.
+  void read_element(long long number, int type, int physical);
+  template <std::size_t N>
+  std::array<int, N> read_corners();
+
+  TextScanner in_;
+  RawMesh mesh_;
+  bool is_41_ = false;
+  bool has_nodes_ = false;
+  bool has_elements_ = false;
+  std::unordered_map<long long, int> index_of_node_;
+  std::map<std::pair<int, long long>, int> physical_of_entity_;  ///< by dimension and number
+};
+
+}  // namespace tunica::mesh

@@ -1,0 +1,50 @@
+#include "tunica/mesh/read.hpp"
+
+#include <fstream>
+
+#include "tunica/base/error.hpp"
+#include "tunica/mesh/gmsh.hpp"
+#include "tunica/mesh/hdf5.hpp"
+#include "tunica/mesh/netgen.hpp"
+
+namespace tunica::mesh {
+namespace {
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+bool starts_with(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+/// The first line that is neither empty nor a comment, at most 64 characters of it.
+std::string first_line(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string head(4096, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  std::size_t at = 0;
+  while (at < head.size()) {
+    const std::size_t end = std::min(head.find('\n', at), head.size());
+    const std::size_t start = std::min(head.find_first_not_of(" \t\r", at), end);
+    if (start < end && head[start] != '#') return head.substr(start, std::min(end - start, 64ul));
+    at = end + 1;
+  }
+  return "";
+}
+
+}  // namespace
+
+Mesh read(const std::string& path) {
+  const std::string head = first_line(path);
+  if (starts_with(head, "\x89HDF") || ends_with(path, ".h5")) return read_hdf5(path);
+  if (starts_with(head, "$MeshFormat") || ends_with(path, ".msh")) return read_gmsh(path);
+  if (starts_with(head, "mesh3d") || ends_with(path, ".vol")) return read_netgen(path);
+  TUNICA_CHECK(std::ifstream(path), path + ": cannot be opened for reading");
+  throw Error(path +
+              ": not a mesh this program knows. Expected Gmsh (.msh, ASCII 2.2 or 4.1), "
+              "Netgen (.vol) or tunica's own (.h5).");
+}
+
+}  // namespace tunica::mesh

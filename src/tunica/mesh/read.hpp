@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "tunica/mesh/mesh.hpp"
+
+namespace tunica::mesh {
+
+/// Reads a mesh: Gmsh MSH 2.2 or 4.1 (ASCII), Netgen .vol, or tunica's HDF5 file. The
+/// content decides, not the file's name. The result has passed validate(); everything else
+/// is an Error that names the file and the line (text) or the dataset (HDF5).
+Mesh read(const std::string& path);
+
+}  // namespace tunica::mesh

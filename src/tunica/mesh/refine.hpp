@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tunica/mesh/mesh.hpp"
+
+namespace tunica::mesh {
+
+/// Uniform refinement: each tetrahedron becomes 8, each triangle 4; regions and surfaces stay.
+///
+/// Old vertices keep their numbers; one new vertex on each edge follows, sorted by the edge's
+/// ends. The octahedron in the middle is cut along its shortest diagonal (of equal ones the
+/// first), so volumes add up and faces match.
+///
+/// project: surfaces (names) whose new vertices are moved outwards onto the cylinder about the
+/// z axis through the surface's old vertices. Throws Error if a surface is no such cylinder
+/// (radii differ by more than 0.1 %) or if the motion inverts an element.
+Mesh refine(const Mesh& mesh, const std::vector<std::string>& project = {});
+
+}  // namespace tunica::mesh

@@ -1,0 +1,43 @@
+#pragma once
+#include <deque>
+#include <vector>
+
+#include "tunica/base/types.hpp"
+
+namespace tunica::multigrid {
+
+/// Coarser and coarser sets of nodes, picked from a graph of nodes [Ki98]: a maximal
+/// independent set becomes the next level, and every other node takes the mean of its
+/// neighbours in it. Nodes without neighbours (fixed ones, in systems that keep only their
+/// diagonals) are left out of coarser levels. Depends on the graph and the order alone; made level
+/// by level as they are asked for.
+class NodalCoarsening {
+public:
+  /// nodes: square, with one row per node and an entry on the diagonal; its values are ignored.
+  /// order: in which nodes are picked, a number per node, none twice. With numbers that do not hang
+  /// on the ranks the coarse nodes do not either.
+  NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order);
+
+  /// Interpolation from level + 1 to level (0 the finest). Its rows sum to one, but for
+  /// nodes left out. Collective where it
+  /// is asked for the first time.
+  Teuchos::RCP<const CrsMatrix> prolongator(int level) { return at(level).P; }
+
+  /// The local row on this level of each local node of the next. Collective as prolongator() is.
+  const std::vector<int>& coarse_rows(int level) { return at(level).coarse_rows; }
+
+private:
+  struct Level {
+    Teuchos::RCP<const CrsMatrix> nodes;
+    Teuchos::RCP<const Vector> order;
+    Teuchos::RCP<const CrsMatrix> P;  ///< from the next level; null where it is not made yet
+    std::vector<int> coarse_rows;
+  };
+
+  const Level& at(int level);
+  void coarsen();
+
+  std::deque<Level> levels_;
+};
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,127 @@
+#include "tunica/multigrid/muelu/blocked_matrix.hpp"
+
+#include <Xpetra_MapExtractorFactory.hpp>
+#include <Xpetra_MultiVectorFactory.hpp>
+#include <Xpetra_StridedMapFactory.hpp>
+#include <array>
+#include <stdexcept>
+
+#include "tunica/base/agreement.hpp"
+
+namespace tunica::multigrid {
+
+namespace {
+
+using XMap = Xpetra::Map<LocalOrdinal, GlobalOrdinal, Node>;
+using StridedMaps = Xpetra::StridedMapFactory<LocalOrdinal, GlobalOrdinal, Node>;
+using Extractor = Xpetra::MapExtractor<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+
+/// 0 the vector, 1 the scalar.
+int block_of(GlobalOrdinal number, const algebra::DofLayout& numbering) {
+  return numbering.is_scalar(number) ? 1 : 0;
+}
+
+/// The rows or columns of both blocks and of all, as MueLu wants them described.
+struct Side {
+  std::array<Teuchos::RCP<const XMap>, 2> maps;
+  Teuchos::RCP<const Extractor> extractor;
+
+  Side(const Map& all, const algebra::DofLayout& numbering) {
+    std::vector<std::size_t> striding{static_cast<std::size_t>(numbering.components), 1};
+    const auto strided = [&](const std::vector<GlobalOrdinal>& numbers, int block) {
+      return StridedMaps::Build(
+          Xpetra::UseTpetra, Teuchos::OrdinalTraits<Xpetra::global_size_t>::invalid(),
+          Teuchos::arrayViewFromVector(numbers), 0, striding, all.getComm(), block);
+    };
+    std::array<std::vector<GlobalOrdinal>, 2> numbers;
+    std::vector<GlobalOrdinal> every;
+    for (const GlobalOrdinal number : all.getNodeElementList()) {
+      numbers[block_of(number, numbering)].push_back(number);
+      every.push_back(number);
+    }
+    for (int b = 0; b < 2; ++b) maps[b] = strided(numbers[b], b);
+    // -1: the map of all blocks.
+    extractor = Xpetra::MapExtractorFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>::Build(
+        strided(every, -1), {maps[0], maps[1]});
+  }
+};
+
+/// The entries of M in the rows and columns of these blocks.
+Teuchos::RCP<CrsMatrix> block_of(const CrsMatrix& M, const algebra::DofLayout& numbering,
+                                 const std::array<int, 2>& blocks, const Side& rows,
+                                 const Side& columns) {
+  const auto row_map = Xpetra::toTpetra(rows.maps[blocks[0]]);
+  const auto result = Teuchos::rcp(new CrsMatrix(row_map, M.getNodeMaxNumRowEntries()));
+  const auto local = M.getLocalMatrixHost();
+  std::vector<GlobalOrdinal> numbers;
+  std::vector<Scalar> values;
+  for (int i = 0; i < local.numRows(); ++i) {
+    const GlobalOrdinal row_number = M.getRowMap()->getGlobalElement(i);
+    if (block_of(row_number, numbering) != blocks[0]) continue;
+    const auto row = local.rowConst(i);
+    numbers.clear();
+    values.clear();
+    for (int k = 0; k < row.length; ++k) {
+      const GlobalOrdinal number = M.getColMap()->getGlobalElement(row.colidx(k));
+      if (block_of(number, numbering) != blocks[1]) continue;
+      if (row.value(k) == 0.0 && number != row_number) continue;
+      numbers.push_back(number);
+      values.push_back(row.value(k));
+    }
+    result->insertGlobalValues(row_number, Teuchos::arrayViewFromVector(numbers),
+                               Teuchos::arrayViewFromVector(values));
+  }
+  result->fillComplete(Xpetra::toTpetra(columns.maps[blocks[1]]), row_map);
+  return result;
+}
+
+}  // namespace
+
+Teuchos::RCP<XBlockedMatrix> blocked(const CrsMatrix& M, const algebra::DofLayout& numbering) {
+  Side rows(*M.getRangeMap(), numbering), columns(*M.getDomainMap(), numbering);
+  // Xpetra asks for extractors it may change.
+  const auto result = Teuchos::rcp(new XBlockedMatrix(rows.extractor, columns.extractor, 0));
+  for (int r = 0; r < 2; ++r)
+    for (int c = 0; c < 2; ++c) {
+      const auto part = block_of(M, numbering, {r, c}, rows, columns);
+      if (part->getGlobalNumEntries() == 0) continue;
+      const auto block = wrapped(part);
+      block->CreateView("stridedMaps", rows.maps[r], columns.maps[c]);
+      result->setMatrix(r, c, block);
+    }
+  result->fillComplete();
+  return result;
+}
+
+Teuchos::RCP<XMultiVector> constants(const XBlockedMatrix& A, int block, int components) {
+  const auto map = A.getRangeMap(block);
+  const auto vectors =
+      Xpetra::MultiVectorFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>::Build(map, components);
+  const auto view = unwrapped(*vectors)->getLocalViewHost(overwrite_all);
+  for (std::size_t row = 0; row < view.extent(0); ++row)
+    for (int i = 0; i < components; ++i)
+      view(row, i) = static_cast<int>(row) % components == i ? 1.0 : 0.0;
+  return vectors;
+}
+
+void set_blocks(MueLu::Level& finest, const CrsMatrix& A, const algebra::DofLayout& numbering) {
+  const Map& rows = *A.getRowMap();
+  bool is_whole = true;
+  GlobalOrdinal expected = 0;  // component
+  for (const GlobalOrdinal number : rows.getNodeElementList()) {
+    if (numbering.is_scalar(number)) continue;
+    is_whole &= number % numbering.dofs() == expected;
+    expected = (expected + 1) % numbering.components;
+  }
+  const std::string problem = agreed_message(
+      *rows.getComm(), is_whole && expected == 0
+                           ? ""
+                           : "\"matrix\" = \"blocked\" needs all components at each vector node.");
+  if (!problem.empty()) throw std::runtime_error(problem);
+  const auto blocks = blocked(A, numbering);
+  finest.Set<Teuchos::RCP<XMatrix>>("A", blocks);
+  finest.Set("Nullspace1", constants(*blocks, 0, numbering.components));
+  finest.Set("Nullspace2", constants(*blocks, 1, 1));
+}
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,204 @@
+#include "tunica/multigrid/muelu/cycle.hpp"
+
+#include <MueLu_Exceptions.hpp>
+#include <MueLu_Hierarchy.hpp>
+#include <MueLu_ParameterListInterpreter.hpp>
+#include <Teuchos_DefaultSerialComm.hpp>
+#include <algorithm>
+#include <stdexcept>
+
+#include "tunica/base/error.hpp"
+#include "tunica/multigrid/muelu/blocked_matrix.hpp"
+#include "tunica/multigrid/muelu/factory_factory.hpp"
+#include "tunica/multigrid/muelu/galerkin_factory.hpp"
+#include "tunica/multigrid/muelu/matrix_kind.hpp"
+#include "tunica/multigrid/muelu/nodal_p_factory.hpp"
+#include "tunica/multigrid/muelu/xpetra.hpp"
+#include "tunica/params/nearest.hpp"
+
+namespace tunica::multigrid {
+
+namespace {
+
+using Interpreter = MueLu::ParameterListInterpreter<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+using Hierarchy = MueLu::Hierarchy<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+using Smoother = MueLu::SmootherBase<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+using Wrapper = Xpetra::TpetraMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+
+const std::string cannot_work_on_blocks =
+    "a smoother or another factory of the list cannot work on a matrix of blocks: ";
+
+/// What must follow new values, in this order; empty where a part cannot.
+std::vector<algebra::Refreshable*> parts_to_refresh(Hierarchy& hierarchy) {
+  std::vector<algebra::Refreshable*> parts;
+  for (int l = 1; l < hierarchy.GetNumLevels(); ++l) {
+    MueLu::Level& level = *hierarchy.GetLevel(l);
+    parts.push_back(galerkin_product(level).get());
+    if (parts.back() == nullptr || !NodalPFactory::made_prolongator_of(level)) return {};
+  }
+  for (int l = 0; l < hierarchy.GetNumLevels(); ++l)
+    for (const char* name : {"PreSmoother", "PostSmoother"}) {
+      MueLu::Level& level = *hierarchy.GetLevel(l);
+      if (!level.IsAvailable(name)) continue;
+      const auto smoother = level.Get<Teuchos::RCP<Smoother>>(name);
+      if (smoother.is_null()) continue;
+      auto* const part = dynamic_cast<algebra::Refreshable*>(smoother.get());
+      if (part == nullptr) return {};
+      if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
+    }
+  return parts;
+}
+
+}  // namespace
+
+struct Cycle::Parts {
+  Teuchos::RCP<Hierarchy> hierarchy;
+  std::vector<algebra::Refreshable*> refreshable;
+  Levels levels;
+};
+
+Cycle::Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsening>& coarsening,
+             const Teuchos::ParameterList& muelu, bool is_blocked)
+    : A_(A), coarsening_(coarsening), muelu_(muelu), is_blocked_(is_blocked) {
+  check_matrix_kind(muelu, is_blocked);
+  set_up();
+}
+
+Cycle::~Cycle() = default;
+
+void Cycle::set_up() {
+  parts_ = std::make_unique<Parts>();
+  Teuchos::ParameterList list(muelu_);
+  Interpreter interpreter(list, A_->getComm(), make_factory_factory(coarsening_));
+  parts_->hierarchy = interpreter.CreateHierarchy();
+  Hierarchy& hierarchy = *parts_->hierarchy;
+  hierarchy.setlib(Xpetra::UseTpetra);
+  try {
+    if (is_blocked_)
+      set_blocks(*hierarchy.GetLevel(0), *A_, coarsening_->numbering());
+    else
+      hierarchy.GetLevel(0)->Set("A", wrapped(A_));
+    interpreter.SetupHierarchy(hierarchy);
+    hierarchy.IsPreconditioner(true);
+    // MueLu factors the coarsest matrix when it is first needed: a singular one must fail here.
+    MultiVector zero(A_->getRangeMap(), 1), nothing(A_->getDomainMap(), 1);
+    iterate(zero, nothing);
+  } catch (const std::bad_cast& error) {
+    if (!is_blocked_) throw;
+    throw std::runtime_error(cannot_work_on_blocks + error.what());
+  } catch (const MueLu::Exceptions::BadCast& error) {
+    if (!is_blocked_) throw;
+    throw std::runtime_error(cannot_work_on_blocks + error.what());
+  }
+  if (!is_blocked_) parts_->refreshable = parts_to_refresh(hierarchy);
+  parts_->levels = count_levels();
+}
+
+void Cycle::iterate(const MultiVector& b, MultiVector& x) const {
+  // Xpetra asks for a vector it may change; MueLu leaves right sides alone.
+  const Wrapper wrapped_b(Teuchos::rcpFromRef(const_cast<MultiVector&>(b)));
+  Wrapper wrapped_x(Teuchos::rcpFromRef(x));
+  parts_->hierarchy->Iterate(wrapped_b, wrapped_x, 1, true);
+}
+
+void Cycle::refresh() {
+  if (!keeps_graphs()) return set_up();
+  for (algebra::Refreshable* part : parts_->refreshable) part->refresh();
+}
+
+bool Cycle::keeps_graphs() const { return !parts_->refreshable.empty(); }
+
+void Cycle::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,
+                  Scalar beta) const {
+  if (mode != Teuchos::NO_TRANS) throw std::logic_error("Cycle: no transpose");
+  if (alpha == 1.0 && beta == 0.0) return iterate(X, Y);
+  MultiVector result(Y.getMap(), Y.getNumVectors());
+  iterate(X, result);
+  Y.update(alpha, result, beta);
+}
+
+const Levels& Cycle::levels() const { return parts_->levels; }
+
+Teuchos::RCP<const CrsMatrix> Cycle::matrix(int level) const {
+  const auto A = parts_->hierarchy->GetLevel(level)->Get<Teuchos::RCP<XMatrix>>("A");
+  return unwrapped(is_blocked_ ? Teuchos::rcp_dynamic_cast<XBlockedMatrix>(A, true)->Merge() : A);
+}
+
+Levels Cycle::count_levels() const {
+  Levels levels;
+  double finest = 0.0, all = 0.0;
+  for (int l = 0; l < parts_->hierarchy->GetNumLevels(); ++l) {
+    const auto A = matrix(l);
+    levels.unknowns.push_back(static_cast<long long>(A->getGlobalNumRows()));
+    all += static_cast<double>(A->getGlobalNumEntries());
+    if (l == 0) finest = all;
+  }
+  levels.operator_complexity = all / finest;
+  return levels;
+}
+
+void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked) {
+  Teuchos::ParameterList list(muelu);
+  TUNICA_CHECK(list.isSublist("Hierarchy") && list.isSublist("Factories"),
+               "the list lacks \"Factories\" or \"Hierarchy\"; a mixed matrix needs a MueLu list "
+               "in the form of factories.");
+  std::string cause;
+  try {
+    const Interpreter interpreter(list, Teuchos::rcp(new Teuchos::SerialComm<int>),
+                                  make_factory_factory(Teuchos::null));
+  } catch (const std::exception& error) {
+    cause = error.what();
+  }
+  const auto found = cause.find("unknown factory name : ");
+  if (found != std::string::npos)
+    cause = cause.substr(found, cause.find('\n', found) - found) + ". Ours are " +
+            params::quoted(our_factories()) + ", the others are those of MueLu's user's guide.";
+  TUNICA_CHECK(cause.empty(), cause);
+  check_matrix_kind(muelu, is_blocked);
+}
+
+namespace {
+
+constexpr int coarsest_mixed = 1500;  ///< unknowns
+
+/// The levels of the nodal coarsening with a smoother named "Sweeps".
+Teuchos::ParameterList nodal_levels(const Teuchos::ParameterList& sweeps, int coarse_size) {
+  Teuchos::ParameterList list("MueLu");
+  Teuchos::ParameterList& factories = list.sublist("Factories");
+  factories.sublist("Nodes").set("factory", "NodalPFactory");
+  factories.sublist("Transpose").set("factory", "TransPFactory").set("P", "Nodes");
+  factories.sublist("Galerkin")
+      .set("factory", "GalerkinFactory")
+      .set("P", "Nodes")
+      .set("R", "Transpose");
+  factories.sublist("Sweeps") = sweeps;
+  factories.sublist("Coarsest").set("factory", "SparseLUSolver");
+  Teuchos::ParameterList& hierarchy = list.sublist("Hierarchy");
+  hierarchy.set("max levels", 10).set("coarse: max size", coarse_size).set("verbosity", "None");
+  hierarchy.sublist("All")
+      .set("P", "Nodes")
+      .set("R", "Transpose")
+      .set("A", "Galerkin")
+      .set("Smoother", "Sweeps")
+      .set("CoarseSolver", "Coarsest");
+  return list;
+}
+
+}  // namespace
+
+Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
+  Teuchos::ParameterList smoother;
+  smoother.set("factory", "Ifpack2Smoother").set("type", "RELAXATION");
+  smoother.sublist("ParameterList")
+      .set("relaxation: type", "Symmetric Gauss-Seidel")
+      .set("relaxation: sweeps", sweeps);
+  return nodal_levels(smoother, coarse_size);
+}
+
+Teuchos::ParameterList mixed_cycle_list(int sweeps) {
+  Teuchos::ParameterList smoother;
+  smoother.set("factory", "NodalIluSmoother").set("sweeps", sweeps);
+  return nodal_levels(smoother, coarsest_mixed);
+}
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,71 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <memory>
+
+#include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
+
+namespace tunica::multigrid {
+
+/// The matrices of a hierarchy, the finest first.
+struct Levels {
+  std::vector<long long> unknowns;   ///< of all ranks
+  double operator_complexity = 0.0;  ///< entries of all levels to those of the finest
+};
+
+/// One multigrid cycle as an operator, by a MueLu list in the form of factories and a hierarchy.
+/// apply() starts from zero and honours alpha and beta.
+///
+/// The levels have one matrix each, with the unknowns of a node side by side. Or MueLu's 2×2 matrix
+/// of blocks, as its own block smoothers want it; its near-null spaces are the constants of each
+/// component.
+class Cycle : public Operator {
+public:
+  /// Throws std::exception for a list that MueLu refuses, and for a singular coarsest matrix.
+  /// Collective.
+  Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsening>& coarsening,
+        const Teuchos::ParameterList& muelu, bool is_blocked = false);
+  ~Cycle() override;
+
+  /// Follows new values of the same matrix. Numeric work only where "NodalPFactory" and
+  /// "GalerkinFactory" made all levels and the smoothers and the coarse solver are ours; otherwise
+  /// all anew. Throws as the constructor. Collective.
+  void refresh();
+  /// True where refresh() finds no graphs again.
+  bool keeps_graphs() const;
+
+  const Levels& levels() const;
+  /// The matrix of a level, 0 the finest.
+  Teuchos::RCP<const CrsMatrix> matrix(int level) const;
+
+  void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
+             Scalar alpha = 1.0, Scalar beta = 0.0) const override;
+  Teuchos::RCP<const Map> getDomainMap() const override { return A_->getRangeMap(); }
+  Teuchos::RCP<const Map> getRangeMap() const override { return A_->getDomainMap(); }
+
+private:
+  struct Parts;
+
+  void set_up();
+  Levels count_levels() const;
+  void iterate(const MultiVector& b, MultiVector& x) const;
+
+  Teuchos::RCP<CrsMatrix> A_;
+  Teuchos::RCP<MixedCoarsening> coarsening_;
+  Teuchos::ParameterList muelu_;
+  bool is_blocked_;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Builds the factories of such a list without a matrix. Throws tunica::Error for what MueLu
+/// refuses or what wants the other kind of matrix; for an unknown factory with the names that are
+/// ours.
+void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked = false);
+
+/// V-cycles on the levels of the nodal coarsening with sweeps of symmetric Gauss-Seidel before
+/// and after, sparse LU at the coarsest level of at most coarse_size unknowns.
+Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
+
+/// The same for a mixed system, smoothed by incomplete factors in blocks of a node's unknowns.
+Teuchos::ParameterList mixed_cycle_list(int sweeps);
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,48 @@
+#include "tunica/multigrid/muelu/galerkin_factory.hpp"
+
+#include <MueLu_NoFactory.hpp>
+
+#include "tunica/multigrid/galerkin/galerkin_product.hpp"
+#include "tunica/multigrid/muelu/xpetra.hpp"
+
+namespace tunica::multigrid {
+
+namespace {
+
+constexpr const char* kept_as = "Galerkin Product";
+
+}  // namespace
+
+Teuchos::RCP<const Teuchos::ParameterList> GalerkinFactory::GetValidParameterList() const {
+  const auto list = Teuchos::rcp(new Teuchos::ParameterList);
+  for (const char* input : {"A", "P", "R"})
+    list->set<Teuchos::RCP<const MueLu::FactoryBase>>(input, Teuchos::null);
+  list->set("stabilisation scaling", 1.0, "factor of the stabilisation block per level");
+  return list;
+}
+
+void GalerkinFactory::DeclareInput(MueLu::Level& fine, MueLu::Level& coarse) const {
+  Input(fine, "A");
+  Input(coarse, "P");
+  Input(coarse, "R");
+}
+
+void GalerkinFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
+  const auto A = unwrapped(Get<Teuchos::RCP<XMatrix>>(fine, "A"));
+  const auto P = unwrapped(Get<Teuchos::RCP<XMatrix>>(coarse, "P"));
+  const auto R = unwrapped(Get<Teuchos::RCP<XMatrix>>(coarse, "R"));
+  const double factor = GetParameterList().get<double>("stabilisation scaling");
+  if (factor != 1.0) coarsening_->check_mixed(fine.GetLevelID(), *A);
+  const Teuchos::RCP<GalerkinProduct> product =
+      Teuchos::rcp(new GalerkinProduct(R, A, P, coarsening_->numbering(), factor));
+  coarse.Set(kept_as, Teuchos::rcp_implicit_cast<algebra::Refreshable>(product),
+             MueLu::NoFactory::get());
+  Set(coarse, "A", wrapped(product->matrix()));
+}
+
+Teuchos::RCP<algebra::Refreshable> galerkin_product(MueLu::Level& level) {
+  if (!level.IsAvailable(kept_as, MueLu::NoFactory::get())) return Teuchos::null;
+  return level.Get<Teuchos::RCP<algebra::Refreshable>>(kept_as, MueLu::NoFactory::get());
+}
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,31 @@
+#pragma once
+#include <MueLu_TwoLevelFactoryBase.hpp>
+
+#include "tunica/algebra/refreshable.hpp"
+#include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
+
+namespace tunica::multigrid {
+
+/// "GalerkinFactory" of a MueLu list: the coarse operator R A P, with the stabilisation block C of
+/// a mixed matrix multiplied by "stabilisation scaling" (1.0) on each coarser level. Its graphs are
+/// found once: see GalerkinProduct, which it leaves on the coarse level.
+///
+/// On a mesh of twice the size C ~ h² ought to be four times what Galerkin's product makes of it;
+/// less leaves the coarse system short of stability [LY1, section 5].
+class GalerkinFactory : public MueLu::TwoLevelFactoryBase {
+public:
+  /// Says how unknowns are numbered; before Build().
+  void set_coarsening(const Teuchos::RCP<MixedCoarsening>& coarsening) { coarsening_ = coarsening; }
+
+  Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
+  void DeclareInput(MueLu::Level& fine, MueLu::Level& coarse) const override;
+  void Build(MueLu::Level& fine, MueLu::Level& coarse) const override;
+
+private:
+  Teuchos::RCP<MixedCoarsening> coarsening_;
+};
+
+/// The product on a level that such a factory made; null on any other.
+Teuchos::RCP<algebra::Refreshable> galerkin_product(MueLu::Level& level);
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,25 @@
+#pragma once
+#include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
+#include "tunica/multigrid/muelu/matrix_smoother.hpp"
+
+namespace tunica::multigrid {
+
+/// A smoother for mixed matrices.
+class MixedSmoother : public MatrixSmoother {
+public:
+  /// Says how unknowns are numbered; before Setup().
+  void set_coarsening(const Teuchos::RCP<MixedCoarsening>& coarsening) { coarsening_ = coarsening; }
+
+protected:
+  virtual void set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout& numbering) = 0;
+
+private:
+  void set_up(int level, const Teuchos::RCP<::tunica::CrsMatrix>& K) final {
+    coarsening_->check_mixed(level, *K);
+    set_up(*K, coarsening_->numbering());
+  }
+
+  Teuchos::RCP<MixedCoarsening> coarsening_;
+};
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,36 @@
+#include "tunica/multigrid/muelu/nodal_p_factory.hpp"
+
+#include <MueLu_NoFactory.hpp>
+
+#include "tunica/multigrid/muelu/xpetra.hpp"
+
+namespace tunica::multigrid {
+
+namespace {
+
+constexpr const char* marker = "Nodal Prolongator";
+
+}  // namespace
+
+Teuchos::RCP<const Teuchos::ParameterList> NodalPFactory::GetValidParameterList() const {
+  const auto list = Teuchos::rcp(new Teuchos::ParameterList);
+  list->set<Teuchos::RCP<const MueLu::FactoryBase>>("A", Teuchos::null, "the matrix to coarsen");
+  return list;
+}
+
+void NodalPFactory::DeclareInput(MueLu::Level& fine, MueLu::Level&) const { Input(fine, "A"); }
+
+void NodalPFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
+  const auto A = Get<Teuchos::RCP<XMatrix>>(fine, "A");
+  // Xpetra asks for a matrix it may change; MueLu leaves prolongators alone.
+  const auto P = Teuchos::rcp_const_cast<CrsMatrix>(
+      coarsening_->prolongator(fine.GetLevelID(), *Xpetra::toTpetra(A->getRangeMap())));
+  Set(coarse, "P", wrapped(P));
+  coarse.Set(marker, true, MueLu::NoFactory::get());
+}
+
+bool NodalPFactory::made_prolongator_of(MueLu::Level& level) {
+  return level.IsAvailable(marker, MueLu::NoFactory::get());
+}
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,38 @@
+#include "tunica/multigrid/muelu/sparse_lu_solver.hpp"
+
+#include <stdexcept>
+
+namespace tunica::multigrid {
+
+Teuchos::RCP<const Teuchos::ParameterList> SparseLuSolver::GetValidParameterList() const {
+  const auto list = Teuchos::rcp(new Teuchos::ParameterList);
+  list->set<Teuchos::RCP<const MueLu::FactoryBase>>("A", Teuchos::null, "the matrix");
+  return list;
+}
+
+void SparseLuSolver::set_up(int, const Teuchos::RCP<::tunica::CrsMatrix>& K) {
+  matrix_ = K;
+  lu_ = smoothers::make_sparse_lu(matrix_);
+  refresh();
+}
+
+void SparseLuSolver::refresh() {
+  try {
+    smoothers::refactor(*lu_, matrix_);
+  } catch (const std::exception&) {  // Amesos2 tells of its source lines
+    throw std::runtime_error("the matrix of the coarsest level is singular.");
+  }
+}
+
+void SparseLuSolver::smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const {
+  ::tunica::MultiVector solution(x.getMap(), 1);
+  lu_->solve(&solution, &b);
+  x.assign(solution);
+}
+
+Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>>
+SparseLuSolver::Copy() const {
+  return Teuchos::rcp(new SparseLuSolver(*this));
+}
+
+}  // namespace tunica::multigrid

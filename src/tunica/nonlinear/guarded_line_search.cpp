@@ -1,0 +1,22 @@
+#include "tunica/nonlinear/guarded_line_search.hpp"
+
+#include <NOX_Abstract_Group.H>
+#include <NOX_Solver_Generic.H>
+
+namespace tunica::nonlinear {
+
+bool GuardedLineSearch::compute(NOX::Abstract::Group& group, double& step,
+                                const NOX::Abstract::Vector& direction,
+                                const NOX::Solver::Generic& solver) {
+  constexpr double smallest = 1.0 / 4096.0;
+  const NOX::Abstract::Group& old_group = solver.getPreviousSolutionGroup();
+  for (step = 1.0; step >= smallest; step *= 0.5) {
+    group.computeX(old_group, direction, step);
+    if (group.computeF() == NOX::Abstract::Group::Ok) return true;
+  }
+  step = 0.0;
+  group = old_group;
+  return false;
+}
+
+}  // namespace tunica::nonlinear

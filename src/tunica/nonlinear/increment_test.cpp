@@ -1,0 +1,80 @@
+#include "tunica/nonlinear/increment_test.hpp"
+
+#include <NOX_Solver_Generic.H>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace tunica::nonlinear {
+
+namespace {
+
+/// The part of the last increment that the next one is expected to be, at most all of it.
+double next_part(const NOX::Solver::Generic& solver, double safety, double step_length) {
+  const auto& before = solver.getPreviousSolutionGroup();
+  if (safety == 0.0 || step_length < 1.0 || !before.isF() || before.getNormF() == 0.0) return 1.0;
+  return std::min(1.0, safety * solver.getSolutionGroup().getNormF() / before.getNormF());
+}
+
+}  // namespace
+
+void IncrementTest::record(const NOX::Solver::Generic& solver) {
+  const Teuchos::RCP<NOX::Abstract::Vector> dx =
+      solver.getSolutionGroup().getX().clone(NOX::DeepCopy);
+  dx->update(-1.0, solver.getPreviousSolutionGroup().getX(), 1.0);
+  auto& steps = report_->steps;
+  NewtonStep step;
+  step.residual = solver.getSolutionGroup().getNormF();
+  step.step_length = log_->step_length;
+  // Of the whole Newton step: a short one must not pass for convergence.
+  step.increment = problem_->increment_norm(blocks_of(*dx)) / step.step_length;
+  step.linear = log_->linear.back();
+  const double first = steps.empty() ? step.increment : steps.front().increment;
+  step.relative_increment = first > 0.0 ? step.increment / first : 0.0;
+  if (steps.size() >= 2 && step.increment > 0.0) {
+    const double e1 = steps.back().increment, e2 = steps[steps.size() - 2].increment;
+    step.exponent = std::log(step.increment / e1) / std::log(e1 / e2);
+  }
+  steps.push_back(step);
+}
+
+NOX::StatusTest::StatusType IncrementTest::judge(const NOX::Solver::Generic& solver) {
+  const NewtonStep& step = report_->steps.back();
+  const double part = next_part(solver, options_.safety, step.step_length);
+  std::ostringstream reason;
+  if (!std::isfinite(step.increment)) {
+    reason << "the increment is not a number";
+  } else if (!step.linear.is_converged) {
+    reason << linear::describe_unconverged(step.linear);
+  } else if (part * step.relative_increment <= options_.relative_increment ||
+             part * step.increment <= options_.absolute_increment) {
+    return NOX::StatusTest::Converged;
+  } else if (step.relative_increment > options_.growth_limit) {
+    reason << "the increment grew to " << step.relative_increment << " times the first one";
+  } else if (static_cast<int>(report_->steps.size()) >= options_.max_iterations) {
+    reason << "the increment is still " << step.increment << " (" << step.relative_increment
+           << " of the first) after " << report_->steps.size() << " iterations";
+  } else {
+    return NOX::StatusTest::Unconverged;
+  }
+  report_->reason = reason.str();
+  return NOX::StatusTest::Failed;
+}
+
+NOX::StatusTest::StatusType IncrementTest::checkStatus(const NOX::Solver::Generic& solver,
+                                                       NOX::StatusTest::CheckType) {
+  // The test records each step, so it must look at all of them whatever NOX asks for.
+  if (solver.getNumIterations() == 0) return status_ = NOX::StatusTest::Unconverged;
+  if (static_cast<int>(report_->steps.size()) < solver.getNumIterations()) {
+    record(solver);
+    status_ = judge(solver);
+  }
+  return status_;
+}
+
+std::ostream& IncrementTest::print(std::ostream& stream, int indent) const {
+  return stream << std::string(indent, ' ') << status_ << "mass norm of the increment\n";
+}
+
+}  // namespace tunica::nonlinear

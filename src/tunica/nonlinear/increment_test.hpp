@@ -1,0 +1,38 @@
+#pragma once
+#include <NOX_StatusTest_Generic.H>
+
+#include "tunica/nonlinear/nox_group.hpp"
+
+namespace tunica::nonlinear {
+
+/// Stops Newton's method on the mass norm of the increment ([LY1] eq:newstop), on divergence
+/// and at the cap, and fills the report. With s > 0 it looks at what the next increment is expected
+/// to be instead of the one made (ours):
+///
+///   |dx_{k+1}| ≈ min(1, s |F_k|/|F_{k−1}|) |dx_k|
+///
+///   F_k  residual after step k, Euclidean norm over both unknowns, mixed units
+///   s    safety  1: errors in a nearly incompressible wall fall up to 30 times less than residuals
+class IncrementTest : public NOX::StatusTest::Generic {
+public:
+  IncrementTest(NonlinearProblem& problem, const NewtonOptions& options, const SolveLog& log,
+                NewtonReport& report)
+      : problem_(&problem), options_(options), log_(&log), report_(&report) {}
+
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver,
+                                          NOX::StatusTest::CheckType type) override;
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int indent = 0) const override;
+
+private:
+  void record(const NOX::Solver::Generic& solver);
+  NOX::StatusTest::StatusType judge(const NOX::Solver::Generic& solver);
+
+  NonlinearProblem* problem_;
+  NewtonOptions options_;
+  const SolveLog* log_;
+  NewtonReport* report_;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+};
+
+}  // namespace tunica::nonlinear

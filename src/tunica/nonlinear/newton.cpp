@@ -1,0 +1,127 @@
+#include "tunica/nonlinear/newton.hpp"
+
+#include <NOX.H>
+
+#include <Thyra_DefaultProductVectorSpace.hpp>
+#include <Thyra_TpetraThyraWrappers.hpp>
+#include <Thyra_VectorStdOps.hpp>
+
+#include "tunica/linear/direct_factor.hpp"
+#include "tunica/nonlinear/guarded_line_search.hpp"
+#include "tunica/nonlinear/increment_test.hpp"
+#include "tunica/nonlinear/nox_group.hpp"
+
+namespace tunica::nonlinear {
+
+params::Table newton_table() {
+  params::Table next;
+  next.number("safety", 30.0, params::positive(), "1",
+              "s in s |F_k|/|F_{k-1}|, the part of an increment that is expected of the next one: "
+              "residuals fall faster than errors");
+  params::Table table("Newton's method for one field.");
+  table.integer("max iterations", 20, params::between(1, 1000), "cap on the Newton steps")
+      .number("relative increment", 1e-8, params::non_negative(), "1",
+              "stop when the mass norm of the increment has fallen to this part of the first one")
+      .number("absolute increment", 1e-9, params::non_negative(), "mixed",
+              "or when the mass norm of the increment is at most this; keeps round-off from "
+              "deciding in late coupling iterations, whose first increment is already tiny")
+      .variant("stop at", "increment", {{"increment", params::Table()}, {"next increment", next}},
+               "which increment those two look at: the one made, as in the paper, or the one that "
+               "would follow, foretold by the residual, which saves the last step")
+      .number("growth limit", 1e4, params::positive(), "1",
+              "give up when the increment has grown to this multiple of the first one")
+      .choice("line search", "guarded", {"guarded", "full step", "backtrack", "polynomial"},
+              "guarded: full steps, halved only where an element would invert; the others are "
+              "NOX's");
+  add_forcing_keys(table);
+  return table;
+}
+
+NewtonOptions newton_options(const Teuchos::ParameterList& list) {
+  return {list.get<int>("max iterations"),
+          list.get<double>("relative increment"),
+          list.get<double>("absolute increment"),
+          list.isParameter("safety") ? list.get<double>("safety") : 0.0,
+          list.get<double>("growth limit"),
+          list.get<std::string>("line search"),
+          forcing_options(list)};
+}
+
+int NewtonReport::linear_iterations() const {
+  int sum = 0;
+  for (const NewtonStep& step : steps) sum += step.linear.iterations;
+  return sum;
+}
+
+namespace {
+
+using ProductSpace = Teuchos::RCP<const Thyra::VectorSpaceBase<double>>;
+
+/// The space of the block vectors. Clones of a product vector refer to it without owning it:
+/// it must outlive them all.
+ProductSpace product_space(const algebra::BlockVector& x) {
+  return Thyra::productVectorSpace<double>(Teuchos::tuple(
+      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(x.u->getMap()),
+      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(x.p->getMap())));
+}
+
+NOX::Thyra::Vector nox_vector(const ProductSpace& space, const algebra::BlockVector& x) {
+  NOX::Thyra::Vector vector(Thyra::createMember<double>(space));
+  blocks_of(vector).assign(x);
+  return vector;
+}
+
+Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options,
+                                              const NewtonReport& report, int rank) {
+  const auto list = Teuchos::rcp(new Teuchos::ParameterList);
+  list->set("Nonlinear Solver", "Line Search Based");
+  list->sublist("Printing").set("Output Information", 0).set("MyPID", rank);
+  choose_direction(options.forcing, {options.relative_increment, options.absolute_increment},
+                   report, *list);
+  Teuchos::ParameterList& search = list->sublist("Line Search");
+  if (options.line_search == "guarded") {
+    search.set("Method", "User Defined");
+    search.set<Teuchos::RCP<NOX::LineSearch::UserDefinedFactory>>(
+        "User Defined Line Search Factory", Teuchos::rcp(new GuardedLineSearchFactory));
+  } else {
+    search.set("Method", options.line_search == "full step"   ? "Full Step"
+                         : options.line_search == "backtrack" ? "Backtrack"
+                                                              : "Polynomial");
+  }
+  return list;
+}
+
+}  // namespace
+
+NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& options,
+                          algebra::BlockVector& x) {
+  const ProductSpace space = product_space(x);
+  NewtonReport report;
+  SolveLog log;
+  const auto group = Teuchos::rcp(new NoxGroup(problem, log, nox_vector(space, x)));
+  if (group->computeF() != NOX::Abstract::Group::Ok) {
+    report.reason = "the residual cannot be computed at the start: " + problem.refusal();
+    return report;
+  }
+  const auto test = Teuchos::rcp(new IncrementTest(problem, options, log, report));
+  const int rank = problem.comm()->getRank();
+  const auto solver = NOX::Solver::buildSolver(group, test, nox_list(options, report, rank));
+  NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
+  try {
+    status = solver->solve();
+  } catch (const char* message) {  // NOX throws plain strings
+    report.reason = message;
+  } catch (const linear::SetupFailure& error) {
+    report.reason = error.what();
+  } catch (const std::runtime_error& error) {  // or the same string in an exception
+    if (std::string(error.what()) != "NOX Error") throw;
+    report.reason = "NOX gave up";
+  }
+  report.is_converged = status == NOX::StatusTest::Converged;
+  if (!report.is_converged && report.reason.empty())
+    report.reason = "no admissible step along the Newton direction: " + problem.refusal();
+  x.assign(blocks_of(solver->getSolutionGroup().getX()));
+  return report;
+}
+
+}  // namespace tunica::nonlinear

@@ -1,0 +1,62 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tunica/algebra/block_vector.hpp"
+#include "tunica/linear/linear_solver.hpp"
+#include "tunica/nonlinear/forcing.hpp"
+
+namespace tunica::nonlinear {
+
+/// F(x) = 0 on one field, as Newton's method sees it. All members are collective.
+class NonlinearProblem {
+public:
+  virtual ~NonlinearProblem() = default;
+
+  virtual CommPtr comm() const = 0;
+  /// F at x. False where x is not admissible (an inverted element), on all ranks alike.
+  virtual bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) = 0;
+  /// Brings the Jacobian of linear_solver() to x.
+  virtual void jacobian(const algebra::BlockVector& x) = 0;
+  virtual void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const = 0;
+  virtual linear::LinearSolver& linear_solver() = 0;
+  /// (dxᵀ M dx)^½ with the mass matrices of both unknowns, the norm of [LY1] eq:newstop.
+  virtual double increment_norm(const algebra::BlockVector& dx) = 0;
+  /// Why the last residual() was refused.
+  virtual std::string refusal() const = 0;
+};
+
+struct NewtonOptions {
+  int max_iterations;
+  double relative_increment;  ///< ε2: stop at |dx_k| ≤ ε2 |dx_1|
+  double absolute_increment;  ///< or at |dx_k| ≤ this
+  double safety;              ///< s of IncrementTest; 0: it looks at the increment made
+  double growth_limit;        ///< give up at |dx_k| > limit |dx_1|
+  std::string line_search;    ///< "guarded", "full step", "backtrack", "polynomial"
+  ForcingOptions forcing;
+};
+params::Table newton_table();
+NewtonOptions newton_options(const Teuchos::ParameterList& list);
+
+struct NewtonStep {
+  double increment = 0.0;           ///< mass norm of the full Newton step
+  double relative_increment = 0.0;  ///< to the first one
+  double residual = 0.0;            ///< Euclidean norm of F after the step
+  double exponent = 0.0;     ///< log(e_k/e_{k−1}) / log(e_{k−1}/e_{k−2}); 0 until the third
+  double step_length = 0.0;  ///< of the line search
+  linear::SolveReport linear;
+};
+
+struct NewtonReport {
+  bool is_converged = false;
+  std::string reason;  ///< why not
+  std::vector<NewtonStep> steps;
+
+  int linear_iterations() const;
+};
+
+/// Newton's method through NOX, started from and returning in x.
+NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& options,
+                          algebra::BlockVector& x);
+
+}  // namespace tunica::nonlinear

@@ -1,0 +1,112 @@
+#include "tunica/nonlinear/nox_group.hpp"
+
+#include <Thyra_DefaultProductVector.hpp>
+#include <Thyra_TpetraThyraWrappers.hpp>
+#include <cmath>
+
+namespace tunica::nonlinear {
+
+algebra::BlockVector blocks_of(const NOX::Abstract::Vector& v) {
+  using Extract = Thyra::TpetraOperatorVectorExtraction<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  // NOX hands out const vectors whose storage its own groups may write.
+  auto& vector = const_cast<NOX::Thyra::Vector&>(dynamic_cast<const NOX::Thyra::Vector&>(v));
+  const auto product =
+      Teuchos::rcp_dynamic_cast<Thyra::ProductVectorBase<double>>(vector.getThyraRCPVector(), true);
+  algebra::BlockVector blocks;
+  blocks.u = Extract::getTpetraVector(product->getNonconstVectorBlock(0));
+  blocks.p = Extract::getTpetraVector(product->getNonconstVectorBlock(1));
+  return blocks;
+}
+
+NoxGroup::NoxGroup(NonlinearProblem& problem, SolveLog& log, const NOX::Thyra::Vector& x)
+    : problem_(&problem), log_(&log), x_(x, NOX::DeepCopy), f_(x, NOX::ShapeCopy),
+      newton_(x, NOX::ShapeCopy) {}
+
+NoxGroup::NoxGroup(const NoxGroup& other, NOX::CopyType type)
+    : problem_(other.problem_), log_(other.log_), x_(other.x_, type), f_(other.f_, type),
+      newton_(other.newton_, type) {
+  if (type == NOX::DeepCopy) *this = other;
+}
+
+NOX::Abstract::Group& NoxGroup::operator=(const NOX::Abstract::Group& source) {
+  return *this = dynamic_cast<const NoxGroup&>(source);
+}
+
+NoxGroup& NoxGroup::operator=(const NoxGroup& other) {
+  if (this == &other) return *this;
+  x_ = other.x_;
+  f_ = other.f_;
+  newton_ = other.newton_;
+  norm_f_ = other.norm_f_;
+  is_f_ = other.is_f_;
+  is_jacobian_ = other.is_jacobian_;
+  is_newton_ = other.is_newton_;
+  return *this;
+}
+
+void NoxGroup::forget() { is_f_ = is_jacobian_ = is_newton_ = false; }
+
+void NoxGroup::setX(const NOX::Abstract::Vector& y) {
+  x_ = y;
+  forget();
+}
+
+void NoxGroup::computeX(const NOX::Abstract::Group& group, const NOX::Abstract::Vector& d,
+                        double step) {
+  x_.update(1.0, group.getX(), step, d, 0.0);
+  log_->step_length = step;
+  forget();
+}
+
+NOX::Abstract::Group::ReturnType NoxGroup::computeF() {
+  if (is_f_) return Ok;
+  algebra::BlockVector F = blocks_of(f_);
+  if (!problem_->residual(blocks_of(x_), F)) return Failed;
+  norm_f_ = f_.norm(NOX::Abstract::Vector::TwoNorm);
+  if (!std::isfinite(norm_f_)) return Failed;
+  is_f_ = true;
+  return Ok;
+}
+
+NOX::Abstract::Group::ReturnType NoxGroup::computeJacobian() {
+  if (!is_jacobian_) problem_->jacobian(blocks_of(x_));
+  is_jacobian_ = true;
+  return Ok;
+}
+
+NOX::Abstract::Group::ReturnType NoxGroup::computeNewton(Teuchos::ParameterList& list) {
+  if (is_newton_) return Ok;
+  algebra::BlockVector direction = blocks_of(newton_);
+  log_->linear.push_back(
+      problem_->linear_solver().solve(blocks_of(f_), direction, list.get<double>("Tolerance")));
+  newton_.scale(-1.0);
+  is_newton_ = true;
+  return log_->linear.back().is_converged ? Ok : NotConverged;
+}
+
+NOX::Abstract::Group::ReturnType NoxGroup::applyJacobian(const NOX::Abstract::Vector& input,
+                                                         NOX::Abstract::Vector& result) const {
+  if (!is_jacobian_) return BadDependency;
+  algebra::BlockVector y = blocks_of(result);
+  problem_->apply_jacobian(blocks_of(input), y);
+  return Ok;
+}
+
+Teuchos::RCP<const NOX::Abstract::Vector> NoxGroup::getXPtr() const {
+  return Teuchos::rcpFromRef(x_);
+}
+Teuchos::RCP<const NOX::Abstract::Vector> NoxGroup::getFPtr() const {
+  return Teuchos::rcpFromRef(f_);
+}
+Teuchos::RCP<const NOX::Abstract::Vector> NoxGroup::getGradientPtr() const {
+  return Teuchos::rcpFromRef(newton_);
+}
+Teuchos::RCP<const NOX::Abstract::Vector> NoxGroup::getNewtonPtr() const {
+  return Teuchos::rcpFromRef(newton_);
+}
+
+Teuchos::RCP<NOX::Abstract::Group> NoxGroup::clone(NOX::CopyType type) const {
+  return Teuchos::rcp(new NoxGroup(*this, type));
+}
+
+}  // namespace tunica::nonlinear

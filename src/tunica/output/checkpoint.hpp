@@ -1,0 +1,68 @@
+#pragma once
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tunica/base/types.hpp"
+#include "tunica/fields/state.hpp"
+
+namespace tunica::output {
+
+/// Where a run stood.
+struct CheckpointHead {
+  std::string mesh;                    ///< its fingerprint
+  int step = 0;                        ///< accepted last, counted from 1
+  double time = 0.0, step_size = 0.0;  ///< [ms]
+  double seconds = 0.0;                ///< spent on the steps up to here
+};
+
+/// The states of a run's parts ("fluid", "coupling"), by name.
+using States = std::vector<std::pair<std::string, fields::State>>;
+
+/// Writes a checkpoint file, HDF5:
+///
+///   attribute "format" of the root = "tunica-checkpoint 1"
+///   /text_names  /texts                                         strings
+///   /number_names  /number_counts  /numbers
+///   /array_names  /array_columns  /array_checksums
+///   /head_checksum                                              of all above
+///   /<part>/vertices                                            int32, vertex of each row
+///   /<part>/<array>                                             float64, rows × columns
+///
+/// Names are "<part>/<name>"; what the head has is of the part "run". The rows stand in any
+/// order. A file of that name appears complete and on the disk, or not at all: until then it has
+/// the ending ".tmp". Collective. Throws MachineFault on all ranks if the disk refuses.
+void write_checkpoint(const std::string& path, const CheckpointHead& head, const States& states,
+                      const CommPtr& comm);
+
+/// A checkpoint file on one rank. Every failure is an Error that begins with the path.
+class CheckpointFile {
+public:
+  /// Reads all but the arrays.
+  explicit CheckpointFile(const std::string& path);
+
+  const CheckpointHead& head() const { return head_; }
+  bool has(const std::string& part) const;
+  /// Compares all arrays with their checksums, part by part.
+  void verify() const;
+  /// The state of a part with the rows of these vertices, in this order.
+  fields::State read(const std::string& part, const std::vector<int>& vertices) const;
+
+private:
+  struct Entry {
+    int columns;
+    std::string checksum;
+  };
+
+  const std::string& text(const std::string& name) const;
+  double number(const std::string& name) const;
+
+  std::string path_;
+  CheckpointHead head_;
+  std::map<std::string, std::string> texts_;
+  std::map<std::string, std::vector<double>> numbers_;
+  std::map<std::string, Entry> arrays_;
+};
+
+}  // namespace tunica::output

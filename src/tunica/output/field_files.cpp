@@ -1,0 +1,83 @@
+#include "tunica/output/field_files.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tunica/base/error.hpp"
+#include "tunica/io/atomic_file.hpp"
+#include "tunica/io/hdf5_arrays.hpp"
+#include "tunica/io/parallel_hdf5.hpp"
+#include "tunica/output/xdmf.hpp"
+
+namespace tunica::output {
+
+namespace {
+
+const std::string step_group = "step_";
+
+int number_of(const std::string& group) { return std::stoi(group.substr(step_group.size())); }
+
+std::string content(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+void check_steps(const io::Hdf5Reader& in, const std::string& xdmf) {
+  const std::string mark = ":/" + step_group;
+  for (std::size_t at = xdmf.find(mark); at != std::string::npos; at = xdmf.find(mark, at + 1)) {
+    const std::size_t begin = at + 2, end = xdmf.find('/', begin);
+    const std::string group = xdmf.substr(begin, end - begin);
+    TUNICA_CHECK(in.has(group), "the group /" + group + " is missing");
+  }
+}
+
+}  // namespace
+
+std::string why_not_continued(const std::string& folder, const std::vector<GridSize>& grids,
+                              int step) {
+  try {
+    for (const GridSize& grid : grids) {
+      const auto points = row_numbers(folder, grid.name + "/vertices").size();
+      const auto cells = row_numbers(folder, grid.name + "/tet_numbers").size();
+      TUNICA_CHECK(static_cast<long long>(points) == grid.points &&
+                       static_cast<long long>(cells) == grid.cells,
+                   "the grid \"" + grid.name + "\" has another size");
+    }
+    check_steps(io::Hdf5Reader(folder + "/" + hdf5_name), xdmf_up_to(step, folder));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string set_fields_aside(const std::string& folder) {
+  std::string new_path;
+  const std::string problem = io::set_aside(folder + "/" + hdf5_name, new_path);
+  if (!problem.empty()) return problem;
+  const std::filesystem::path moved(new_path);
+  const std::string name = moved.filename().string(), mark = std::string(hdf5_name) + ":";
+  std::string text = content(folder + "/" + xdmf_name);
+  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
+    text.replace(at, mark.size() - 1, name);
+  return io::replace_file(folder + "/" + moved.stem().string() + ".xdmf", text);
+}
+
+std::string xdmf_up_to(int step, const std::string& folder) {
+  return xdmf::steps_up_to(step, content(folder + "/" + xdmf_name));
+}
+
+void drop_steps_behind(int step, const std::string& folder, const CommPtr& comm) {
+  io::Hdf5File file(folder + "/" + hdf5_name, io::Hdf5File::Mode::extend, 65536, comm);
+  for (const std::string& group : file.groups())
+    if (group.rfind(step_group, 0) == 0 && number_of(group) > step) file.remove(group);
+  file.close();
+}
+
+std::vector<int> row_numbers(const std::string& folder, const std::string& dataset) {
+  return io::Hdf5Reader(folder + "/" + hdf5_name).integers(dataset);
+}
+
+}  // namespace tunica::output

@@ -1,0 +1,37 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tunica/base/types.hpp"
+
+namespace tunica::output {
+
+constexpr const char* hdf5_name = "fields.h5";
+constexpr const char* xdmf_name = "fields.xdmf";
+
+struct GridSize {
+  std::string name;
+  long long points, cells;
+};
+
+/// Why the field files of a folder cannot go on behind that step; empty if they can: the grids are
+/// of these sizes and all finished steps are there. Not collective.
+std::string why_not_continued(const std::string& folder, const std::vector<GridSize>& grids,
+                              int step);
+
+/// Gives the field files of a folder names that are free, fields.old.h5 and fields.old.xdmf or
+/// such. Returns what went wrong; empty on success. Not collective.
+std::string set_fields_aside(const std::string& folder);
+
+/// The XDMF text of the steps of a folder up to that one. Not collective.
+std::string xdmf_up_to(int step, const std::string& folder);
+
+/// Takes the steps behind that one out of fields.h5, finished or not. Collective. Throws
+/// MachineFault on all ranks, NoRoom where the file itself is sound.
+void drop_steps_behind(int step, const std::string& folder, const CommPtr& comm);
+
+/// Numbers of the file's rows, "/fluid/vertices" or "/fluid/tet_numbers". Throws Error. Not
+/// collective.
+std::vector<int> row_numbers(const std::string& folder, const std::string& dataset);
+
+}  // namespace tunica::output

@@ -1,0 +1,314 @@
+#include "tunica/output/field_writer.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/io/atomic_file.hpp"
+#include "tunica/io/parallel_hdf5.hpp"
+#include "tunica/output/field_files.hpp"
+
+namespace tunica::output {
+
+namespace {
+
+long long sum(const Comm& comm, long long mine) {
+  long long total = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &mine, &total);
+  return total;
+}
+
+/// Sum over the ranks below this one.
+long long sum_before(const Comm& comm, long long mine) {
+  long long up_to_here = 0;
+  Teuchos::scan(comm, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
+  return up_to_here - mine;
+}
+
+/// What is wrong with this rank's part of a grid, empty if nothing.
+std::string misfit(const Grid& grid, long long points_total) {
+  const std::string where = "output grid \"" + grid.name + "\": ";
+  const auto owned = static_cast<long long>(grid.points.size());
+  if (points_total != grid.points_global) return where + "the ranks own another number of points";
+  if (grid.first_point < 0 || grid.first_point + owned > grid.points_global) {
+    return where + "the owned points lie outside the global range";
+  }
+  if (grid.vertex.size() != grid.points.size() || grid.tet_number.size() != grid.tets.size()) {
+    return where + "every point needs a vertex of the mesh and every tet a number";
+  }
+  if (grid.region.size() != grid.tets.size() || grid.partition.size() != grid.tets.size()) {
+    return where + "region and partition need one entry per tet";
+  }
+  for (const auto& tet : grid.tets) {
+    for (const long long point : tet) {
+      if (point < 0 || point >= grid.points_global) return where + "a tet names an unknown point";
+    }
+  }
+  return "";
+}
+
+/// From xx, yy, zz, xy, yz, zx to xx, xy, xz, yy, yz, zz.
+std::vector<double> in_xdmf_order(const std::vector<double>& values) {
+  constexpr std::array<int, 6> source{0, 3, 5, 1, 4, 2};
+  std::vector<double> sorted(values.size());
+  for (std::size_t row = 0; row < values.size() / 6; ++row) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      sorted[6 * row + i] = values[6 * row + static_cast<std::size_t>(source[i])];
+    }
+  }
+  return sorted;
+}
+
+void write_array(io::Hdf5File& file, const std::string& group, io::Hdf5File::Rows rows,
+                 const RowOrder* order, const Array& array) {
+  rows.columns = array.components;
+  std::vector<double> values;
+  const std::vector<double>* chosen = &array.values;
+  if (array.components == 6) chosen = &(values = in_xdmf_order(*chosen));
+  if (order != nullptr) chosen = &(values = (*order)(*chosen, array.components));
+  file.write(group + "/" + array.name, rows, chosen->data());
+}
+
+/// An upper bound of what HDF5 writes: the numbers and its own tables.
+long long bytes_of(long long numbers, std::size_t datasets) {
+  return 8 * numbers + 4096 * static_cast<long long>(datasets) + 65536;
+}
+
+std::string group_of(int step) {
+  std::array<char, 32> name;
+  std::snprintf(name.data(), name.size(), "/step_%06d", step);
+  return name.data();
+}
+
+}  // namespace
+
+FieldWriter::FieldWriter(const std::string& folder, std::vector<Grid> grids, const CommPtr& comm,
+                         int kept_step)
+    : folder_(folder), comm_(comm) {
+  std::string problem;
+  for (const Grid& grid : grids) {
+    shapes_.push_back(shape_of(grid));
+    if (problem.empty()) problem = misfit(grid, sum(*comm_, shapes_.back().points));
+  }
+  problem = agreed_message(*comm_, problem);
+  if (!problem.empty()) throw std::logic_error(problem);
+
+  if (can_go_on(kept_step))
+    go_on(grids, kept_step);
+  else
+    begin_anew(grids);
+  replace_xdmf();
+}
+
+bool FieldWriter::can_go_on(int kept_step) {
+  if (kept_step == 0) return false;
+  const bool is_root = comm_->getRank() == 0;
+  const bool exists = std::filesystem::exists(folder_ + "/" + hdf5_name);
+  std::string obstacle;
+  if (is_root) {
+    std::vector<GridSize> sizes;
+    for (const Shape& s : shapes_) sizes.push_back({s.name, s.points_total, s.cells_total});
+    obstacle = exists ? why_not_continued(folder_, sizes, kept_step) : "it does not exist";
+  }
+  obstacle = agreed_message(*comm_, obstacle);
+  try {
+    if (obstacle.empty()) drop_steps_behind(kept_step, folder_, comm_);
+  } catch (const io::NoRoom&) {
+    throw;
+  } catch (const MachineFault& fault) {  // a killed run may leave a group in pieces
+    obstacle = fault.what();
+  }
+  if (obstacle.empty()) return true;
+  on_root_or_fault(*comm_, [&] { return exists ? set_fields_aside(folder_) : std::string(); });
+  remark_ = std::string(hdf5_name) + " cannot be continued and begins anew: " + obstacle;
+  return false;
+}
+
+void FieldWriter::go_on(const std::vector<Grid>& grids, int kept_step) {
+  if (comm_->getRank() == 0) finished_steps_ = xdmf_up_to(kept_step, folder_);
+  broadcast(*comm_, finished_steps_);
+  for (std::size_t g = 0; g < grids.size(); ++g) {
+    Shape& s = shapes_[g];
+    s.point_order = take_share(s.name + "/vertices", grids[g].vertex, s.first_point, s.points);
+    s.cell_order = take_share(s.name + "/tet_numbers", grids[g].tet_number, s.first_cell, s.cells);
+  }
+}
+
+std::shared_ptr<const RowOrder> FieldWriter::take_share(const std::string& dataset,
+                                                        const std::vector<int>& given,
+                                                        long long& first, long long& count) const {
+  std::vector<int> all;
+  on_all(*comm_, [&] { all = row_numbers(folder_, dataset); });
+  const auto total = static_cast<long long>(all.size());
+  first = total * comm_->getRank() / comm_->getSize();
+  count = total * (comm_->getRank() + 1) / comm_->getSize() - first;
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+  return std::make_shared<RowOrder>(std::vector<GlobalOrdinal>(given.begin(), given.end()),
+                                    std::vector<GlobalOrdinal>(begin, begin + count), comm_);
+}
+
+void FieldWriter::begin_anew(const std::vector<Grid>& grids) {
+  if (comm_->getRank() == 0) {  // an open viewer keeps the old files and disturbs nobody
+    std::remove((folder_ + "/" + xdmf_name).c_str());
+    std::remove((folder_ + "/" + hdf5_name).c_str());
+  }
+  comm_->barrier();
+  write_geometry(grids);
+}
+
+FieldWriter::Shape FieldWriter::shape_of(const Grid& grid) const {
+  const auto cells = static_cast<long long>(grid.tets.size());
+  return {grid.name,
+          grid.points_global,
+          grid.first_point,
+          static_cast<long long>(grid.points.size()),
+          sum(*comm_, cells),
+          sum_before(*comm_, cells),
+          cells,
+          static_cast<long long>(grid.points.size()),
+          cells,
+          nullptr,
+          nullptr};
+}
+
+void FieldWriter::write_geometry(const std::vector<Grid>& grids) const {
+  const std::string path = folder_ + "/" + hdf5_name;
+  io::Hdf5File(path, io::Hdf5File::Mode::create, 0, comm_).close();
+
+  long long numbers = 0;
+  for (const Shape& s : shapes_) numbers += 4 * s.points_total + 7 * s.cells_total;
+  io::Hdf5File file(path, io::Hdf5File::Mode::extend, bytes_of(numbers, 6 * shapes_.size()), comm_);
+  for (std::size_t g = 0; g < grids.size(); ++g) {
+    const Shape& s = shapes_[g];
+    const std::string group = "/" + s.name;
+    const auto* points = reinterpret_cast<const double*>(grids[g].points.data());
+    const auto* tets = reinterpret_cast<const long long*>(grids[g].tets.data());
+    file.write(group + "/points", {s.points_total, s.first_point, s.points, 3}, points);
+    file.write(group + "/tets", {s.cells_total, s.first_cell, s.cells, 4}, tets);
+    const io::Hdf5File::Rows per_cell{s.cells_total, s.first_cell, s.cells, 1};
+    file.write(group + "/vertices", {s.points_total, s.first_point, s.points, 1},
+               grids[g].vertex.data());
+    file.write(group + "/tet_numbers", per_cell, grids[g].tet_number.data());
+    file.write(group + "/region", per_cell, grids[g].region.data());
+    file.write(group + "/partition", per_cell, grids[g].partition.data());
+  }
+  file.close();
+}
+
+void FieldWriter::write(int step, double time, const std::string& grid,
+                        std::vector<Array> point_data, std::vector<Array> cell_data) {
+  const auto shape =
+      std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& s) { return s.name == grid; });
+  if (shape == shapes_.end()) {
+    complaint_ = "field output: there is no grid \"" + grid + "\"";
+    return;
+  }
+  Block block{*shape, std::move(point_data), std::move(cell_data)};
+  if (complaint_.empty()) complaint_ = complaint(step, time, block);
+  step_ = step;
+  time_ = time;
+  blocks_.push_back(std::move(block));
+}
+
+std::string FieldWriter::complaint(int step, double time, const Block& block) const {
+  const std::string where = "field output of \"" + block.shape.name + "\": ";
+  if (!blocks_.empty() && (step != step_ || time != time_)) {
+    return where + "step " + std::to_string(step_) + " is not finished";
+  }
+  for (const Block& other : blocks_) {
+    if (other.shape.name == block.shape.name) return where + "given twice";
+  }
+  std::set<std::string> names;
+  const auto check = [&](const Array& array, long long rows) -> std::string {
+    const std::string what = where + "array \"" + array.name + "\" ";
+    if (array.components != 1 && array.components != 3 && array.components != 6) {
+      return what + "has " + std::to_string(array.components) + " components, expected 1, 3 or 6";
+    }
+    if (static_cast<long long>(array.values.size()) != rows * array.components) {
+      return what + "has " + std::to_string(array.values.size()) + " values, expected " +
+             std::to_string(rows * array.components);
+    }
+    return names.insert(array.name).second ? "" : what + "is given twice";
+  };
+  for (const Array& array : block.point_data) {
+    if (auto text = check(array, block.shape.given_points); !text.empty()) return text;
+  }
+  for (const Array& array : block.cell_data) {
+    if (auto text = check(array, block.shape.given_cells); !text.empty()) return text;
+  }
+  return "";
+}
+
+void FieldWriter::finish_step() {
+  const std::string problem = agreed_message(*comm_, complaint_);
+  if (!problem.empty()) throw std::logic_error(problem);
+  if (blocks_.empty()) return;
+
+  const std::string group = group_of(step_);
+  write_blocks(group);
+  finished_steps_ += xdmf::step(time_, describe_blocks(group), hdf5_name);
+  blocks_.clear();
+  replace_xdmf();
+}
+
+void FieldWriter::write_blocks(const std::string& group) const {
+  long long numbers = 0;
+  std::size_t datasets = 0;
+  for (const Block& block : blocks_) {
+    for (const Array& a : block.point_data) numbers += a.components * block.shape.points_total;
+    for (const Array& a : block.cell_data) numbers += a.components * block.shape.cells_total;
+    datasets += block.point_data.size() + block.cell_data.size();
+  }
+  io::Hdf5File file(folder_ + "/" + hdf5_name, io::Hdf5File::Mode::extend,
+                    bytes_of(numbers, datasets), comm_);
+  file.make_group(group);
+  file.attribute(group, "step", static_cast<long long>(step_));
+  file.attribute(group, "time", time_);
+  for (const Block& block : blocks_) {
+    const Shape& s = block.shape;
+    const std::string place = group + "/" + s.name;
+    for (const Array& array : block.point_data) {
+      write_array(file, place, {s.points_total, s.first_point, s.points, 1}, s.point_order.get(),
+                  array);
+    }
+    for (const Array& array : block.cell_data) {
+      write_array(file, place, {s.cells_total, s.first_cell, s.cells, 1}, s.cell_order.get(),
+                  array);
+    }
+  }
+  file.close();
+}
+
+std::vector<xdmf::Grid> FieldWriter::describe_blocks(const std::string& group) const {
+  using xdmf::Centre;
+  std::vector<xdmf::Grid> grids;
+  for (const Block& block : blocks_) {
+    const std::string& name = block.shape.name;
+    xdmf::Grid grid{name, block.shape.points_total, block.shape.cells_total, {}};
+    for (const char* tag : {"region", "partition"}) {
+      grid.attributes.push_back({tag, Centre::cell, 1, true, "/" + name + "/" + tag});
+    }
+    const std::string place = group + "/" + name + "/";
+    for (const Array& a : block.point_data) {
+      grid.attributes.push_back({a.name, Centre::node, a.components, false, place + a.name});
+    }
+    for (const Array& a : block.cell_data) {
+      grid.attributes.push_back({a.name, Centre::cell, a.components, false, place + a.name});
+    }
+    grids.push_back(std::move(grid));
+  }
+  return grids;
+}
+
+void FieldWriter::replace_xdmf() const {
+  on_root_or_fault(*comm_, [&] {
+    return io::replace_file(folder_ + "/" + xdmf_name, xdmf::document(finished_steps_));
+  });
+}
+
+}  // namespace tunica::output

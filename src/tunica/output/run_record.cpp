@@ -1,0 +1,162 @@
+#include "tunica/output/run_record.hpp"
+
+#include <Trilinos_version.h>
+#include <hdf5.h>
+#include <mpi.h>
+#include <sys/resource.h>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/io/atomic_file.hpp"
+
+namespace tunica::output {
+
+namespace {
+
+std::string now() {
+  const std::time_t seconds = std::time(nullptr);
+  std::array<char, 32> date;
+  std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&seconds));
+  return date.data();
+}
+
+std::string mpi_version() {
+  std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text;
+  int length = 0;
+  MPI_Get_library_version(text.data(), &length);
+  return std::string(text.data()).substr(0, std::string(text.data()).find_first_of(",\n"));
+}
+
+std::string hdf5_version() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(release);
+}
+
+const char* name_of(RunStatus status) {
+  switch (status) {
+    case RunStatus::running:
+      return "running";
+    case RunStatus::done:
+      return "done";
+    case RunStatus::not_converged:
+      return "not converged";
+    case RunStatus::failed:
+      return "failed";
+  }
+  return "failed";
+}
+
+/// The entry of that name, appended if new.
+template <class Value>
+Value& entry_of(std::vector<std::pair<std::string, Value>>& list, const std::string& name) {
+  const auto found = std::find_if(list.begin(), list.end(),
+                                  [&](const auto& entry) { return entry.first == name; });
+  return found != list.end() ? found->second : list.emplace_back(name, Value()).second;
+}
+
+}  // namespace
+
+RunRecord::RunRecord(const std::string& path, const std::string& program,
+                     const std::string& version, const CommPtr& comm)
+    : path_(path), program_(program), started_(now()), comm_(comm) {
+  set("versions", "tunica", version);
+  set("versions", "Trilinos", TRILINOS_VERSION_STRING);
+  set("versions", "MPI", mpi_version());
+  set("versions", "HDF5", hdf5_version());
+  set("versions", "compiler", __VERSION__);
+}
+
+RunRecord::~RunRecord() {
+  if (status_ != RunStatus::running || comm_->getRank() != 0) return;
+  status_ = RunStatus::failed;
+  ended_ = now();
+  try {
+    io::replace_file(path_, text());
+  } catch (const std::exception&) {  // on the way out of another failure
+  }
+}
+
+void RunRecord::set(const std::string& section, const std::string& key, Value value) {
+  for (const char* name : {"program", "status", "message", "started", "ended", "ranks", "memory"}) {
+    if (section == name) throw std::logic_error("run record: \"" + section + "\" is no section");
+  }
+  entry_of(entry_of(sections_, section), key) = std::move(value);
+}
+
+void RunRecord::add_time(const std::string& name, double seconds) {
+  Value& total = entry_of(entry_of(sections_, "timings"), name);
+  const double* before = std::get_if<double>(&total);
+  total = (before != nullptr ? *before : 0.0) + seconds;
+}
+
+void RunRecord::take_over(int step) {
+  const auto earlier = nlohmann::ordered_json::parse(std::ifstream(path_), nullptr, false);
+  int count = 0;
+  if (earlier.is_object()) {
+    const auto started = earlier.find("started");
+    if (started != earlier.end() && started->is_string()) started_ = *started;
+    const auto restarts = earlier.find("restarts");
+    if (restarts != earlier.end() && restarts->is_object())
+      for (const auto& [key, value] : restarts->items())
+        if (value.is_string()) set("restarts", std::to_string(++count), value.get<std::string>());
+  }
+  set("restarts", std::to_string(++count),
+      "after step " + std::to_string(step) + " at " + now() + " on " +
+          std::to_string(comm_->getSize()) + (comm_->getSize() == 1 ? " rank" : " ranks"));
+}
+
+void RunRecord::save() {
+  measure_memory();
+  replace();
+}
+
+void RunRecord::finish(RunStatus status, const std::string& message) {
+  status_ = status;
+  message_ = message;
+  ended_ = now();
+  measure_memory();
+  replace();
+}
+
+void RunRecord::measure_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const double mine = static_cast<double>(usage.ru_maxrss) / 1024.0;  // KB to MB
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, 1, &mine, &memory_of_one_);
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, 1, &mine, &memory_of_all_);
+}
+
+std::string RunRecord::text() const {
+  nlohmann::ordered_json out;
+  out["program"] = program_;
+  out["status"] = name_of(status_);
+  if (!message_.empty()) out["message"] = message_;
+  out["started"] = started_;
+  out["ended"] = nullptr;
+  if (!ended_.empty()) out["ended"] = ended_;
+  out["ranks"] = comm_->getSize();
+  out["memory"] = {{"peak of one rank [MB]", memory_of_one_},
+                   {"peak of all ranks [MB]", memory_of_all_}};
+  for (const auto& [section, entries] : sections_) {
+    for (const auto& [key, value] : entries) {
+      std::visit([&, &s = section, &k = key](const auto& v) { out[s][k] = v; }, value);
+    }
+  }
+  using Json = nlohmann::ordered_json;
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void RunRecord::replace() {
+  on_root_or_fault(*comm_, [&] { return io::replace_file(path_, text()); });
+}
+
+}  // namespace tunica::output

@@ -1,0 +1,38 @@
+#include "tunica/problems/inverted_element.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "tunica/base/reduce.hpp"
+
+namespace tunica::problems {
+
+std::optional<std::string> describe_inversion(const fields::FieldMesh& mesh, double smallest,
+                                              int element, const std::string& measure) {
+  const bool is_fine = element < 0 || smallest > 0.0;  // false for NaN too
+  if (all_agree(*mesh.comm, is_fine)) return std::nullopt;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double badness = is_fine ? infinity : std::isnan(smallest) ? -infinity : smallest;
+  const double worst = global_min(*mesh.comm, badness);
+  const int rank = mesh.comm->getRank();
+  const double speaker =
+      global_min(*mesh.comm, !is_fine && badness == worst ? rank : mesh.comm->getSize());
+  Vec3 centre{};
+  double value = 0.0, number = 0.0;
+  if (rank == static_cast<int>(speaker)) {
+    for (const int a : mesh.tets[element]) centre += 0.25 * mesh.x[a];
+    value = smallest;
+    number = mesh.tet_number[element];
+  }
+  for (double& c : centre) c = global_sum(*mesh.comm, c);
+  value = global_sum(*mesh.comm, value);
+  number = global_sum(*mesh.comm, number);
+  std::ostringstream text;
+  text << "element " << static_cast<long long>(number) << " at (" << centre[0] << ", " << centre[1]
+       << ", " << centre[2] << ") of the undeformed mesh is inverted (" << measure << " = " << value
+       << ")";
+  return text.str();
+}
+
+}  // namespace tunica::problems

@@ -1,0 +1,28 @@
+#include "tunica/problems/layer_boundary.hpp"
+
+#include <algorithm>
+
+namespace tunica::problems {
+
+// A ghost node's elements are not all here: its owner says whether it lies on a boundary.
+std::vector<char> at_layer_boundary(const fields::FieldMesh& mesh,
+                                    const std::vector<int>& material) {
+  std::vector<int> found(mesh.n_nodes(), -1);
+  std::vector<Vec3> is_between(mesh.n_nodes());  // the first component is the flag
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
+    for (const int a : mesh.tets[e]) {
+      const int here = material[mesh.region[e]];
+      if (found[a] >= 0 && found[a] != here) is_between[a][0] = 1.0;
+      found[a] = here;
+    }
+  Vector owned(mesh.vector_map);
+  fields::store(is_between, mesh, owned);
+  is_between = fields::ghosted_vectors(mesh, owned);
+  std::vector<char> flags;
+  for (const auto& nodes : mesh.tets)
+    flags.push_back(
+        std::any_of(nodes.begin(), nodes.end(), [&](int a) { return is_between[a][0] > 0.5; }));
+  return flags;
+}
+
+}  // namespace tunica::problems

@@ -1,0 +1,64 @@
+#include "tunica/problems/mesh_motion.hpp"
+
+namespace tunica::problems {
+
+namespace {
+
+std::vector<char> given_nodes(const fields::FieldMesh& mesh) {
+  std::vector<char> is_given(mesh.n_nodes());
+  for (int a = 0; a < mesh.n_nodes(); ++a) is_given[a] = mesh.on_surface[a] != 0;
+  return is_given;
+}
+
+}  // namespace
+
+MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+                       const std::vector<int>& surfaces)
+    : mesh_(&mesh), is_interface_(mesh.n_owned, 0),
+      harmonic_(list.sublist("Linear Solver"), mesh, given_nodes(mesh), 3), d_(mesh.n_nodes()),
+      d_old_(mesh.n_nodes()) {
+  for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, surfaces);
+}
+
+std::optional<std::string> MeshMotion::extend(const std::vector<Vec3>& interface_displacement) {
+  MultiVector total(mesh_->node_map, 3);
+  {
+    const auto view = total.getLocalViewHost(overwrite_all);
+    for (int a = 0; a < mesh_->n_owned; ++a)
+      for (int i = 0; i < 3; ++i)
+        view(a, i) = is_interface_[a] ? interface_displacement[a][i] : 0.0;
+  }
+  if (const auto failure = harmonic_.extend(total)) return failure;
+  MultiVector ghosted(mesh_->ghosted_map, 3);
+  ghosted.doImport(total, *mesh_->import, insert);
+  const auto view = ghosted.getLocalViewHost(read_only);
+  for (int a = 0; a < mesh_->n_nodes(); ++a) d_[a] = {view(a, 0), view(a, 1), view(a, 2)};
+  return std::nullopt;
+}
+
+fields::State MeshMotion::save() const {
+  fields::State state = fields::state_on(*mesh_);
+  state.arrays["displacement"] = fields::rows_of(d_, mesh_->n_owned);
+  return state;
+}
+
+std::string MeshMotion::restore(const fields::State& state) {
+  const fields::State::Array& rows = state.array("displacement", 3);
+  d_ = d_old_ = fields::ghosted_rows(rows, *mesh_);
+  MultiVector last(mesh_->node_map, 3);
+  {
+    const auto view = last.getLocalViewHost(overwrite_all);
+    for (int a = 0; a < mesh_->n_owned; ++a)
+      for (int i = 0; i < 3; ++i) view(a, i) = rows.values[3 * a + i];
+  }
+  harmonic_.start_from(last);
+  return "";
+}
+
+params::Table mesh_motion_table() {
+  params::Table table("Harmonic extension of the wall's displacement into the fluid's mesh.");
+  table.sublist("Linear Solver", linear::scalar_solver_table());
+  return table;
+}
+
+}  // namespace tunica::problems

@@ -1,0 +1,70 @@
+#include <algorithm>
+
+#include "tunica/assembly/gather.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/kernels/deformation.hpp"
+#include "tunica/kernels/energy.hpp"
+#include "tunica/problems/solid_problem.hpp"
+
+namespace tunica::problems {
+
+namespace {
+
+/// Extremes and sums on one rank.
+struct Summary {
+  double displacement = 0.0, interface_displacement = 0.0;
+  double low_pressure = 1e300, high_pressure = -1e300;
+  double low_J = 1e300, high_J = -1e300;
+  double elastic = 0.0, volumetric = 0.0, kinetic = 0.0;
+};
+
+}  // namespace
+
+// For the balance that the energies close see fluid_observables.cpp. The elastic energy is that
+// of the isochoric law, the volumetric one ∫ p²/(2κ) dV; the velocity is that of the last
+// accepted step.
+
+Observables SolidProblem::observe() const {
+  const Comm& comm = *mesh_->comm;
+  const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, *x_.u);
+  const std::vector<double> p = fields::ghosted_scalars(*mesh_, *x_.p);
+  Summary s;
+  for (int a = 0; a < mesh_->n_owned; ++a) {
+    s.displacement = std::max(s.displacement, norm(d[a]));
+    s.low_pressure = std::min(s.low_pressure, p[a]);
+    s.high_pressure = std::max(s.high_pressure, p[a]);
+    for (std::size_t k = 0; k < condition_of_surface_.size(); ++k)
+      if (condition_of_surface_[k] != nullptr && condition_of_surface_[k]->kind == "interface" &&
+          mesh_->is_on(a, static_cast<int>(k)))
+        s.interface_displacement = std::max(s.interface_displacement, norm(d[a]));
+  }
+  for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
+    const auto de = assembly::gather(d, mesh_->tets[e]);
+    const double J = kernels::solid_jacobian_determinant(elements_.geometry[e], de);
+    s.low_J = std::min(s.low_J, J);
+    s.high_J = std::max(s.high_J, J);
+    if (!mesh_->is_owned[e]) continue;
+    const double V = elements_.geometry[e].volume;
+    const Sym3 C =
+        kernels::right_cauchy_green(kernels::deformation_gradient(elements_.geometry[e], de));
+    s.elastic += V * elements_.law[e]->energy(C, elements_.frame(e));
+    s.volumetric += 0.5 * elements_.coefficients[e].inv_kappa *
+                    kernels::squared_norm(V, assembly::gather(p, mesh_->tets[e]));
+    s.kinetic += 0.5 * elements_.density[e] *
+                 kernels::squared_norm(V, assembly::gather(v_old_, mesh_->tets[e]));
+  }
+  Observables found{{"max_displacement_wall_mm", global_max(comm, s.displacement)},
+                    {"min_det_F", global_min(comm, s.low_J)},
+                    {"max_det_F", global_max(comm, s.high_J)},
+                    {"wall_pressure_min_kPa", global_min(comm, s.low_pressure)},
+                    {"wall_pressure_max_kPa", global_max(comm, s.high_pressure)},
+                    {"elastic_energy_kPa_mm3", global_sum(comm, s.elastic)},
+                    {"volumetric_energy_kPa_mm3", global_sum(comm, s.volumetric)},
+                    {"wall_kinetic_energy_kPa_mm3", global_sum(comm, s.kinetic)}};
+  if (!options_.interface_surfaces().empty())
+    found.insert(found.begin() + 1,
+                 {"max_displacement_interface_mm", global_max(comm, s.interface_displacement)});
+  return found;
+}
+
+}  // namespace tunica::problems

@@ -1,0 +1,30 @@
+#include "tunica/assembly/scalar_matrix.hpp"
+#include "tunica/problems/solid_problem.hpp"
+
+namespace tunica::problems {
+
+namespace {
+
+constexpr const char* mass = "Schur Mass";
+constexpr const char* bulk_mass = "Schur Bulk Mass";
+
+}  // namespace
+
+std::vector<std::string> SolidProblem::operator_names() const { return {mass, bulk_mass}; }
+
+// The parts of [LY1] eq:lpreschur, S̃ = (1/θ + 1/κ) diag(Mp). θ is O(c10) there, chosen by
+// trials on a coarse mesh; here it is the law's own modulus c10 + c01, layer by layer.
+Teuchos::RCP<const CrsMatrix> SolidProblem::assemble_operator(const std::string& name) const {
+  if (name != mass && name != bulk_mass) return Teuchos::null;
+  const std::vector<char> none_fixed(mesh_->n_nodes(), 0);
+  return assembly::scalar_matrix(
+      *mesh_, K_.graph(),
+      [&](std::size_t e) {
+        const double factor = name == bulk_mass ? elements_.coefficients[e].inv_kappa
+                                                : 2.0 / elements_.law[e]->stabilisation_modulus();
+        return assembly::mass_element(elements_.geometry[e].volume, factor);
+      },
+      none_fixed);
+}
+
+}  // namespace tunica::problems

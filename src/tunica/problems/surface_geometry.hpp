@@ -1,0 +1,21 @@
+#pragma once
+#include "tunica/fields/field_mesh.hpp"
+
+namespace tunica::problems {
+
+/// Size and place of a surface of the undeformed mesh.
+struct SurfaceGeometry {
+  double area;
+  Vec3 centre;    ///< centroid
+  double radius;  ///< largest distance of a node from the centre
+};
+
+/// Area times normal, out of the field, that belongs to each owned node on one of the surfaces, a
+/// third of each triangle around it; zero elsewhere [mm²]. positions: of the local nodes.
+std::vector<Vec3> nodal_areas(const fields::FieldMesh& mesh, const std::vector<Vec3>& positions,
+                              const std::vector<int>& surfaces);
+
+/// Collective.
+SurfaceGeometry surface_geometry(const fields::FieldMesh& mesh, int surface);
+
+}  // namespace tunica::problems

@@ -1,0 +1,136 @@
+#include "tunica/smoothers/braess_sarazin/braess_sarazin.hpp"
+
+#include <Ifpack2_Factory.hpp>
+#include <cmath>
+#include <stdexcept>
+
+#include "tunica/base/agreement.hpp"
+#include "tunica/smoothers/braess_sarazin/mixed_blocks.hpp"
+#include "tunica/smoothers/braess_sarazin/schur_matrix.hpp"
+#include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
+
+namespace tunica::smoothers {
+
+namespace {
+
+using Relaxation = Ifpack2::Preconditioner<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+
+/// Sweeps of symmetric Gauss-Seidel, or a Chebyshev polynomial, of S (Ifpack2).
+class RelaxedSchur final : public SchurSolver {
+public:
+  RelaxedSchur(const Teuchos::RCP<const RowMatrix>& S, const BraessSarazinOptions& options)
+      : inverse_(Ifpack2::Factory::create<RowMatrix>(
+            options.schur == "chebyshev" ? "CHEBYSHEV" : "RELAXATION", S)) {
+    Teuchos::ParameterList list;
+    if (options.schur == "chebyshev")
+      list.set("chebyshev: degree", options.schur_sweeps);
+    else
+      list.set("relaxation: type", "Symmetric Gauss-Seidel")
+          .set("relaxation: sweeps", options.schur_sweeps);
+    inverse_->setParameters(list);
+    inverse_->initialize();
+    inverse_->compute();
+  }
+
+  void refresh() override { inverse_->compute(); }
+  void solve(const MultiVector& r, MultiVector& q) const override { inverse_->apply(r, q); }
+
+private:
+  Teuchos::RCP<Relaxation> inverse_;
+};
+
+/// Sparse LU factors of S.
+class FactoredSchur final : public SchurSolver {
+public:
+  explicit FactoredSchur(const Teuchos::RCP<const CrsMatrix>& S) : S_(S), lu_(make_sparse_lu(S)) {
+    refactor(*lu_, S_);
+  }
+
+  void refresh() override { refactor(*lu_, S_); }
+  void solve(const MultiVector& r, MultiVector& q) const override {
+    lu_->setX(Teuchos::rcpFromRef(q));
+    lu_->setB(Teuchos::rcpFromRef(r));
+    lu_->solve();
+  }
+
+private:
+  Teuchos::RCP<const CrsMatrix> S_;
+  Teuchos::RCP<SparseLu> lu_;
+};
+
+}  // namespace
+
+struct BraessSarazin::Parts {
+  Parts(const CrsMatrix& matrix, const algebra::DofLayout& numbering, const BraessSarazinOptions& o)
+      : K(&matrix), options(o), blocks(matrix, numbering), inverse_D(blocks.diagonal->getMap()) {}
+
+  const CrsMatrix* K;
+  BraessSarazinOptions options;
+  MixedBlocks blocks;
+  Vector inverse_D;
+  std::unique_ptr<SchurMatrix> S;
+  std::unique_ptr<SchurSolver> schur;
+
+  /// Rows with nothing but the diagonal are solved, not smoothed.
+  void invert_diagonal() {
+    std::string problem;
+    {
+      const auto d = blocks.diagonal->getLocalViewHost(read_only);
+      const auto inverse = inverse_D.getLocalViewHost(overwrite_all);
+      for (std::size_t i = 0; i < d.extent(0); ++i) {
+        if (!(std::abs(d(i, 0)) > 0.0)) problem = "Braess-Sarazin: no pivot on the diagonal of A.";
+        inverse(i, 0) = 1.0 / ((blocks.is_uncovered[i] ? 1.0 : options.scaling) * d(i, 0));
+      }
+    }
+    problem = agreed_message(*K->getComm(), problem);
+    if (!problem.empty()) throw std::runtime_error(problem);
+  }
+};
+
+BraessSarazin::BraessSarazin(const CrsMatrix& K, const algebra::DofLayout& numbering,
+                             const BraessSarazinOptions& options, const MakeSchurSolver& make_schur)
+    : parts_(new Parts(K, numbering, options)) {
+  Parts& parts = *parts_;
+  parts.invert_diagonal();
+  const MixedBlocks& blocks = parts.blocks;
+  parts.S = std::make_unique<SchurMatrix>(*blocks.B1T, *blocks.B2, *blocks.mC, parts.inverse_D);
+  const Teuchos::RCP<CrsMatrix> S = parts.S->matrix();
+  if (make_schur)
+    parts.schur = make_schur(S, blocks.mC);
+  else if (options.schur == "direct")
+    parts.schur = std::make_unique<FactoredSchur>(S);
+  else
+    parts.schur = std::make_unique<RelaxedSchur>(S, options);
+}
+
+BraessSarazin::~BraessSarazin() = default;
+
+void BraessSarazin::refresh() {
+  Parts& parts = *parts_;
+  parts.blocks.refresh();
+  parts.invert_diagonal();
+  parts.S->refresh(parts.inverse_D);
+  parts.schur->refresh();
+}
+
+void BraessSarazin::smooth(const MultiVector& b, MultiVector& x) const {
+  const Parts& parts = *parts_;
+  const MixedBlocks& blocks = parts.blocks;
+  MultiVector r(b.getMap(), 1);
+  Vector r_u(parts.inverse_D.getMap()), u(r_u.getMap());
+  Vector r_p(blocks.mC->getRowMap()), q(r_p.getMap());
+  for (int sweep = 0; sweep < parts.options.sweeps; ++sweep) {
+    parts.K->apply(x, r);
+    r.update(1.0, b, -1.0);  // r = b − K x
+    blocks.split(r, r_u, r_p);
+    u.elementWiseMultiply(1.0, parts.inverse_D, r_u, 0.0);
+    blocks.B2->apply(u, r_p, Teuchos::NO_TRANS, 1.0, -1.0);
+    q.putScalar(0.0);
+    parts.schur->solve(r_p, q);  // q = S̃⁻¹ (B2 Ã⁻¹ r_u − r_p)
+    blocks.B1T->apply(q, r_u, Teuchos::NO_TRANS, -1.0, 1.0);
+    u.elementWiseMultiply(1.0, parts.inverse_D, r_u, 0.0);  // u = Ã⁻¹ (r_u − B1ᵀ q)
+    blocks.add(parts.options.damping, u, q, x);             // x += ω (u, q)
+  }
+}
+
+}  // namespace tunica::smoothers

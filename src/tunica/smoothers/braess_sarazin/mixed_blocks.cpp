@@ -1,0 +1,109 @@
+#include "tunica/smoothers/braess_sarazin/mixed_blocks.hpp"
+
+#include "tunica/algebra/entry_offsets.hpp"
+
+namespace tunica::smoothers {
+
+namespace {
+
+/// The entries of K in the rows and columns of one kind each.
+Teuchos::RCP<CrsMatrix> block(const CrsMatrix& K, bool has_scalar_rows, bool has_scalar_columns,
+                              const algebra::DofLayout& numbering,
+                              const Teuchos::RCP<const Map>& rows,
+                              const Teuchos::RCP<const Map>& columns) {
+  const auto result = Teuchos::rcp(new CrsMatrix(rows, K.getNodeMaxNumRowEntries()));
+  const auto local = K.getLocalMatrixHost();
+  std::vector<GlobalOrdinal> numbers;
+  for (int i = 0; i < local.numRows(); ++i) {
+    const GlobalOrdinal row_number = K.getRowMap()->getGlobalElement(i);
+    if (numbering.is_scalar(row_number) != has_scalar_rows) continue;
+    const auto row = local.rowConst(i);
+    numbers.clear();
+    for (int k = 0; k < row.length; ++k) {
+      const GlobalOrdinal number = K.getColMap()->getGlobalElement(row.colidx(k));
+      if (numbering.is_scalar(number) == has_scalar_columns)
+        numbers.push_back(numbering.in_block(number));
+    }
+    const std::vector<Scalar> zeros(numbers.size(), 0.0);
+    result->insertGlobalValues(numbering.in_block(row_number),
+                               Teuchos::arrayViewFromVector(numbers),
+                               Teuchos::arrayViewFromVector(zeros));
+  }
+  result->fillComplete(columns, rows);
+  return result;
+}
+
+std::vector<int> places(const CrsMatrix& part, bool has_scalar_rows, bool has_scalar_columns,
+                        const algebra::DofLayout& numbering, const CrsMatrix& K) {
+  return algebra::entry_offsets(
+      part, algebra::mixed_numbers(*part.getRowMap(), has_scalar_rows, numbering),
+      algebra::mixed_numbers(*part.getColMap(), has_scalar_columns, numbering), K);
+}
+
+void copy(const CrsMatrix& whole, const std::vector<int>& places, CrsMatrix& part) {
+  const auto domain = part.getDomainMap(), range = part.getRangeMap();
+  part.resumeFill();
+  {
+    const auto from = whole.getLocalMatrixHost().values;
+    const auto to = part.getLocalMatrixHost().values;
+    for (std::size_t k = 0; k < places.size(); ++k) to(k) = from(places[k]);
+  }
+  part.fillComplete(domain, range);
+}
+
+}  // namespace
+
+MixedBlocks::MixedBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering)
+    : K_(&K), numbering_(numbering) {
+  const Map& rows = *K.getRowMap();
+  const auto u = numbering.vector_map(rows), p = numbering.scalar_map(rows);
+  B1T = block(K, false, true, numbering, u, p);
+  B2 = block(K, true, false, numbering, p, u);
+  mC = block(K, true, true, numbering, p, p);
+  places_of_B1T_ = places(*B1T, false, true, numbering, K);
+  places_of_B2_ = places(*B2, true, false, numbering, K);
+  places_of_mC_ = places(*mC, true, true, numbering, K);
+  for (int i = 0; i < static_cast<int>(rows.getNodeNumElements()); ++i)
+    (numbering.is_scalar(rows.getGlobalElement(i)) ? scalar_rows_ : vector_rows_).push_back(i);
+  diagonal = Teuchos::rcp(new Vector(u));
+  is_uncovered.resize(vector_rows_.size());
+  refresh();
+}
+
+void MixedBlocks::refresh() {
+  copy(*K_, places_of_B1T_, *B1T);
+  copy(*K_, places_of_B2_, *B2);
+  copy(*K_, places_of_mC_, *mC);
+  const auto local = K_->getLocalMatrixHost();
+  const auto D = diagonal->getLocalViewHost(overwrite_all);
+  for (std::size_t i = 0; i < vector_rows_.size(); ++i) {
+    const auto row = local.rowConst(vector_rows_[i]);
+    const int own =
+        K_->getColMap()->getLocalElement(K_->getRowMap()->getGlobalElement(vector_rows_[i]));
+    D(i, 0) = 0.0;
+    is_uncovered[i] = 1;
+    for (int k = 0; k < row.length; ++k)
+      if (row.colidx(k) == own)
+        D(i, 0) = row.value(k);
+      else if (row.value(k) != 0.0)
+        is_uncovered[i] = 0;
+  }
+}
+
+void MixedBlocks::split(const MultiVector& all, Vector& u, Vector& p) const {
+  const auto from = all.getLocalViewHost(read_only);
+  const auto to_u = u.getLocalViewHost(overwrite_all), to_p = p.getLocalViewHost(overwrite_all);
+  for (std::size_t i = 0; i < vector_rows_.size(); ++i) to_u(i, 0) = from(vector_rows_[i], 0);
+  for (std::size_t i = 0; i < scalar_rows_.size(); ++i) to_p(i, 0) = from(scalar_rows_[i], 0);
+}
+
+void MixedBlocks::add(Scalar factor, const Vector& u, const Vector& p, MultiVector& all) const {
+  const auto from_u = u.getLocalViewHost(read_only), from_p = p.getLocalViewHost(read_only);
+  const auto to = all.getLocalViewHost(read_write);
+  for (std::size_t i = 0; i < vector_rows_.size(); ++i)
+    to(vector_rows_[i], 0) += factor * from_u(i, 0);
+  for (std::size_t i = 0; i < scalar_rows_.size(); ++i)
+    to(scalar_rows_[i], 0) += factor * from_p(i, 0);
+}
+
+}  // namespace tunica::smoothers

@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+namespace tunica::smoothers {
+
+/// What invert_dense() works in: kept from one matrix to the next.
+struct DenseScratch {
+  std::vector<int> exchanged;
+  std::vector<double> panel, pivots;
+};
+
+/// Inverts the n×n matrix in place, row by row in a, by Gauss-Jordan elimination of several
+/// columns at a time with row exchanges. False where a pivot is zero or not a number.
+bool invert_dense(int n, double* a, DenseScratch& scratch);
+
+}  // namespace tunica::smoothers

@@ -1,0 +1,138 @@
+#include "tunica/smoothers/node_ilu/node_blocks.hpp"
+
+#include <algorithm>
+
+#include "tunica/base/map_of.hpp"
+
+namespace tunica::smoothers {
+
+NodeBlocks::NodeBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering)
+    : K_(&K), width_(numbering.dofs()) {
+  own_.matrix = &K;
+  number_nodes();
+  if (K.getComm()->getSize() > 1) number_ghosts();
+  rows_.resize(width_ * nodes_.size());
+  for (std::size_t r = 0; r < place_of_row_.size(); ++r)
+    rows_[place_of_row_[r]] = {&own_, static_cast<int>(r)};
+  for (std::size_t r = 0; r < ghost_places_.size(); ++r)
+    rows_[ghost_places_[r]] = {&other_, static_cast<int>(r)};
+  numbers_.resize(nodes_.size());
+  for (const auto& [number, node] : nodes_) numbers_[node] = number;
+  find_blocks();
+  nodes_ = Nodes();
+}
+
+int NodeBlocks::place(GlobalOrdinal number) {
+  const int next = static_cast<int>(nodes_.size());
+  return width_ * nodes_.emplace(number / width_, next).first->second +
+         static_cast<int>(number % width_);
+}
+
+void NodeBlocks::number_nodes() {
+  const Map &rows = *K_->getRowMap(), &columns = *K_->getColMap();
+  for (const GlobalOrdinal number : rows.getNodeElementList())
+    place_of_row_.push_back(place(number));
+  n_own_nodes_ = static_cast<int>(nodes_.size());
+  for (const GlobalOrdinal number : columns.getNodeElementList())
+    own_.places.push_back(rows.isNodeGlobalElement(number) ? place(number) : -1);
+}
+
+void NodeBlocks::number_ghosts() {
+  std::vector<GlobalOrdinal> numbers;
+  for (std::size_t c = 0; c < own_.places.size(); ++c) {
+    if (own_.places[c] >= 0) continue;
+    numbers.push_back(K_->getColMap()->getGlobalElement(static_cast<int>(c)));
+    own_.places[c] = place(numbers.back());
+    ghost_columns_.push_back(static_cast<int>(c));
+    ghost_places_.push_back(own_.places[c]);
+  }
+  fetch_ghosts(numbers);
+  other_.matrix = ghosts_.get();
+  for (const GlobalOrdinal number : ghosts_->getColMap()->getNodeElementList())
+    other_.places.push_back(nodes_.count(number / width_) > 0 ? place(number) : -1);
+}
+
+void NodeBlocks::fetch_ghosts(const std::vector<GlobalOrdinal>& numbers) {
+  const auto map = map_of(numbers, K_->getComm());
+  import_ = Teuchos::rcp(new Import(K_->getRowMap(), map));
+  CrsMatrix first(map, K_->getGlobalMaxNumRowEntries());
+  first.doImport(*K_, *import_, insert);
+  first.fillComplete(K_->getDomainMap(), K_->getRangeMap());
+  ghosts_ =
+      Teuchos::rcp(new CrsMatrix(first.getCrsGraph()));  // Tpetra replaces only in given graphs
+}
+
+void NodeBlocks::find_blocks() {
+  own_.look();
+  other_.look();
+  block_of_node_.assign(numbers_.size(), -1);
+  const auto add = [&](int node) {
+    if (block_of_node_[node] >= 0) return;
+    block_of_node_[node] = 0;
+    graph_.columns.push_back(node);
+  };
+  for (int node = 0; node < static_cast<int>(numbers_.size()); ++node) {
+    add(node);
+    for (int i = 0; i < width_; ++i) {
+      const auto& [source, local] = rows_[width_ * node + i];
+      if (source == nullptr) continue;
+      for (auto k = source->start[local]; k < source->start[local + 1]; ++k)
+        if (const int at = source->places[source->columns[k]]; at >= 0) add(at / width_);
+    }
+    const auto first = graph_.columns.begin() + static_cast<std::ptrdiff_t>(graph_.start.back());
+    std::sort(first, graph_.columns.end());
+    std::for_each(first, graph_.columns.end(), [&](int column) { block_of_node_[column] = -1; });
+    graph_.start.push_back(graph_.columns.size());
+  }
+}
+
+void NodeBlocks::Source::look() {
+  if (matrix == nullptr) return;
+  const auto local = matrix->getLocalMatrixHost();
+  start = local.graph.row_map.data();
+  columns = local.graph.entries.data();
+  values = local.values.data();
+}
+
+void NodeBlocks::refresh() {
+  if (!ghosts_.is_null()) {
+    ghosts_->resumeFill();
+    ghosts_->doImport(*K_, *import_, Tpetra::REPLACE);
+    ghosts_->fillComplete(K_->getDomainMap(), K_->getRangeMap());
+  }
+  own_.look();
+  other_.look();
+}
+
+double NodeBlocks::bytes() const {
+  const double ghosts =
+      ghosts_.is_null() ? 0.0 : 12.0 * static_cast<double>(ghosts_->getNodeNumEntries());
+  const auto n_numbers = graph_.columns.size() + own_.places.size() + other_.places.size() +
+                         place_of_row_.size() + 2 * ghost_columns_.size() + block_of_node_.size();
+  return ghosts +
+         static_cast<double>(sizeof(int) * n_numbers +
+                             sizeof(std::size_t) * (graph_.start.size() + numbers_.size()) +
+                             sizeof(Row) * rows_.size());
+}
+
+void NodeBlocks::read(int node, double* blocks) {
+  const std::size_t size = static_cast<std::size_t>(width_) * width_;
+  const std::size_t first = graph_.start[node], last = graph_.start[node + 1];
+  std::fill_n(blocks, size * (last - first), 0.0);
+  for (std::size_t k = first; k < last; ++k)
+    block_of_node_[graph_.columns[k]] = static_cast<int>(k - first);
+  for (int i = 0; i < width_; ++i) {
+    const auto& [source, local] = rows_[width_ * node + i];
+    if (source == nullptr) {
+      blocks[size * block_of_node_[node] + width_ * i + i] = 1.0;
+      continue;
+    }
+    for (auto k = source->start[local]; k < source->start[local + 1]; ++k) {
+      const int at = source->places[source->columns[k]];
+      if (at < 0) continue;
+      blocks[size * block_of_node_[at / width_] + width_ * (at % width_) + i] = source->values[k];
+    }
+  }
+}
+
+}  // namespace tunica::smoothers

@@ -1,0 +1,79 @@
+#pragma once
+#include <unordered_map>
+#include <vector>
+
+#include "tunica/algebra/dof_layout.hpp"
+#include "tunica/smoothers/node_ilu/fill_graph.hpp"
+
+namespace tunica::smoothers {
+
+/// A mixed matrix as dense blocks of a node's rows and a node's columns, ordered for incomplete
+/// factors: the nodes of this rank, then those of other ranks that its rows reach, with their rows.
+/// Columns beyond those nodes are left out. Where a node lacks an unknown, its row and column are
+/// those of the unit matrix.
+class NodeBlocks {
+public:
+  /// K must outlive the blocks and keep its graph. Collective.
+  NodeBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering);
+  NodeBlocks(const NodeBlocks&) = delete;
+  NodeBlocks& operator=(const NodeBlocks&) = delete;
+
+  int n_nodes() const { return graph_.n_rows(); }
+  int n_own_nodes() const { return n_own_nodes_; }
+  int width() const { return width_; }  ///< unknowns per node
+  /// Of nodes; the diagonal is in it.
+  const RowGraph& graph() const { return graph_; }
+
+  /// Fetches the present rows of other ranks. Before a round of read(). Collective.
+  void refresh();
+  /// The present blocks of a node, one after the other, each column by column.
+  void read(int node, double* blocks);
+
+  /// A node's number in the numbering of K.
+  GlobalOrdinal number(int node) const { return numbers_[node]; }
+
+  /// Places, width*node + i, of the unknowns that K has as rows, in their order.
+  const std::vector<int>& place_of_row() const { return place_of_row_; }
+  /// Local columns of K that are other ranks' unknowns among the nodes, and their places.
+  const std::vector<int>& ghost_columns() const { return ghost_columns_; }
+  const std::vector<int>& ghost_places() const { return ghost_places_; }
+  /// Bytes beside those of K on this rank.
+  double bytes() const;
+
+private:
+  using Nodes = std::unordered_map<GlobalOrdinal, int>;
+  /// Where rows come from.
+  struct Source {
+    const CrsMatrix* matrix = nullptr;
+    std::vector<int> places;  ///< of its local columns, -1 where left out
+    const std::size_t* start = nullptr;
+    const int* columns = nullptr;
+    const double* values = nullptr;
+
+    void look();  ///< where the values lie at present
+  };
+  struct Row {
+    const Source* source = nullptr;  ///< null where the unknown is missing
+    int local = 0;
+  };
+
+  void number_nodes();
+  void number_ghosts();
+  void fetch_ghosts(const std::vector<GlobalOrdinal>& numbers);
+  void find_blocks();
+  int place(GlobalOrdinal number);
+
+  const CrsMatrix* K_;
+  int width_, n_own_nodes_;
+  Nodes nodes_;                         ///< by their numbers, while they are found
+  std::vector<GlobalOrdinal> numbers_;  ///< of the nodes
+  std::vector<int> place_of_row_, ghost_columns_, ghost_places_;
+  Teuchos::RCP<CrsMatrix> ghosts_;  ///< rows of other ranks; null where it is alone
+  Teuchos::RCP<const Import> import_;
+  Source own_, other_;
+  std::vector<Row> rows_;  ///< by place
+  RowGraph graph_;
+  std::vector<int> block_of_node_;  ///< scratch: by the columns' nodes
+};
+
+}  // namespace tunica::smoothers

@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+
+#include "tunica/algebra/dof_layout.hpp"
+
+namespace tunica::smoothers {
+
+/// Incomplete factors ILU(k) [Sa03, 10.3] of a mixed matrix, in blocks of a node's unknowns: fill
+/// is counted on the graph of the nodes, and the unknowns of one are eliminated exactly.
+class NodeIlu {
+public:
+  virtual ~NodeIlu() = default;
+  /// Takes over the present values of the matrix. Throws std::runtime_error on all ranks where one
+  /// has a block that cannot be inverted. Collective.
+  virtual void refresh() = 0;
+  /// x += ω (L U)⁻¹ (b − K x); factors include the rows of other ranks that own ones reach, and
+  /// each rank moves its own unknowns. Collective.
+  virtual void smooth(double damping, const MultiVector& b, MultiVector& x) = 0;
+  /// The same from x = 0, whatever it holds. Collective.
+  virtual void smooth_from_zero(double damping, const MultiVector& b, MultiVector& x) = 0;
+  /// Bytes of the factors and a copy of the matrix on this rank.
+  virtual double bytes() const = 0;
+};
+
+struct NodeIluOptions {
+  int fill = 0;           ///< k
+  bool is_single = true;  ///< keep the factors and the matrix in single precision
+};
+
+/// K must outlive the factors, and keep its graph. Throws std::invalid_argument for more than
+/// three components. Collective.
+std::unique_ptr<NodeIlu> make_node_ilu(const CrsMatrix& K, const algebra::DofLayout& numbering,
+                                       const NodeIluOptions& options);
+
+}  // namespace tunica::smoothers

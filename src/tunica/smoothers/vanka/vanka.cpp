@@ -1,0 +1,178 @@
+#include "tunica/smoothers/vanka/vanka.hpp"
+
+#include <stdexcept>
+
+#include "tunica/algebra/independent_set.hpp"
+#include "tunica/base/agreement.hpp"
+#include "tunica/smoothers/vanka/patch_rows.hpp"
+#include "tunica/smoothers/vanka/patch_solver.hpp"
+
+namespace tunica::smoothers {
+
+namespace {
+
+class PatchVanka final : public Vanka {
+public:
+  PatchVanka(const CrsMatrix& K, const std::vector<char>& is_pressure, const VankaOptions& options)
+      : K_(&K), is_pressure_(is_pressure), options_(options),
+        rows_(make_patch_rows(K, is_pressure)) {
+    update_b2_pattern(K, is_pressure_, reaches_);
+    find_patches();
+  }
+
+  void refresh() override {
+    if (update_b2_pattern(*K_, is_pressure_, reaches_)) find_patches();
+    rows_->refresh();
+    std::string singular;
+    if (const int patch = solver_->refresh(); patch >= 0)
+      singular =
+          "the patch of the pressure in" + name(patches_.rows[patches_.start[patch + 1] - 1]);
+    if (const int row = refresh_lone_rows(); row >= 0 && singular.empty())
+      singular = "the diagonal of the velocity in" + name(row);
+    singular = agreed_message(*K_->getComm(), singular);
+    if (!singular.empty()) throw std::runtime_error("Vanka: " + singular + " is singular.");
+  }
+
+  void smooth(const MultiVector& b, MultiVector& x) const override {
+    MultiVector all(K_->getColMap(), 1);  // own and ghost values
+    Scratch scratch(patches_.largest(), options_.is_additive ? share_.size() : 0);
+    for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+      algebra::fetch_columns(*K_, x, all);
+      const auto rhs = b.getLocalViewHost(read_only);
+      {
+        const auto inside = all.getLocalViewHost(read_write);
+        visit(rhs.data(), inside.data(), scratch);
+      }
+      const auto from = all.getLocalViewHost(read_only);
+      const auto to = x.getLocalViewHost(overwrite_all);
+      for (std::size_t i = 0; i < to.extent(0); ++i) to(i, 0) = from(patches_.column_of_row[i], 0);
+    }
+  }
+
+  double bytes() const override {
+    const double numbers =
+        static_cast<double>(patches_.rows.size() + patches_.column_of_row.size());
+    return rows_->bytes() + solver_->bytes() + sizeof(int) * numbers +
+           static_cast<double>(sizeof(std::size_t) * patches_.start.size() +
+                               sizeof(double) * share_.size() + reaches_.size());
+  }
+
+private:
+  struct Scratch {
+    Scratch(std::size_t patch, std::size_t all) : residual(patch), moves(patch), sums(all) {}
+    std::vector<double> residual, moves;  ///< of one patch at a time
+    std::vector<double> sums;             ///< of the moves of all
+  };
+
+  void find_patches() {
+    if (options_.patch == "full")
+      patches_ = make_vanka_patches(*K_, is_pressure_);
+    else if (options_.patch == "diagonal")
+      patches_ = make_nodal_patches(*K_, is_pressure_);
+    else
+      patches_ = make_pair_patches(*K_, is_pressure_);
+    solver_.reset();  // its memory first
+    solver_ = options_.is_single ? solver<float>() : solver<double>();
+    share_.assign(is_pressure_.size(), 0.0);
+    for (const int row : patches_.rows) share_[row] += 1.0;
+    for (double& share : share_)
+      if (share > 0.0) share = 1.0 / share;
+  }
+
+  template <class Real>
+  std::unique_ptr<PatchSolver> solver() const {
+    if (options_.patch != "diagonal") return make_dense_solver<Real>(*K_, patches_);
+    return make_diagonal_solver<Real>(*K_, patches_, velocities_per_node(is_pressure_));
+  }
+
+  std::string name(int row) const {
+    return " row " + std::to_string(K_->getRowMap()->getGlobalElement(row));
+  }
+
+  /// One without diagonal, or -1.
+  int refresh_lone_rows() {
+    int singular = -1;
+    lone_factor_.resize(patches_.uncovered_rows.size());
+    const auto K = K_->getLocalMatrixHost();
+    for (std::size_t l = 0; l < patches_.uncovered_rows.size(); ++l) {
+      const auto row = K.rowConst(patches_.uncovered_rows[l]);
+      double diagonal = 0.0;
+      for (int k = 0; k < row.length; ++k)
+        if (row.colidx(k) == patches_.column_of_row[patches_.uncovered_rows[l]])
+          diagonal = row.value(k);
+      if (diagonal == 0.0 && singular < 0) singular = patches_.uncovered_rows[l];
+      lone_factor_[l] = 1.0 / diagonal;
+    }
+    return singular;
+  }
+
+  /// One sweep on the own and ghost values x.
+  void visit(const double* b, double* x, Scratch& scratch) const {
+    for (std::size_t l = 0; l < patches_.uncovered_rows.size(); ++l) {
+      const int row = patches_.uncovered_rows[l];
+      double r = 0.0;
+      rows_->residual(&row, 1, b, x, &r, {});
+      x[patches_.column_of_row[row]] += lone_factor_[l] * r;
+    }
+    if (options_.is_additive) return visit_at_once(b, x, scratch);
+    const auto relax = [&](int patch) {
+      solve(patch, b, x, scratch, [&](int row, double move) {
+        x[patches_.column_of_row[row]] += options_.damping * move;
+      });
+    };
+    const int n = patches_.n_patches();
+    if (options_.order != "backward")
+      for (int p = 0; p < n; ++p) relax(p);
+    if (options_.order != "forward")
+      for (int p = n - 1; p >= 0; --p) relax(p);
+  }
+
+  void visit_at_once(const double* b, double* x, Scratch& scratch) const {
+    scratch.sums.assign(share_.size(), 0.0);
+    for (int p = 0; p < patches_.n_patches(); ++p)
+      solve(p, b, x, scratch,
+            [&](int row, double move) { scratch.sums[row] += share_[row] * move; });
+    for (std::size_t i = 0; i < share_.size(); ++i)
+      x[patches_.column_of_row[i]] += options_.damping * scratch.sums[i];
+  }
+
+  /// Gives every row of a patch what solves the patch for the present residual. What the solver
+  /// reads comes from far while the processor works on the residual.
+  template <class Give>
+  void solve(int patch, const double* b, const double* x, Scratch& scratch,
+             const Give& give) const {
+    const int n = patches_.size(patch);
+    const int* const rows = patches_.rows.data() + patches_.start[patch];
+    rows_->residual(rows, n, b, x, scratch.residual.data(), solver_->memory(patch));
+    solver_->solve(patch, scratch.residual.data(), scratch.moves.data());
+    for (int a = 0; a < n; ++a) give(rows[a], scratch.moves[a]);
+  }
+
+  const CrsMatrix* K_;
+  std::vector<char> is_pressure_, reaches_;  ///< of rows; of the entries of pressure rows
+  VankaOptions options_;
+  VankaPatches patches_;
+  std::unique_ptr<PatchRows> rows_;
+  std::unique_ptr<PatchSolver> solver_;
+  std::vector<double> share_;        ///< 1 / number of patches of a row
+  std::vector<double> lone_factor_;  ///< 1 / diagonal of each lone row
+};
+
+}  // namespace
+
+std::unique_ptr<Vanka> make_vanka(const CrsMatrix& K, const std::vector<char>& is_pressure,
+                                  const VankaOptions& options) {
+  if (options.patch != "full") {
+    std::string problem;
+    try {
+      velocities_per_node(is_pressure);
+    } catch (const std::invalid_argument& error) {
+      problem = error.what();
+    }
+    problem = agreed_message(*K.getComm(), problem);
+    if (!problem.empty()) throw std::invalid_argument(problem);
+  }
+  return std::make_unique<PatchVanka>(K, is_pressure, options);
+}
+
+}  // namespace tunica::smoothers

@@ -1,0 +1,31 @@
+#pragma once
+#include <vector>
+
+#include "tunica/params/table.hpp"
+
+namespace tunica::stepping {
+
+/// A factor that depends on time: constant one, or a table with linear interpolation or with
+/// steps. Before the first and after the last time of a table its end values hold. With steps
+/// a value holds from its time (exclusive) to the next one (inclusive).
+class TimeFunction {
+public:
+  TimeFunction() = default;
+  /// From a resolved "Amplitude" list.
+  explicit TimeFunction(const Teuchos::ParameterList& options);
+
+  double operator()(double time) const;
+
+private:
+  std::vector<double> times_;
+  std::vector<double> values_;
+  bool has_steps_ = false;
+};
+
+params::Table time_function_table();
+
+/// Replaces the files of all amplitudes in the list and below it by their samples, so that one
+/// rank alone reads them and the list stands alone.
+void inline_files(Teuchos::ParameterList& list);
+
+}  // namespace tunica::stepping

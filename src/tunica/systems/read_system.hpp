@@ -1,0 +1,25 @@
+#pragma once
+#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/params/table.hpp"
+
+namespace tunica::systems {
+
+/// A block system K x = b of another program.
+struct System {
+  algebra::BlockMatrices K;
+  algebra::BlockVector b;
+  Teuchos::RCP<const Map> vector_file_rows, scalar_file_rows;  ///< all on rank 0, as in the files
+};
+
+/// The keys of a "System" list: files in the Matrix Market format with the blocks and the
+/// right-hand side, and how unknowns belong to nodes.
+params::Table system_table();
+
+/// Reads the files on rank 0 and deals the nodes to all ranks. Throws tunica::Error on all ranks
+/// for a file that cannot be read or whose size does not fit the others. Collective.
+System read_system(const Teuchos::ParameterList& options, const CommPtr& comm);
+
+/// A vector of the system with all its rows on rank 0 in the order of the files. Collective.
+algebra::BlockVector in_file_order(const System& system, const algebra::BlockVector& x);
+
+}  // namespace tunica::systems

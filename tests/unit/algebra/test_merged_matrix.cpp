@@ -1,0 +1,53 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "tunica/algebra/merged_matrix.hpp"
+#include "unit/linear/mixed_operator.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::SmallTube;
+
+TEUCHOS_UNIT_TEST(merged_matrix, merge_and_split_are_inverse) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  const algebra::MergedMatrix merged(jacobian.K);
+  const auto x = test::scattered(tube.wall, 1);
+  auto back = test::scattered(tube.wall, 2);
+  Vector all(merged.matrix()->getDomainMap());
+  merged.merge(x, all);
+  merged.split(all, back);
+  TEST_EQUALITY(test::relative_difference(back, x), 0.0);
+}
+
+TEUCHOS_UNIT_TEST(merged_matrix, unknowns_of_a_node_stand_side_by_side) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  const algebra::MergedMatrix merged(jacobian.K);
+  Vector all(merged.matrix()->getDomainMap());
+  merged.merge(test::block_vector(tube.wall, [](int v, int i) { return 10.0 * v + i; }), all);
+  const auto values = all.getData();
+  for (int a = 0; a < tube.wall.n_owned; ++a)
+    for (int i = 0; i < 4; ++i) TEST_EQUALITY(values[4 * a + i], 10.0 * tube.wall.vertex[a] + i);
+}
+
+TEUCHOS_UNIT_TEST(merged_matrix, acts_as_the_block_operator_after_refresh) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  algebra::MergedMatrix merged(jacobian.K);
+  for (const double size : {0.0, 0.005}) {
+    jacobian.set(size);
+    merged.refresh();
+    const auto x = test::scattered(tube.wall, 1);
+    algebra::BlockVector y = fields::zero_vector(tube.wall),
+                         expected = fields::zero_vector(tube.wall);
+    jacobian.K.apply(x, expected);
+    Vector all_x(merged.matrix()->getDomainMap()), all_y(merged.matrix()->getRangeMap());
+    merged.merge(x, all_x);
+    merged.matrix()->apply(all_x, all_y);
+    merged.split(all_y, y);
+    TEST_COMPARE(test::relative_difference(y, expected), <, 1e-14);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,251 @@
+#include <Ifpack2_Factory.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "tunica/base/map_of.hpp"
+#include "tunica/multigrid/muelu/cycle.hpp"
+#include "tunica/smoothers/node_ilu/node_ilu.hpp"
+#include "unit/algebra/distance.hpp"
+#include "unit/multigrid/complaint.hpp"
+#include "unit/smoothers/dense_sweep.hpp"
+
+namespace {
+
+using namespace tunica;
+using algebra::DofLayout;
+using test::largest_distance;
+using test::WallMatrix;
+
+constexpr int no_limit = 100000;
+
+Vector from_zero(const CrsMatrix& K, const DofLayout& numbering, int fill, bool is_single,
+                 const Vector& b) {
+  const auto factors = smoothers::make_node_ilu(K, numbering, {fill, is_single});
+  factors->refresh();
+  Vector x(b.getMap());
+  x.putScalar(7.0);
+  factors->smooth_from_zero(1.0, b, x);
+  return x;
+}
+
+/// ILU(k) of 4×4 blocks on one rank without any art: full matrices, levels for all pairs of nodes.
+class DenseIlu {
+public:
+  DenseIlu(const CrsMatrix& K, int fill) : n_(static_cast<int>(K.getNodeNumRows()) / 4) {
+    level_.assign(n_ * n_, no_limit);
+    blocks_.assign(n_ * n_, Block(16, 0.0));
+    const auto local = K.getLocalMatrixHost();
+    for (int i = 0; i < local.numRows(); ++i) {
+      const auto row = local.rowConst(i);
+      for (int k = 0; k < row.length; ++k) {
+        block(i / 4, row.colidx(k) / 4)[4 * (i % 4) + row.colidx(k) % 4] = row.value(k);
+        level(i / 4, row.colidx(k) / 4) = 0;
+      }
+    }
+    for (int i = 0; i < n_; ++i)
+      for (int k = 0; k < i; ++k)
+        if (level(i, k) <= fill)
+          for (int j = k + 1; j < n_; ++j)
+            level(i, j) = std::min(level(i, j), level(i, k) + level(k, j) + 1);
+    for (int i = 0; i < n_; ++i)
+      for (int k = 0; k < i; ++k)
+        if (level(i, k) <= fill) eliminate(i, k, fill);
+  }
+
+  std::vector<double> solve(std::vector<double> x) const {
+    for (int i = 0; i < n_; ++i)
+      for (int k = 0; k < i; ++k) subtract(i, k, x);
+    for (int i = n_ - 1; i >= 0; --i) {
+      for (int k = i + 1; k < n_; ++k) subtract(i, k, x);
+      const auto y = test::solve_dense(blocks_[i * n_ + i], {&x[4 * i], &x[4 * i] + 4});
+      std::copy(y.begin(), y.end(), &x[4 * i]);
+    }
+    return x;
+  }
+
+private:
+  using Block = std::vector<double>;  // row by row
+
+  int& level(int i, int j) { return level_[i * n_ + j]; }
+  Block& block(int i, int j) { return blocks_[i * n_ + j]; }
+
+  void eliminate(int i, int k, int fill) {
+    Block pivot(16), &L = block(i, k);
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b) pivot[4 * a + b] = block(k, k)[4 * b + a];
+    for (int a = 0; a < 4; ++a) {
+      const auto row = test::solve_dense(pivot, {&L[4 * a], &L[4 * a] + 4});
+      std::copy(row.begin(), row.end(), &L[4 * a]);
+    }
+    for (int j = k + 1; j < n_; ++j)
+      if (level(k, j) <= fill && level(i, j) <= fill)
+        for (int a = 0; a < 4; ++a)
+          for (int b = 0; b < 4; ++b)
+            for (int c = 0; c < 4; ++c)
+              block(i, j)[4 * a + b] -= L[4 * a + c] * block(k, j)[4 * c + b];
+  }
+  void subtract(int i, int k, std::vector<double>& x) const {
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b) x[4 * i + a] -= blocks_[i * n_ + k][4 * a + b] * x[4 * k + b];
+  }
+
+  int n_;
+  std::vector<int> level_;
+  std::vector<Block> blocks_;
+};
+
+TEUCHOS_UNIT_TEST(node_ilu, is_the_incomplete_elimination_of_full_blocks) {
+  const WallMatrix wall(test::alone());
+  const Vector b = wall.scattered(1);
+  Vector before(b.getMap());
+  for (const int fill : {0, 1, 2}) {
+    const auto values = b.getData();
+    const auto solution = DenseIlu(*wall.K(), fill).solve({values.begin(), values.end()});
+    Vector expected(b.getMap(), Teuchos::arrayViewFromVector(solution));
+    TEST_COMPARE(largest_distance(from_zero(*wall.K(), {}, fill, false, b), expected), <, 1e-9);
+    TEST_COMPARE(largest_distance(from_zero(*wall.K(), {}, fill, true, b), expected), <, 1e-3);
+    TEST_COMPARE(largest_distance(before, expected), >, 1e-3);  // fill does change something
+    before.assign(expected);
+  }
+}
+
+/// With all fill both are exact for the rows of a rank and those that they reach.
+TEUCHOS_UNIT_TEST(node_ilu, takes_the_rows_of_other_ranks_as_restricted_schwarz_does) {
+  const WallMatrix wall;
+  const Teuchos::RCP<const RowMatrix> rows = wall.K();
+  const auto schwarz = Ifpack2::Factory::create<RowMatrix>("SCHWARZ", rows);
+  Teuchos::ParameterList list;
+  list.set("schwarz: inner preconditioner name", "DENSE");
+  list.set("schwarz: overlap level", 1).set("schwarz: combine mode", "ZERO");
+  schwarz->setParameters(list);
+  schwarz->initialize();
+  schwarz->compute();
+  const Vector b = wall.scattered(1);
+  Vector expected(b.getMap());
+  schwarz->apply(b, expected);
+  TEST_COMPARE(largest_distance(from_zero(*wall.K(), {}, no_limit, false, b), expected), <, 1e-7);
+}
+
+TEUCHOS_UNIT_TEST(node_ilu, smooths_by_the_solution_for_the_residual) {
+  const WallMatrix wall;
+  const Vector b = wall.scattered(1), start = wall.scattered(2);
+  for (const bool is_single : {false, true}) {
+    const auto factors = smoothers::make_node_ilu(*wall.K(), {}, {0, is_single});
+    factors->refresh();
+    Vector r(b, Teuchos::Copy), expected(b.getMap()), x(start, Teuchos::Copy);
+    wall.K()->apply(start, r, Teuchos::NO_TRANS, -1.0, 1.0);
+    factors->smooth_from_zero(0.7, r, expected);
+    expected.update(1.0, start, 1.0);
+    factors->smooth(0.7, b, x);
+    TEST_COMPARE(largest_distance(x, expected), <, is_single ? 1e-3 : 1e-10);
+  }
+}
+
+/// The rows and columns of a matrix on one rank that have a number, with these numbers.
+template <class Number>
+Teuchos::RCP<CrsMatrix> part_of(const CrsMatrix& K, const Number& number) {
+  std::vector<GlobalOrdinal> numbers;
+  const auto local = K.getLocalMatrixHost();
+  for (int i = 0; i < local.numRows(); ++i)
+    if (number(i) >= 0) numbers.push_back(number(i));
+  const auto map = map_of(numbers, K.getComm());
+  const auto part = Teuchos::rcp(new CrsMatrix(map, K.getGlobalMaxNumRowEntries()));
+  for (int i = 0; i < local.numRows(); ++i) {
+    if (number(i) < 0) continue;
+    const auto row = local.rowConst(i);
+    for (int k = 0; k < row.length; ++k) {
+      const GlobalOrdinal column = number(row.colidx(k));
+      const Scalar value = row.value(k);
+      if (column >= 0) part->insertGlobalValues(number(i), 1, &value, &column);
+    }
+  }
+  part->fillComplete();
+  return part;
+}
+
+TEUCHOS_UNIT_TEST(node_ilu, nodes_may_lack_unknowns_or_lie_in_a_plane) {
+  const WallMatrix wall(test::alone());
+  const auto few_pressures = [](int i) { return i % 4 == 3 && i / 4 % 3 != 0 ? -1 : i; };
+  const auto flat = [](int i) { return i % 4 == 2 ? -1 : i / 4 * 3 + std::min(i % 4, 2); };
+  for (const auto& [K, components] :
+       {std::pair{part_of(*wall.K(), few_pressures), 3}, std::pair{part_of(*wall.K(), flat), 2}}) {
+    DofLayout numbering;
+    numbering.components = components;
+    Vector x(K->getRowMap()), b(x.getMap());
+    x.randomize();
+    K->apply(x, b);
+    TEST_COMPARE(largest_distance(from_zero(*K, numbering, no_limit, false, b), x), <, 1e-7);
+  }
+}
+
+TEUCHOS_UNIT_TEST(node_ilu, ranks_may_have_no_rows) {
+  const WallMatrix wall;
+  const Comm& comm = *wall.K()->getComm();
+  std::vector<GlobalOrdinal> numbers;
+  if (comm.getRank() == comm.getSize() - 1)
+    for (GlobalOrdinal i = 0; i < wall.K()->getRowMap()->getMaxAllGlobalIndex() + 1; ++i)
+      numbers.push_back(i);
+  const auto map = map_of(numbers, wall.K()->getComm());
+  CrsMatrix K(map, wall.K()->getGlobalMaxNumRowEntries());
+  K.doImport(*wall.K(), Import(wall.K()->getRowMap(), map), insert);
+  K.fillComplete();
+  Vector x(map), b(map);
+  x.randomize();
+  K.apply(x, b);
+  TEST_COMPARE(largest_distance(from_zero(K, {}, no_limit, false, b), x), <, 1e-7);
+}
+
+TEUCHOS_UNIT_TEST(nodal_ilu_smoother, does_what_its_list_says) {
+  const WallMatrix wall;
+  Teuchos::ParameterList list = multigrid::mixed_cycle_list(2);
+  list.sublist("Factories")
+      .sublist("Sweeps")
+      .set("damping", 0.7)
+      .set("fill", 1)
+      .set("precision", "double");
+  list.sublist("Hierarchy").set("max levels", 1).sublist("All").set("CoarseSolver", "Sweeps");
+  const multigrid::Cycle cycle(wall.K(),
+                               Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K)), list);
+  const auto factors = smoothers::make_node_ilu(*wall.K(), {}, {1, false});
+  factors->refresh();
+  const Vector b = wall.scattered(1);
+  Vector x = wall.scattered(2), expected(b.getMap());
+  cycle.apply(b, x);
+  factors->smooth_from_zero(0.7, b, expected);
+  factors->smooth(0.7, b, expected);
+  TEST_COMPARE(largest_distance(x, expected), <, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(nodal_ilu_smoother, slips_in_its_list_are_refused) {
+  const auto refusal = [](const auto& slip) {
+    Teuchos::ParameterList list = multigrid::mixed_cycle_list(1);
+    slip(list.sublist("Factories").sublist("Sweeps"));
+    return test::complaint([&] { multigrid::check_cycle_list(list); });
+  };
+  for (const auto& [text, part] :
+       {std::pair{refusal([](auto& s) { s.set("precision", "half"); }), "\"single\""},
+        std::pair{refusal([](auto& s) { s.set("sweeps", 0); }), "\"sweeps\""},
+        std::pair{refusal([](auto& s) { s.set("fill", -1); }), "\"fill\""},
+        std::pair{refusal([](auto& s) { s.set("swept", 1); }), "\"swept\""}})
+    TEST_INEQUALITY(text.find(part), std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(node_ilu, a_singular_node_of_one_rank_is_told_on_all) {
+  WallMatrix wall;
+  const auto factors = smoothers::make_node_ilu(*wall.K(), {}, {});
+  factors->refresh();
+  const Comm& comm = *wall.K()->getComm();
+  if (comm.getRank() == comm.getSize() - 1) {
+    const auto local = wall.K()->getLocalMatrixHost();
+    for (int i = 0; i < 4; ++i) {
+      auto row = local.row(i);
+      for (int k = 0; k < row.length; ++k) row.value(k) = 0.0;
+    }
+  }
+  const std::string text = test::complaint([&] { factors->refresh(); });
+  GlobalOrdinal node = wall.K()->getRowMap()->getGlobalElement(0) / 4;
+  Teuchos::broadcast<int, GlobalOrdinal>(comm, comm.getSize() - 1, &node);
+  TEST_INEQUALITY(text.find("node " + std::to_string(node) + " cannot"), std::string::npos);
+}
+
+}  // namespace
