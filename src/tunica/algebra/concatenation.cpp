@@ -2,14 +2,15 @@
 
 #include <stdexcept>
 
+#include "tunica/base/trilinos.hpp"
+
 namespace tunica::algebra {
 
 namespace {
 
 Teuchos::RCP<const Map> concatenated_map(const Map& vectors, const Map& scalars) {
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new Map(unknown, vectors.getNodeNumElements() + scalars.getNodeNumElements(),
-                              0, vectors.getComm()));
+  return Teuchos::rcp(new Map(unknown, n_local(vectors) + n_local(scalars), 0, vectors.getComm()));
 }
 
 }  // namespace
@@ -23,8 +24,7 @@ Teuchos::RCP<MultiVector> Concatenation::vector_part(const MultiVector& x) const
 }
 
 Teuchos::RCP<MultiVector> Concatenation::scalar_part(const MultiVector& x) const {
-  return const_cast<MultiVector&>(x).offsetViewNonConst(scalar_map_,
-                                                        vector_map_->getNodeNumElements());
+  return const_cast<MultiVector&>(x).offsetViewNonConst(scalar_map_, n_local(*vector_map_));
 }
 
 void ConcatenatedOperator::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,

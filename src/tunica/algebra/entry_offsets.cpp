@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tunica/base/trilinos.hpp"
+
 namespace tunica::algebra {
 
 namespace {
 
 std::vector<GlobalOrdinal> numbers_of(const Map& map) {
-  const auto list = map.getNodeElementList();
+  const auto list = global_numbers(map);
   return {list.begin(), list.end()};
 }
 
@@ -17,8 +19,8 @@ std::vector<GlobalOrdinal> numbers_of(const Map& map) {
 std::vector<GlobalOrdinal> mixed_numbers(const Map& block, bool is_scalar,
                                          const DofLayout& numbering) {
   std::vector<GlobalOrdinal> numbers;
-  numbers.reserve(block.getNodeNumElements());
-  for (const GlobalOrdinal number : block.getNodeElementList())
+  numbers.reserve(n_local(block));
+  for (const GlobalOrdinal number : global_numbers(block))
     numbers.push_back(is_scalar ? numbering.of_scalar(number) : numbering.of_vector(number));
   return numbers;
 }

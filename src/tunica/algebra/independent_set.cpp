@@ -2,6 +2,8 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include "tunica/base/trilinos.hpp"
+
 namespace tunica::algebra {
 
 namespace {
@@ -28,7 +30,7 @@ int decide_all(const CrsMatrix& nodes, const Vector& order, Vector& states) {
   const auto numbers = order.getLocalViewHost(read_only);
   const auto view = states.getLocalViewHost(read_write);
   int n_left = 0;
-  for (int i = 0; i < static_cast<int>(nodes.getNodeNumRows()); ++i) {
+  for (int i = 0; i < static_cast<int>(n_local_rows(nodes)); ++i) {
     const auto own = nodes.getColMap()->getLocalElement(nodes.getRowMap()->getGlobalElement(i));
     if (view(own, 0) != undecided) continue;
     view(own, 0) = decide(nodes, i, own, view, numbers);

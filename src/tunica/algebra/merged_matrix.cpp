@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tunica/algebra/entry_offsets.hpp"
+#include "tunica/base/trilinos.hpp"
 
 namespace tunica::algebra {
 
@@ -36,8 +37,8 @@ struct Part {
 };
 
 std::size_t longest_row(const BlockMatrices& K) {
-  return std::max(K.A->getNodeMaxNumRowEntries() + K.B1T->getNodeMaxNumRowEntries(),
-                  K.B2->getNodeMaxNumRowEntries() + K.mC->getNodeMaxNumRowEntries());
+  return std::max(longest_local_row(*K.A) + longest_local_row(*K.B1T),
+                  longest_local_row(*K.B2) + longest_local_row(*K.mC));
 }
 
 }  // namespace

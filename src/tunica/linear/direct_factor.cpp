@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "tunica/base/trilinos.hpp"
 #include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
 
 namespace tunica::linear {
@@ -40,7 +41,7 @@ void check_direct_solver(const CommPtr& comm) {
   const int n = 6 * comm->getSize();
   const Teuchos::RCP<const Map> map = Teuchos::rcp(new Map(n, 0, comm));
   const auto A = Teuchos::rcp(new CrsMatrix(map, 3));
-  for (const GlobalOrdinal row : map->getNodeElementList()) {
+  for (const GlobalOrdinal row : global_numbers(*map)) {
     if (row > 0)
       A->insertGlobalValues(row, Teuchos::tuple<GlobalOrdinal>(row - 1), Teuchos::tuple(-2.0));
     A->insertGlobalValues(row, Teuchos::tuple<GlobalOrdinal>(row), Teuchos::tuple(4.0));

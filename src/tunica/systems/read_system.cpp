@@ -7,6 +7,7 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/map_of.hpp"
+#include "tunica/base/trilinos.hpp"
 #include "tunica/systems/matrix_files.hpp"
 #include "tunica/systems/node_graph.hpp"
 #include "tunica/systems/node_partition.hpp"
@@ -170,13 +171,13 @@ algebra::Nodes spread(const NodeGraph& graph, const Move& nodes) {
   std::size_t longest = 0;
   for (const auto& neighbours : graph) longest = std::max(longest, neighbours.size());
   const auto on_root = Teuchos::rcp(new CrsMatrix(nodes.root, longest));
-  for (const GlobalOrdinal node : nodes.root->getNodeElementList()) {
+  for (const GlobalOrdinal node : global_numbers(*nodes.root)) {
     const std::vector<Scalar> ones(graph[node].size(), 1.0);
     on_root->insertGlobalValues(node, Teuchos::arrayViewFromVector(graph[node]),
                                 Teuchos::arrayViewFromVector(ones));
   }
   const auto order = Teuchos::rcp(new Vector(nodes.spread));
-  for (const GlobalOrdinal node : nodes.spread->getNodeElementList())
+  for (const GlobalOrdinal node : global_numbers(*nodes.spread))
     order->replaceGlobalValue(node, static_cast<Scalar>(node));
   return {spread(on_root, nodes, nodes), order};
 }

@@ -4,6 +4,7 @@
 
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/trilinos.hpp"
 #include "tunica/fields/broadcast_mesh.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
 #include "unit/fields/small_tube.hpp"
@@ -75,8 +76,8 @@ TEUCHOS_UNIT_TEST(field_mesh, maps_are_contiguous_and_three_dofs_follow_their_no
     TEST_ASSERT(field->node_map->isContiguous());
     TEST_ASSERT(field->vector_map->isContiguous());
     TEST_EQUALITY(field->node_map->getMinAllGlobalIndex(), 0);
-    TEST_EQUALITY(static_cast<int>(field->node_map->getNodeNumElements()), field->n_owned);
-    TEST_EQUALITY(static_cast<int>(field->ghosted_map->getNodeNumElements()), field->n_nodes());
+    TEST_EQUALITY(static_cast<int>(n_local(*field->node_map)), field->n_owned);
+    TEST_EQUALITY(static_cast<int>(n_local(*field->ghosted_map)), field->n_nodes());
     for (int a = 0; a < field->n_nodes(); ++a) {
       const auto node = field->ghosted_map->getGlobalElement(a);
       TEST_EQUALITY(node == field->node_map->getGlobalElement(a), a < field->n_owned);

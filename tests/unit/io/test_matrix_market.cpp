@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
+#include "tunica/base/trilinos.hpp"
 #include "tunica/io/matrix_market.hpp"
 #include "tunica/output/run_folder.hpp"
 #include "unit/io/scratch.hpp"
@@ -27,7 +28,7 @@ std::string common_content(const std::string& path) {
 CrsMatrix arrow() {
   const auto map = Teuchos::rcp(new Map(2 * world()->getSize(), 0, world()));
   CrsMatrix A(map, 2);
-  for (const GlobalOrdinal row : map->getNodeElementList()) {
+  for (const GlobalOrdinal row : global_numbers(*map)) {
     A.insertGlobalValues(row, Teuchos::tuple(row), Teuchos::tuple(row / 3.0));
     if (row > 0) A.insertGlobalValues(row, Teuchos::tuple<GlobalOrdinal>(0), Teuchos::tuple(0.0));
   }

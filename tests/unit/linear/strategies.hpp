@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 
+#include "tunica/base/trilinos.hpp"
 #include "tunica/linear/block_preconditioner.hpp"
 #include "tunica/linear/linear_solver.hpp"
 #include "unit/algebra/distance.hpp"
@@ -71,7 +72,7 @@ public:
     const auto D = Teuchos::rcp(new CrsMatrix(*K_->mC, Teuchos::Copy));
     D->resumeFill();
     D->setAllToScalar(0.0);
-    for (std::size_t i = 0; i < D->getNodeNumRows(); ++i) {
+    for (std::size_t i = 0; i < n_local_rows(*D); ++i) {
       const GlobalOrdinal g = D->getRowMap()->getGlobalElement(static_cast<LocalOrdinal>(i));
       D->replaceGlobalValues(g, Teuchos::tuple<GlobalOrdinal>(g),
                              Teuchos::tuple<Scalar>(values_.at(name)));

@@ -1,5 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "tunica/base/trilinos.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "unit/fields/small_tube.hpp"
 
@@ -16,7 +17,7 @@ Teuchos::RCP<CrsMatrix> tridiagonal(double factor) {
   const GlobalOrdinal n = 3 * test::world()->getSize();
   const Teuchos::RCP<const Map> map = Teuchos::rcp(new Map(n, 0, test::world()));
   const auto A = Teuchos::rcp(new CrsMatrix(map, 3));
-  for (const GlobalOrdinal row : map->getNodeElementList())
+  for (const GlobalOrdinal row : global_numbers(*map))
     for (const GlobalOrdinal column : {row - 1, row, row + 1})
       if (column >= 0 && column < n)
         A->insertGlobalValues(row, Teuchos::tuple<GlobalOrdinal>(column),

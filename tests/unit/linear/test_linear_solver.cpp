@@ -1,5 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "tunica/base/trilinos.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "unit/linear/mixed_operator.hpp"
 #include "unit/linear/strategies.hpp"
@@ -211,7 +212,7 @@ TEUCHOS_UNIT_TEST(linear_solver, an_equation_without_unknowns_is_reported_with_w
   const auto b = test::scattered(tube.wall, 1);
   clear_row(jacobian.K, 4);
   const auto only_that_row = test::scattered(tube.wall, 1);
-  for (const GlobalOrdinal row : b.u->getMap()->getNodeElementList())
+  for (const GlobalOrdinal row : global_numbers(*b.u->getMap()))
     if (row != 4) only_that_row.u->replaceGlobalValue(row, 0.0);
   const double least = only_that_row.u->norm2() / test::norm(b);  // no x gives less
   for (const std::string preconditioner : {"none", "ilu"})

@@ -3,6 +3,7 @@
 #include <map>
 #include <vector>
 
+#include "tunica/base/trilinos.hpp"
 #include "tunica/base/types.hpp"
 
 namespace tunica::test {
@@ -38,9 +39,9 @@ struct Grid {
     const Map nodes(n_nodes(), 0, comm);
     const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
     const Teuchos::RCP<const Map> map =
-        Teuchos::rcp(new Map(unknown, dofs * nodes.getNodeNumElements(), 0, comm));
+        Teuchos::rcp(new Map(unknown, dofs * n_local(nodes), 0, comm));
     const auto A = Teuchos::rcp(new CrsMatrix(map, 27));
-    for (const GlobalOrdinal row : map->getNodeElementList()) {
+    for (const GlobalOrdinal row : global_numbers(*map)) {
       std::vector<GlobalOrdinal> columns{row};
       for (const GlobalOrdinal node : neighbours(row / dofs))
         columns.push_back(dofs * node + row % dofs);

@@ -1,5 +1,6 @@
 #pragma once
 #include "tunica/algebra/block_matrices.hpp"
+#include "tunica/base/trilinos.hpp"
 #include "unit/multigrid/grid.hpp"
 
 namespace tunica::test {
@@ -7,7 +8,7 @@ namespace tunica::test {
 /// The numbers of its rows.
 inline Teuchos::RCP<const Vector> order_of(const CrsMatrix& A) {
   const auto order = Teuchos::rcp(new Vector(A.getRowMap()));
-  for (const GlobalOrdinal row : A.getRowMap()->getNodeElementList())
+  for (const GlobalOrdinal row : global_numbers(*A.getRowMap()))
     order->replaceGlobalValue(row, static_cast<Scalar>(row));
   return order;
 }

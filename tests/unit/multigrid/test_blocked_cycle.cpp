@@ -3,6 +3,7 @@
 #include <map>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/trilinos.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "tunica/linear/linear_solver.hpp"
 #include "tunica/multigrid/muelu/blocked_matrix.hpp"
@@ -146,7 +147,7 @@ TEUCHOS_UNIT_TEST(blocked_cycle, has_the_coarse_matrices_of_the_merged_one) {
   for (int level = 1; level < static_cast<int>(levels.unknowns.size()); ++level) {
     const auto A = merged->matrix(level);
     Vector x(A->getDomainMap());
-    for (const GlobalOrdinal g : x.getMap()->getNodeElementList())
+    for (const GlobalOrdinal g : global_numbers(*x.getMap()))
       x.replaceGlobalValue(g, test::scatter(static_cast<double>(g)));
     TEST_COMPARE(distance(product(*M->matrix(level), x), product(*A, x)), <, 1e-12);
   }
@@ -157,7 +158,7 @@ TEUCHOS_UNIT_TEST(blocked_cycle, muelus_braess_sarazin_is_ours_on_rows_that_are_
   const auto M = blocked_cycle(wall, without_coarse_levels(blocked_list()));
   const auto merged = make_cycle(wall, without_coarse_levels(merged_list()), false);
   Vector b = wall.scattered(2);
-  for (const GlobalOrdinal row : b.getMap()->getNodeElementList())  // ours solves these rows
+  for (const GlobalOrdinal row : global_numbers(*b.getMap()))  // ours solves these rows
     if (is_fixed(*wall.K(), row)) b.replaceGlobalValue(row, 0.0);
   TEST_COMPARE(distance(product(*M, b), product(*merged, b)), <, 1e-8);
 }
@@ -190,7 +191,7 @@ TEUCHOS_UNIT_TEST(blocked_cycle, schwarz_relaxes_a_patch_around_each_pressure) {
   const auto M = blocked_cycle(wall, schwarz_list());
   const Vector b = wall.scattered(7);
   const auto K = multigrid::unwrapped(multigrid::blocked(*wall.K(), {})->Merge());
-  const int n = static_cast<int>(K->getNodeNumRows());
+  const int n = static_cast<int>(n_local_rows(*K));
   std::vector<double> full(static_cast<std::size_t>(n) * n, 0.0);  // without ghosts
   std::vector<std::vector<int>> neighbours(n);
   for (int i = 0; i < n; ++i) {

@@ -1,5 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "tunica/base/trilinos.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 #include "unit/fields/small_tube.hpp"
 #include "unit/multigrid/grid_blocks.hpp"
@@ -12,7 +13,7 @@ using test::Grid;
 /// Numbers without pattern that do not depend on the ranks.
 Vector rough(const Teuchos::RCP<const Map>& map, int seed) {
   Vector x(map);
-  for (const GlobalOrdinal g : map->getNodeElementList())
+  for (const GlobalOrdinal g : global_numbers(*map))
     x.replaceGlobalValue(g, test::scatter(1000.0 * seed + static_cast<double>(g)));
   return x;
 }

@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/base/reduce.hpp"
+#include "tunica/base/trilinos.hpp"
 #include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
 #include "unit/fields/small_tube.hpp"
 #include "unit/multigrid/grid_blocks.hpp"
@@ -25,12 +26,12 @@ std::map<GlobalOrdinal, Scalar> renumbered(const CrsMatrix& P, GlobalOrdinal row
 /// The same without some rows and columns.
 Teuchos::RCP<CrsMatrix> without(const CrsMatrix& A, bool (*is_dropped)(GlobalOrdinal)) {
   std::vector<GlobalOrdinal> numbers;
-  for (const GlobalOrdinal row : A.getRowMap()->getNodeElementList())
+  for (const GlobalOrdinal row : global_numbers(*A.getRowMap()))
     if (!is_dropped(row)) numbers.push_back(row);
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
   const Teuchos::RCP<const Map> map =
       Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(numbers), 0, A.getComm()));
-  const auto rest = Teuchos::rcp(new CrsMatrix(map, A.getNodeMaxNumRowEntries()));
+  const auto rest = Teuchos::rcp(new CrsMatrix(map, longest_local_row(A)));
   for (const GlobalOrdinal row : numbers)
     for (const auto& [column, value] : row_of(A, row))
       if (!is_dropped(column))
@@ -43,12 +44,12 @@ Teuchos::RCP<CrsMatrix> without(const CrsMatrix& A, bool (*is_dropped)(GlobalOrd
 /// The same with other numbers.
 Teuchos::RCP<CrsMatrix> shifted(const CrsMatrix& A, GlobalOrdinal by) {
   std::vector<GlobalOrdinal> numbers;
-  for (const GlobalOrdinal row : A.getRowMap()->getNodeElementList()) numbers.push_back(row + by);
+  for (const GlobalOrdinal row : global_numbers(*A.getRowMap())) numbers.push_back(row + by);
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
   const Teuchos::RCP<const Map> map =
       Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(numbers), 0, A.getComm()));
-  const auto result = Teuchos::rcp(new CrsMatrix(map, A.getNodeMaxNumRowEntries()));
-  for (const GlobalOrdinal row : A.getRowMap()->getNodeElementList())
+  const auto result = Teuchos::rcp(new CrsMatrix(map, longest_local_row(A)));
+  for (const GlobalOrdinal row : global_numbers(*A.getRowMap()))
     for (const auto& [column, value] : row_of(A, row))
       result->insertGlobalValues(row + by, Teuchos::tuple<GlobalOrdinal>(column + by),
                                  Teuchos::tuple<Scalar>(value));
@@ -70,7 +71,7 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
       const auto Pu = coarsening.prolongator(level, *vectors);
       const auto all = coarsening.prolongator(level, *both);
       bool is_repeated = true;
-      for (const GlobalOrdinal row : P->getRowMap()->getNodeElementList()) {
+      for (const GlobalOrdinal row : global_numbers(*P->getRowMap())) {
         for (int i = 0; i < components; ++i)
           is_repeated &= row_of(*Pu, components * row + i) ==
                          renumbered(*P, row, [&](auto node) { return components * node + i; });
@@ -99,10 +100,10 @@ TEUCHOS_UNIT_TEST(mixed_coarsening, rows_of_blocks_on_different_nodes_are_those_
     const auto Pp = coarsening.prolongator(level, *nodes);
     const auto all = coarsening.prolongator(level, *both);
     bool is_same = true;
-    for (const GlobalOrdinal row : Pu->getRowMap()->getNodeElementList())
+    for (const GlobalOrdinal row : global_numbers(*Pu->getRowMap()))
       is_same &= row_of(*all, row / 3 * 4 + row % 3) ==
                  renumbered(*Pu, row, [](auto column) { return column / 3 * 4 + column % 3; });
-    for (const GlobalOrdinal row : Pp->getRowMap()->getNodeElementList())
+    for (const GlobalOrdinal row : global_numbers(*Pp->getRowMap()))
       is_same &=
           row_of(*all, 4 * row + 3) == renumbered(*Pp, row, [](auto node) { return 4 * node + 3; });
     TEST_ASSERT(all_agree(*test::world(), is_same));
@@ -128,7 +129,7 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
   ones.putScalar(1.0);
   Pu->apply(ones, sums);
   int n_wrong = 0;
-  for (const GlobalOrdinal row : Pu->getRowMap()->getNodeElementList()) {
+  for (const GlobalOrdinal row : global_numbers(*Pu->getRowMap())) {
     const double sum = sums.getData()[Pu->getRowMap()->getLocalElement(row)];
     n_wrong += std::abs(sum - 1.0) > 1e-14 && !row_of(*Pu, row).empty();
   }

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "tunica/algebra/independent_set.hpp"
+#include "tunica/base/trilinos.hpp"
 #include "tunica/fields/block_operator.hpp"
 #include "tunica/multigrid/coarsening/nodal_coarsening.hpp"
 #include "unit/fields/small_tube.hpp"
@@ -43,7 +44,7 @@ std::vector<char> greedy_set(const Grid& grid) {
 std::vector<GlobalOrdinal> fine_numbers(const CrsMatrix& nodes, const CrsMatrix& P,
                                         const std::vector<char>& is_coarse) {
   std::vector<GlobalOrdinal> mine(P.getGlobalNumCols(), 0), all(mine);
-  for (const GlobalOrdinal row : nodes.getRowMap()->getNodeElementList())
+  for (const GlobalOrdinal row : global_numbers(*nodes.getRowMap()))
     if (is_coarse[nodes.getColMap()->getLocalElement(row)])
       mine[row_of(P, row).begin()->first] = row;
   Teuchos::reduceAll(*nodes.getComm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()),
@@ -56,7 +57,7 @@ TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number
     const auto nodes = grid.laplacian(test::world());
     const auto is_coarse = algebra::independent_set(*nodes, *test::order_of(*nodes));
     const auto expected = greedy_set(grid);
-    TEST_EQUALITY(is_coarse.size(), nodes->getColMap()->getNodeNumElements());
+    TEST_EQUALITY(is_coarse.size(), n_local(*nodes->getColMap()));
     bool is_same = true;  // own nodes and ghosts
     for (std::size_t c = 0; c < is_coarse.size(); ++c)
       is_same &=
@@ -69,7 +70,7 @@ TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
   for (const auto& [nodes, order] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
     int n_neighbours_in_the_set = 0, n_without_a_neighbour = 0;
-    for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList()) {
+    for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap())) {
       int n_coarse = 0;
       for (const auto& [column, value] : row_of(*nodes, row))
         if (column != row) n_coarse += is_coarse[nodes->getColMap()->getLocalElement(column)];
@@ -87,7 +88,7 @@ TEUCHOS_UNIT_TEST(independent_set, ghosts_are_in_it_where_their_owner_says_so) {
   for (const auto& [nodes, order] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
     Vector own(nodes->getRowMap());
-    for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList())
+    for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap()))
       own.replaceGlobalValue(row, is_coarse[nodes->getColMap()->getLocalElement(row)]);
     const Vector columns = algebra::on_columns(*nodes, own);
     const auto said = columns.getLocalViewHost(read_only);
@@ -103,7 +104,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_i
     const auto P = NodalCoarsening(nodes, *order).prolongator(0);
     const auto fine_number = fine_numbers(*nodes, *P, is_coarse);
     bool is_as_defined = true;
-    for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList()) {
+    for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap())) {
       std::set<GlobalOrdinal> expected, parents;
       for (const auto& [column, value] : row_of(*nodes, row))
         if (is_coarse[nodes->getColMap()->getLocalElement(column)]) expected.insert(column);
@@ -148,7 +149,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, prolongators_of_grids_do_not_depend_on_the_r
       const auto P = parallel.prolongator(level), expected = serial.prolongator(level);
       TEST_EQUALITY(n_nodes(parallel, level + 1), n_nodes(serial, level + 1));
       bool is_same = true;
-      for (const GlobalOrdinal row : P->getRowMap()->getNodeElementList())
+      for (const GlobalOrdinal row : global_numbers(*P->getRowMap()))
         is_same &= row_of(*P, row) == row_of(*expected, row);
       TEST_ASSERT(all_agree(*test::world(), is_same));
     }

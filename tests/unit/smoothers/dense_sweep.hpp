@@ -2,6 +2,7 @@
 #include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 
+#include "tunica/base/trilinos.hpp"
 #include "unit/smoothers/wall_matrix.hpp"
 
 namespace tunica::test {
@@ -24,7 +25,7 @@ inline std::vector<double> solve_dense(const std::vector<double>& M, std::vector
 class DenseSweep {
 public:
   explicit DenseSweep(const WallMatrix& wall)
-      : K_(*wall.K()), n_columns_(static_cast<int>(K_.getColMap()->getNodeNumElements())) {
+      : K_(*wall.K()), n_columns_(static_cast<int>(n_local(*K_.getColMap()))) {
     const auto local = K_.getLocalMatrixHost();
     full_.assign(static_cast<std::size_t>(local.numRows()) * n_columns_, 0.0);
     for (int i = 0; i < local.numRows(); ++i) {

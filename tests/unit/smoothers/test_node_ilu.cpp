@@ -3,6 +3,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/base/map_of.hpp"
+#include "tunica/base/trilinos.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 #include "tunica/smoothers/node_ilu/node_ilu.hpp"
 #include "unit/algebra/distance.hpp"
@@ -31,7 +32,7 @@ Vector from_zero(const CrsMatrix& K, const DofLayout& numbering, int fill, bool 
 /// ILU(k) of 4×4 blocks on one rank without any art: full matrices, levels for all pairs of nodes.
 class DenseIlu {
 public:
-  DenseIlu(const CrsMatrix& K, int fill) : n_(static_cast<int>(K.getNodeNumRows()) / 4) {
+  DenseIlu(const CrsMatrix& K, int fill) : n_(static_cast<int>(n_local_rows(K)) / 4) {
     level_.assign(n_ * n_, no_limit);
     blocks_.assign(n_ * n_, Block(16, 0.0));
     const auto local = K.getLocalMatrixHost();

@@ -1,5 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "tunica/base/trilinos.hpp"
 #include "tunica/smoothers/vanka/vanka.hpp"
 #include "unit/algebra/distance.hpp"
 #include "unit/smoothers/dense_sweep.hpp"
@@ -102,7 +103,7 @@ TEUCHOS_UNIT_TEST(vanka_kinds, patches_cover_all_but_the_lone_rows) {
                         .uncovered_rows;
   for (const std::string kind : {"diagonal", "node pair"}) {
     const VankaPatches patches = patches_of(*wall.K(), kind);
-    std::vector<char> is_covered(wall.K()->getNodeNumRows(), 0);
+    std::vector<char> is_covered(n_local_rows(*wall.K()), 0);
     for (const int row : patches.rows) is_covered[row] = 1;
     std::vector<int> others;
     for (std::size_t i = 0; i < is_covered.size(); ++i)

@@ -6,6 +6,7 @@
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/map_of.hpp"
+#include "tunica/base/trilinos.hpp"
 
 namespace tunica::multigrid {
 
@@ -31,7 +32,7 @@ public:
     columns_ = flags(algebra::on_columns(*P_, coarse_owns));
   }
 
-  int most_parents() const { return static_cast<int>(P_->getNodeMaxNumRowEntries()); }
+  int most_parents() const { return static_cast<int>(longest_local_row(*P_)); }
 
   void append_coarse(std::vector<GlobalOrdinal>& numbers) const {
     for (std::size_t c = 0; c < coarse_.size(); ++c)
@@ -110,7 +111,7 @@ void MixedCoarsening::check_mixed(int level, const CrsMatrix& K) {
   };
   if (has_rows_of(Part::both)) return;
   const Map& rows = *K.getRowMap();
-  const std::size_t n = rows.getNodeNumElements(), dofs = numbering_.dofs();
+  const std::size_t n = n_local(rows), dofs = numbering_.dofs();
   // Whole nodes are as good where another coarsening made the level.
   const bool is_block = has_rows_of(Part::vector) || has_rows_of(Part::scalar);  // collective
   bool is_mixed = n % dofs == 0 && !is_block;

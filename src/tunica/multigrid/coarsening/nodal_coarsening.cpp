@@ -4,6 +4,7 @@
 
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/algebra/sparse_product.hpp"
+#include "tunica/base/trilinos.hpp"
 
 namespace tunica::multigrid {
 
@@ -18,7 +19,7 @@ struct CoarseNumbers {
 
   CoarseNumbers(const CrsMatrix& nodes, const std::vector<char>& is_coarse) {
     const Map& own_nodes = *nodes.getRowMap();
-    for (int i = 0; i < static_cast<int>(own_nodes.getNodeNumElements()); ++i)
+    for (int i = 0; i < static_cast<int>(n_local(own_nodes)); ++i)
       if (is_coarse[nodes.getColMap()->getLocalElement(own_nodes.getGlobalElement(i))])
         rows.push_back(i);
     const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
@@ -54,10 +55,10 @@ void leave_out_single_nodes(const CrsMatrix& nodes, std::vector<char>& is_coarse
 }
 
 Teuchos::RCP<const CrsMatrix> averaging(const CrsMatrix& nodes, const CoarseNumbers& coarse) {
-  const auto P = Teuchos::rcp(new CrsMatrix(nodes.getRowMap(), nodes.getNodeMaxNumRowEntries()));
+  const auto P = Teuchos::rcp(new CrsMatrix(nodes.getRowMap(), longest_local_row(nodes)));
   const auto graph = nodes.getLocalMatrixHost().graph;
   std::vector<GlobalOrdinal> parents;
-  for (int i = 0; i < static_cast<int>(nodes.getNodeNumRows()); ++i) {
+  for (int i = 0; i < static_cast<int>(n_local_rows(nodes)); ++i) {
     const GlobalOrdinal row = nodes.getRowMap()->getGlobalElement(i);
     const GlobalOrdinal own = coarse.of_column[nodes.getColMap()->getLocalElement(row)];
     parents.clear();

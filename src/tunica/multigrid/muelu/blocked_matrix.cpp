@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "tunica/base/agreement.hpp"
+#include "tunica/base/trilinos.hpp"
 
 namespace tunica::multigrid {
 
@@ -35,7 +36,7 @@ struct Side {
     };
     std::array<std::vector<GlobalOrdinal>, 2> numbers;
     std::vector<GlobalOrdinal> every;
-    for (const GlobalOrdinal number : all.getNodeElementList()) {
+    for (const GlobalOrdinal number : global_numbers(all)) {
       numbers[block_of(number, numbering)].push_back(number);
       every.push_back(number);
     }
@@ -51,7 +52,7 @@ Teuchos::RCP<CrsMatrix> block_of(const CrsMatrix& M, const algebra::DofLayout& n
                                  const std::array<int, 2>& blocks, const Side& rows,
                                  const Side& columns) {
   const auto row_map = Xpetra::toTpetra(rows.maps[blocks[0]]);
-  const auto result = Teuchos::rcp(new CrsMatrix(row_map, M.getNodeMaxNumRowEntries()));
+  const auto result = Teuchos::rcp(new CrsMatrix(row_map, longest_local_row(M)));
   const auto local = M.getLocalMatrixHost();
   std::vector<GlobalOrdinal> numbers;
   std::vector<Scalar> values;
@@ -108,7 +109,7 @@ void set_blocks(MueLu::Level& finest, const CrsMatrix& A, const algebra::DofLayo
   const Map& rows = *A.getRowMap();
   bool is_whole = true;
   GlobalOrdinal expected = 0;  // component
-  for (const GlobalOrdinal number : rows.getNodeElementList()) {
+  for (const GlobalOrdinal number : global_numbers(rows)) {
     if (numbering.is_scalar(number)) continue;
     is_whole &= number % numbering.dofs() == expected;
     expected = (expected + 1) % numbering.components;

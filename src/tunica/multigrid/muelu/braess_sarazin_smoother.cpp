@@ -1,5 +1,6 @@
 #include "tunica/multigrid/muelu/braess_sarazin_smoother.hpp"
 
+#include "tunica/base/trilinos.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 #include "tunica/multigrid/muelu/validated_choice.hpp"
 
@@ -30,7 +31,7 @@ constexpr int coarsest_schur = 200;  ///< unknowns
 Teuchos::RCP<MixedCoarsening> coarsening_of(const Teuchos::RCP<::tunica::CrsMatrix>& S,
                                             const Teuchos::RCP<const ::tunica::CrsMatrix>& nodes) {
   const auto order = Teuchos::rcp(new ::tunica::Vector(nodes->getRowMap()));
-  for (const GlobalOrdinal row : nodes->getRowMap()->getNodeElementList())
+  for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap()))
     order->replaceGlobalValue(row, static_cast<Scalar>(row));
   algebra::BlockMatrices scalar;  // both blocks are S: asked for one, it gives one
   scalar.A = scalar.mC = S;

@@ -2,6 +2,7 @@
 #include <MueLu_SmootherPrototype.hpp>
 
 #include "tunica/algebra/refreshable.hpp"
+#include "tunica/base/trilinos.hpp"
 #include "tunica/multigrid/muelu/xpetra.hpp"
 
 namespace tunica::multigrid {
@@ -15,7 +16,7 @@ public:
   void DeclareInput(MueLu::Level& level) const override;
   void Setup(MueLu::Level& level) override;
   void Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const override;
-  std::size_t getNodeSmootherComplexity() const override { return K_->getNodeNumEntries(); }
+  std::size_t getNodeSmootherComplexity() const override { return n_local_entries(*K_); }
 
 protected:
   virtual void check(const Teuchos::ParameterList& list) const = 0;

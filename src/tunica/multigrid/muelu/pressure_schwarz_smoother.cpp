@@ -4,6 +4,8 @@
 #include <Xpetra_MapExtractorFactory.hpp>
 #include <Xpetra_MapFactory.hpp>
 
+#include "tunica/base/trilinos.hpp"
+
 namespace tunica::multigrid {
 
 namespace {
@@ -17,7 +19,7 @@ Teuchos::RCP<XBlockedMatrix> block_after_block(const XBlockedMatrix& A) {
   const Teuchos::RCP<const XMap> u = A.getRangeMap(0), p = A.getRangeMap(1);
   std::vector<GlobalOrdinal> numbers;
   for (const auto& map : {u, p})
-    for (const GlobalOrdinal number : map->getNodeElementList()) numbers.push_back(number);
+    for (const GlobalOrdinal number : global_numbers(*map)) numbers.push_back(number);
   const Teuchos::RCP<const XMap> all = Xpetra::MapFactory<LocalOrdinal, GlobalOrdinal, Node>::Build(
       Xpetra::UseTpetra, Teuchos::OrdinalTraits<Xpetra::global_size_t>::invalid(),
       Teuchos::arrayViewFromVector(numbers), 0, u->getComm());
@@ -37,7 +39,7 @@ struct Seeds {
   Teuchos::ArrayRCP<LocalOrdinal> patch;
   int n_patches = 0;
 
-  Seeds(const CrsMatrix& A, int n_vector_rows) : patch(A.getNodeNumRows(), -1) {
+  Seeds(const CrsMatrix& A, int n_vector_rows) : patch(n_local_rows(A), -1) {
     const auto local = A.getLocalMatrixHost();
     std::vector<int> uncovered_rows;
     for (int i = 0; i < local.numRows(); ++i) {
@@ -112,7 +114,7 @@ void PressureSchwarzSmoother::Setup(MueLu::Level& level) {
     throw std::runtime_error("\"partitioner: type\" \"user\" wants a matrix of blocks");
   extractor_ = A->getRangeMapExtractor();
   rows_ = unwrapped(block_after_block(*A)->Merge());
-  const Seeds seeds(*rows_, static_cast<int>(A->getRangeMap(0)->getNodeNumElements()));
+  const Seeds seeds(*rows_, static_cast<int>(n_local(*A->getRangeMap(0))));
   Teuchos::ParameterList list(schwarz_);
   list.sublist(patch_list)
       .set("partitioner: map", seeds.patch)
@@ -140,7 +142,7 @@ PressureSchwarzSmoother::Copy() const {
 }
 
 std::size_t PressureSchwarzSmoother::getNodeSmootherComplexity() const {
-  return rows_->getNodeNumEntries();
+  return n_local_entries(*rows_);
 }
 
 }  // namespace tunica::multigrid

@@ -1,6 +1,7 @@
 #include "tunica/smoothers/braess_sarazin/mixed_blocks.hpp"
 
 #include "tunica/algebra/entry_offsets.hpp"
+#include "tunica/base/trilinos.hpp"
 
 namespace tunica::smoothers {
 
@@ -11,7 +12,7 @@ Teuchos::RCP<CrsMatrix> block(const CrsMatrix& K, bool has_scalar_rows, bool has
                               const algebra::DofLayout& numbering,
                               const Teuchos::RCP<const Map>& rows,
                               const Teuchos::RCP<const Map>& columns) {
-  const auto result = Teuchos::rcp(new CrsMatrix(rows, K.getNodeMaxNumRowEntries()));
+  const auto result = Teuchos::rcp(new CrsMatrix(rows, longest_local_row(K)));
   const auto local = K.getLocalMatrixHost();
   std::vector<GlobalOrdinal> numbers;
   for (int i = 0; i < local.numRows(); ++i) {
@@ -63,7 +64,7 @@ MixedBlocks::MixedBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering
   places_of_B1T_ = places(*B1T, false, true, numbering, K);
   places_of_B2_ = places(*B2, true, false, numbering, K);
   places_of_mC_ = places(*mC, true, true, numbering, K);
-  for (int i = 0; i < static_cast<int>(rows.getNodeNumElements()); ++i)
+  for (int i = 0; i < static_cast<int>(n_local(rows)); ++i)
     (numbering.is_scalar(rows.getGlobalElement(i)) ? scalar_rows_ : vector_rows_).push_back(i);
   diagonal = Teuchos::rcp(new Vector(u));
   is_uncovered.resize(vector_rows_.size());

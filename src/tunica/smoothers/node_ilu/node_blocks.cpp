@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tunica/base/map_of.hpp"
+#include "tunica/base/trilinos.hpp"
 
 namespace tunica::smoothers {
 
@@ -30,10 +31,9 @@ int NodeBlocks::place(GlobalOrdinal number) {
 
 void NodeBlocks::number_nodes() {
   const Map &rows = *K_->getRowMap(), &columns = *K_->getColMap();
-  for (const GlobalOrdinal number : rows.getNodeElementList())
-    place_of_row_.push_back(place(number));
+  for (const GlobalOrdinal number : global_numbers(rows)) place_of_row_.push_back(place(number));
   n_own_nodes_ = static_cast<int>(nodes_.size());
-  for (const GlobalOrdinal number : columns.getNodeElementList())
+  for (const GlobalOrdinal number : global_numbers(columns))
     own_.places.push_back(rows.isNodeGlobalElement(number) ? place(number) : -1);
 }
 
@@ -48,7 +48,7 @@ void NodeBlocks::number_ghosts() {
   }
   fetch_ghosts(numbers);
   other_.matrix = ghosts_.get();
-  for (const GlobalOrdinal number : ghosts_->getColMap()->getNodeElementList())
+  for (const GlobalOrdinal number : global_numbers(*ghosts_->getColMap()))
     other_.places.push_back(nodes_.count(number / width_) > 0 ? place(number) : -1);
 }
 
@@ -106,7 +106,7 @@ void NodeBlocks::refresh() {
 
 double NodeBlocks::bytes() const {
   const double ghosts =
-      ghosts_.is_null() ? 0.0 : 12.0 * static_cast<double>(ghosts_->getNodeNumEntries());
+      ghosts_.is_null() ? 0.0 : 12.0 * static_cast<double>(n_local_entries(*ghosts_));
   const auto n_numbers = graph_.columns.size() + own_.places.size() + other_.places.size() +
                          place_of_row_.size() + 2 * ghost_columns_.size() + block_of_node_.size();
   return ghosts +

@@ -1,3 +1,4 @@
+#include "tunica/base/trilinos.hpp"
 #include "tunica/smoothers/dense/dense_inverse.hpp"
 #include "tunica/smoothers/dense/dense_product.hpp"
 #include "tunica/smoothers/vanka/patch_solver.hpp"
@@ -10,7 +11,7 @@ template <class Real>
 class DenseSolver final : public PatchSolver {
 public:
   DenseSolver(const CrsMatrix& K, const VankaPatches& patches)
-      : K_(&K), patches_(&patches), slot_of_column_(K.getColMap()->getNodeNumElements(), -1) {
+      : K_(&K), patches_(&patches), slot_of_column_(n_local(*K.getColMap()), -1) {
     place_.push_back(0);
     for (int p = 0; p < patches.n_patches(); ++p) {
       const std::size_t n = patches.size(p);

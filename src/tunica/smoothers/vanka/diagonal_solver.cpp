@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "tunica/base/trilinos.hpp"
 #include "tunica/smoothers/dense/dense_inverse.hpp"
 #include "tunica/smoothers/vanka/patch_solver.hpp"
 
@@ -13,10 +14,9 @@ template <class Real>
 class DiagonalSolver final : public PatchSolver {
 public:
   DiagonalSolver(const CrsMatrix& K, const VankaPatches& patches, int velocities)
-      : K_(&K), patches_(&patches), m_(velocities),
-        inverses_(K.getNodeNumRows() / (m_ + 1) * m_ * m_), local_(2 * patches.rows.size()),
-        row_of_column_(K.getColMap()->getNodeNumElements(), -1), is_lone_(K.getNodeNumRows(), 0),
-        B1T_(K.getNodeNumRows()), B2_(K.getNodeNumRows()) {
+      : K_(&K), patches_(&patches), m_(velocities), inverses_(n_local_rows(K) / (m_ + 1) * m_ * m_),
+        local_(2 * patches.rows.size()), row_of_column_(n_local(*K.getColMap()), -1),
+        is_lone_(n_local_rows(K), 0), B1T_(n_local_rows(K)), B2_(n_local_rows(K)) {
     for (std::size_t i = 0; i < is_lone_.size(); ++i)
       row_of_column_[patches.column_of_row[i]] = static_cast<int>(i);
     for (const int row : patches.uncovered_rows) is_lone_[row] = 1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "tunica/base/trilinos.hpp"
 #include "tunica/smoothers/dense/clones.hpp"
 
 namespace tunica::smoothers {
@@ -74,7 +75,7 @@ TUNICA_CLONES void residual_of_nodes(const Blocks& K, const int* rows, int n, co
 
 bool NodeRows::can_hold(const CrsMatrix& K, const std::vector<char>& is_pressure) {
   const Map& columns = *K.getColMap();
-  const auto numbers = columns.getNodeElementList();
+  const auto numbers = global_numbers(columns);
   if (numbers.size() % 4 != 0 || is_pressure.size() % 4 != 0) return false;
   for (int i = 0; i < numbers.size(); ++i)
     if (numbers[i] != numbers[i - i % 4] + i % 4) return false;
@@ -83,8 +84,7 @@ bool NodeRows::can_hold(const CrsMatrix& K, const std::vector<char>& is_pressure
   return true;
 }
 
-NodeRows::NodeRows(const CrsMatrix& K)
-    : K_(&K), block_of_node_(K.getColMap()->getNodeNumElements() / 4, -1) {
+NodeRows::NodeRows(const CrsMatrix& K) : K_(&K), block_of_node_(n_local(*K.getColMap()) / 4, -1) {
   find_blocks();
   velocity_.resize(12 * columns_.size());
   pressure_.resize(4 * columns_.size());

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tunica/base/trilinos.hpp"
+
 namespace tunica::smoothers {
 
 namespace {
 
 std::vector<int> rows_of_columns(const CrsMatrix& K, const std::vector<int>& column_of_row) {
-  std::vector<int> row_of_column(K.getColMap()->getNodeNumElements(), -1);
+  std::vector<int> row_of_column(n_local(*K.getColMap()), -1);
   for (std::size_t i = 0; i < column_of_row.size(); ++i)
     if (column_of_row[i] >= 0) row_of_column[column_of_row[i]] = static_cast<int>(i);
   return row_of_column;
@@ -138,7 +140,7 @@ int velocities_per_node(const std::vector<char>& is_pressure) {
 }
 
 std::vector<char> scalar_rows(const CrsMatrix& K, const algebra::DofLayout& numbering) {
-  std::vector<char> flags(K.getNodeNumRows());
+  std::vector<char> flags(n_local_rows(K));
   for (std::size_t i = 0; i < flags.size(); ++i)
     flags[i] = numbering.is_scalar(K.getRowMap()->getGlobalElement(static_cast<int>(i)));
   return flags;
