@@ -91,9 +91,9 @@ std::function<app::RunResult(app::RunOutput&)> load_system(const Teuchos::Parame
   const auto system =
       std::make_shared<systems::System>(systems::read_system(list.sublist("System"), comm));
   if (comm->getRank() == 0)
-    std::cout << "system: " << system->K.A->getGlobalNumRows() << " vector and "
-              << system->K.mC->getGlobalNumRows() << " scalar unknowns\nranks: " << comm->getSize()
-              << std::endl;
+    std::cout << "system: " << system->K(0, 0)->getGlobalNumRows() << " vector and "
+              << system->K(1, 1)->getGlobalNumRows()
+              << " scalar unknowns\nranks: " << comm->getSize() << std::endl;
   return [system, list, comm](app::RunOutput& output) {
     app::SolverTable table(list, output, comm->getRank() == 0);
     const auto best =
@@ -101,7 +101,7 @@ std::function<app::RunResult(app::RunOutput&)> load_system(const Teuchos::Parame
     table.print();
     if (!best) return app::RunResult{false, "no setting came nearer to the solution than zero"};
     const algebra::BlockVector x = systems::in_file_order(*system, best->x);
-    io::write_matrix_market(output.folder.file("solution.mtx"), {x.u.get(), x.p.get()},
+    io::write_matrix_market(output.folder.file("solution.mtx"), {&x[0], &x[1]},
                             app::note_on(*best));
     return app::RunResult();
   };

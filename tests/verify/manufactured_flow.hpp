@@ -28,8 +28,8 @@ struct FlowErrors {
 template <class Exact>
 FlowErrors flow_errors(const problems::FluidProblem& fluid, const Exact& exact) {
   const fields::FieldMesh& mesh = fluid.mesh();
-  const auto u = fields::ghosted_vectors(mesh, *fluid.state().u);
-  const auto p = fields::ghosted_scalars(mesh, *fluid.state().p);
+  const auto u = fields::ghosted_vectors(mesh, fluid.state()[0]);
+  const auto p = fields::ghosted_scalars(mesh, fluid.state()[1]);
   double volume = 0.0, u2 = 0.0, p1 = 0.0, p2 = 0.0;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;

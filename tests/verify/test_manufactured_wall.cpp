@@ -119,8 +119,8 @@ struct Errors {
 /// L2 norms over the undeformed cube at the end.
 Errors errors_of(const problems::SolidProblem& wall) {
   const fields::FieldMesh& mesh = wall.mesh();
-  const auto d = fields::ghosted_vectors(mesh, *wall.state().u);
-  const auto p = fields::ghosted_scalars(mesh, *wall.state().p);
+  const auto d = fields::ghosted_vectors(mesh, wall.state()[0]);
+  const auto p = fields::ghosted_scalars(mesh, wall.state()[1]);
   double d2 = 0.0, p2 = 0.0;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;

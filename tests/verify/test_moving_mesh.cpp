@@ -48,8 +48,8 @@ Worst worst_of(problems::FluidProblem& fluid, const problems::FluidProblem::Vect
     const std::vector<Vec3> d = motion(mesh, clock.step(), 0.25);
     verify::solve_moving_step(fluid, clock, d, d_old);
     d_old = d;
-    const auto u_h = fields::ghosted_vectors(mesh, *fluid.state().u);
-    const auto p_h = fields::ghosted_scalars(mesh, *fluid.state().p);
+    const auto u_h = fields::ghosted_vectors(mesh, fluid.state()[0]);
+    const auto p_h = fields::ghosted_scalars(mesh, fluid.state()[1]);
     const auto offset = [&](int a) { return p_h[a] - dot(grad_p, fluid.positions()[a]); };
     const double constant = verify::mean_over_nodes(mesh, offset);
     for (int a = 0; a < mesh.n_owned; ++a) {

@@ -38,7 +38,7 @@ Teuchos::ParameterList options(const std::string& viscous_factor) {
 
 /// Mean pressure in the cross-section through vertices at z.
 double section_pressure(const problems::FluidProblem& fluid, double z) {
-  const auto p = fluid.state().p->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto p = fluid.state()[1].getLocalViewHost(Tpetra::Access::ReadOnly);
   return verify::mean_over_nodes(fluid.mesh(), [&](int a) {
     return std::abs(fluid.mesh().x[a][2] - z) < 1e-9 ? p(a, 0) : std::nan("");
   });
@@ -53,7 +53,7 @@ double flow_through(const problems::FluidProblem& fluid, const std::string& surf
 /// ∫ u_z dA, averaged over the sections from 2R to 4R.
 double developed_flow(const problems::FluidProblem& fluid) {
   const fields::FieldMesh& mesh = fluid.mesh();
-  const std::vector<Vec3> u = fields::ghosted_vectors(mesh, *fluid.state().u);
+  const std::vector<Vec3> u = fields::ghosted_vectors(mesh, fluid.state()[0]);
   double sum = 0.0;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     Vec3 centre{}, mean{};

@@ -56,7 +56,7 @@ public:
   void add(double time, int steps) {
     const fields::FieldMesh& mesh = fluid_->mesh();
     const Complex phase = 2.0 / steps * std::exp(Complex(0.0, -omega * time));
-    const auto u = fields::ghosted_vectors(mesh, *fluid_->state().u);
+    const auto u = fields::ghosted_vectors(mesh, fluid_->state()[0]);
     gradient_ += phase * (section_pressure(2.0 * R) - section_pressure(4.0 * R)) / (2.0 * R);
     flow_ += phase * developed_flow(u);
     for (int a = 0; a < mesh.n_owned; ++a) u_[a] += phase * u[a][2];
@@ -79,7 +79,7 @@ public:
 
 private:
   double section_pressure(double z) const {
-    const auto p = fluid_->state().p->getLocalViewHost(read_only);
+    const auto p = fluid_->state()[1].getLocalViewHost(read_only);
     return verify::mean_over_nodes(fluid_->mesh(), [&](int a) {
       return std::abs(fluid_->mesh().x[a][2] - z) < 1e-9 ? p(a, 0) : std::nan("");
     });

@@ -1,22 +1,33 @@
 #pragma once
-#include "tunica/base/types.hpp"
+#include "tunica/algebra/block_space.hpp"
 
 namespace tunica::algebra {
 
-/// Unknowns, residuals or increments of a field: a vector and a scalar per node.
-struct BlockVector {
-  Teuchos::RCP<Vector> u;  ///< velocity or displacement, 3*node + i
-  Teuchos::RCP<Vector> p;  ///< pressure, node
-
+/// Unknowns, residuals or increments: a vector for each block of a space. A copy shares the
+/// storage; assign() copies values.
+class BlockVector {
+public:
   BlockVector() = default;
-  /// Zero vectors.
-  BlockVector(const Teuchos::RCP<const Map>& vector_map, const Teuchos::RCP<const Map>& scalar_map)
-      : u(Teuchos::rcp(new Vector(vector_map))), p(Teuchos::rcp(new Vector(scalar_map))) {}
+  /// Zeros.
+  explicit BlockVector(BlockSpacePtr space);
+  /// The given vectors, one per block.
+  BlockVector(BlockSpacePtr space, std::vector<Teuchos::RCP<Vector>> blocks)
+      : space_(std::move(space)), blocks_(std::move(blocks)) {}
 
-  void assign(const BlockVector& other) {
-    u->assign(*other.u);
-    p->assign(*other.p);
-  }
+  const BlockSpacePtr& space() const { return space_; }
+  int n_blocks() const { return static_cast<int>(blocks_.size()); }
+
+  Vector& operator[](int b) { return *blocks_[b]; }
+  const Vector& operator[](int b) const { return *blocks_[b]; }
+  Teuchos::RCP<Vector> block(int b) { return blocks_[b]; }
+  Teuchos::RCP<const Vector> block(int b) const { return blocks_[b]; }
+
+  void assign(const BlockVector& other);
+  void set_zero();
+
+private:
+  BlockSpacePtr space_;
+  std::vector<Teuchos::RCP<Vector>> blocks_;
 };
 
 }  // namespace tunica::algebra

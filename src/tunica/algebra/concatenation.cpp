@@ -8,34 +8,43 @@ namespace tunica::algebra {
 
 namespace {
 
-Teuchos::RCP<const Map> concatenated_map(const Map& vectors, const Map& scalars) {
+Teuchos::RCP<const Map> concatenated_map(const BlockSpace& space) {
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new Map(unknown, n_local(vectors) + n_local(scalars), 0, vectors.getComm()));
+  std::size_t count = 0;
+  for (int b = 0; b < space.n_blocks(); ++b) count += n_local(*space[b].map);
+  return Teuchos::rcp(new Map(unknown, count, 0, space.comm()));
 }
 
 }  // namespace
 
-Concatenation::Concatenation(const Teuchos::RCP<const Map>& vectors,
-                             const Teuchos::RCP<const Map>& scalars)
-    : map_(concatenated_map(*vectors, *scalars)), vector_map_(vectors), scalar_map_(scalars) {}
+Concatenation::Concatenation(BlockSpacePtr space)
+    : space_(std::move(space)), map_(concatenated_map(*space_)) {}
 
-Teuchos::RCP<MultiVector> Concatenation::vector_part(const MultiVector& x) const {
-  return const_cast<MultiVector&>(x).offsetViewNonConst(vector_map_, 0);
+std::vector<Teuchos::RCP<MultiVector>> Concatenation::parts(const MultiVector& x) const {
+  std::vector<Teuchos::RCP<MultiVector>> views;
+  std::size_t first = 0;
+  for (int b = 0; b < space_->n_blocks(); ++b) {
+    const Teuchos::RCP<const Map>& map = (*space_)[b].map;
+    views.push_back(const_cast<MultiVector&>(x).offsetViewNonConst(map, first));
+    first += n_local(*map);
+  }
+  return views;
 }
 
-Teuchos::RCP<MultiVector> Concatenation::scalar_part(const MultiVector& x) const {
-  return const_cast<MultiVector&>(x).offsetViewNonConst(scalar_map_, n_local(*vector_map_));
+void Concatenation::gather(const BlockVector& x, MultiVector& all) const {
+  const auto views = parts(all);
+  for (std::size_t b = 0; b < views.size(); ++b) views[b]->assign(x[static_cast<int>(b)]);
+}
+
+void Concatenation::scatter(const MultiVector& all, BlockVector& x) const {
+  const auto views = parts(all);
+  for (std::size_t b = 0; b < views.size(); ++b) x[static_cast<int>(b)].assign(*views[b]);
 }
 
 void ConcatenatedOperator::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,
                                  Scalar alpha, Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("ConcatenatedOperator: no transpose");
-  const auto xu = blocks_.vector_part(X), xp = blocks_.scalar_part(X);
-  const auto yu = blocks_.vector_part(Y), yp = blocks_.scalar_part(Y);
-  K_->A->apply(*xu, *yu, mode, alpha, beta);
-  K_->B1T->apply(*xp, *yu, mode, alpha, 1.0);
-  K_->B2->apply(*xu, *yp, mode, alpha, beta);
-  K_->mC->apply(*xp, *yp, mode, alpha, 1.0);
+  K_->apply(blocks_.parts(X), blocks_.parts(Y), alpha, beta);
 }
 
 }  // namespace tunica::algebra

@@ -1,27 +1,34 @@
 #pragma once
-#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/algebra/block_matrix.hpp"
 
 namespace tunica::algebra {
 
-/// Both blocks of a field behind each other in one vector: on each rank its vector unknowns,
-/// then its scalar ones. The blocks are views, so that Krylov methods on the long vectors work
-/// on the blocks without copies.
+/// All blocks of a space behind each other in one vector: on each rank the unknowns of the first
+/// block, then those of the second, and so on. The blocks are views, so that Krylov methods on the
+/// long vectors work on the blocks without copies.
 class Concatenation {
 public:
-  Concatenation(const Teuchos::RCP<const Map>& vectors, const Teuchos::RCP<const Map>& scalars);
+  explicit Concatenation(BlockSpacePtr space);
 
+  const BlockSpacePtr& space() const { return space_; }
   Teuchos::RCP<const Map> map() const { return map_; }
-  Teuchos::RCP<MultiVector> vector_part(const MultiVector& x) const;
-  Teuchos::RCP<MultiVector> scalar_part(const MultiVector& x) const;
+  /// Views of the blocks of a long vector, of all its columns.
+  std::vector<Teuchos::RCP<MultiVector>> parts(const MultiVector& x) const;
+
+  /// Copies blocks into the first column of a long vector, and back.
+  void gather(const BlockVector& x, MultiVector& all) const;
+  void scatter(const MultiVector& all, BlockVector& x) const;
 
 private:
-  Teuchos::RCP<const Map> map_, vector_map_, scalar_map_;
+  BlockSpacePtr space_;
+  Teuchos::RCP<const Map> map_;
 };
 
 /// K on concatenated vectors.
 class ConcatenatedOperator : public Operator {
 public:
-  ConcatenatedOperator(const Concatenation& blocks, const BlockMatrices& K)
+  /// K must outlive the object.
+  ConcatenatedOperator(const Concatenation& blocks, const BlockMatrix& K)
       : blocks_(blocks), K_(&K) {}
 
   void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
@@ -31,7 +38,7 @@ public:
 
 private:
   Concatenation blocks_;
-  const BlockMatrices* K_;
+  const BlockMatrix* K_;
 };
 
 }  // namespace tunica::algebra

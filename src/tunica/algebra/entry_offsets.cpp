@@ -16,15 +16,6 @@ std::vector<GlobalOrdinal> numbers_of(const Map& map) {
 
 }  // namespace
 
-std::vector<GlobalOrdinal> mixed_numbers(const Map& block, bool is_scalar,
-                                         const DofLayout& numbering) {
-  std::vector<GlobalOrdinal> numbers;
-  numbers.reserve(n_local(block));
-  for (const GlobalOrdinal number : global_numbers(block))
-    numbers.push_back(is_scalar ? numbering.of_scalar(number) : numbering.of_vector(number));
-  return numbers;
-}
-
 std::vector<int> local_numbers(const std::vector<GlobalOrdinal>& numbers, const Map& map) {
   std::vector<int> local;
   local.reserve(numbers.size());

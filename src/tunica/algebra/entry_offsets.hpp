@@ -1,14 +1,11 @@
 #pragma once
 #include <vector>
 
-#include "tunica/algebra/dof_layout.hpp"
+#include "tunica/base/types.hpp"
 
 namespace tunica::algebra {
 
-/// The numbers in a mixed matrix of those that a block's map has.
-std::vector<GlobalOrdinal> mixed_numbers(const Map& block, bool is_scalar,
-                                         const DofLayout& numbering);
-
+/// The local numbers that a map gives to these.
 std::vector<int> local_numbers(const std::vector<GlobalOrdinal>& numbers, const Map& map);
 
 /// Where a matrix that is part of another finds its values there: for each of its values the index

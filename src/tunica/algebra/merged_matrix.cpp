@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tunica/algebra/dof_layout.hpp"
 #include "tunica/algebra/entry_offsets.hpp"
 #include "tunica/base/trilinos.hpp"
 
@@ -9,14 +10,10 @@ namespace tunica::algebra {
 
 namespace {
 
-/// One block, with its rows and columns in numbers of the whole.
-struct Part {
+/// A block that is there, with its rows and columns in numbers of the whole.
+struct NumberedBlock {
   const CrsMatrix* matrix;
   std::vector<GlobalOrdinal> rows, columns;
-
-  Part(const CrsMatrix& block, bool has_scalar_rows, bool has_scalar_columns, const DofLayout& n)
-      : matrix(&block), rows(mixed_numbers(*block.getRowMap(), has_scalar_rows, n)),
-        columns(mixed_numbers(*block.getColMap(), has_scalar_columns, n)) {}
 
   void insert_graph(CrsMatrix& merged) const {
     const auto local = matrix->getLocalMatrixHost();
@@ -30,58 +27,71 @@ struct Part {
                                 Teuchos::arrayViewFromVector(zeros));
     }
   }
-
-  std::vector<int> places(const CrsMatrix& merged) const {
-    return entry_offsets(*matrix, rows, columns, merged);
-  }
 };
 
-std::size_t longest_row(const BlockMatrices& K) {
-  return std::max(longest_local_row(*K.A) + longest_local_row(*K.B1T),
-                  longest_local_row(*K.B2) + longest_local_row(*K.mC));
+std::vector<NumberedBlock> numbered_blocks(const BlockMatrix& K, const DofLayout& layout) {
+  std::vector<NumberedBlock> blocks;
+  for (int i = 0; i < K.n_blocks(); ++i)
+    for (int j = 0; j < K.n_blocks(); ++j)
+      if (const auto& matrix = K(i, j); !matrix.is_null())
+        blocks.push_back({matrix.get(), layout.merged_numbers(*matrix->getRowMap(), i),
+                          layout.merged_numbers(*matrix->getColMap(), j)});
+  return blocks;
+}
+
+std::size_t longest_row(const BlockMatrix& K) {
+  std::size_t longest = 0;
+  for (int i = 0; i < K.n_blocks(); ++i) {
+    std::size_t sum = 0;
+    for (int j = 0; j < K.n_blocks(); ++j)
+      if (!K(i, j).is_null()) sum += longest_local_row(*K(i, j));
+    longest = std::max(longest, sum);
+  }
+  return longest;
 }
 
 }  // namespace
 
-MergedMatrix::MergedMatrix(const BlockMatrices& K) : K_(&K) {
-  const DofLayout numbering{K.components};
-  const auto rows = numbering.mixed_map(*K.vector_map(), *K.scalar_map());
-  matrix_ = Teuchos::rcp(new CrsMatrix(rows, longest_row(K)));
-  const std::vector<Part> parts{{*K.A, false, false, numbering},
-                                {*K.B1T, false, true, numbering},
-                                {*K.B2, true, false, numbering},
-                                {*K.mC, true, true, numbering}};
-  for (const Part& part : parts) part.insert_graph(*matrix_);
-  matrix_->fillComplete(rows, rows);
-  for (const Part& part : parts) blocks_.push_back({part.matrix, part.places(*matrix_)});
-  vector_rows_ = local_numbers(parts[0].rows, *rows);
-  scalar_rows_ = local_numbers(parts[3].rows, *rows);
+MergedMatrix::MergedMatrix(const BlockMatrix& K) {
+  const DofLayout layout(*K.space());
+  const auto map = layout.merged_map(*K.space());
+  matrix_ = Teuchos::rcp(new CrsMatrix(map, longest_row(K)));
+  const std::vector<NumberedBlock> blocks = numbered_blocks(K, layout);
+  for (const NumberedBlock& block : blocks) block.insert_graph(*matrix_);
+  matrix_->fillComplete(map, map);
+  for (const NumberedBlock& block : blocks)
+    parts_.push_back(
+        {block.matrix, entry_offsets(*block.matrix, block.rows, block.columns, *matrix_)});
+  for (int b = 0; b < K.n_blocks(); ++b)
+    rows_.push_back(local_numbers(layout.merged_numbers(*(*K.space())[b].map, b), *map));
 }
 
 void MergedMatrix::refresh() {
   matrix_->resumeFill();
   {
     const auto values = matrix_->getLocalMatrixHost().values;
-    for (const Block& block : blocks_) {
-      const auto from = block.matrix->getLocalMatrixHost().values;
-      for (std::size_t k = 0; k < block.places.size(); ++k) values(block.places[k]) = from(k);
+    for (const Part& part : parts_) {
+      const auto from = part.matrix->getLocalMatrixHost().values;
+      for (std::size_t k = 0; k < part.offsets.size(); ++k) values(part.offsets[k]) = from(k);
     }
   }
   matrix_->fillComplete(matrix_->getDomainMap(), matrix_->getRangeMap());
 }
 
 void MergedMatrix::merge(const BlockVector& x, MultiVector& merged) const {
-  const auto u = x.u->getLocalViewHost(read_only), p = x.p->getLocalViewHost(read_only);
   const auto all = merged.getLocalViewHost(overwrite_all);
-  for (std::size_t i = 0; i < vector_rows_.size(); ++i) all(vector_rows_[i], 0) = u(i, 0);
-  for (std::size_t i = 0; i < scalar_rows_.size(); ++i) all(scalar_rows_[i], 0) = p(i, 0);
+  for (int b = 0; b < x.n_blocks(); ++b) {
+    const auto from = x[b].getLocalViewHost(read_only);
+    for (std::size_t i = 0; i < rows_[b].size(); ++i) all(rows_[b][i], 0) = from(i, 0);
+  }
 }
 
 void MergedMatrix::split(const MultiVector& merged, BlockVector& x) const {
   const auto all = merged.getLocalViewHost(read_only);
-  const auto u = x.u->getLocalViewHost(overwrite_all), p = x.p->getLocalViewHost(overwrite_all);
-  for (std::size_t i = 0; i < vector_rows_.size(); ++i) u(i, 0) = all(vector_rows_[i], 0);
-  for (std::size_t i = 0; i < scalar_rows_.size(); ++i) p(i, 0) = all(scalar_rows_[i], 0);
+  for (int b = 0; b < x.n_blocks(); ++b) {
+    const auto to = x[b].getLocalViewHost(overwrite_all);
+    for (std::size_t i = 0; i < rows_[b].size(); ++i) to(i, 0) = all(rows_[b][i], 0);
+  }
 }
 
 }  // namespace tunica::algebra

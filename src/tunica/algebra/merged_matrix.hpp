@@ -1,18 +1,17 @@
 #pragma once
 #include <vector>
 
-#include "tunica/algebra/block_matrices.hpp"
-#include "tunica/algebra/dof_layout.hpp"
+#include "tunica/algebra/block_matrix.hpp"
 
 namespace tunica::algebra {
 
-/// A block system as one matrix with the unknowns of a node side by side
-/// (DofLayout): what incomplete and complete factorisations of the whole system and
-/// mixed multigrid work on. A copy of the values; refresh() takes them over.
+/// A matrix of blocks as one matrix with the unknowns of a node side by side (DofLayout): what
+/// incomplete and complete factorisations of the whole system and mixed multigrid work on. A copy
+/// of the values; refresh() takes them over.
 class MergedMatrix {
 public:
   /// K must outlive the object. Collective.
-  explicit MergedMatrix(const BlockMatrices& K);
+  explicit MergedMatrix(const BlockMatrix& K);
 
   void refresh();
   Teuchos::RCP<CrsMatrix> matrix() const { return matrix_; }
@@ -21,16 +20,15 @@ public:
   void split(const MultiVector& merged, BlockVector& x) const;
 
 private:
-  /// A block and the place of each of its values in the merged matrix.
-  struct Block {
+  /// A block that is there, and where each of its values stands in the merged matrix.
+  struct Part {
     const CrsMatrix* matrix;
-    std::vector<int> places;
+    std::vector<int> offsets;
   };
 
-  const BlockMatrices* K_;
   Teuchos::RCP<CrsMatrix> matrix_;
-  std::vector<int> vector_rows_, scalar_rows_;  ///< merged local row of each row of a block
-  std::vector<Block> blocks_;
+  std::vector<std::vector<int>> rows_;  ///< merged local row of each row of each block
+  std::vector<Part> parts_;
 };
 
 }  // namespace tunica::algebra

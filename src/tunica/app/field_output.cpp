@@ -43,22 +43,22 @@ output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name) {
 
 std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
                                         const std::vector<Vec3>& mesh_displacement) {
-  std::vector<output::Array> arrays{dof_array("velocity", 3, *fluid.state().u),
-                                    dof_array("pressure", 1, *fluid.state().p)};
+  std::vector<output::Array> arrays{dof_array("velocity", 3, fluid.state()[0]),
+                                    dof_array("pressure", 1, fluid.state()[1])};
   if (!mesh_displacement.empty())
     arrays.push_back(vector_array("mesh_displacement", mesh_displacement, fluid.mesh().n_owned));
   return arrays;
 }
 
 std::vector<output::Array> wall_arrays(const problems::SolidProblem& wall) {
-  return {dof_array("displacement", 3, *wall.state().u), dof_array("pressure", 1, *wall.state().p),
+  return {dof_array("displacement", 3, wall.state()[0]), dof_array("pressure", 1, wall.state()[1]),
           vector_array("velocity", wall.velocity(), wall.mesh().n_owned)};
 }
 
 std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall) {
   const fields::FieldMesh& mesh = wall.mesh();
-  const auto d = fields::ghosted_vectors(mesh, *wall.state().u);
-  const auto p = fields::ghosted_scalars(mesh, *wall.state().p);
+  const auto d = fields::ghosted_vectors(mesh, wall.state()[0]);
+  const auto p = fields::ghosted_scalars(mesh, wall.state()[1]);
   output::Array stress{"cauchy_stress", 6, {}}, von_mises{"von_mises", 1, {}};
   output::Array around{"circumferential", 3, {}}, along{"axial", 3, {}};
   const bool has_frames = !wall.elements().frames.empty();

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/algebra/block_matrix.hpp"
 #include "tunica/fields/field_mesh.hpp"
 #include "tunica/linear/named_operators.hpp"
 
@@ -14,7 +14,7 @@ struct LinearSystem {
   int step;           ///< all three counted from 1; 0 for one of another program
   int coupling_iteration;
   int newton_step;
-  const algebra::BlockMatrices* K;
+  const algebra::BlockMatrix* K;
   const algebra::BlockVector* b;
   const linear::NamedOperators* operators;
   const fields::FieldMesh* mesh = nullptr;  ///< none for one of another program

@@ -79,7 +79,7 @@ problems::Observables Probes::observe(const problems::FluidProblem* fluid,
     double value = 0.0;
     if (probe.node >= 0)
       value = probe.quantity == fluid_pressure
-                  ? fluid->state().p->getLocalViewHost(read_only)(probe.node, 0)
+                  ? fluid->state()[1].getLocalViewHost(read_only)(probe.node, 0)
                   : wall_value(probe.quantity, probe.position, d[probe.node]);
     const Comm& comm = fluid != nullptr ? *fluid->mesh().comm : *wall->mesh().comm;
     found.push_back({column, global_sum(comm, value)});

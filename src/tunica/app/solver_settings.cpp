@@ -80,7 +80,9 @@ double relative_difference(const algebra::BlockVector& x, const algebra::BlockVe
     const double difference = norm_of_difference(a, b), size = b.norm2();
     return size > 0.0 ? difference / size : difference;
   };
-  return std::max(part(*x.u, *y.u), part(*x.p, *y.p));
+  double largest = 0.0;
+  for (int b = 0; b < x.n_blocks(); ++b) largest = std::max(largest, part(x[b], y[b]));
+  return largest;
 }
 
 }  // namespace tunica::app

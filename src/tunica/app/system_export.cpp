@@ -38,6 +38,12 @@ MultiVector rigid_motions(const fields::FieldMesh& mesh) {
   return modes;
 }
 
+std::vector<const MultiVector*> vectors_of(const algebra::BlockVector& x) {
+  std::vector<const MultiVector*> vectors;
+  for (int b = 0; b < x.n_blocks(); ++b) vectors.push_back(&x[b]);
+  return vectors;
+}
+
 std::string state_of(const LinearSystem& system, const output::RunRecord& record) {
   const Json run = Json::parse(record.text());
   const auto nodes = static_cast<long long>(system.mesh->node_map->getGlobalNumElements());
@@ -85,11 +91,11 @@ void SystemExport::write(const LinearSystem& system) const {
   if (folder_.empty()) return;
   const output::RunFolder made(folder_ + "/" + system.name(), comm_);
   using io::write_matrix_market;
-  write_matrix_market(path(system, "A.mtx"), *system.K->A, 1.0, "");
-  write_matrix_market(path(system, "B1T.mtx"), *system.K->B1T, 1.0, "");
-  write_matrix_market(path(system, "B2.mtx"), *system.K->B2, 1.0, "");
-  write_matrix_market(path(system, "C.mtx"), *system.K->mC, -1.0, "");
-  write_matrix_market(path(system, "rhs.mtx"), {system.b->u.get(), system.b->p.get()}, "");
+  write_matrix_market(path(system, "A.mtx"), *(*system.K)(0, 0), 1.0, "");
+  write_matrix_market(path(system, "B1T.mtx"), *(*system.K)(0, 1), 1.0, "");
+  write_matrix_market(path(system, "B2.mtx"), *(*system.K)(1, 0), 1.0, "");
+  write_matrix_market(path(system, "C.mtx"), *(*system.K)(1, 1), -1.0, "");
+  write_matrix_market(path(system, "rhs.mtx"), vectors_of(*system.b), "");
   const MultiVector x = coordinates(*system.mesh), modes = rigid_motions(*system.mesh);
   write_matrix_market(path(system, "coordinates.mtx"), {&x}, "mm");
   write_matrix_market(path(system, "nullspace.mtx"), {&modes}, "");
@@ -108,7 +114,7 @@ void SystemExport::write(const LinearSystem& system,
     if (comm_->getRank() == 0) std::remove(file.c_str());
     return;
   }
-  io::write_matrix_market(file, {solution->x.u.get(), solution->x.p.get()}, note_on(*solution));
+  io::write_matrix_market(file, vectors_of(solution->x), note_on(*solution));
 }
 
 }  // namespace tunica::app

@@ -59,8 +59,8 @@ void NodalResidual::add(const fields::FieldMesh& mesh, const fields::Face& face,
 
 void NodalResidual::store(const fields::FieldMesh& mesh, const Constraints& fixed,
                           algebra::BlockVector& F) const {
-  const auto fu = F.u->getLocalViewHost(overwrite_all);
-  const auto fp = F.p->getLocalViewHost(overwrite_all);
+  const auto fu = F[0].getLocalViewHost(overwrite_all);
+  const auto fp = F[1].getLocalViewHost(overwrite_all);
   for (int a = 0; a < mesh.n_owned; ++a) {
     for (int i = 0; i < 3; ++i) fu(3 * a + i, 0) = (fixed[a] >> i) & 1 ? 0.0 : u[a][i];
     fp(a, 0) = fixed[a] & fixed_scalar ? 0.0 : p[a];
@@ -68,12 +68,12 @@ void NodalResidual::store(const fields::FieldMesh& mesh, const Constraints& fixe
 }
 
 BlockAssembler::BlockAssembler(fields::BlockOperator& K, const Constraints& fixed)
-    : K_(&K), mesh_(&K.mesh()), graph_(&K.graph()), fixed_(&fixed), A_(open_values(*K.A)),
-      B1T_(open_values(*K.B1T)), B2_(open_values(*K.B2)), mC_(open_values(*K.mC)) {}
+    : K_(&K), mesh_(&K.mesh()), graph_(&K.graph()), fixed_(&fixed), A_(open_values(*K(0, 0))),
+      B1T_(open_values(*K(0, 1))), B2_(open_values(*K(1, 0))), mC_(open_values(*K(1, 1))) {}
 
 void BlockAssembler::finish() {
-  for (CrsMatrix* matrix : {K_->A.get(), K_->B1T.get(), K_->B2.get(), K_->mC.get()})
-    close_values(*matrix);
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) close_values(*(*K_)(i, j));
 }
 
 void BlockAssembler::add(std::size_t e, const kernels::MixedJacobian& Ke) {

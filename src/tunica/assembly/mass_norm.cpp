@@ -10,8 +10,8 @@ namespace tunica::assembly {
 
 double mass_norm(const fields::FieldMesh& mesh, const std::vector<kernels::Tet4>& geometry,
                  const algebra::BlockVector& x) {
-  const std::vector<Vec3> u = fields::ghosted_vectors(mesh, *x.u);
-  const std::vector<double> p = fields::ghosted_scalars(mesh, *x.p);
+  const std::vector<Vec3> u = fields::ghosted_vectors(mesh, x[0]);
+  const std::vector<double> p = fields::ghosted_scalars(mesh, x[1]);
   double sum = 0.0;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;

@@ -55,17 +55,47 @@ Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mes
   return matrix;
 }
 
-BlockOperator::BlockOperator(const FieldMesh& mesh) : mesh_(&mesh), graph_(make_node_graph(mesh)) {
-  A = make_matrix(graph_, mesh, 3, 3);
-  B1T = make_matrix(graph_, mesh, 3, 1);
-  B2 = make_matrix(graph_, mesh, 1, 3);
-  mC = make_matrix(graph_, mesh, 1, 1);
+namespace {
+
+algebra::BlockSpacePtr make_space(const FieldMesh& mesh, const NodalBlocks& blocks,
+                                  const algebra::Nodes& nodes) {
+  std::vector<algebra::Block> all;
+  for (const NodalBlock& block : blocks)
+    all.push_back({block.name, block.components == 3 ? mesh.vector_map : mesh.node_map,
+                   block.components, nodes});
+  return std::make_shared<const algebra::BlockSpace>(std::move(all));
+}
+
+/// Nodes are picked in the order of their vertices, whichever ranks own them.
+Teuchos::RCP<const Vector> vertex_order(const FieldMesh& mesh) {
   const auto order = Teuchos::rcp(new Vector(mesh.node_map));
-  {
-    const auto numbers = order->getLocalViewHost(overwrite_all);
-    for (int a = 0; a < mesh.n_owned; ++a) numbers(a, 0) = mesh.vertex[a];
-  }
-  vectors = scalars = {mC, order};
+  const auto numbers = order->getLocalViewHost(overwrite_all);
+  for (int a = 0; a < mesh.n_owned; ++a) numbers(a, 0) = mesh.vertex[a];
+  return order;
+}
+
+}  // namespace
+
+algebra::BlockSpacePtr nodal_space(const FieldMesh& mesh, const NodalBlocks& blocks) {
+  return make_space(mesh, blocks, {});
+}
+
+BlockOperator::BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks)
+    : mesh_(&mesh), graph_(make_node_graph(mesh)) {
+  const int n = static_cast<int>(blocks.size());
+  std::vector<Teuchos::RCP<CrsMatrix>> matrices;
+  Teuchos::RCP<CrsMatrix> scalar;  // one row per node
+  for (const NodalBlock& row : blocks)
+    for (const NodalBlock& column : blocks) {
+      matrices.push_back(make_matrix(graph_, mesh, row.components, column.components));
+      if (row.components == 1 && column.components == 1 && scalar.is_null())
+        scalar = matrices.back();
+    }
+  if (scalar.is_null()) scalar = make_matrix(graph_, mesh, 1, 1);
+  algebra::BlockMatrix::operator=(
+      algebra::BlockMatrix(make_space(mesh, blocks, {scalar, vertex_order(mesh)})));
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) set(i, j, matrices[i * n + j]);
 }
 
 }  // namespace tunica::fields

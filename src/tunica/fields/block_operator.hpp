@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/algebra/block_matrix.hpp"
 #include "tunica/base/types.hpp"
 #include "tunica/fields/field_mesh.hpp"
 
@@ -17,11 +17,28 @@ struct NodeGraph {
 };
 NodeGraph make_node_graph(const FieldMesh& mesh);
 
-/// The Jacobian of a field: four matrices on static graphs that share one node graph. Values are
-/// written in place by assembly/.
-class BlockOperator : public algebra::BlockMatrices {
+/// A kind of unknown at each node of a field.
+struct NodalBlock {
+  std::string name;
+  int components;  ///< 1 or 3
+};
+using NodalBlocks = std::vector<NodalBlock>;
+/// What a mixed formulation has, whatever it calls them.
+inline const NodalBlocks mixed_blocks{{"vector", 3}, {"scalar", 1}};
+
+/// Their space, without nodes for multigrid.
+algebra::BlockSpacePtr nodal_space(const FieldMesh& mesh, const NodalBlocks& blocks = mixed_blocks);
+
+/// Zero unknowns of a field.
+inline algebra::BlockVector zero_vector(const FieldMesh& mesh) {
+  return algebra::BlockVector(nodal_space(mesh));
+}
+
+/// The Jacobian of a field: matrices between all its blocks on static graphs that share one node
+/// graph. Values are written in place by assembly/.
+class BlockOperator : public algebra::BlockMatrix {
 public:
-  explicit BlockOperator(const FieldMesh& mesh);
+  explicit BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks = mixed_blocks);
 
   const FieldMesh& mesh() const { return *mesh_; }
   const NodeGraph& graph() const { return graph_; }
@@ -30,11 +47,6 @@ private:
   const FieldMesh* mesh_;
   NodeGraph graph_;
 };
-
-/// Zero unknowns of a field.
-inline algebra::BlockVector zero_vector(const FieldMesh& mesh) {
-  return {mesh.vector_map, mesh.node_map};
-}
 
 /// A matrix with rows dofs_row*node + i and columns dofs_column*node + j on the node graph,
 /// rows sorted by local column, all values zero.

@@ -67,8 +67,8 @@ std::string known_types(const Teuchos::RCP<Stratimikos::DefaultLinearSolverBuild
 /// Hands the nodes of the blocks to "Nodal Multigrid".
 class NodesCallback : public Teko::RequestCallback<Teuchos::RCP<multigrid::MixedCoarsening>> {
 public:
-  explicit NodesCallback(const algebra::BlockMatrices& K)
-      : nodes_(Teuchos::rcp(new multigrid::MixedCoarsening(K))) {}
+  explicit NodesCallback(const algebra::BlockMatrix& K)
+      : nodes_(Teuchos::rcp(new multigrid::MixedCoarsening(*K.space()))) {}
 
   bool handlesRequest(const Teko::RequestMesg& message) override {
     return message.getName() == "Nodal Coarsening";
@@ -147,6 +147,17 @@ Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder> make_builder() {
   return builder;
 }
 
+/// The blocks as Teko sees them; the matrices are shared. Missing ones stay missing.
+Teko::LinearOp blocked_operator(const algebra::BlockMatrix& K) {
+  Teko::BlockedLinearOp blocks = Teko::createBlockedOp();
+  Teko::beginBlockFill(blocks, K.n_blocks(), K.n_blocks());
+  for (int i = 0; i < K.n_blocks(); ++i)
+    for (int j = 0; j < K.n_blocks(); ++j)
+      if (!K(i, j).is_null()) Teko::setBlock(i, j, blocks, thyra_operator(K(i, j)));
+  Teko::endBlockFill(blocks);
+  return blocks;
+}
+
 }  // namespace
 
 struct BlockPreconditioner::Stack {
@@ -154,26 +165,24 @@ struct BlockPreconditioner::Stack {
   Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> factory;
   Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner;
   Teko::LinearOp K;
-  Teuchos::RCP<const Thyra::TpetraVectorSpace<Scalar, LocalOrdinal, GlobalOrdinal, Node>> u, p;
+  using Space = Teuchos::RCP<const Thyra::VectorSpaceBase<double>>;
+  Teuchos::Array<Space> spaces;  ///< of each block
   Teuchos::RCP<const Thyra::DefaultProductVectorSpace<double>> product;
 
   Teuchos::RCP<Thyra::DefaultProductMultiVector<double>> view(
-      const Teuchos::RCP<MultiVector>& xu, const Teuchos::RCP<MultiVector>& xp) const {
-    const auto wrap = [](const Teuchos::RCP<MultiVector>& x, const auto& space) {
-      const Teuchos::RCP<const Thyra::VectorSpaceBase<double>> base = space;
-      return Teuchos::RCP<Thyra::MultiVectorBase<double>>(
-          Thyra::createMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>(x, base));
-    };
-    return Thyra::defaultProductMultiVector<double>(product,
-                                                    Teuchos::tuple(wrap(xu, u), wrap(xp, p)));
+      const std::vector<Teuchos::RCP<MultiVector>>& parts) const {
+    Teuchos::Array<Teuchos::RCP<Thyra::MultiVectorBase<double>>> blocks;
+    for (std::size_t b = 0; b < parts.size(); ++b)
+      blocks.push_back(
+          Thyra::createMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>(parts[b], spaces[b]));
+    return Thyra::defaultProductMultiVector<double>(product, blocks());
   }
 };
 
 BlockPreconditioner::BlockPreconditioner(const Teuchos::ParameterList& stratimikos,
-                                         const algebra::BlockMatrices& K,
+                                         const algebra::BlockMatrix& K,
                                          const NamedOperators& operators)
-    : blocks_(K.vector_map(), K.scalar_map()), stack_(Teuchos::rcp(new Stack)) {
-  using Space = Thyra::TpetraVectorSpace<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+    : blocks_(K.space()), stack_(Teuchos::rcp(new Stack)) {
   auto& builder = *stack_->builder;
   const auto handler = Teuchos::rcp(new Teko::RequestHandler);
   handler->addRequestCallback(Teuchos::rcp(new Callback(operators)));
@@ -183,20 +192,11 @@ BlockPreconditioner::BlockPreconditioner(const Teuchos::ParameterList& stratimik
   builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(stratimikos)));
   stack_->factory = builder.createPreconditioningStrategy("");
 
-  Teko::BlockedLinearOp blocks = Teko::createBlockedOp();
-  Teko::beginBlockFill(blocks, 2, 2);
-  Teko::setBlock(0, 0, blocks, thyra_operator(K.A));
-  Teko::setBlock(0, 1, blocks, thyra_operator(K.B1T));
-  Teko::setBlock(1, 0, blocks, thyra_operator(K.B2));
-  Teko::setBlock(1, 1, blocks, thyra_operator(K.mC));
-  Teko::endBlockFill(blocks);
-  stack_->K = blocks;
-  stack_->u = Teuchos::rcp_dynamic_cast<const Space>(
-      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(K.vector_map()));
-  stack_->p = Teuchos::rcp_dynamic_cast<const Space>(
-      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(K.scalar_map()));
-  stack_->product = Thyra::productVectorSpace<double>(
-      Teuchos::tuple<Teuchos::RCP<const Thyra::VectorSpaceBase<double>>>(stack_->u, stack_->p));
+  stack_->K = blocked_operator(K);
+  for (int b = 0; b < K.n_blocks(); ++b)
+    stack_->spaces.push_back(
+        Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>((*K.space())[b].map));
+  stack_->product = Thyra::productVectorSpace<double>(stack_->spaces());
   stack_->preconditioner = stack_->factory->createPrec();
 }
 
@@ -218,8 +218,7 @@ void BlockPreconditioner::refresh() {
 void BlockPreconditioner::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,
                                 Scalar alpha, Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("BlockPreconditioner: no transpose");
-  const auto x = stack_->view(blocks_.vector_part(X), blocks_.scalar_part(X));
-  const auto y = stack_->view(blocks_.vector_part(Y), blocks_.scalar_part(Y));
+  const auto x = stack_->view(blocks_.parts(X)), y = stack_->view(blocks_.parts(Y));
   const auto P = stack_->preconditioner->getUnspecifiedPrecOp();
   Thyra::apply<double>(*P, Thyra::NOTRANS, *x, y.ptr(), alpha, beta);
 }

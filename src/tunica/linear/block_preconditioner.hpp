@@ -6,7 +6,7 @@
 
 namespace tunica::linear {
 
-/// A preconditioner of the 2×2 block system from a Stratimikos list, as Trilinos users write
+/// A preconditioner of a block system from a Stratimikos list, as Trilinos users write
 /// them: "Preconditioner Type" = "Teko" with an "Inverse Factory Library", in which our block
 /// LU strategies (lu_strategy.hpp) stand beside Teko's own, MueLu, Ifpack2 and Amesos2.
 class BlockPreconditioner : public Operator {
@@ -14,7 +14,7 @@ public:
   /// The objects referred to must outlive the preconditioner. The list has passed
   /// check_block_preconditioner(). Throws tunica::Error for a strategy that needs an operator
   /// which operators lack.
-  BlockPreconditioner(const Teuchos::ParameterList& stratimikos, const algebra::BlockMatrices& K,
+  BlockPreconditioner(const Teuchos::ParameterList& stratimikos, const algebra::BlockMatrix& K,
                       const NamedOperators& operators);
   ~BlockPreconditioner() override;
 

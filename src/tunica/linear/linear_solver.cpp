@@ -30,7 +30,7 @@ double relative_residual(const Operator& K, const MultiVector& b, const MultiVec
 
 class DirectSolver final : public LinearSolver {
 public:
-  explicit DirectSolver(const algebra::BlockMatrices& K)
+  explicit DirectSolver(const algebra::BlockMatrix& K)
       : K_(K), factor_(K_.matrix()), b_(K_.matrix()->getRowMap()), x_(b_.getMap()) {}
 
   void matrix_changed() override { is_stale_ = true; }
@@ -78,7 +78,7 @@ double setup_cost(const std::string& preconditioner) {
 
 class KrylovSolver final : public LinearSolver {
 public:
-  KrylovSolver(const Teuchos::ParameterList& options, const algebra::BlockMatrices& K,
+  KrylovSolver(const Teuchos::ParameterList& options, const algebra::BlockMatrix& K,
                const NamedOperators& operators)
       : options_{options.get<std::string>("method"), options.get<int>("max iterations"),
                  options.isParameter("restart") ? options.get<int>("restart") : 0},
@@ -193,7 +193,7 @@ params::Table linear_solver_table(const SolverDefaults& defaults) {
 }
 
 std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& options,
-                                                 const algebra::BlockMatrices& K,
+                                                 const algebra::BlockMatrix& K,
                                                  const NamedOperators& operators) {
   if (options.get<std::string>("method") == "direct") return std::make_unique<DirectSolver>(K);
   return std::make_unique<KrylovSolver>(options, K, operators);

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/algebra/block_matrix.hpp"
 #include "tunica/linear/block_preconditioner.hpp"
 #include "tunica/linear/named_operators.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
@@ -57,7 +57,7 @@ params::Table linear_solver_table(const SolverDefaults& defaults = {});
 
 /// Builds the solver that the resolved list describes; K and operators must outlive it.
 std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& options,
-                                                 const algebra::BlockMatrices& K,
+                                                 const algebra::BlockMatrix& K,
                                                  const NamedOperators& operators = no_operators());
 
 }  // namespace tunica::linear

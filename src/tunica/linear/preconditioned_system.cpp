@@ -15,7 +15,7 @@ namespace {
 /// multigrid cycles for it.
 class MergedSystem final : public PreconditionedSystem {
 public:
-  MergedSystem(const Teuchos::ParameterList& list, const algebra::BlockMatrices& K) : K_(K) {
+  MergedSystem(const Teuchos::ParameterList& list, const algebra::BlockMatrix& K) : K_(K) {
     const auto& kind = list.get<std::string>("preconditioner");
     if (kind == "direct") direct_ = Teuchos::rcp(new DirectFactor(K_.matrix()));
     if (kind == "ilu")
@@ -24,7 +24,7 @@ public:
     if (kind == "multigrid") {
       muelu_ = list.sublist("MueLu");
       is_blocked_ = list.get<std::string>("matrix") == "blocked";
-      nodes_ = Teuchos::rcp(new multigrid::MixedCoarsening(K));
+      nodes_ = Teuchos::rcp(new multigrid::MixedCoarsening(*K.space()));
     }
   }
 
@@ -66,13 +66,12 @@ private:
   Teuchos::RCP<multigrid::Cycle> cycle_;
 };
 
-/// The four blocks as they are, block preconditioners on them.
+/// The blocks as they are, block preconditioners on them.
 class BlockSystem final : public PreconditionedSystem {
 public:
-  BlockSystem(const Teuchos::ParameterList& list, const algebra::BlockMatrices& K,
+  BlockSystem(const Teuchos::ParameterList& list, const algebra::BlockMatrix& K,
               const NamedOperators& operators)
-      : blocks_(K.vector_map(), K.scalar_map()),
-        matrix_(Teuchos::rcp(new algebra::ConcatenatedOperator(blocks_, K))),
+      : blocks_(K.space()), matrix_(Teuchos::rcp(new algebra::ConcatenatedOperator(blocks_, K))),
         preconditioner_(
             Teuchos::rcp(new BlockPreconditioner(list.sublist("Stratimikos"), K, operators))) {}
 
@@ -82,12 +81,10 @@ public:
   void refresh_matrix() override {}  // the operator reads the blocks themselves
   void refresh_preconditioner() override { preconditioner_->refresh(); }
   void gather(const algebra::BlockVector& x, MultiVector& all) const override {
-    blocks_.vector_part(all)->assign(*x.u);
-    blocks_.scalar_part(all)->assign(*x.p);
+    blocks_.gather(x, all);
   }
   void scatter(const MultiVector& all, algebra::BlockVector& x) const override {
-    x.u->assign(*blocks_.vector_part(all));
-    x.p->assign(*blocks_.scalar_part(all));
+    blocks_.scatter(all, x);
   }
 
 private:
@@ -144,7 +141,7 @@ void add_preconditioner_keys(params::Table& table, const std::string& fallback,
 }
 
 std::unique_ptr<PreconditionedSystem> make_system(const Teuchos::ParameterList& list,
-                                                  const algebra::BlockMatrices& K,
+                                                  const algebra::BlockMatrix& K,
                                                   const NamedOperators& operators) {
   if (list.get<std::string>("preconditioner") == "block")
     return std::make_unique<BlockSystem>(list, K, operators);

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/algebra/block_matrix.hpp"
 #include "tunica/linear/named_operators.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 #include "tunica/params/table.hpp"
@@ -39,7 +39,7 @@ void add_preconditioner_keys(params::Table& table, const std::string& fallback,
 /// The system for the preconditioner that the resolved list names. K and operators must
 /// outlive it.
 std::unique_ptr<PreconditionedSystem> make_system(const Teuchos::ParameterList& list,
-                                                  const algebra::BlockMatrices& K,
+                                                  const algebra::BlockMatrix& K,
                                                   const NamedOperators& operators);
 
 }  // namespace tunica::linear

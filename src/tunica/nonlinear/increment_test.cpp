@@ -28,7 +28,7 @@ void IncrementTest::record(const NOX::Solver::Generic& solver) {
   step.residual = solver.getSolutionGroup().getNormF();
   step.step_length = log_->step_length;
   // Of the whole Newton step: a short one must not pass for convergence.
-  step.increment = problem_->increment_norm(blocks_of(*dx)) / step.step_length;
+  step.increment = problem_->increment_norm(blocks_of(*dx, problem_->space())) / step.step_length;
   step.linear = log_->linear.back();
   const double first = steps.empty() ? step.increment : steps.front().increment;
   step.relative_increment = first > 0.0 ? step.increment / first : 0.0;

@@ -59,15 +59,17 @@ using ProductSpace = Teuchos::RCP<const Thyra::VectorSpaceBase<double>>;
 
 /// The space of the block vectors. Clones of a product vector refer to it without owning it:
 /// it must outlive them all.
-ProductSpace product_space(const algebra::BlockVector& x) {
-  return Thyra::productVectorSpace<double>(Teuchos::tuple(
-      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(x.u->getMap()),
-      Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(x.p->getMap())));
+ProductSpace product_space(const algebra::BlockSpace& space) {
+  Teuchos::Array<ProductSpace> blocks;
+  for (int b = 0; b < space.n_blocks(); ++b)
+    blocks.push_back(
+        Thyra::createVectorSpace<double, LocalOrdinal, GlobalOrdinal, Node>(space[b].map));
+  return Thyra::productVectorSpace<double>(blocks());
 }
 
 NOX::Thyra::Vector nox_vector(const ProductSpace& space, const algebra::BlockVector& x) {
   NOX::Thyra::Vector vector(Thyra::createMember<double>(space));
-  blocks_of(vector).assign(x);
+  blocks_of(vector, x.space()).assign(x);
   return vector;
 }
 
@@ -95,7 +97,7 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options,
 
 NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& options,
                           algebra::BlockVector& x) {
-  const ProductSpace space = product_space(x);
+  const ProductSpace space = product_space(*problem.space());
   NewtonReport report;
   SolveLog log;
   const auto group = Teuchos::rcp(new NoxGroup(problem, log, nox_vector(space, x)));
@@ -104,7 +106,7 @@ NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& option
     return report;
   }
   const auto test = Teuchos::rcp(new IncrementTest(problem, options, log, report));
-  const int rank = problem.comm()->getRank();
+  const int rank = problem.space()->comm()->getRank();
   const auto solver = NOX::Solver::buildSolver(group, test, nox_list(options, report, rank));
   NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
   try {
@@ -120,7 +122,7 @@ NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& option
   report.is_converged = status == NOX::StatusTest::Converged;
   if (!report.is_converged && report.reason.empty())
     report.reason = "no admissible step along the Newton direction: " + problem.refusal();
-  x.assign(blocks_of(solver->getSolutionGroup().getX()));
+  x.assign(blocks_of(solver->getSolutionGroup().getX(), problem.space()));
   return report;
 }
 

@@ -8,19 +8,19 @@
 
 namespace tunica::nonlinear {
 
-/// F(x) = 0 on one field, as Newton's method sees it. All members are collective.
+/// F(x) = 0 over any blocks, as Newton's method sees it. All members are collective.
 class NonlinearProblem {
 public:
   virtual ~NonlinearProblem() = default;
 
-  virtual CommPtr comm() const = 0;
+  virtual const algebra::BlockSpacePtr& space() const = 0;
   /// F at x. False where x is not admissible (an inverted element), on all ranks alike.
   virtual bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) = 0;
   /// Brings the Jacobian of linear_solver() to x.
   virtual void jacobian(const algebra::BlockVector& x) = 0;
   virtual void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const = 0;
   virtual linear::LinearSolver& linear_solver() = 0;
-  /// (dxᵀ M dx)^½ with the mass matrices of both unknowns, the norm of [LY1] eq:newstop.
+  /// (dxᵀ M dx)^½ with the mass matrices of all unknowns, the norm of [LY1] eq:newstop.
   virtual double increment_norm(const algebra::BlockVector& dx) = 0;
   /// Why the last residual() was refused.
   virtual std::string refusal() const = 0;

@@ -6,16 +6,17 @@
 
 namespace tunica::nonlinear {
 
-algebra::BlockVector blocks_of(const NOX::Abstract::Vector& v) {
+algebra::BlockVector blocks_of(const NOX::Abstract::Vector& v,
+                               const algebra::BlockSpacePtr& space) {
   using Extract = Thyra::TpetraOperatorVectorExtraction<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
   // NOX hands out const vectors whose storage its own groups may write.
   auto& vector = const_cast<NOX::Thyra::Vector&>(dynamic_cast<const NOX::Thyra::Vector&>(v));
   const auto product =
       Teuchos::rcp_dynamic_cast<Thyra::ProductVectorBase<double>>(vector.getThyraRCPVector(), true);
-  algebra::BlockVector blocks;
-  blocks.u = Extract::getTpetraVector(product->getNonconstVectorBlock(0));
-  blocks.p = Extract::getTpetraVector(product->getNonconstVectorBlock(1));
-  return blocks;
+  std::vector<Teuchos::RCP<Vector>> blocks;
+  for (int b = 0; b < space->n_blocks(); ++b)
+    blocks.push_back(Extract::getTpetraVector(product->getNonconstVectorBlock(b)));
+  return {space, blocks};
 }
 
 NoxGroup::NoxGroup(NonlinearProblem& problem, SolveLog& log, const NOX::Thyra::Vector& x)
@@ -60,8 +61,8 @@ void NoxGroup::computeX(const NOX::Abstract::Group& group, const NOX::Abstract::
 
 NOX::Abstract::Group::ReturnType NoxGroup::computeF() {
   if (is_f_) return Ok;
-  algebra::BlockVector F = blocks_of(f_);
-  if (!problem_->residual(blocks_of(x_), F)) return Failed;
+  algebra::BlockVector F = blocks(f_);
+  if (!problem_->residual(blocks(x_), F)) return Failed;
   norm_f_ = f_.norm(NOX::Abstract::Vector::TwoNorm);
   if (!std::isfinite(norm_f_)) return Failed;
   is_f_ = true;
@@ -69,16 +70,16 @@ NOX::Abstract::Group::ReturnType NoxGroup::computeF() {
 }
 
 NOX::Abstract::Group::ReturnType NoxGroup::computeJacobian() {
-  if (!is_jacobian_) problem_->jacobian(blocks_of(x_));
+  if (!is_jacobian_) problem_->jacobian(blocks(x_));
   is_jacobian_ = true;
   return Ok;
 }
 
 NOX::Abstract::Group::ReturnType NoxGroup::computeNewton(Teuchos::ParameterList& list) {
   if (is_newton_) return Ok;
-  algebra::BlockVector direction = blocks_of(newton_);
+  algebra::BlockVector direction = blocks(newton_);
   log_->linear.push_back(
-      problem_->linear_solver().solve(blocks_of(f_), direction, list.get<double>("Tolerance")));
+      problem_->linear_solver().solve(blocks(f_), direction, list.get<double>("Tolerance")));
   newton_.scale(-1.0);
   is_newton_ = true;
   return log_->linear.back().is_converged ? Ok : NotConverged;
@@ -87,8 +88,8 @@ NOX::Abstract::Group::ReturnType NoxGroup::computeNewton(Teuchos::ParameterList&
 NOX::Abstract::Group::ReturnType NoxGroup::applyJacobian(const NOX::Abstract::Vector& input,
                                                          NOX::Abstract::Vector& result) const {
   if (!is_jacobian_) return BadDependency;
-  algebra::BlockVector y = blocks_of(result);
-  problem_->apply_jacobian(blocks_of(input), y);
+  algebra::BlockVector y = blocks(result);
+  problem_->apply_jacobian(blocks(input), y);
   return Ok;
 }
 

@@ -6,8 +6,8 @@
 
 namespace tunica::nonlinear {
 
-/// The two blocks of a NOX vector, sharing its storage.
-algebra::BlockVector blocks_of(const NOX::Abstract::Vector& v);
+/// The blocks of a NOX vector over the space, sharing its storage.
+algebra::BlockVector blocks_of(const NOX::Abstract::Vector& v, const algebra::BlockSpacePtr& space);
 
 /// What the groups of one solve leave behind for its report.
 struct SolveLog {
@@ -50,6 +50,9 @@ public:
 
 private:
   void forget();
+  algebra::BlockVector blocks(const NOX::Abstract::Vector& v) const {
+    return blocks_of(v, problem_->space());
+  }
 
   NonlinearProblem* problem_;
   SolveLog* log_;

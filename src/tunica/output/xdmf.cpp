@@ -37,7 +37,7 @@ std::string grid_text(const Grid& grid, const std::string& file) {
   for (const Attribute& a : grid.attributes) {
     const bool at_nodes = a.centre == Centre::node;
     out << "        <Attribute Name=\"" << a.name << "\" AttributeType=\"" << type_of(a.components)
-        << "\" Center=\"" << (at_nodes ? "Node" : "io::Cell") << "\">"
+        << "\" Center=\"" << (at_nodes ? "Node" : "Cell") << "\">"
         << item(at_nodes ? grid.points : grid.cells, a.components,
                 a.is_integer ? tag_type : real_type, file + ":" + a.dataset)
         << "</Attribute>\n";

@@ -43,14 +43,14 @@ void FieldProblem::watch_solves(SolveWatch watch) {
 
 fields::State FieldProblem::save() const {
   fields::State state = fields::state_on(*mesh_);
-  state.arrays["vector"] = fields::rows_of(*x_.u, 3);
-  state.arrays["scalar"] = fields::rows_of(*x_.p, 1);
+  state.arrays["vector"] = fields::rows_of(x_[0], 3);
+  state.arrays["scalar"] = fields::rows_of(x_[1], 1);
   return state;
 }
 
 std::string FieldProblem::restore(const fields::State& state) {
-  fields::assign_rows(state.array("vector", 3), *x_.u);
-  fields::assign_rows(state.array("scalar", 1), *x_.p);
+  fields::assign_rows(state.array("vector", 3), x_[0]);
+  fields::assign_rows(state.array("scalar", 1), x_[1]);
   read(x_);
   return "";
 }

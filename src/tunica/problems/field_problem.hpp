@@ -33,7 +33,7 @@ public:
   std::string restore(const fields::State& state) override;
 
   // NonlinearProblem
-  CommPtr comm() const override { return mesh_->comm; }
+  const algebra::BlockSpacePtr& space() const override { return K_.space(); }
   bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override;
   void jacobian(const algebra::BlockVector& x) override;
   void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const override;

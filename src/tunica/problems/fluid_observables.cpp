@@ -67,8 +67,8 @@ void FluidProblem::observe_open_surfaces(const std::vector<Vec3>& u, Observables
 Observables FluidProblem::observe() const {
   const Comm& comm = *mesh_->comm;
   assembly::FluidFields state = local_;
-  state.u = fields::ghosted_vectors(*mesh_, *x_.u);
-  state.p = fields::ghosted_scalars(*mesh_, *x_.p);
+  state.u = fields::ghosted_vectors(*mesh_, x_[0]);
+  state.p = fields::ghosted_scalars(*mesh_, x_[1]);
   Observables found;
   for (std::size_t s = 0; s < condition_of_surface_.size(); ++s) {
     const FlowCondition* condition = condition_of_surface_[s];

@@ -58,7 +58,7 @@ std::vector<int> FluidProblem::open_surfaces() const {
 void FluidProblem::begin_step(const stepping::Clock& clock) {
   time_ = clock.time();
   elements_.coefficients.inv_dt = 1.0 / clock.step_size();
-  local_.u_old = fields::ghosted_vectors(*mesh_, *x_.u);
+  local_.u_old = fields::ghosted_vectors(*mesh_, x_[0]);
 }
 
 std::optional<std::string> FluidProblem::set_domain(const std::vector<Vec3>& d,
@@ -93,7 +93,7 @@ Vec3 FluidProblem::prescribed_velocity(int node, const FlowCondition& condition,
 
 void FluidProblem::impose_velocities() {
   // Where surfaces meet, the interface wins over no slip, and no slip over a velocity.
-  const auto u = x_.u->getLocalViewHost(read_write);
+  const auto u = x_[0].getLocalViewHost(read_write);
   for (const std::string kind : {"velocity", "no slip", "interface"})
     for (std::size_t s = 0; s < condition_of_surface_.size(); ++s) {
       const FlowCondition* condition = condition_of_surface_[s];
@@ -113,7 +113,7 @@ double FluidProblem::outflow(const fields::Face& face, const std::vector<Vec3>& 
 }
 
 void FluidProblem::check_closed_flow() const {
-  const std::vector<Vec3> u = fields::ghosted_vectors(*mesh_, *x_.u);
+  const std::vector<Vec3> u = fields::ghosted_vectors(*mesh_, x_[0]);
   double net = 0.0, total = 0.0;
   for (const fields::Face& face : mesh_->faces) {
     if (!face.is_owned) continue;
@@ -147,7 +147,7 @@ nonlinear::NewtonReport FluidProblem::solve() {
 void FluidProblem::set_initial_velocity(const std::function<Vec3(const Vec3& x)>& u) {
   std::vector<Vec3> values(mesh_->n_nodes());
   for (int a = 0; a < mesh_->n_nodes(); ++a) values[a] = u(mesh_->x[a]);
-  fields::store(values, *mesh_, *x_.u);
+  fields::store(values, *mesh_, x_[0]);
 }
 
 Vec3 FluidProblem::traction_on(const std::array<Vec3, 3>& x, const FlowCondition& condition) const {
@@ -182,8 +182,8 @@ void FluidProblem::add_surface_terms(assembly::BlockAssembler* K) {
 }
 
 void FluidProblem::read(const algebra::BlockVector& x) {
-  local_.u = fields::ghosted_vectors(*mesh_, *x.u);
-  local_.p = fields::ghosted_scalars(*mesh_, *x.p);
+  local_.u = fields::ghosted_vectors(*mesh_, x[0]);
+  local_.p = fields::ghosted_scalars(*mesh_, x[1]);
 }
 
 void FluidProblem::assemble(assembly::BlockAssembler* K) {

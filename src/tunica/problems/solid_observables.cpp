@@ -26,8 +26,8 @@ struct Summary {
 
 Observables SolidProblem::observe() const {
   const Comm& comm = *mesh_->comm;
-  const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, *x_.u);
-  const std::vector<double> p = fields::ghosted_scalars(*mesh_, *x_.p);
+  const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, x_[0]);
+  const std::vector<double> p = fields::ghosted_scalars(*mesh_, x_[1]);
   Summary s;
   for (int a = 0; a < mesh_->n_owned; ++a) {
     s.displacement = std::max(s.displacement, norm(d[a]));

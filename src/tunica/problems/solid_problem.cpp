@@ -112,7 +112,7 @@ void SolidProblem::begin_step(const stepping::Clock& clock) {
 nonlinear::NewtonReport SolidProblem::solve() { return find_state(); }
 
 void SolidProblem::end_step() {
-  const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, *x_.u);
+  const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, x_[0]);
   if (!options_.is_static) {
     const stepping::Newmark scheme{options_.beta, options_.gamma, dt_};
     for (int a = 0; a < mesh_->n_nodes(); ++a) {
@@ -135,7 +135,7 @@ std::optional<std::vector<Vec3>> SolidProblem::respond(const stepping::Clock& cl
   load.store(*mesh_, fixed_, b);
   try {
     const linear::SolveReport report = linear_solver().solve(b, x, 1e-8);
-    if (report.is_converged) return fields::owned_vectors(*mesh_, *x.u);
+    if (report.is_converged) return fields::owned_vectors(*mesh_, x[0]);
     reason = linear::describe_unconverged(report);
   } catch (const linear::SetupFailure& error) {
     reason = error.what();
@@ -154,12 +154,12 @@ std::string SolidProblem::restore(const fields::State& state) {
   v_old_ = fields::ghosted_rows(state.array("velocity", 3), *mesh_);
   a_old_ = fields::ghosted_rows(state.array("acceleration", 3), *mesh_);
   const std::string remark = FieldProblem::restore(state);
-  d_old_ = fields::ghosted_vectors(*mesh_, *x_.u);
+  d_old_ = fields::ghosted_vectors(*mesh_, x_[0]);
   return remark;
 }
 
 std::vector<Vec3> SolidProblem::displacement() const {
-  return fields::owned_vectors(*mesh_, *x_.u);
+  return fields::owned_vectors(*mesh_, x_[0]);
 }
 
 std::vector<Vec3> SolidProblem::velocity() const {
@@ -191,8 +191,8 @@ void SolidProblem::add_surface_loads(const std::vector<Vec3>& d, assembly::Block
 }
 
 void SolidProblem::read(const algebra::BlockVector& x) {
-  local_.d = fields::ghosted_vectors(*mesh_, *x.u);
-  local_.p = fields::ghosted_scalars(*mesh_, *x.p);
+  local_.d = fields::ghosted_vectors(*mesh_, x[0]);
+  local_.p = fields::ghosted_scalars(*mesh_, x[1]);
 }
 
 bool SolidProblem::is_admissible() {

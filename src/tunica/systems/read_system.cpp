@@ -222,25 +222,32 @@ System read_system(const Teuchos::ParameterList& options, const CommPtr& comm) {
   Teuchos::broadcast(*comm, 0, &is_shared);
   const Move vectors(files.vectors, comm), scalars(files.scalars, comm);
   const Move vector_nodes(files.vector_nodes, comm), scalar_nodes(files.scalar_nodes, comm);
+  const algebra::Nodes at_vectors = spread(files.vector_graph, vector_nodes);
+  const algebra::Nodes at_scalars =
+      is_shared != 0 ? at_vectors : spread(files.scalar_graph, scalar_nodes);
+  const int components = options.get<int>("components");
+  const auto space = [&](auto map_of_move) {
+    return std::make_shared<const algebra::BlockSpace>(
+        std::vector<algebra::Block>{{"vector", map_of_move(vectors), components, at_vectors},
+                                    {"scalar", map_of_move(scalars), 1, at_scalars}});
+  };
   System system;
-  system.K.components = options.get<int>("components");
-  system.K.A = spread(files.A, vectors, vectors);
-  system.K.B1T = spread(files.B1T, vectors, scalars);
-  system.K.B2 = spread(files.B2, scalars, vectors);
-  system.K.mC = spread(files.mC, scalars, scalars);
-  system.K.vectors = spread(files.vector_graph, vector_nodes);
-  system.K.scalars = is_shared != 0 ? system.K.vectors : spread(files.scalar_graph, scalar_nodes);
-  system.b.u = spread(files.b.data(), vectors);
-  system.b.p = spread(files.b.data() + files.A.n_rows, scalars);
-  system.vector_file_rows = vectors.root;
-  system.scalar_file_rows = scalars.root;
+  system.K = algebra::BlockMatrix(space([](const Move& move) { return move.spread; }));
+  system.K.set(0, 0, spread(files.A, vectors, vectors));
+  system.K.set(0, 1, spread(files.B1T, vectors, scalars));
+  system.K.set(1, 0, spread(files.B2, scalars, vectors));
+  system.K.set(1, 1, spread(files.mC, scalars, scalars));
+  system.b = algebra::BlockVector(
+      system.K.space(),
+      {spread(files.b.data(), vectors), spread(files.b.data() + files.A.n_rows, scalars)});
+  system.file_space = space([](const Move& move) { return move.root; });
   return system;
 }
 
 algebra::BlockVector in_file_order(const System& system, const algebra::BlockVector& x) {
-  algebra::BlockVector in_order(system.vector_file_rows, system.scalar_file_rows);
-  in_order.u->doImport(*x.u, Import(x.u->getMap(), system.vector_file_rows), insert);
-  in_order.p->doImport(*x.p, Import(x.p->getMap(), system.scalar_file_rows), insert);
+  algebra::BlockVector in_order(system.file_space);
+  for (int b = 0; b < x.n_blocks(); ++b)
+    in_order[b].doImport(x[b], Import(x[b].getMap(), in_order[b].getMap()), insert);
   return in_order;
 }
 

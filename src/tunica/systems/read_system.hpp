@@ -1,14 +1,14 @@
 #pragma once
-#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/algebra/block_matrix.hpp"
 #include "tunica/params/table.hpp"
 
 namespace tunica::systems {
 
 /// A block system K x = b of another program.
 struct System {
-  algebra::BlockMatrices K;
+  algebra::BlockMatrix K;
   algebra::BlockVector b;
-  Teuchos::RCP<const Map> vector_file_rows, scalar_file_rows;  ///< all on rank 0, as in the files
+  algebra::BlockSpacePtr file_space;  ///< all rows on rank 0, as in the files
 };
 
 /// The keys of a "System" list: files in the Matrix Market format with the blocks and the

@@ -55,7 +55,7 @@ TEUCHOS_UNIT_TEST(run_setting, a_cap_is_told_from_the_rest) {
 
 TEUCHOS_UNIT_TEST(run_setting, an_exception_becomes_the_verdict) {
   Bench bench;
-  CrsMatrix& A = *bench.jacobian.K.A;
+  CrsMatrix& A = *bench.jacobian.K(0, 0);
   A.resumeFill();
   A.setAllToScalar(0.0);
   A.fillComplete(A.getDomainMap(), A.getRangeMap());
@@ -68,11 +68,11 @@ TEUCHOS_UNIT_TEST(run_setting, an_exception_becomes_the_verdict) {
 TEUCHOS_UNIT_TEST(relative_difference, is_that_of_the_block_that_differs_more) {
   const test::SmallTube tube;
   algebra::BlockVector x = fields::zero_vector(tube.wall), y = fields::zero_vector(tube.wall);
-  y.u->putScalar(1e6);
-  y.p->putScalar(2.0);
+  y[0].putScalar(1e6);
+  y[1].putScalar(2.0);
   x.assign(y);
   TEST_EQUALITY(app::relative_difference(x, y), 0.0);
-  x.p->putScalar(3.0);
+  x[1].putScalar(3.0);
   TEST_FLOATING_EQUALITY(app::relative_difference(x, y), 0.5, 1e-12);
 }
 

@@ -49,8 +49,8 @@ inline double scatter(double key) {
 template <class Function>
 algebra::BlockVector block_vector(const fields::FieldMesh& mesh, Function f) {
   algebra::BlockVector x = fields::zero_vector(mesh);
-  const auto u = x.u->getLocalViewHost(Tpetra::Access::OverwriteAll);
-  const auto p = x.p->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  const auto u = x[0].getLocalViewHost(Tpetra::Access::OverwriteAll);
+  const auto p = x[1].getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (int a = 0; a < mesh.n_owned; ++a) {
     for (int i = 0; i < 3; ++i) u(3 * a + i, 0) = f(mesh.vertex[a], i);
     p(a, 0) = f(mesh.vertex[a], 3);
@@ -64,30 +64,29 @@ inline algebra::BlockVector scattered(const fields::FieldMesh& mesh, int seed, d
   });
 }
 
-inline double norm(const algebra::BlockVector& x) { return std::hypot(x.u->norm2(), x.p->norm2()); }
+inline double norm(const algebra::BlockVector& x) { return std::hypot(x[0].norm2(), x[1].norm2()); }
 
 /// |a − b| / |b|
 inline double relative_difference(const algebra::BlockVector& a, const algebra::BlockVector& b) {
-  algebra::BlockVector c(a);
-  c.u = Teuchos::rcp(new Vector(*a.u, Teuchos::Copy));
-  c.p = Teuchos::rcp(new Vector(*a.p, Teuchos::Copy));
-  c.u->update(-1.0, *b.u, 1.0);
-  c.p->update(-1.0, *b.p, 1.0);
+  algebra::BlockVector c(a.space());
+  c.assign(a);
+  c[0].update(-1.0, b[0], 1.0);
+  c[1].update(-1.0, b[1], 1.0);
   return norm(c) / norm(b);
 }
 
 /// y ← a x + y
 inline void add(double a, const algebra::BlockVector& x, algebra::BlockVector& y) {
-  y.u->update(a, *x.u, 1.0);
-  y.p->update(a, *x.p, 1.0);
+  y[0].update(a, x[0], 1.0);
+  y[1].update(a, x[1], 1.0);
 }
 
 /// The values of a distributed block vector by vertex of the mesh, on every rank: 4 v + i.
 inline std::vector<double> by_vertex(const fields::FieldMesh& mesh, const algebra::BlockVector& x,
                                      std::size_t vertices) {
   std::vector<double> mine(4 * vertices, 0.0), all(4 * vertices, 0.0);
-  const auto u = x.u->getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto p = x.p->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto u = x[0].getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto p = x[1].getLocalViewHost(Tpetra::Access::ReadOnly);
   for (int a = 0; a < mesh.n_owned; ++a) {
     for (int i = 0; i < 3; ++i) mine[4 * mesh.vertex[a] + i] = u(3 * a + i, 0);
     mine[4 * mesh.vertex[a] + 3] = p(a, 0);

@@ -71,10 +71,10 @@ TEUCHOS_UNIT_TEST(node_graph, elements_find_their_pairs) {
 TEUCHOS_UNIT_TEST(block_operator, apply_is_the_product_with_the_whole_matrix) {
   const SmallTube tube;
   fields::BlockOperator K(tube.fluid);
-  fill(*K.A, tube.fluid, K.graph(), 0, 3, 0, 3);
-  fill(*K.B1T, tube.fluid, K.graph(), 0, 3, 3, 1);
-  fill(*K.B2, tube.fluid, K.graph(), 3, 1, 0, 3);
-  fill(*K.mC, tube.fluid, K.graph(), 3, 1, 3, 1);
+  fill(*K(0, 0), tube.fluid, K.graph(), 0, 3, 0, 3);
+  fill(*K(0, 1), tube.fluid, K.graph(), 0, 3, 3, 1);
+  fill(*K(1, 0), tube.fluid, K.graph(), 3, 1, 0, 3);
+  fill(*K(1, 1), tube.fluid, K.graph(), 3, 1, 3, 1);
   const auto x = test::scattered(tube.fluid, 1);
   auto y = test::scattered(tube.fluid, 2);  // overwritten
   K.apply(x, y);

@@ -90,8 +90,8 @@ TEUCHOS_UNIT_TEST(field_mesh, maps_are_contiguous_and_three_dofs_follow_their_no
 TEUCHOS_UNIT_TEST(field_mesh, ghosts_receive_the_values_of_their_owners) {
   const SmallTube tube;
   const auto x = test::block_vector(tube.wall, [](int v, int i) { return 10.0 * v + i; });
-  const auto u = fields::ghosted_vectors(tube.wall, *x.u);
-  const auto p = fields::ghosted_scalars(tube.wall, *x.p);
+  const auto u = fields::ghosted_vectors(tube.wall, x[0]);
+  const auto p = fields::ghosted_scalars(tube.wall, x[1]);
   TEST_EQUALITY(static_cast<int>(u.size()), tube.wall.n_nodes());
   for (int a = 0; a < tube.wall.n_nodes(); ++a) {
     const double v = 10.0 * tube.wall.vertex[a];
@@ -100,7 +100,7 @@ TEUCHOS_UNIT_TEST(field_mesh, ghosts_receive_the_values_of_their_owners) {
   }
   Vector stored(tube.wall.vector_map);
   fields::store(u, tube.wall, stored);
-  stored.update(-1.0, *x.u, 1.0);
+  stored.update(-1.0, x[0], 1.0);
   TEST_EQUALITY(stored.normInf(), 0.0);
 }
 

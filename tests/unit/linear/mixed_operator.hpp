@@ -27,7 +27,7 @@ public:
   /// The Jacobian at a displacement without pattern of the given size [mm].
   void set(double size) {
     const auto x = scattered(*mesh_, 5, size);
-    const assembly::SolidFields state{fields::ghosted_vectors(*mesh_, *x.u),
+    const assembly::SolidFields state{fields::ghosted_vectors(*mesh_, x[0]),
                                       std::vector<double>(mesh_->n_nodes(), 0.0),
                                       std::vector<Vec3>(mesh_->n_nodes())};
     assembly::NodalResidual R(*mesh_);

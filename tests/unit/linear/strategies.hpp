@@ -47,14 +47,12 @@ inline Teuchos::ParameterList solver_list(const std::string& method,
 
 inline algebra::BlockVector apply(const linear::BlockPreconditioner& P,
                                   const fields::FieldMesh& mesh, const algebra::BlockVector& r) {
-  const algebra::Concatenation blocks(mesh.vector_map, mesh.node_map);
+  const algebra::Concatenation blocks(r.space());
   MultiVector all_r(blocks.map(), 1), all_z(blocks.map(), 1);
-  blocks.vector_part(all_r)->assign(*r.u);
-  blocks.scalar_part(all_r)->assign(*r.p);
+  blocks.gather(r, all_r);
   P.apply(all_r, all_z);
   algebra::BlockVector z = fields::zero_vector(mesh);
-  z.u->assign(*blocks.vector_part(all_z));
-  z.p->assign(*blocks.scalar_part(all_z));
+  blocks.scatter(all_z, z);
   return z;
 }
 
@@ -69,7 +67,7 @@ public:
     return names;
   }
   Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override {
-    const auto D = Teuchos::rcp(new CrsMatrix(*K_->mC, Teuchos::Copy));
+    const auto D = Teuchos::rcp(new CrsMatrix(*(*K_)(1, 1), Teuchos::Copy));
     D->resumeFill();
     D->setAllToScalar(0.0);
     for (std::size_t i = 0; i < n_local_rows(*D); ++i) {
@@ -77,7 +75,7 @@ public:
       D->replaceGlobalValues(g, Teuchos::tuple<GlobalOrdinal>(g),
                              Teuchos::tuple<Scalar>(values_.at(name)));
     }
-    D->fillComplete(K_->mC->getDomainMap(), K_->mC->getRangeMap());
+    D->fillComplete((*K_)(1, 1)->getDomainMap(), (*K_)(1, 1)->getRangeMap());
     return D;
   }
 

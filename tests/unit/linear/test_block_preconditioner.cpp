@@ -33,20 +33,20 @@ void make_diagonal(CrsMatrix& A) {
 
 /// (C + B2 diag(A)⁻¹ B1ᵀ) p.
 Vector schur_times(const fields::BlockOperator& K, const Vector& p) {
-  Vector diagonal(K.A->getRowMap()), u(K.A->getRowMap()), Sp(K.mC->getRowMap());
-  K.A->getLocalDiagCopy(diagonal);
+  Vector diagonal(K(0, 0)->getRowMap()), u(K(0, 0)->getRowMap()), Sp(K(1, 1)->getRowMap());
+  K(0, 0)->getLocalDiagCopy(diagonal);
   diagonal.reciprocal(diagonal);
-  K.B1T->apply(p, u);
+  K(0, 1)->apply(p, u);
   u.elementWiseMultiply(1.0, diagonal, u, 0.0);
-  K.B2->apply(u, Sp);
-  K.mC->apply(p, Sp, Teuchos::NO_TRANS, -1.0, 1.0);
+  K(1, 0)->apply(u, Sp);
+  K(1, 1)->apply(p, Sp, Teuchos::NO_TRANS, -1.0, 1.0);
   return Sp;
 }
 
 TEUCHOS_UNIT_TEST(block_lu, with_exact_blocks_it_solves_in_at_most_two_iterations) {
   const SmallTube tube;
   test::WallJacobian jacobian(tube);
-  make_diagonal(*jacobian.K.A);
+  make_diagonal(*jacobian.K(0, 0));
   const auto b = test::scattered(tube.wall, 1);
   for (const std::string type : {"LU Upper", "LU Lower", "LU Full"}) {
     const auto solver =
@@ -69,21 +69,21 @@ TEUCHOS_UNIT_TEST(block_lu, upper_and_lower_are_the_inverses_of_their_block_form
     linear::BlockPreconditioner P(strategy(type, "Algebraic"), K, linear::no_operators());
     P.refresh();
     const auto z = apply(P, tube.wall, r);
-    Vector u(*r.u, Teuchos::Copy), p(*r.p, Teuchos::Copy);
-    K.A->apply(*z.u, u);  // P z must give r back
-    Vector minus_Sz = schur_times(K, *z.p);
+    Vector u(r[0], Teuchos::Copy), p(r[1], Teuchos::Copy);
+    K(0, 0)->apply(z[0], u);  // P z must give r back
+    Vector minus_Sz = schur_times(K, z[1]);
     minus_Sz.scale(-1.0);
     p.assign(minus_Sz);
-    if (type != "LU Lower") K.B1T->apply(*z.p, u, Teuchos::NO_TRANS, 1.0, 1.0);
-    if (type == "LU Lower") K.B2->apply(*z.u, p, Teuchos::NO_TRANS, 1.0, 1.0);
+    if (type != "LU Lower") K(0, 1)->apply(z[1], u, Teuchos::NO_TRANS, 1.0, 1.0);
+    if (type == "LU Lower") K(1, 0)->apply(z[0], p, Teuchos::NO_TRANS, 1.0, 1.0);
     if (type == "LU Full") {  // second row: B2 A⁻¹ r_u − S z_p, and A⁻¹ r_u = z_u + A⁻¹ B1ᵀ z_p
       linear::BlockPreconditioner L(strategy("LU Lower", "Algebraic"), K, linear::no_operators());
       L.refresh();
       const auto A_inverse_r = apply(L, tube.wall, r);
-      K.B2->apply(*A_inverse_r.u, p, Teuchos::NO_TRANS, 1.0, 1.0);
+      K(1, 0)->apply(A_inverse_r[0], p, Teuchos::NO_TRANS, 1.0, 1.0);
     }
-    TEST_COMPARE(distance(u, *r.u), <, 1e-9);
-    TEST_COMPARE(distance(p, *r.p), <, 1e-9);
+    TEST_COMPARE(distance(u, r[0]), <, 1e-9);
+    TEST_COMPARE(distance(p, r[1]), <, 1e-9);
   }
 }
 
@@ -106,7 +106,7 @@ TEUCHOS_UNIT_TEST(block_lu, the_papers_schur_complements_follow_their_formulas) 
     linear::BlockPreconditioner P(list, jacobian.K, operators);
     P.refresh();
     const auto z = apply(P, tube.wall, r);
-    return -z.p->dot(*r.p) / r.p->dot(*r.p);
+    return -z[1].dot(r[1]) / r[1].dot(r[1]);
   };
   // L⁻¹ + M⁻¹, L⁻¹ + M⁻¹ + M⁻¹ N L⁻¹, and the inverse of M_s/θ + M_b
   TEST_FLOATING_EQUALITY(factor_of("Operator Splitting", "Convection", false, 0), 0.75, 1e-12);
@@ -123,9 +123,9 @@ TEUCHOS_UNIT_TEST(block_lu, the_stabilisation_joins_the_laplacian) {
   linear::BlockPreconditioner P(strategy("LU Upper", "Operator Splitting"), jacobian.K, operators);
   P.refresh();
   const auto z = apply(P, tube.wall, r);
-  Vector back(*z.p, Teuchos::Copy);  // −(L + C) z = r
-  jacobian.K.mC->apply(*z.p, back, Teuchos::NO_TRANS, 1.0, -2.0);
-  TEST_COMPARE(distance(back, *r.p), <, 1e-9);
+  Vector back(z[1], Teuchos::Copy);  // −(L + C) z = r
+  jacobian.K(1, 1)->apply(z[1], back, Teuchos::NO_TRANS, 1.0, -2.0);
+  TEST_COMPARE(distance(back, r[1]), <, 1e-9);
 }
 
 TEUCHOS_UNIT_TEST(block_lu, unknown_names_are_refused_with_the_known_ones) {

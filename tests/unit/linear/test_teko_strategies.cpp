@@ -108,18 +108,18 @@ TEUCHOS_UNIT_TEST(teko, simple_is_the_inverse_of_its_formula) {
   const double alpha = 0.9;
   const auto z = wall.preconditioned(from_xml(simple));
   // P = [A 0; B2 Ŝ] [I H B1ᵀ/α; 0 I/α],  Ŝ = −C − B2 H B1ᵀ,  H = 1 / Σ|A|
-  Vector HBz(K.A->getRowMap()), BHBz(K.mC->getRowMap());
-  K.B1T->apply(*z.p, HBz);
-  HBz.elementWiseMultiply(1.0, inverse_absolute_row_sums(*K.A), HBz, 0.0);
-  K.B2->apply(HBz, BHBz);
-  Vector q(*z.u, Teuchos::Copy), u(*wall.r.u, Teuchos::Copy), p(*wall.r.p, Teuchos::Copy);
+  Vector HBz(K(0, 0)->getRowMap()), BHBz(K(1, 1)->getRowMap());
+  K(0, 1)->apply(z[1], HBz);
+  HBz.elementWiseMultiply(1.0, inverse_absolute_row_sums(*K(0, 0)), HBz, 0.0);
+  K(1, 0)->apply(HBz, BHBz);
+  Vector q(z[0], Teuchos::Copy), u(wall.r[0], Teuchos::Copy), p(wall.r[1], Teuchos::Copy);
   q.update(1.0 / alpha, HBz, 1.0);
-  K.A->apply(q, u);
-  K.mC->apply(*z.p, p);
+  K(0, 0)->apply(q, u);
+  K(1, 1)->apply(z[1], p);
   p.update(-1.0, BHBz, 1.0);
-  K.B2->apply(q, p, Teuchos::NO_TRANS, 1.0, 1.0 / alpha);
-  TEST_COMPARE(distance(u, *wall.r.u), <, 1e-9);
-  TEST_COMPARE(distance(p, *wall.r.p), <, 1e-9);
+  K(1, 0)->apply(q, p, Teuchos::NO_TRANS, 1.0, 1.0 / alpha);
+  TEST_COMPARE(distance(u, wall.r[0]), <, 1e-9);
+  TEST_COMPARE(distance(p, wall.r[1]), <, 1e-9);
 }
 
 TEUCHOS_UNIT_TEST(teko, the_diagonal_strategy_is_our_full_factorisation) {
@@ -133,13 +133,13 @@ TEUCHOS_UNIT_TEST(teko, block_gauss_seidel_inverts_a_triangle_of_the_blocks) {
   const Wall wall;
   for (const bool is_upper : {false, true}) {
     const auto z = wall.preconditioned(from_xml(gauss_seidel(is_upper)));
-    Vector u(*wall.r.u, Teuchos::Copy), p(*wall.r.p, Teuchos::Copy);
-    wall.K.A->apply(*z.u, u);
-    wall.K.mC->apply(*z.p, p);
-    if (is_upper) wall.K.B1T->apply(*z.p, u, Teuchos::NO_TRANS, 1.0, 1.0);
-    if (!is_upper) wall.K.B2->apply(*z.u, p, Teuchos::NO_TRANS, 1.0, 1.0);
-    TEST_COMPARE(distance(u, *wall.r.u), <, 1e-9);
-    TEST_COMPARE(distance(p, *wall.r.p), <, 1e-9);
+    Vector u(wall.r[0], Teuchos::Copy), p(wall.r[1], Teuchos::Copy);
+    wall.K(0, 0)->apply(z[0], u);
+    wall.K(1, 1)->apply(z[1], p);
+    if (is_upper) wall.K(0, 1)->apply(z[1], u, Teuchos::NO_TRANS, 1.0, 1.0);
+    if (!is_upper) wall.K(1, 0)->apply(z[0], p, Teuchos::NO_TRANS, 1.0, 1.0);
+    TEST_COMPARE(distance(u, wall.r[0]), <, 1e-9);
+    TEST_COMPARE(distance(p, wall.r[1]), <, 1e-9);
   }
 }
 
@@ -152,10 +152,10 @@ TEUCHOS_UNIT_TEST(teko, lsc_runs_on_one_rank) {
   }
   const Wall wall;
   const auto z = wall.preconditioned(from_xml(lsc));
-  Vector u(*wall.r.u, Teuchos::Copy);  // the first row of its P is that of K
-  wall.K.A->apply(*z.u, u);
-  wall.K.B1T->apply(*z.p, u, Teuchos::NO_TRANS, 1.0, 1.0);
-  TEST_COMPARE(distance(u, *wall.r.u), <, 1e-9);
+  Vector u(wall.r[0], Teuchos::Copy);  // the first row of its P is that of K
+  wall.K(0, 0)->apply(z[0], u);
+  wall.K(0, 1)->apply(z[1], u, Teuchos::NO_TRANS, 1.0, 1.0);
+  TEST_COMPARE(distance(u, wall.r[0]), <, 1e-9);
   const auto report = wall.solved(from_xml(lsc));
   out << report.iterations << " iterations\n";
   TEST_ASSERT(report.is_converged);

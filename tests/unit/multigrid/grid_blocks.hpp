@@ -1,27 +1,35 @@
 #pragma once
-#include "tunica/algebra/block_matrices.hpp"
+#include "tunica/algebra/block_matrix.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "unit/multigrid/grid.hpp"
 
 namespace tunica::test {
 
-/// The numbers of its rows.
-inline Teuchos::RCP<const Vector> order_of(const CrsMatrix& A) {
-  const auto order = Teuchos::rcp(new Vector(A.getRowMap()));
-  for (const GlobalOrdinal row : global_numbers(*A.getRowMap()))
+/// A matrix on the nodes of a block, in the order of their numbers.
+inline algebra::Nodes nodes_of(const Teuchos::RCP<const CrsMatrix>& graph) {
+  const auto order = Teuchos::rcp(new Vector(graph->getRowMap()));
+  for (const GlobalOrdinal row : global_numbers(*graph->getRowMap()))
     order->replaceGlobalValue(row, static_cast<Scalar>(row));
-  return order;
+  return {graph, order};
+}
+
+/// A block of vectors A on nodes, a block of scalars C on nodes of its own; nothing between them.
+inline algebra::BlockMatrix two_blocks(const Teuchos::RCP<CrsMatrix>& A, int components,
+                                       const algebra::Nodes& nodes,
+                                       const Teuchos::RCP<CrsMatrix>& C) {
+  const algebra::Nodes own = nodes.graph == C ? nodes : nodes_of(C);
+  algebra::BlockMatrix K(std::make_shared<const algebra::BlockSpace>(std::vector<algebra::Block>{
+      {"vector", A->getRowMap(), components, nodes}, {"scalar", C->getRowMap(), 1, own}}));
+  K.set(0, 0, A);
+  K.set(1, 1, C);
+  return K;
 }
 
 /// The diagonal blocks, Laplacians, of a system on a grid.
-inline algebra::BlockMatrices blocks_on(const Grid& grid, const CommPtr& comm = world(),
-                                        int components = 3) {
-  algebra::BlockMatrices K;
-  K.A = grid.laplacian(comm, components);
-  K.mC = grid.laplacian(comm);
-  K.components = components;
-  K.vectors = K.scalars = {K.mC, order_of(*K.mC)};
-  return K;
+inline algebra::BlockMatrix blocks_on(const Grid& grid, const CommPtr& comm = world(),
+                                      int components = 3) {
+  const auto C = grid.laplacian(comm);
+  return two_blocks(grid.laplacian(comm, components), components, nodes_of(C), C);
 }
 
 }  // namespace tunica::test

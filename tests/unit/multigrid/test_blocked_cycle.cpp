@@ -76,7 +76,7 @@ Teuchos::ParameterList schwarz_list() {
 }
 
 Teuchos::RCP<multigrid::MixedCoarsening> nodes_of(const WallMatrix& wall) {
-  return Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K));
+  return Teuchos::rcp(new multigrid::MixedCoarsening(*wall.jacobian.K.space()));
 }
 
 Teuchos::RCP<multigrid::Cycle> make_cycle(const WallMatrix& wall,

@@ -24,7 +24,7 @@ struct System {
 
   explicit System(const Grid& grid, int dofs = 1)
       : A(grid.laplacian(test::world(), dofs)),
-        coarsening(Teuchos::rcp(new multigrid::MixedCoarsening(test::blocks_on(grid)))) {}
+        coarsening(Teuchos::rcp(new multigrid::MixedCoarsening(*test::blocks_on(grid).space()))) {}
 
   double energy(const Vector& e) const {  // eᵀ A e
     Vector Ae(e.getMap());

@@ -141,9 +141,9 @@ Dense mass(const fields::FieldMesh& mesh) {
 /// The levels of a system, made as a hierarchy makes them.
 std::vector<Level> levels_of(const fields::BlockOperator& K) {
   std::vector<Level> levels{
-      {dense(*K.A), dense(*K.B1T), dense(*K.B2), dense(*K.mC, -1.0), mass(K.mesh())}};
-  multigrid::MixedCoarsening coarsening(K);
-  Teuchos::RCP<const Map> vectors = K.vector_map(), scalars = K.scalar_map();
+      {dense(*K(0, 0)), dense(*K(0, 1)), dense(*K(1, 0)), dense(*K(1, 1), -1.0), mass(K.mesh())}};
+  multigrid::MixedCoarsening coarsening(*K.space());
+  Teuchos::RCP<const Map> vectors = (*K.space())[0].map, scalars = (*K.space())[1].map;
   for (int level = 0;; ++level) {
     const auto Pu = coarsening.prolongator(level, *vectors);
     const auto Pp = coarsening.prolongator(level, *scalars);

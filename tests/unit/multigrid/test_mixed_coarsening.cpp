@@ -57,15 +57,18 @@ Teuchos::RCP<CrsMatrix> shifted(const CrsMatrix& A, GlobalOrdinal by) {
   return result;
 }
 
+Teuchos::RCP<const Map> map_of(const algebra::BlockMatrix& K, int block) {
+  return (*K.space())[block].map;
+}
+
 TEUCHOS_UNIT_TEST(mixed_coarsening,
                   blocks_on_the_same_nodes_repeat_the_prolongator_of_one_unknown) {
   for (const int components : {2, 3}) {
     const auto K = test::blocks_on({9, 7, 5, true}, test::world(), components);
-    MixedCoarsening coarsening(K);
+    MixedCoarsening coarsening(*K.space());
     const int dofs = components + 1;
-    const algebra::DofLayout numbering{components};
-    Teuchos::RCP<const Map> nodes = K.scalar_map(), vectors = K.vector_map();
-    Teuchos::RCP<const Map> both = numbering.mixed_map(*vectors, *nodes);
+    Teuchos::RCP<const Map> nodes = map_of(K, 1), vectors = map_of(K, 0);
+    Teuchos::RCP<const Map> both = algebra::DofLayout(*K.space()).merged_map(*K.space());
     for (int level = 0; nodes->getGlobalNumElements() > 1; ++level) {
       const auto P = coarsening.prolongator(level, *nodes);
       const auto Pu = coarsening.prolongator(level, *vectors);
@@ -89,12 +92,13 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
 }
 
 TEUCHOS_UNIT_TEST(mixed_coarsening, rows_of_blocks_on_different_nodes_are_those_of_each) {
-  auto K = test::blocks_on({9, 9, 5, true});
-  K.mC = Grid{5, 5, 3, true}.laplacian(test::world());
-  K.scalars = {K.mC, test::order_of(*K.mC)};
-  MixedCoarsening coarsening(K);
-  Teuchos::RCP<const Map> nodes = K.scalar_map(), vectors = K.vector_map();
-  Teuchos::RCP<const Map> both = algebra::DofLayout().mixed_map(*vectors, *nodes);
+  const Grid fine{9, 9, 5, true};
+  const auto K = test::two_blocks(fine.laplacian(test::world(), 3), 3,
+                                  test::nodes_of(fine.laplacian(test::world())),
+                                  Grid{5, 5, 3, true}.laplacian(test::world()));
+  MixedCoarsening coarsening(*K.space());
+  Teuchos::RCP<const Map> nodes = map_of(K, 1), vectors = map_of(K, 0);
+  Teuchos::RCP<const Map> both = algebra::DofLayout().merged_map(*K.space());
   for (int level = 0; level < 2; ++level) {
     const auto Pu = coarsening.prolongator(level, *vectors);
     const auto Pp = coarsening.prolongator(level, *nodes);
@@ -118,12 +122,13 @@ bool is_missing(GlobalOrdinal number) { return number % 3 == 1 && number / 3 % 4
 
 TEUCHOS_UNIT_TEST(mixed_coarsening,
                   nodes_that_lack_a_component_interpolate_from_those_that_have_it) {
-  auto K = test::blocks_on({9, 7, 5, true});
-  K.A = without(*K.A, is_missing);
-  MixedCoarsening coarsening(K);
-  const auto P = coarsening.prolongator(0, *K.scalar_map());
-  const auto Pu = coarsening.prolongator(0, *K.vector_map());
-  TEST_ASSERT(Pu->getRowMap()->isSameAs(*K.A->getRowMap()));
+  const auto whole = test::blocks_on({9, 7, 5, true});
+  const auto K = test::two_blocks(without(*whole(0, 0), is_missing), 3, (*whole.space())[0].nodes,
+                                  whole(1, 1));
+  MixedCoarsening coarsening(*K.space());
+  const auto P = coarsening.prolongator(0, *map_of(K, 1));
+  const auto Pu = coarsening.prolongator(0, *map_of(K, 0));
+  TEST_ASSERT(Pu->getRowMap()->isSameAs(*K(0, 0)->getRowMap()));
   TEST_COMPARE(columns(*Pu), <, 3 * columns(*P));
   Vector ones(Pu->getDomainMap()), sums(Pu->getRangeMap()), reached(Pu->getDomainMap());
   ones.putScalar(1.0);
@@ -143,21 +148,21 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
 
 /// As on staggered grids: as many scalars as vectors, elsewhere.
 TEUCHOS_UNIT_TEST(mixed_coarsening, blocks_with_as_many_rows_on_different_nodes_are_told_apart) {
-  auto K = test::blocks_on({8, 9, 1, false}, test::world(), 1);
-  K.mC = shifted(*Grid{9, 8, 1, true}.laplacian(test::world()), 1000);
-  K.scalars = {K.mC, test::order_of(*K.mC)};
-  MixedCoarsening coarsening(K);
-  TEST_ASSERT(coarsening.prolongator(0, *K.vector_map())->getRowMap()->isSameAs(*K.vector_map()));
-  TEST_ASSERT(coarsening.prolongator(0, *K.scalar_map())->getRowMap()->isSameAs(*K.scalar_map()));
+  const auto A = Grid{8, 9, 1, false}.laplacian(test::world());
+  const auto K = test::two_blocks(A, 1, test::nodes_of(A),
+                                  shifted(*Grid{9, 8, 1, true}.laplacian(test::world()), 1000));
+  MixedCoarsening coarsening(*K.space());
+  TEST_ASSERT(coarsening.prolongator(0, *map_of(K, 0))->getRowMap()->isSameAs(*map_of(K, 0)));
+  TEST_ASSERT(coarsening.prolongator(0, *map_of(K, 1))->getRowMap()->isSameAs(*map_of(K, 1)));
 }
 
 TEUCHOS_UNIT_TEST(mixed_coarsening, knows_a_mixed_matrix_from_a_block) {
   const auto K = test::blocks_on({4, 4, 4, true});
-  MixedCoarsening coarsening(K);
+  MixedCoarsening coarsening(*K.space());
   const auto both = Grid{4, 4, 4, true}.laplacian(test::world(), 4);
   coarsening.check_mixed(0, *both);
-  TEST_THROW(coarsening.check_mixed(0, *K.A), std::runtime_error);
-  TEST_THROW(coarsening.check_mixed(0, *K.mC), std::runtime_error);
+  TEST_THROW(coarsening.check_mixed(0, *K(0, 0)), std::runtime_error);
+  TEST_THROW(coarsening.check_mixed(0, *K(1, 1)), std::runtime_error);
   TEST_THROW(coarsening.check_mixed(0, *Grid{5, 5, 5, true}.laplacian(test::world(), 3)),
              std::runtime_error);
   TEST_THROW(coarsening.prolongator(0, Map(17, 0, test::world())), std::runtime_error);

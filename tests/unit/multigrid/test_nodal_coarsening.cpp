@@ -21,10 +21,10 @@ const std::vector<Grid> grids{{9, 7, 5, true}, {6, 5, 7, false}, {40, 1, 1, fals
 /// Grids, and the nodes of two meshes, whose numbers hang on the ranks.
 std::vector<algebra::Nodes> graphs(const CommPtr& comm = test::world()) {
   std::vector<algebra::Nodes> all;
-  for (const Grid& grid : grids) all.push_back(test::blocks_on(grid, comm).scalars);
+  for (const Grid& grid : grids) all.push_back((*test::blocks_on(grid, comm).space())[1].nodes);
   const SmallTube tube(comm);
   for (const fields::FieldMesh* mesh : {&tube.fluid, &tube.wall})
-    all.push_back(fields::BlockOperator(*mesh).scalars);
+    all.push_back((*fields::BlockOperator(*mesh).space())[1].nodes);
   return all;
 }
 
@@ -55,7 +55,7 @@ std::vector<GlobalOrdinal> fine_numbers(const CrsMatrix& nodes, const CrsMatrix&
 TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number_of_ranks) {
   for (const Grid& grid : grids) {
     const auto nodes = grid.laplacian(test::world());
-    const auto is_coarse = algebra::independent_set(*nodes, *test::order_of(*nodes));
+    const auto is_coarse = algebra::independent_set(*nodes, *test::nodes_of(nodes).order);
     const auto expected = greedy_set(grid);
     TEST_EQUALITY(is_coarse.size(), n_local(*nodes->getColMap()));
     bool is_same = true;  // own nodes and ghosts
@@ -143,8 +143,8 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, levels_shrink_and_keep_constants_down_to_one
 TEUCHOS_UNIT_TEST(nodal_coarsening, prolongators_of_grids_do_not_depend_on_the_ranks) {
   for (const Grid& grid : grids) {
     const auto nodes = grid.laplacian(test::world()), alone = grid.laplacian(test::alone());
-    NodalCoarsening parallel(nodes, *test::order_of(*nodes));
-    NodalCoarsening serial(alone, *test::order_of(*alone));
+    NodalCoarsening parallel(nodes, *test::nodes_of(nodes).order);
+    NodalCoarsening serial(alone, *test::nodes_of(alone).order);
     for (int level = 0; n_nodes(serial, level) > 1; ++level) {
       const auto P = parallel.prolongator(level), expected = serial.prolongator(level);
       TEST_EQUALITY(n_nodes(parallel, level + 1), n_nodes(serial, level + 1));
@@ -168,7 +168,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, levels_of_a_mesh_do_not_depend_on_how_it_is_
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, what_was_made_once_is_kept) {
   const auto nodes = grids[0].laplacian(test::world());
-  NodalCoarsening coarsening(nodes, *test::order_of(*nodes));
+  NodalCoarsening coarsening(nodes, *test::nodes_of(nodes).order);
   for (const int level : {1, 0}) {
     const auto first = coarsening.prolongator(level);
     TEST_EQUALITY(coarsening.prolongator(level).get(), first.get());

@@ -55,7 +55,7 @@ double distance(const Operator& M, const Operator& N, const Vector& b) {
 
 TEUCHOS_UNIT_TEST(cycle, after_a_refresh_it_is_what_a_new_one_is) {
   WallMatrix wall;
-  const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K));
+  const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(*wall.jacobian.K.space()));
   const Vector b = wall.scattered(5);
   for (const auto& [name, list] : lists()) {
     wall.jacobian.set(0.005);
@@ -80,7 +80,7 @@ TEUCHOS_UNIT_TEST(cycle, after_a_refresh_it_is_what_a_new_one_is) {
 /// In the first state of a run many entries of the graph are zero.
 TEUCHOS_UNIT_TEST(cycle, entries_that_were_zero_at_first_may_become_others) {
   WallMatrix wall;
-  const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K));
+  const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(*wall.jacobian.K.space()));
   const auto K = Teuchos::rcp(new CrsMatrix(*wall.K(), Teuchos::Copy));
   const auto set = [&](bool is_sparse) {
     K->resumeFill();
@@ -112,7 +112,7 @@ TEUCHOS_UNIT_TEST(cycle, entries_that_were_zero_at_first_may_become_others) {
 
 TEUCHOS_UNIT_TEST(cycle, lists_with_parts_of_muelu_are_set_up_anew) {
   WallMatrix wall;
-  const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K));
+  const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(*wall.jacobian.K.space()));
   Teuchos::ParameterList list = list_with([](auto& s) { s.set("factory", "VankaSmoother"); });
   list.sublist("Factories").sublist("Galerkin").set("factory", "RAPFactory");
   multigrid::Cycle cycle(wall.K(), nodes, list);
@@ -126,7 +126,7 @@ TEUCHOS_UNIT_TEST(cycle, lists_with_parts_of_muelu_are_set_up_anew) {
 
 TEUCHOS_UNIT_TEST(cycle, honours_the_factors_of_apply) {
   const WallMatrix wall;
-  const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K));
+  const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(*wall.jacobian.K.space()));
   const multigrid::Cycle cycle(wall.K(), nodes, multigrid::mixed_cycle_list(1));
   const Vector b = wall.scattered(1);
   Vector once(b.getMap()), y = wall.scattered(2), expected(y, Teuchos::Copy);

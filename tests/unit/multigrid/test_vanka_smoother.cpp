@@ -27,7 +27,7 @@ Teuchos::ParameterList vanka_list(double stabilisation_scaling = 1.0) {
 
 Teuchos::RCP<multigrid::Cycle> cycle(const WallMatrix& wall, const Teuchos::ParameterList& list) {
   return Teuchos::rcp(new multigrid::Cycle(
-      wall.K(), Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K)), list));
+      wall.K(), Teuchos::rcp(new multigrid::MixedCoarsening(*wall.jacobian.K.space())), list));
 }
 
 /// The matrices of the levels of a cycle.

@@ -26,12 +26,12 @@ public:
   void fail_in_solve(int number) { failing_ = number; }
   const std::vector<double>& tolerances() const { return tolerances_; }
 
-  CommPtr comm() const override { return mesh_->comm; }
+  const algebra::BlockSpacePtr& space() const override { return diagonal_.space(); }
   bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override {
-    const auto u = x.u->getLocalViewHost(Tpetra::Access::ReadOnly);
-    const auto p = x.p->getLocalViewHost(Tpetra::Access::ReadOnly);
-    const auto Fu = F.u->getLocalViewHost(Tpetra::Access::OverwriteAll);
-    const auto Fp = F.p->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    const auto u = x[0].getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto p = x[1].getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto Fu = F[0].getLocalViewHost(Tpetra::Access::OverwriteAll);
+    const auto Fp = F[1].getLocalViewHost(Tpetra::Access::OverwriteAll);
     bool is_admissible = true;
     for (std::size_t k = 0; k < u.extent(0); ++k) Fu(k, 0) = u(k, 0) - 1.0;
     for (std::size_t k = 0; k < p.extent(0); ++k) {
@@ -41,14 +41,14 @@ public:
     return all_agree(*mesh_->comm, is_admissible);
   }
   void jacobian(const algebra::BlockVector& x) override {
-    diagonal_.u->putScalar(1.0);
-    const auto p = x.p->getLocalViewHost(Tpetra::Access::ReadOnly);
-    const auto d = diagonal_.p->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    diagonal_[0].putScalar(1.0);
+    const auto p = x[1].getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto d = diagonal_[1].getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (std::size_t k = 0; k < p.extent(0); ++k) d(k, 0) = slope_(p(k, 0));
   }
   void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const override {
-    y.u->elementWiseMultiply(1.0, *diagonal_.u, *x.u, 0.0);
-    y.p->elementWiseMultiply(1.0, *diagonal_.p, *x.p, 0.0);
+    y[0].elementWiseMultiply(1.0, diagonal_[0], x[0], 0.0);
+    y[1].elementWiseMultiply(1.0, diagonal_[1], x[1], 0.0);
   }
   linear::LinearSolver& linear_solver() override { return *this; }
   double increment_norm(const algebra::BlockVector& dx) override {
@@ -62,9 +62,9 @@ public:
                             double tolerance) override {
     tolerances_.push_back(tolerance);
     Vector inverse(mesh_->node_map);
-    inverse.reciprocal(*diagonal_.p);
-    x.u->update(1.0, *b.u, 0.0);
-    x.p->elementWiseMultiply(1.0 - tolerance, inverse, *b.p, 0.0);
+    inverse.reciprocal(diagonal_[1]);
+    x[0].update(1.0, b[0], 0.0);
+    x[1].elementWiseMultiply(1.0 - tolerance, inverse, b[1], 0.0);
     linear::SolveReport report;
     report.method = "stub";
     report.is_converged = static_cast<int>(tolerances_.size()) != failing_;
@@ -108,7 +108,7 @@ algebra::BlockVector start(const fields::FieldMesh& mesh, double p) {
 }
 
 double worst_pressure(const algebra::BlockVector& x, double expected) {
-  Vector difference(*x.p, Teuchos::Copy);
+  Vector difference(x[1], Teuchos::Copy);
   for (std::size_t k = 0; k < difference.getLocalLength(); ++k)
     difference.sumIntoLocalValue(static_cast<int>(k), -expected);
   return difference.normInf();

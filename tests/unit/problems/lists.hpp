@@ -45,7 +45,7 @@ inline Teuchos::ParameterList resolved(Teuchos::ParameterList list, const params
 /// x without the entries of nodes on the given surfaces, where conditions fix the vector.
 inline algebra::BlockVector free_part(const fields::FieldMesh& mesh, algebra::BlockVector x,
                                       const std::vector<int>& surfaces) {
-  const auto u = x.u->getLocalViewHost(Tpetra::Access::ReadWrite);
+  const auto u = x[0].getLocalViewHost(Tpetra::Access::ReadWrite);
   for (int a = 0; a < mesh.n_owned; ++a)
     for (const int s : surfaces)
       if (mesh.is_on(a, s))
@@ -68,8 +68,8 @@ double jacobian_error(Problem& problem, const algebra::BlockVector& x,
   problem.residual(plus, quotient);
   problem.residual(minus, F);
   add(-1.0, F, quotient);
-  quotient.u->scale(0.5 / epsilon);
-  quotient.p->scale(0.5 / epsilon);
+  quotient[0].scale(0.5 / epsilon);
+  quotient[1].scale(0.5 / epsilon);
   problem.jacobian(x);
   problem.apply_jacobian(v, Kv);
   return relative_difference(quotient, Kv);

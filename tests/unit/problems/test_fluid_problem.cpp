@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(fluid_problem, rows_of_prescribed_velocities_have_no_residual)
   fluid.prepare();
   algebra::BlockVector F = fields::zero_vector(tube.fluid);
   fluid.residual(test::scattered(tube.fluid, 1), F);
-  const auto values = F.u->getData();
+  const auto values = F[0].getData();
   for (int a = 0; a < tube.fluid.n_owned; ++a)
     if (tube.fluid.is_on(a, tube.surface("interface")))
       for (int i = 0; i < 3; ++i) TEST_EQUALITY(values[3 * a + i], 0.0);
@@ -78,7 +78,7 @@ TEUCHOS_UNIT_TEST(fluid_problem, a_parabolic_profile_is_zero_at_the_rim_and_full
   FluidProblem fluid(test::resolved(list, problems::fluid_table()), tube.fluid);
   fluid.begin_step(stepping::Clock(0.25, 4));  // the amplitude is 0.25
   fluid.prepare();
-  const auto u = fields::ghosted_vectors(tube.fluid, *fluid.state().u);
+  const auto u = fields::ghosted_vectors(tube.fluid, fluid.state()[0]);
   double highest = 0.0;
   for (int a = 0; a < tube.fluid.n_owned; ++a) {
     if (!tube.fluid.is_on(a, tube.surface("inlet"))) continue;
@@ -172,7 +172,7 @@ TEUCHOS_UNIT_TEST(fluid_problem, the_interface_has_the_velocity_of_the_mesh) {
   const auto d = bulge(tube.fluid, 0.02), d_old = bulge(tube.fluid, 0.01);
   fluid.set_domain(d, d_old);
   fluid.prepare();
-  const auto u = fields::ghosted_vectors(tube.fluid, *fluid.state().u);
+  const auto u = fields::ghosted_vectors(tube.fluid, fluid.state()[0]);
   for (int a = 0; a < tube.fluid.n_owned; ++a)
     if (tube.fluid.is_on(a, tube.surface("interface")))
       TEST_COMPARE(norm(u[a] - 2.0 * (d[a] - d_old[a])), <, 1e-14);

@@ -35,11 +35,11 @@ TEUCHOS_UNIT_TEST(mixed_blocks, are_those_that_were_merged) {
     matrix.apply(v, result);
     return result;
   };
-  TEST_COMPARE(distance(product(*blocks.B1T, *x.p), product(*K.B1T, *x.p)), <, 1e-14);
-  TEST_COMPARE(distance(product(*blocks.B2, *x.u), product(*K.B2, *x.u)), <, 1e-14);
-  TEST_COMPARE(distance(product(*blocks.mC, *x.p), product(*K.mC, *x.p)), <, 1e-14);
-  Vector diagonal(K.A->getRowMap());
-  K.A->getLocalDiagCopy(diagonal);
+  TEST_COMPARE(distance(product(*blocks.B1T, x[1]), product(*K(0, 1), x[1])), <, 1e-14);
+  TEST_COMPARE(distance(product(*blocks.B2, x[0]), product(*K(1, 0), x[0])), <, 1e-14);
+  TEST_COMPARE(distance(product(*blocks.mC, x[1]), product(*K(1, 1), x[1])), <, 1e-14);
+  Vector diagonal(K(0, 0)->getRowMap());
+  K(0, 0)->getLocalDiagCopy(diagonal);
   TEST_EQUALITY(distance(*blocks.diagonal, diagonal), 0.0);
 }
 

@@ -170,8 +170,7 @@ TEUCHOS_UNIT_TEST(node_ilu, nodes_may_lack_unknowns_or_lie_in_a_plane) {
   const auto flat = [](int i) { return i % 4 == 2 ? -1 : i / 4 * 3 + std::min(i % 4, 2); };
   for (const auto& [K, components] :
        {std::pair{part_of(*wall.K(), few_pressures), 3}, std::pair{part_of(*wall.K(), flat), 2}}) {
-    DofLayout numbering;
-    numbering.components = components;
+    const DofLayout numbering({components, 1});
     Vector x(K->getRowMap()), b(x.getMap());
     x.randomize();
     K->apply(x, b);
@@ -205,8 +204,8 @@ TEUCHOS_UNIT_TEST(nodal_ilu_smoother, does_what_its_list_says) {
       .set("fill", 1)
       .set("precision", "double");
   list.sublist("Hierarchy").set("max levels", 1).sublist("All").set("CoarseSolver", "Sweeps");
-  const multigrid::Cycle cycle(wall.K(),
-                               Teuchos::rcp(new multigrid::MixedCoarsening(wall.jacobian.K)), list);
+  const multigrid::Cycle cycle(
+      wall.K(), Teuchos::rcp(new multigrid::MixedCoarsening(*wall.jacobian.K.space())), list);
   const auto factors = smoothers::make_node_ilu(*wall.K(), {}, {1, false});
   factors->refresh();
   const Vector b = wall.scattered(1);

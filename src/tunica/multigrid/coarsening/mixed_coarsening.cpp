@@ -77,43 +77,44 @@ private:
 
 }  // namespace
 
-MixedCoarsening::MixedCoarsening(const algebra::BlockMatrices& K)
-    : numbering_{K.components},
-      vectors_(std::make_shared<NodalCoarsening>(K.vectors.graph, *K.vectors.order)),
-      scalars_(K.scalars.graph == K.vectors.graph
-                   ? vectors_
-                   : std::make_shared<NodalCoarsening>(K.scalars.graph, *K.scalars.order)) {
-  maps_[{0, Part::vector}] = K.vector_map();
-  maps_[{0, Part::scalar}] = K.scalar_map();
-  maps_[{0, Part::both}] = numbering_.mixed_map(*K.vector_map(), *K.scalar_map());
+MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space) : numbering_(space) {
+  for (int b = 0; b < space.n_blocks(); ++b) {
+    const algebra::Nodes& nodes = space[b].nodes;
+    for (int c = 0; c < b && static_cast<int>(nodes_.size()) == b; ++c)
+      if (space[c].nodes.graph == nodes.graph) nodes_.push_back(nodes_[c]);
+    if (static_cast<int>(nodes_.size()) == b)
+      nodes_.push_back(std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order));
+    maps_[{0, b}] = space[b].map;
+  }
+  maps_[{0, all}] = numbering_.merged_map(space);
 }
 
 Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, const Map& rows) {
-  return prolongator(level, part_of(level, rows));
+  return prolongator(level, block_of(level, rows));
 }
 
-MixedCoarsening::Part MixedCoarsening::part_of(int level, const Map& rows) {
-  std::vector<Part> found;
-  for (const Part part : {Part::both, Part::vector, Part::scalar})
-    if (map(level, part)->getGlobalNumElements() == rows.getGlobalNumElements())
-      found.push_back(part);
+int MixedCoarsening::block_of(int level, const Map& rows) {
+  std::vector<int> found;
+  for (int b = all; b < numbering_.n_blocks(); ++b)
+    if (map(level, b)->getGlobalNumElements() == rows.getGlobalNumElements()) found.push_back(b);
   // Blocks on different nodes may have as many rows.
-  for (const Part part : found)
-    if (found.size() == 1 || map(level, part)->isSameAs(rows)) return part;
+  for (const int b : found)
+    if (found.size() == 1 || map(level, b)->isSameAs(rows)) return b;
   throw std::runtime_error("NodalPFactory: no block has these " +
                            std::to_string(rows.getGlobalNumElements()) + " rows on level " +
                            std::to_string(level) + ".");
 }
 
 void MixedCoarsening::check_mixed(int level, const CrsMatrix& K) {
-  const auto has_rows_of = [&](Part part) {
-    return map(level, part)->getGlobalNumElements() == K.getGlobalNumRows();
+  const auto has_rows_of = [&](int block) {
+    return map(level, block)->getGlobalNumElements() == K.getGlobalNumRows();
   };
-  if (has_rows_of(Part::both)) return;
+  if (has_rows_of(all)) return;
   const Map& rows = *K.getRowMap();
   const std::size_t n = n_local(rows), dofs = numbering_.dofs();
   // Whole nodes are as good where another coarsening made the level.
-  const bool is_block = has_rows_of(Part::vector) || has_rows_of(Part::scalar);  // collective
+  bool is_block = false;
+  for (int b = 0; b < numbering_.n_blocks(); ++b) is_block |= has_rows_of(b);  // collective
   bool is_mixed = n % dofs == 0 && !is_block;
   for (std::size_t i = 0; is_mixed && i < n; ++i)
     is_mixed = rows.getGlobalElement(static_cast<int>(i)) % numbering_.dofs() ==
@@ -125,21 +126,25 @@ void MixedCoarsening::check_mixed(int level, const CrsMatrix& K) {
   if (!problem.empty()) throw std::runtime_error(problem);
 }
 
-const Teuchos::RCP<const Map>& MixedCoarsening::map(int level, Part part) {
-  if (level > 0) prolongator(level - 1, part);
-  return maps_.at({level, part});
+const Teuchos::RCP<const Map>& MixedCoarsening::map(int level, int block) {
+  if (level > 0) prolongator(level - 1, block);
+  return maps_.at({level, block});
 }
 
-Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, Part part) {
-  const auto found = prolongators_.find({level, part});
+Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, int block) {
+  const auto found = prolongators_.find({level, block});
   if (found != prolongators_.end()) return found->second;
-  const Teuchos::RCP<const Map> fine = map(level, part);
-  const int components = numbering_.components;
-  const int stride = part == Part::both ? numbering_.dofs() : components;
+  const Teuchos::RCP<const Map> fine = map(level, block);
   std::vector<Expansion> expansions;
-  if (part != Part::scalar) expansions.emplace_back(*vectors_, level, stride, 0, components, *fine);
-  if (part == Part::both) expansions.emplace_back(*scalars_, level, stride, components, 1, *fine);
-  if (part == Part::scalar) expansions.emplace_back(*scalars_, level, 1, 0, 1, *fine);
+  if (block == all) {
+    int first = 0;
+    for (int b = 0; b < numbering_.n_blocks(); first += numbering_.components(b++))
+      expansions.emplace_back(*nodes_[b], level, numbering_.dofs(), first, numbering_.components(b),
+                              *fine);
+  } else {
+    const int components = numbering_.components(block);
+    expansions.emplace_back(*nodes_[block], level, components, 0, components, *fine);
+  }
   std::vector<GlobalOrdinal> numbers;
   int most_parents = 0;
   for (const Expansion& expansion : expansions) {
@@ -151,8 +156,8 @@ Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, Part part)
   const auto P = Teuchos::rcp(new CrsMatrix(fine, most_parents));
   for (const Expansion& expansion : expansions) expansion.insert_into(*P);
   P->fillComplete(coarse, fine);
-  maps_[{level + 1, part}] = coarse;
-  return prolongators_[{level, part}] = P;
+  maps_[{level + 1, block}] = coarse;
+  return prolongators_[{level, block}] = P;
 }
 
 }  // namespace tunica::multigrid

@@ -2,19 +2,18 @@
 #include <map>
 #include <memory>
 
-#include "tunica/algebra/block_matrices.hpp"
 #include "tunica/algebra/dof_layout.hpp"
 #include "tunica/multigrid/coarsening/nodal_coarsening.hpp"
 
 namespace tunica::multigrid {
 
-/// Coarser and coarser levels for a block system, its blocks, and the mixed matrix with both
-/// (DofLayout). Where vector and scalar unknowns have the same nodes, they keep them on each
-/// level: one scalar beside its vector components. Depends on graphs alone, and is made level by
-/// level as asked for.
+/// Coarser and coarser levels for the blocks of a space, and for the merged matrix of all
+/// (DofLayout). Blocks on the same nodes keep them on each level: one pressure beside the
+/// components of its velocity. Depends on graphs alone, and is made level by level as asked for.
 class MixedCoarsening {
 public:
-  explicit MixedCoarsening(const algebra::BlockMatrices& K);
+  /// Every block names its nodes.
+  explicit MixedCoarsening(const algebra::BlockSpace& space);
 
   const algebra::DofLayout& numbering() const { return numbering_; }
 
@@ -29,16 +28,16 @@ public:
   void check_mixed(int level, const CrsMatrix& K);
 
 private:
-  enum class Part { vector, scalar, both };
+  static constexpr int all = -1;  ///< in the place of a block: the merged matrix
 
-  Part part_of(int level, const Map& rows);
-  const Teuchos::RCP<const Map>& map(int level, Part part);
-  Teuchos::RCP<const CrsMatrix> prolongator(int level, Part part);
+  int block_of(int level, const Map& rows);
+  const Teuchos::RCP<const Map>& map(int level, int block);
+  Teuchos::RCP<const CrsMatrix> prolongator(int level, int block);
 
   algebra::DofLayout numbering_;
-  std::shared_ptr<NodalCoarsening> vectors_, scalars_;
-  std::map<std::pair<int, Part>, Teuchos::RCP<const Map>> maps_;
-  std::map<std::pair<int, Part>, Teuchos::RCP<const CrsMatrix>> prolongators_;
+  std::vector<std::shared_ptr<NodalCoarsening>> nodes_;          ///< per block
+  std::map<std::pair<int, int>, Teuchos::RCP<const Map>> maps_;  ///< by level and block
+  std::map<std::pair<int, int>, Teuchos::RCP<const CrsMatrix>> prolongators_;
 };
 
 }  // namespace tunica::multigrid

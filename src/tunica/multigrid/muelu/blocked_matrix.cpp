@@ -17,33 +17,29 @@ using XMap = Xpetra::Map<LocalOrdinal, GlobalOrdinal, Node>;
 using StridedMaps = Xpetra::StridedMapFactory<LocalOrdinal, GlobalOrdinal, Node>;
 using Extractor = Xpetra::MapExtractor<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 
-/// 0 the vector, 1 the scalar.
-int block_of(GlobalOrdinal number, const algebra::DofLayout& numbering) {
-  return numbering.is_scalar(number) ? 1 : 0;
-}
-
-/// The rows or columns of both blocks and of all, as MueLu wants them described.
+/// The rows or columns of each block and of all, as MueLu wants them described.
 struct Side {
-  std::array<Teuchos::RCP<const XMap>, 2> maps;
+  std::vector<Teuchos::RCP<const XMap>> maps;
   Teuchos::RCP<const Extractor> extractor;
 
   Side(const Map& all, const algebra::DofLayout& numbering) {
-    std::vector<std::size_t> striding{static_cast<std::size_t>(numbering.components), 1};
+    std::vector<std::size_t> striding;
+    for (int b = 0; b < numbering.n_blocks(); ++b) striding.push_back(numbering.components(b));
     const auto strided = [&](const std::vector<GlobalOrdinal>& numbers, int block) {
       return StridedMaps::Build(
           Xpetra::UseTpetra, Teuchos::OrdinalTraits<Xpetra::global_size_t>::invalid(),
           Teuchos::arrayViewFromVector(numbers), 0, striding, all.getComm(), block);
     };
-    std::array<std::vector<GlobalOrdinal>, 2> numbers;
+    std::vector<std::vector<GlobalOrdinal>> numbers(numbering.n_blocks());
     std::vector<GlobalOrdinal> every;
     for (const GlobalOrdinal number : global_numbers(all)) {
-      numbers[block_of(number, numbering)].push_back(number);
+      numbers[numbering.block_of(number)].push_back(number);
       every.push_back(number);
     }
-    for (int b = 0; b < 2; ++b) maps[b] = strided(numbers[b], b);
+    for (int b = 0; b < numbering.n_blocks(); ++b) maps.push_back(strided(numbers[b], b));
     // -1: the map of all blocks.
     extractor = Xpetra::MapExtractorFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>::Build(
-        strided(every, -1), {maps[0], maps[1]});
+        strided(every, -1), maps);
   }
 };
 
@@ -58,13 +54,13 @@ Teuchos::RCP<CrsMatrix> block_of(const CrsMatrix& M, const algebra::DofLayout& n
   std::vector<Scalar> values;
   for (int i = 0; i < local.numRows(); ++i) {
     const GlobalOrdinal row_number = M.getRowMap()->getGlobalElement(i);
-    if (block_of(row_number, numbering) != blocks[0]) continue;
+    if (numbering.block_of(row_number) != blocks[0]) continue;
     const auto row = local.rowConst(i);
     numbers.clear();
     values.clear();
     for (int k = 0; k < row.length; ++k) {
       const GlobalOrdinal number = M.getColMap()->getGlobalElement(row.colidx(k));
-      if (block_of(number, numbering) != blocks[1]) continue;
+      if (numbering.block_of(number) != blocks[1]) continue;
       if (row.value(k) == 0.0 && number != row_number) continue;
       numbers.push_back(number);
       values.push_back(row.value(k));
@@ -82,8 +78,8 @@ Teuchos::RCP<XBlockedMatrix> blocked(const CrsMatrix& M, const algebra::DofLayou
   Side rows(*M.getRangeMap(), numbering), columns(*M.getDomainMap(), numbering);
   // Xpetra asks for extractors it may change.
   const auto result = Teuchos::rcp(new XBlockedMatrix(rows.extractor, columns.extractor, 0));
-  for (int r = 0; r < 2; ++r)
-    for (int c = 0; c < 2; ++c) {
+  for (int r = 0; r < numbering.n_blocks(); ++r)
+    for (int c = 0; c < numbering.n_blocks(); ++c) {
       const auto part = block_of(M, numbering, {r, c}, rows, columns);
       if (part->getGlobalNumEntries() == 0) continue;
       const auto block = wrapped(part);
@@ -112,7 +108,7 @@ void set_blocks(MueLu::Level& finest, const CrsMatrix& A, const algebra::DofLayo
   for (const GlobalOrdinal number : global_numbers(rows)) {
     if (numbering.is_scalar(number)) continue;
     is_whole &= number % numbering.dofs() == expected;
-    expected = (expected + 1) % numbering.components;
+    expected = (expected + 1) % numbering.components(0);
   }
   const std::string problem = agreed_message(
       *rows.getComm(), is_whole && expected == 0
@@ -121,8 +117,8 @@ void set_blocks(MueLu::Level& finest, const CrsMatrix& A, const algebra::DofLayo
   if (!problem.empty()) throw std::runtime_error(problem);
   const auto blocks = blocked(A, numbering);
   finest.Set<Teuchos::RCP<XMatrix>>("A", blocks);
-  finest.Set("Nullspace1", constants(*blocks, 0, numbering.components));
-  finest.Set("Nullspace2", constants(*blocks, 1, 1));
+  for (int b = 0; b < numbering.n_blocks(); ++b)
+    finest.Set("Nullspace" + std::to_string(b + 1), constants(*blocks, b, numbering.components(b)));
 }
 
 }  // namespace tunica::multigrid

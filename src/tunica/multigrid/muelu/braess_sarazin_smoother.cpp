@@ -33,11 +33,8 @@ Teuchos::RCP<MixedCoarsening> coarsening_of(const Teuchos::RCP<::tunica::CrsMatr
   const auto order = Teuchos::rcp(new ::tunica::Vector(nodes->getRowMap()));
   for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap()))
     order->replaceGlobalValue(row, static_cast<Scalar>(row));
-  algebra::BlockMatrices scalar;  // both blocks are S: asked for one, it gives one
-  scalar.A = scalar.mC = S;
-  scalar.components = 1;
-  scalar.vectors = scalar.scalars = {nodes, order};
-  return Teuchos::rcp(new MixedCoarsening(scalar));
+  return Teuchos::rcp(
+      new MixedCoarsening(algebra::BlockSpace({{"scalar", S->getRowMap(), 1, {nodes, order}}})));
 }
 
 /// One multigrid cycle for S.

@@ -19,7 +19,8 @@ Teuchos::RCP<XBlockedMatrix> block_after_block(const XBlockedMatrix& A) {
   const Teuchos::RCP<const XMap> u = A.getRangeMap(0), p = A.getRangeMap(1);
   std::vector<GlobalOrdinal> numbers;
   for (const auto& map : {u, p})
-    for (const GlobalOrdinal number : global_numbers(*map)) numbers.push_back(number);
+    for (const GlobalOrdinal number : global_numbers(*Xpetra::toTpetra(map)))
+      numbers.push_back(number);
   const Teuchos::RCP<const XMap> all = Xpetra::MapFactory<LocalOrdinal, GlobalOrdinal, Node>::Build(
       Xpetra::UseTpetra, Teuchos::OrdinalTraits<Xpetra::global_size_t>::invalid(),
       Teuchos::arrayViewFromVector(numbers), 0, u->getComm());
@@ -114,7 +115,7 @@ void PressureSchwarzSmoother::Setup(MueLu::Level& level) {
     throw std::runtime_error("\"partitioner: type\" \"user\" wants a matrix of blocks");
   extractor_ = A->getRangeMapExtractor();
   rows_ = unwrapped(block_after_block(*A)->Merge());
-  const Seeds seeds(*rows_, static_cast<int>(n_local(*A->getRangeMap(0))));
+  const Seeds seeds(*rows_, static_cast<int>(n_local(*Xpetra::toTpetra(A->getRangeMap(0)))));
   Teuchos::ParameterList list(schwarz_);
   list.sublist(patch_list)
       .set("partitioner: map", seeds.patch)

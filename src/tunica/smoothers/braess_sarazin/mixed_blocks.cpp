@@ -7,8 +7,8 @@ namespace tunica::smoothers {
 
 namespace {
 
-/// The entries of K in the rows and columns of one kind each.
-Teuchos::RCP<CrsMatrix> block(const CrsMatrix& K, bool has_scalar_rows, bool has_scalar_columns,
+/// The entries of K in the rows and columns of one block each.
+Teuchos::RCP<CrsMatrix> block(const CrsMatrix& K, int row_block, int column_block,
                               const algebra::DofLayout& numbering,
                               const Teuchos::RCP<const Map>& rows,
                               const Teuchos::RCP<const Map>& columns) {
@@ -17,13 +17,12 @@ Teuchos::RCP<CrsMatrix> block(const CrsMatrix& K, bool has_scalar_rows, bool has
   std::vector<GlobalOrdinal> numbers;
   for (int i = 0; i < local.numRows(); ++i) {
     const GlobalOrdinal row_number = K.getRowMap()->getGlobalElement(i);
-    if (numbering.is_scalar(row_number) != has_scalar_rows) continue;
+    if (numbering.block_of(row_number) != row_block) continue;
     const auto row = local.rowConst(i);
     numbers.clear();
     for (int k = 0; k < row.length; ++k) {
       const GlobalOrdinal number = K.getColMap()->getGlobalElement(row.colidx(k));
-      if (numbering.is_scalar(number) == has_scalar_columns)
-        numbers.push_back(numbering.in_block(number));
+      if (numbering.block_of(number) == column_block) numbers.push_back(numbering.in_block(number));
     }
     const std::vector<Scalar> zeros(numbers.size(), 0.0);
     result->insertGlobalValues(numbering.in_block(row_number),
@@ -34,36 +33,37 @@ Teuchos::RCP<CrsMatrix> block(const CrsMatrix& K, bool has_scalar_rows, bool has
   return result;
 }
 
-std::vector<int> places(const CrsMatrix& part, bool has_scalar_rows, bool has_scalar_columns,
-                        const algebra::DofLayout& numbering, const CrsMatrix& K) {
-  return algebra::entry_offsets(
-      part, algebra::mixed_numbers(*part.getRowMap(), has_scalar_rows, numbering),
-      algebra::mixed_numbers(*part.getColMap(), has_scalar_columns, numbering), K);
+std::vector<int> offsets(const CrsMatrix& part, int row_block, int column_block,
+                         const algebra::DofLayout& numbering, const CrsMatrix& K) {
+  return algebra::entry_offsets(part, numbering.merged_numbers(*part.getRowMap(), row_block),
+                                numbering.merged_numbers(*part.getColMap(), column_block), K);
 }
 
-void copy(const CrsMatrix& whole, const std::vector<int>& places, CrsMatrix& part) {
+void copy(const CrsMatrix& whole, const std::vector<int>& from_offsets, CrsMatrix& part) {
   const auto domain = part.getDomainMap(), range = part.getRangeMap();
   part.resumeFill();
   {
     const auto from = whole.getLocalMatrixHost().values;
     const auto to = part.getLocalMatrixHost().values;
-    for (std::size_t k = 0; k < places.size(); ++k) to(k) = from(places[k]);
+    for (std::size_t k = 0; k < from_offsets.size(); ++k) to(k) = from(from_offsets[k]);
   }
   part.fillComplete(domain, range);
 }
 
 }  // namespace
 
-MixedBlocks::MixedBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering)
-    : K_(&K), numbering_(numbering) {
+MixedBlocks::MixedBlocks(const CrsMatrix& K, const algebra::DofLayout& layout) : K_(&K) {
+  // All scalars of a node are one block here, however many there are.
+  const int components = layout.components(0);
+  const algebra::DofLayout numbering({components, layout.dofs() - components});
   const Map& rows = *K.getRowMap();
-  const auto u = numbering.vector_map(rows), p = numbering.scalar_map(rows);
-  B1T = block(K, false, true, numbering, u, p);
-  B2 = block(K, true, false, numbering, p, u);
-  mC = block(K, true, true, numbering, p, p);
-  places_of_B1T_ = places(*B1T, false, true, numbering, K);
-  places_of_B2_ = places(*B2, true, false, numbering, K);
-  places_of_mC_ = places(*mC, true, true, numbering, K);
+  const auto u = numbering.block_map(rows, 0), p = numbering.block_map(rows, 1);
+  B1T = block(K, 0, 1, numbering, u, p);
+  B2 = block(K, 1, 0, numbering, p, u);
+  mC = block(K, 1, 1, numbering, p, p);
+  offsets_of_B1T_ = offsets(*B1T, 0, 1, numbering, K);
+  offsets_of_B2_ = offsets(*B2, 1, 0, numbering, K);
+  offsets_of_mC_ = offsets(*mC, 1, 1, numbering, K);
   for (int i = 0; i < static_cast<int>(n_local(rows)); ++i)
     (numbering.is_scalar(rows.getGlobalElement(i)) ? scalar_rows_ : vector_rows_).push_back(i);
   diagonal = Teuchos::rcp(new Vector(u));
@@ -72,9 +72,9 @@ MixedBlocks::MixedBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering
 }
 
 void MixedBlocks::refresh() {
-  copy(*K_, places_of_B1T_, *B1T);
-  copy(*K_, places_of_B2_, *B2);
-  copy(*K_, places_of_mC_, *mC);
+  copy(*K_, offsets_of_B1T_, *B1T);
+  copy(*K_, offsets_of_B2_, *B2);
+  copy(*K_, offsets_of_mC_, *mC);
   const auto local = K_->getLocalMatrixHost();
   const auto D = diagonal->getLocalViewHost(overwrite_all);
   for (std::size_t i = 0; i < vector_rows_.size(); ++i) {

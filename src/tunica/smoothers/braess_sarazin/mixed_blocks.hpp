@@ -10,7 +10,7 @@ namespace tunica::smoothers {
 class MixedBlocks {
 public:
   /// K must outlive the object. Collective.
-  MixedBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering);
+  MixedBlocks(const CrsMatrix& K, const algebra::DofLayout& layout);
 
   /// Takes new values of K over. Collective.
   void refresh();
@@ -26,9 +26,8 @@ public:
 
 private:
   const CrsMatrix* K_;
-  algebra::DofLayout numbering_;
   std::vector<int> vector_rows_, scalar_rows_;  ///< local row of K of each row of the blocks
-  std::vector<int> places_of_B1T_, places_of_B2_, places_of_mC_;  ///< in the values of K
+  std::vector<int> offsets_of_B1T_, offsets_of_B2_, offsets_of_mC_;  ///< in the values of K
 };
 
 }  // namespace tunica::smoothers

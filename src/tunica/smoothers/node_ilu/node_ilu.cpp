@@ -198,7 +198,7 @@ private:
 
 std::unique_ptr<NodeIlu> make_node_ilu(const CrsMatrix& K, const algebra::DofLayout& numbering,
                                        const NodeIluOptions& options) {
-  if (numbering.components < 1 || numbering.components > 3)
+  if (numbering.dofs() < 2 || numbering.dofs() > 4)
     throw std::invalid_argument("NodalIluSmoother: vectors of one to three components only.");
   if (options.is_single) return std::make_unique<Factors<float>>(K, numbering, options);
   return std::make_unique<Factors<double>>(K, numbering, options);

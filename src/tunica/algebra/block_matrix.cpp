@@ -1,0 +1,44 @@
+#include "tunica/algebra/block_matrix.hpp"
+
+#include <stdexcept>
+
+namespace tunica::algebra {
+
+BlockMatrix::BlockMatrix(BlockSpacePtr space)
+    : space_(std::move(space)),
+      blocks_(static_cast<std::size_t>(space_->n_blocks()) * space_->n_blocks()) {}
+
+void BlockMatrix::set(int row, int column, const Teuchos::RCP<CrsMatrix>& matrix) {
+  if (!matrix.is_null() && !(matrix->getRowMap()->isSameAs(*(*space_)[row].map) &&
+                             matrix->getDomainMap()->isSameAs(*(*space_)[column].map)))
+    throw std::invalid_argument("BlockMatrix: the matrix for \"" + (*space_)[row].name +
+                                "\" by \"" + (*space_)[column].name +
+                                "\" has other rows or columns");
+  blocks_[row * n_blocks() + column] = matrix;
+}
+
+void BlockMatrix::apply(const BlockVector& x, BlockVector& y) const {
+  std::vector<Teuchos::RCP<MultiVector>> from, to;
+  for (int b = 0; b < n_blocks(); ++b) {
+    from.push_back(Teuchos::rcp_const_cast<Vector>(x.block(b)));
+    to.push_back(y.block(b));
+  }
+  apply(from, to, 1.0, 0.0);
+}
+
+void BlockMatrix::apply(const std::vector<Teuchos::RCP<MultiVector>>& x,
+                        const std::vector<Teuchos::RCP<MultiVector>>& y, Scalar alpha,
+                        Scalar beta) const {
+  for (int i = 0; i < n_blocks(); ++i) {
+    Scalar keep = beta;  // of what y_i holds: β at first, then all
+    for (int j = 0; j < n_blocks(); ++j) {
+      const Teuchos::RCP<CrsMatrix>& K = (*this)(i, j);
+      if (K.is_null()) continue;
+      K->apply(*x[j], *y[i], Teuchos::NO_TRANS, alpha, keep);  // y_i = α K_ij x_j + keep y_i
+      keep = 1.0;
+    }
+    if (keep != 1.0) y[i]->scale(keep);  // a row without matrices
+  }
+}
+
+}  // namespace tunica::algebra

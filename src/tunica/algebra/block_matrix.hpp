@@ -1,0 +1,43 @@
+#pragma once
+#include "tunica/algebra/block_vector.hpp"
+
+namespace tunica::algebra {
+
+/// A square matrix of blocks over a BlockSpace, whoever assembled it. Blocks may be missing: they
+/// are zero. A saddle-point system has the blocks
+///
+///   K = [ A   B1ᵀ ]      K(0, 0) = A    K(0, 1) = B1ᵀ
+///       [ B2  −C  ]      K(1, 0) = B2   K(1, 1) = −C
+///
+/// The matrices are shared, so that one who holds them sees their values change.
+class BlockMatrix {
+public:
+  BlockMatrix() = default;
+  /// All blocks missing.
+  explicit BlockMatrix(BlockSpacePtr space);
+
+  const BlockSpacePtr& space() const { return space_; }
+  int n_blocks() const { return space_->n_blocks(); }
+  CommPtr comm() const { return space_->comm(); }
+  long long n_unknowns() const { return space_->n_unknowns(); }
+
+  /// Null: missing. Rows and domain of a matrix are the maps of its blocks.
+  void set(int row, int column, const Teuchos::RCP<CrsMatrix>& matrix);
+  const Teuchos::RCP<CrsMatrix>& operator()(int row, int column) const {
+    return blocks_[row * n_blocks() + column];
+  }
+
+  BlockVector zero() const { return BlockVector(space_); }
+
+  /// y = K x.
+  void apply(const BlockVector& x, BlockVector& y) const;
+  /// y_i = α Σ_j K_ij x_j + β y_i for the parts of longer vectors.
+  void apply(const std::vector<Teuchos::RCP<MultiVector>>& x,
+             const std::vector<Teuchos::RCP<MultiVector>>& y, Scalar alpha, Scalar beta) const;
+
+private:
+  BlockSpacePtr space_;
+  std::vector<Teuchos::RCP<CrsMatrix>> blocks_;
+};
+
+}  // namespace tunica::algebra

@@ -1,0 +1,46 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tunica/base/types.hpp"
+
+namespace tunica::algebra {
+
+/// Nodes as multigrid sees them.
+struct Nodes {
+  Teuchos::RCP<const CrsMatrix> graph;  ///< a row per node, its neighbours and itself
+  Teuchos::RCP<const Vector> order;     ///< in which nodes are picked; the same on any ranks
+};
+
+/// Unknowns of one kind: velocities, pressures.
+struct Block {
+  std::string name;
+  /// Unknown i of a node has the number components*node + i. A node may lack some.
+  Teuchos::RCP<const Map> map;
+  int components = 1;  ///< unknowns per node
+  Nodes nodes{};       ///< the same graph where blocks share their nodes; may be left out where
+                       ///< nothing coarsens
+};
+
+/// The blocks that unknowns, residuals and Jacobians of a problem are made of, in this order.
+class BlockSpace {
+public:
+  /// At least one block; names differ.
+  explicit BlockSpace(std::vector<Block> blocks);
+
+  int n_blocks() const { return static_cast<int>(blocks_.size()); }
+  const Block& operator[](int b) const { return blocks_[b]; }
+  /// Throws std::invalid_argument that lists the names for an unknown one.
+  int index_of(const std::string& name) const;
+
+  CommPtr comm() const { return blocks_.front().map->getComm(); }
+  long long n_unknowns() const;  ///< of all ranks
+
+private:
+  std::vector<Block> blocks_;
+};
+
+using BlockSpacePtr = std::shared_ptr<const BlockSpace>;
+
+}  // namespace tunica::algebra
