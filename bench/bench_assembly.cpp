@@ -39,7 +39,7 @@ struct Fields {
     fluid->begin_step(clock);
     wall->begin_step(clock);
     const std::vector<Vec3> at_rest(domain.fluid->n_nodes());
-    fluid->set_domain(at_rest, at_rest);
+    if (fluid->set_domain(at_rest, at_rest).is_failure()) throw std::logic_error("inverted");
     fluid->prepare();
   }
 };

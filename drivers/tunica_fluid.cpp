@@ -22,7 +22,7 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
   const CommPtr comm = domain.fluid->comm;
   const app::Checkpoints checkpoints(output, {{"fluid", &fluid}}, comm);
   checkpoints.begin(clock);
-  app::RunLog log(output, comm->getRank() == 0, clock.steps());
+  app::RunLog log(output, comm->getRank() == 0, clock.steps(), {"fluid"}, {});
   app::FieldSeries fields(output, {app::grid_of(*domain.fluid, "fluid")}, comm);
 
   // 2. March.
@@ -30,13 +30,13 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
     fluid.begin_step(clock);
     const nonlinear::NewtonReport report = fluid.solve();
     log.newton({clock.step(), clock.time(), 0}, "fluid", report);
-    log.step({clock.step(), clock.time(), 0}, app::fluid_summary(report),
+    log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "fluid"),
              app::joined({fluid.observe(), probes.observe(&fluid, nullptr)}));
     if (!report.is_converged) return {false, app::failure(clock, "the fluid", report)};
     if (fields.is_due(clock)) fields.write(clock, {{"fluid", app::fluid_arrays(fluid, {}), {}}});
     checkpoints.write_if_due(clock);
   }
-  app::record_assembly(output.record, "fluid", fluid.jacobian_meter(), *comm);
+  app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);
   return {};
 }
 

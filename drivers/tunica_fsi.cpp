@@ -42,18 +42,19 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
       output, {{"fluid", &fluid}, {"wall", &wall}, {"mesh motion", &motion}, {"coupling", &scheme}},
       comm);
   checkpoints.begin(clock);
-  app::RunLog log(output, comm->getRank() == 0, clock.steps());
+  app::RunLog log(output, comm->getRank() == 0, clock.steps(), scheme.fields(), scheme.stages());
   app::FieldSeries fields(
       output, {app::grid_of(*domain.fluid, "fluid"), app::grid_of(*domain.wall, "wall")}, comm);
 
   // 4. March.
   for (; !clock.is_done(); clock.advance()) {
-    if (const auto reason = scheme.prepare(clock)) return {false, *reason};
+    if (const Outcome prepared = scheme.prepare(clock); prepared.is_failure())
+      return {false, prepared.reason()};
     const coupling::Report report =
         scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
           log.coupling({clock.step(), clock.time(), k}, iteration);
         });
-    log.step({clock.step(), clock.time(), 0}, app::summary_of(report),
+    log.step({clock.step(), clock.time(), 0}, app::summary_of(report, scheme.fields()),
              app::joined({wall.observe(), fluid.observe(), probes.observe(&fluid, &wall)}));
     if (!report.is_accepted) return {false, report.reason};
     if (!report.is_converged) log.warn(report.reason);
@@ -62,8 +63,8 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
   }
 
   // 5. Report.
-  app::record_assembly(output.record, "fluid", fluid.jacobian_meter(), *comm);
-  app::record_assembly(output.record, "wall", wall.jacobian_meter(), *comm);
+  app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);
+  app::record_assembly(output.record, "wall", wall.jacobian_throughput(), *comm);
   return {};
 }
 

@@ -22,7 +22,7 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
   const CommPtr comm = domain.wall->comm;
   const app::Checkpoints checkpoints(output, {{"wall", &wall}}, comm);
   checkpoints.begin(clock);
-  app::RunLog log(output, comm->getRank() == 0, clock.steps());
+  app::RunLog log(output, comm->getRank() == 0, clock.steps(), {"wall"}, {});
   app::FieldSeries fields(output, {app::grid_of(*domain.wall, "wall")}, comm);
 
   // 2. March; in statics each step is an equilibrium.
@@ -31,14 +31,14 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
     const nonlinear::NewtonReport report = wall.solve();
     if (report.is_converged) wall.end_step();
     log.newton({clock.step(), clock.time(), 0}, "wall", report);
-    log.step({clock.step(), clock.time(), 0}, app::wall_summary(report),
+    log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "wall"),
              app::joined({wall.observe(), probes.observe(nullptr, &wall)}));
     if (!report.is_converged) return {false, app::failure(clock, "the wall", report)};
     if (fields.is_due(clock))
       fields.write(clock, {{"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});
     checkpoints.write_if_due(clock);
   }
-  app::record_assembly(output.record, "wall", wall.jacobian_meter(), *comm);
+  app::record_assembly(output.record, "wall", wall.jacobian_throughput(), *comm);
   return {};
 }
 

@@ -26,20 +26,22 @@ using namespace tunica;
 struct Complete {};
 
 /// Marches until the wanted coupling iteration is over. Not converging before it is a result.
-app::RunResult march_to_wanted(app::SystemCapture& capture, coupling::DirichletNeumann& scheme,
+app::RunResult march_to_wanted(app::SystemCapture& capture, coupling::Scheme& scheme,
                                stepping::Clock clock, app::RunLog& log) {
   for (; !clock.is_done(); clock.advance()) {
     capture.enter(0, 0);  // what the coupling solves for itself is not asked for
-    if (const auto reason = scheme.prepare(clock)) return {false, *reason};
+    if (const Outcome prepared = scheme.prepare(clock); prepared.is_failure())
+      return {false, prepared.reason()};
     capture.enter(clock.step(), 1);
     const coupling::Report report =
         scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
           log.coupling({clock.step(), clock.time(), k}, iteration);
-          const bool is_solved = iteration.fluid.is_converged && iteration.wall.is_converged;
+          const bool is_solved =
+              iteration.solve("fluid").is_converged && iteration.solve("wall").is_converged;
           if (is_solved && capture.is_complete(clock.step(), k)) throw Complete();
           capture.enter(clock.step(), k + 1);
         });
-    log.step({clock.step(), clock.time(), 0}, app::summary_of(report), {});
+    log.step({clock.step(), clock.time(), 0}, app::summary_of(report, scheme.fields()), {});
     if (!report.is_accepted) return {false, report.reason};
   }
   return {};
@@ -70,7 +72,7 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
   capture.watch("wall", wall);
 
   // 3. March as far as needed.
-  app::RunLog log(output, comm->getRank() == 0, clock.steps());
+  app::RunLog log(output, comm->getRank() == 0, clock.steps(), scheme.fields(), scheme.stages());
   app::RunResult verdict;
   try {
     verdict = march_to_wanted(capture, scheme, clock, log);

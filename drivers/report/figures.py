@@ -19,8 +19,7 @@ STYLE = {
     "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False, "axes.spines.right": False,
     "legend.frameon": False, "lines.linewidth": 1.8, "lines.markersize": 5,
 }
-BOOKKEEPING = ("step", "time", "converged", "coupling_iterations", "interface_residual", "fluid_newton",
-               "wall_newton", "fluid_linear", "wall_linear", "seconds")
+BOOKKEEPING = ("step", "time", "converged", "coupling_iterations", "interface_residual", "seconds")
 
 
 @dataclass
@@ -273,9 +272,11 @@ def coupling_history(run, step):
 
 
 def counts(run):
+    def of_fields(ending):
+        return [(c, c.removesuffix(ending)) for c in run.steps if c.endswith(ending)]
+
     panels = [("Coupling iterations", [("coupling_iterations", "")]),
-              ("Newton steps", [("fluid_newton", "fluid"), ("wall_newton", "wall")]),
-              ("Linear iterations", [("fluid_linear", "fluid"), ("wall_linear", "wall")])]
+              ("Newton steps", of_fields("_newton")), ("Linear iterations", of_fields("_linear"))]
     shown = []
     for title, columns in panels:
         columns = [(c, f) for c, f in columns if np.nansum(np.array(run.steps.get(c, [0.0]), float)) > 0]
@@ -332,7 +333,7 @@ def newton_history(run, step):
 
 def observables(run):
     """The columns of steps.csv behind the fixed ones, at most six."""
-    names = [c for c in run.steps if c not in BOOKKEEPING]
+    names = [c for c in run.steps if c not in BOOKKEEPING and not c.endswith(("_newton", "_linear"))]
     names = [c for c in names if all(isinstance(v, float) for v in run.steps[c])]
     names = [c for c in names if np.isfinite(run.steps[c]).any()][:6]
     if not names:

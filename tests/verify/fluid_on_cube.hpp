@@ -25,8 +25,8 @@ inline Teuchos::ParameterList enclosed_fluid(double density, double viscosity,
 inline void solve_moving_step(problems::FluidProblem& fluid, const stepping::Clock& clock,
                               const std::vector<Vec3>& d, const std::vector<Vec3>& d_old) {
   fluid.begin_step(clock);
-  const auto inverted = fluid.set_domain(d, d_old);
-  TUNICA_CHECK(!inverted, *inverted);
+  const Outcome placed = fluid.set_domain(d, d_old);
+  TUNICA_CHECK(placed.is_success(), placed.reason());
   const nonlinear::NewtonReport report = fluid.solve();
   TUNICA_CHECK(report.is_converged, report.reason);
 }

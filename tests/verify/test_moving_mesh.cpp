@@ -39,8 +39,7 @@ struct Worst {
 };
 
 /// Largest nodal errors over four steps, the pressure's up to a constant.
-Worst worst_of(problems::FluidProblem& fluid, const problems::FluidProblem::VectorField& u,
-               const Vec3& grad_p) {
+Worst worst_of(problems::FluidProblem& fluid, const boundary::VectorField& u, const Vec3& grad_p) {
   const fields::FieldMesh& mesh = fluid.mesh();
   Worst worst;
   std::vector<Vec3> d_old(mesh.n_nodes());

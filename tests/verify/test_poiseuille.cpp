@@ -45,7 +45,7 @@ double section_pressure(const problems::FluidProblem& fluid, double z) {
 }
 
 double flow_through(const problems::FluidProblem& fluid, const std::string& surface) {
-  for (const problems::Observable& o : fluid.observe())
+  for (const discretisation::Observable& o : fluid.observe())
     if (o.name == "inflow_" + surface + "_mm3_per_ms") return o.value;
   return std::nan("");
 }

@@ -52,7 +52,7 @@ std::string vibrating_wall(const std::string& beta, const std::string& gamma) {
 
 double energy_of(const problems::SolidProblem& wall) {
   double sum = 0.0;
-  for (const problems::Observable& o : wall.observe())
+  for (const discretisation::Observable& o : wall.observe())
     if (o.name.find("energy") != std::string::npos) sum += o.value;
   return sum;
 }

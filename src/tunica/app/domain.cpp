@@ -4,14 +4,16 @@
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/boundary/registry.hpp"
+#include "tunica/discretisation/fluid_options.hpp"
+#include "tunica/discretisation/solid_options.hpp"
 #include "tunica/fields/broadcast_mesh.hpp"
 #include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/fingerprint.hpp"
 #include "tunica/mesh/partition.hpp"
 #include "tunica/mesh/read.hpp"
 #include "tunica/mesh/validate.hpp"
-#include "tunica/problems/fluid_options.hpp"
-#include "tunica/problems/solid_options.hpp"
+#include "tunica/problems/fibre_frames.hpp"
 
 namespace tunica::app {
 
@@ -28,17 +30,19 @@ MeshRequirements mesh_requirements_of(const Teuchos::ParameterList& list) {
   MeshRequirements requirements;
   std::vector<std::string> on_fluid, on_wall;
   if (list.isSublist("Fluid")) {
-    const auto options = problems::fluid_options(list.sublist("Fluid"));
-    requirements.fluid_regions = options.regions;
-    for (const auto& c : options.conditions) requirements.fluid_surfaces.push_back(c.surface);
-    on_fluid = options.interface_surfaces();
+    const Teuchos::ParameterList& fluid = list.sublist("Fluid");
+    requirements.fluid_regions = discretisation::fluid_options(fluid).regions;
+    const auto conditions = boundary::conditions_of(fluid.sublist("Surfaces"));
+    for (const auto& c : conditions) requirements.fluid_surfaces.push_back(c.surface);
+    on_fluid = boundary::interface_surfaces(conditions);
   }
   if (list.isSublist("Wall")) {
-    const auto options = problems::solid_options(list.sublist("Wall"));
-    requirements.wall_regions = options.regions();
-    for (const auto& c : options.conditions) requirements.wall_surfaces.push_back(c.surface);
-    on_wall = options.interface_surfaces();
-    requirements.frame_surfaces = options.frame_surfaces;
+    const Teuchos::ParameterList& wall = list.sublist("Wall");
+    requirements.wall_regions = discretisation::solid_options(wall).regions();
+    const auto conditions = boundary::conditions_of(wall.sublist("Surfaces"));
+    for (const auto& c : conditions) requirements.wall_surfaces.push_back(c.surface);
+    on_wall = boundary::interface_surfaces(conditions);
+    requirements.frame_surfaces = problems::frame_surfaces(wall.sublist("Fibre Frame"));
   }
   if (!list.isSublist("Fluid") || !list.isSublist("Wall")) {
     TUNICA_CHECK(on_fluid.empty() && on_wall.empty(),

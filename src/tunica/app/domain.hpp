@@ -4,14 +4,14 @@
 #include <optional>
 
 #include "tunica/fields/field_mesh.hpp"
-#include "tunica/fields/interface.hpp"
+#include "tunica/fields/interface_transfer.hpp"
 
 namespace tunica::app {
 
 /// The calling rank's shares of the fields that a case has.
 struct Domain {
   std::optional<fields::FieldMesh> fluid, wall;
-  std::optional<fields::Interface> interface;
+  std::optional<fields::InterfaceTransfer> interface;
   std::string fingerprint;              ///< of the mesh
   std::vector<int> interface_surfaces;  ///< indices into FieldMesh::surfaces
 };

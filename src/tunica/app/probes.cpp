@@ -67,9 +67,9 @@ Probes::Probes(const Teuchos::ParameterList& list, const fields::FieldMesh* flui
   }
 }
 
-problems::Observables Probes::observe(const problems::FluidProblem* fluid,
-                                      const problems::SolidProblem* wall) const {
-  problems::Observables found;
+discretisation::Observables Probes::observe(const problems::FluidProblem* fluid,
+                                            const problems::SolidProblem* wall) const {
+  discretisation::Observables found;
   const std::vector<Vec3> d = wall != nullptr ? wall->displacement() : std::vector<Vec3>{};
   for (const Probe& probe : probes_) {
     std::string column =

@@ -16,8 +16,8 @@ public:
          const fields::FieldMesh* wall);
 
   /// One value per probe. Collective.
-  problems::Observables observe(const problems::FluidProblem* fluid,
-                                const problems::SolidProblem* wall) const;
+  discretisation::Observables observe(const problems::FluidProblem* fluid,
+                                      const problems::SolidProblem* wall) const;
 
 private:
   struct Probe {

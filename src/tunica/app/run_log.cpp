@@ -10,14 +10,32 @@
 
 namespace tunica::app {
 
-RunLog::RunLog(const RunOutput& output, bool is_root, int steps)
+namespace {
+
+/// name_suffix for every name.
+void append(std::vector<std::string>& columns, const std::vector<std::string>& names,
+            const std::string& suffix) {
+  for (const std::string& name : names) columns.push_back(name + suffix);
+}
+
+std::vector<std::string> coupling_columns(const std::vector<std::string>& fields,
+                                          const std::vector<std::string>& stages) {
+  std::vector<std::string> columns{"step",       "time",   "iteration", "interface_residual",
+                                   "relaxation", "columns"};
+  append(columns, fields, "_newton");
+  append(columns, fields, "_linear");
+  append(columns, stages, "_seconds");
+  return columns;
+}
+
+}  // namespace
+
+RunLog::RunLog(const RunOutput& output, bool is_root, int steps,
+               const std::vector<std::string>& fields, const std::vector<std::string>& stages)
     : steps_file_(output.folder.file("steps.csv")), is_root_(is_root), steps_(steps),
       steps_done_(output.steps_done()),
-      coupling_(output.folder.file("coupling.csv"),
-                {"step", "time", "iteration", "interface_residual", "relaxation", "columns",
-                 "fluid_newton", "wall_newton", "fluid_linear", "wall_linear", "motion_seconds",
-                 "fluid_seconds", "wall_seconds", "update_seconds"},
-                is_root, output.steps_done()),
+      coupling_(output.folder.file("coupling.csv"), coupling_columns(fields, stages), is_root,
+                output.steps_done()),
       newton_(output.folder.file("newton.csv"),
               {"step", "coupling_iteration", "field", "iteration", "increment",
                "relative_increment", "residual", "exponent", "step_length", "linear_tolerance",
@@ -29,38 +47,44 @@ RunLog::RunLog(const RunOutput& output, bool is_root, int steps)
                "solve_seconds", "converged"},
               is_root, output.steps_done()) {}
 
-void RunLog::newton(const IterationIndex& moment, const std::string& field,
+void RunLog::newton(const IterationIndex& index, const std::string& field,
                     const nonlinear::NewtonReport& report) {
   for (std::size_t k = 0; k < report.steps.size(); ++k) {
     const nonlinear::NewtonStep& s = report.steps[k];
     const auto iteration = static_cast<long long>(k + 1);
     const linear::SolveReport& l = s.linear;
-    newton_.row({moment.step, moment.coupling_iteration, field, iteration, s.increment,
+    newton_.row({index.step, index.coupling_iteration, field, iteration, s.increment,
                  s.relative_increment, s.residual, s.exponent, s.step_length, l.tolerance,
                  l.true_residual, l.iterations});
-    linear_.row({moment.step, moment.coupling_iteration, field, iteration, l.method, l.iterations,
+    linear_.row({index.step, index.coupling_iteration, field, iteration, l.method, l.iterations,
                  l.tolerance, l.recurrence_residual, l.true_residual, l.setup_seconds,
                  l.solve_seconds, l.is_converged});
   }
 }
 
-void RunLog::coupling(const IterationIndex& moment, const coupling::Iteration& iteration) {
-  coupling_.row({moment.step, moment.time, moment.coupling_iteration, iteration.residual,
-                 iteration.relaxation, iteration.columns,
-                 static_cast<long long>(iteration.fluid.steps.size()),
-                 static_cast<long long>(iteration.wall.steps.size()),
-                 iteration.fluid.linear_iterations(), iteration.wall.linear_iterations(),
-                 iteration.motion_seconds, iteration.fluid_seconds, iteration.wall_seconds,
-                 iteration.update_seconds});
-  newton(moment, "fluid", iteration.fluid);
-  newton(moment, "wall", iteration.wall);
+void RunLog::coupling(const IterationIndex& index, const coupling::Iteration& iteration) {
+  std::vector<io::Cell> row{index.step,         index.time,           index.coupling_iteration,
+                            iteration.residual, iteration.relaxation, iteration.columns};
+  for (const coupling::FieldSolve& solve : iteration.solves)
+    row.emplace_back(static_cast<long long>(solve.report.steps.size()));
+  for (const coupling::FieldSolve& solve : iteration.solves)
+    row.emplace_back(static_cast<long long>(solve.report.linear_iterations()));
+  for (const coupling::Stage& stage : iteration.stages) row.emplace_back(stage.seconds);
+  coupling_.row(row);
+  for (const coupling::FieldSolve& solve : iteration.solves)
+    newton(index, solve.field, solve.report);
 }
 
-void RunLog::open_steps(const problems::Observables& observables) {
-  std::vector<std::string> columns{
-      "step",         "time",        "converged",    "coupling_iterations", "interface_residual",
-      "fluid_newton", "wall_newton", "fluid_linear", "wall_linear",         "seconds"};
-  for (const problems::Observable& o : observables) columns.push_back(o.name);
+void RunLog::open_steps(const StepSummary& summary,
+                        const discretisation::Observables& observables) {
+  std::vector<std::string> columns{"step", "time", "converged", "coupling_iterations",
+                                   "interface_residual"};
+  for (const StepSummary::Solves& field : summary.fields)
+    columns.push_back(field.field + "_newton");
+  for (const StepSummary::Solves& field : summary.fields)
+    columns.push_back(field.field + "_linear");
+  columns.push_back("seconds");
+  for (const discretisation::Observable& o : observables) columns.push_back(o.name);
   steps_table_ = std::make_unique<io::CsvTable>(steps_file_, columns, is_root_, steps_done_);
 }
 
@@ -68,18 +92,20 @@ void RunLog::warn(const std::string& text) const {
   if (is_root_) std::fprintf(stderr, "warning: %s\n", text.c_str());
 }
 
-void RunLog::step(const IterationIndex& moment, const StepSummary& s,
-                  const problems::Observables& observables) {
-  if (!steps_table_) open_steps(observables);
+void RunLog::step(const IterationIndex& index, const StepSummary& s,
+                  const discretisation::Observables& observables) {
+  if (!steps_table_) open_steps(s, observables);
   const double now = run_.seconds();
-  std::vector<io::Cell> row{
-      moment.step,    moment.time,   s.is_converged, s.coupling_iterations, s.interface_residual,
-      s.fluid_newton, s.wall_newton, s.fluid_linear, s.wall_linear,         now - last_};
-  for (const problems::Observable& o : observables) row.emplace_back(o.value);
+  std::vector<io::Cell> row{index.step, index.time, s.is_converged, s.coupling_iterations,
+                            s.interface_residual};
+  for (const StepSummary::Solves& field : s.fields) row.emplace_back(field.newton);
+  for (const StepSummary::Solves& field : s.fields) row.emplace_back(field.linear);
+  row.emplace_back(now - last_);
+  for (const discretisation::Observable& o : observables) row.emplace_back(o.value);
   steps_table_->row(row);
   seconds_.push_front(now - last_);
   last_ = now;
-  print(moment, s);
+  print(index, s);
 }
 
 std::string RunLog::time_left(int steps) const {
@@ -90,18 +116,16 @@ std::string RunLog::time_left(int steps) const {
   return ", about " + rough_duration(sum / static_cast<double>(known) * steps) + " left";
 }
 
-void RunLog::print(const IterationIndex& moment, const StepSummary& s) const {
+void RunLog::print(const IterationIndex& index, const StepSummary& s) const {
   if (!is_root_) return;
-  std::printf("step %d/%d  t %g ms", moment.step, steps_, moment.time);
+  std::printf("step %d/%d  t %g ms", index.step, steps_, index.time);
   if (s.coupling_iterations > 0) std::printf("  coupling %d", s.coupling_iterations);
   if (s.coupling_iterations > 0 && std::isfinite(s.interface_residual))
     std::printf(" (|r| %.1e mm)", s.interface_residual);
-  const auto print_field = [](const char* name, int newton, int linear) {
-    if (newton > 0) std::printf("  %s %d Newton %d linear", name, newton, linear);
-  };
-  print_field("fluid", s.fluid_newton, s.fluid_linear);
-  print_field("wall", s.wall_newton, s.wall_linear);
-  std::printf("  %.2f s%s%s\n", seconds_.front(), time_left(steps_ - moment.step).c_str(),
+  for (const StepSummary::Solves& field : s.fields)
+    if (field.newton > 0)
+      std::printf("  %s %d Newton %d linear", field.field.c_str(), field.newton, field.linear);
+  std::printf("  %.2f s%s%s\n", seconds_.front(), time_left(steps_ - index.step).c_str(),
               s.is_converged ? "" : "  NOT CONVERGED");
   std::fflush(stdout);
 }
@@ -116,30 +140,21 @@ std::string rough_duration(double seconds) {
   return text(24.0 * 3600.0, " days");
 }
 
-StepSummary summary_of(const coupling::Report& report) {
-  using coupling::Iteration;
-  return {report.is_converged,
-          static_cast<int>(report.iterations.size()),
-          report.iterations.empty() ? 0.0 : report.iterations.back().residual,
-          report.newton_steps(&Iteration::fluid),
-          report.newton_steps(&Iteration::wall),
-          report.linear_iterations(&Iteration::fluid),
-          report.linear_iterations(&Iteration::wall)};
-}
-
-StepSummary fluid_summary(const nonlinear::NewtonReport& report) {
+StepSummary summary_of(const coupling::Report& report, const std::vector<std::string>& fields) {
   StepSummary summary;
   summary.is_converged = report.is_converged;
-  summary.fluid_newton = static_cast<int>(report.steps.size());
-  summary.fluid_linear = report.linear_iterations();
+  summary.coupling_iterations = static_cast<int>(report.iterations.size());
+  if (!report.iterations.empty()) summary.interface_residual = report.iterations.back().residual;
+  for (const std::string& field : fields)
+    summary.fields.push_back({field, report.newton_steps(field), report.linear_iterations(field)});
   return summary;
 }
 
-StepSummary wall_summary(const nonlinear::NewtonReport& report) {
+StepSummary summary_of(const nonlinear::NewtonReport& report, const std::string& field) {
   StepSummary summary;
   summary.is_converged = report.is_converged;
-  summary.wall_newton = static_cast<int>(report.steps.size());
-  summary.wall_linear = report.linear_iterations();
+  summary.fields.push_back(
+      {field, static_cast<int>(report.steps.size()), report.linear_iterations()});
   return summary;
 }
 
@@ -150,9 +165,10 @@ std::string failure(const stepping::Clock& clock, const std::string& field,
   return text.str();
 }
 
-problems::Observables joined(const std::vector<problems::Observables>& parts) {
-  problems::Observables all;
-  for (const problems::Observables& part : parts) all.insert(all.end(), part.begin(), part.end());
+discretisation::Observables joined(const std::vector<discretisation::Observables>& parts) {
+  discretisation::Observables all;
+  for (const discretisation::Observables& part : parts)
+    all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

@@ -3,9 +3,9 @@
 
 #include "tunica/app/run.hpp"
 #include "tunica/base/timer.hpp"
-#include "tunica/coupling/dirichlet_neumann.hpp"
+#include "tunica/coupling/scheme.hpp"
+#include "tunica/discretisation/observable.hpp"
 #include "tunica/io/csv_table.hpp"
-#include "tunica/problems/observable.hpp"
 
 namespace tunica::app {
 
@@ -21,30 +21,36 @@ struct StepSummary {
   bool is_converged = false;
   int coupling_iterations = 0;
   double interface_residual = 0.0;
-  int fluid_newton = 0, wall_newton = 0;
-  int fluid_linear = 0, wall_linear = 0;
+
+  struct Solves {
+    std::string field;
+    int newton = 0, linear = 0;
+  };
+  std::vector<Solves> fields;  ///< those that the run solves for
 };
 
 /// The tables of a run, a row per step, coupling iteration, Newton step and linear solve, and
 /// one line on the screen per step.
 class RunLog {
 public:
-  /// A run that goes on keeps the rows of the steps before.
-  RunLog(const RunOutput& output, bool is_root, int steps);
+  /// fields: those that the run solves for by Newton's method; stages: the parts of a coupling
+  /// iteration that are timed. A run that goes on keeps the rows of the steps before.
+  RunLog(const RunOutput& output, bool is_root, int steps, const std::vector<std::string>& fields,
+         const std::vector<std::string>& stages);
 
-  void newton(const IterationIndex& moment, const std::string& field,
+  void newton(const IterationIndex& index, const std::string& field,
               const nonlinear::NewtonReport& report);
-  void coupling(const IterationIndex& moment, const coupling::Iteration& iteration);
+  void coupling(const IterationIndex& index, const coupling::Iteration& iteration);
   /// A line on the screen for what the run goes on in spite of.
   void warn(const std::string& text) const;
-  void step(const IterationIndex& moment, const StepSummary& summary,
-            const problems::Observables& observables);
+  void step(const IterationIndex& index, const StepSummary& summary,
+            const discretisation::Observables& observables);
 
 private:
-  void open_steps(const problems::Observables& observables);
+  void open_steps(const StepSummary& summary, const discretisation::Observables& observables);
   /// ", about 12 min left" for so many steps to come, from the mean of the last ones.
   std::string time_left(int steps) const;
-  void print(const IterationIndex& moment, const StepSummary& summary) const;
+  void print(const IterationIndex& index, const StepSummary& summary) const;
 
   std::string steps_file_;
   bool is_root_;
@@ -59,16 +65,15 @@ private:
 /// "12 min": as precise as an estimate deserves.
 std::string rough_duration(double seconds);
 
-StepSummary summary_of(const coupling::Report& report);
+StepSummary summary_of(const coupling::Report& report, const std::vector<std::string>& fields);
 /// Of a field that is solved alone.
-StepSummary fluid_summary(const nonlinear::NewtonReport& report);
-StepSummary wall_summary(const nonlinear::NewtonReport& report);
+StepSummary summary_of(const nonlinear::NewtonReport& report, const std::string& field);
 /// Why a run of one field ends early.
 std::string failure(const stepping::Clock& clock, const std::string& field,
                     const nonlinear::NewtonReport& report);
 
 /// All observables in one list.
-problems::Observables joined(const std::vector<problems::Observables>& parts);
+discretisation::Observables joined(const std::vector<discretisation::Observables>& parts);
 
 /// Notes how fast a field's Jacobians were assembled, in tetrahedra per second and rank.
 /// Collective.

@@ -6,9 +6,9 @@
 #include "tunica/app/system_export.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/coupling/dirichlet_neumann.hpp"
-#include "tunica/problems/fluid_options.hpp"
+#include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/mesh_motion.hpp"
-#include "tunica/problems/solid_options.hpp"
+#include "tunica/problems/solid_problem.hpp"
 #include "tunica/stepping/clock.hpp"
 #include "tunica/systems/read_system.hpp"
 

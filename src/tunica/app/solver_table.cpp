@@ -7,8 +7,8 @@
 
 #include "tunica/base/timer.hpp"
 #include "tunica/io/atomic_file.hpp"
-#include "tunica/problems/fluid_options.hpp"
-#include "tunica/problems/solid_options.hpp"
+#include "tunica/problems/fluid_problem.hpp"
+#include "tunica/problems/solid_problem.hpp"
 
 namespace tunica::app {
 

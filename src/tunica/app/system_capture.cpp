@@ -24,8 +24,8 @@ void SystemCapture::watch(const std::string& field, problems::FieldProblem& prob
     const int newton_step = ++newton_steps_[field];
     if (!is_wanted(field, newton_step)) return;
     ++count_;
-    show_({field, step_, iteration_, newton_step, &problem.last_jacobian(), &b, &problem,
-           &problem.last_jacobian().mesh()});
+    show_({field, step_, iteration_, newton_step, &problem.last_jacobian(), &b,
+           &problem.operators(), &problem.last_jacobian().mesh()});
   });
 }
 

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "tunica/base/types.hpp"
+#include "tunica/fields/interface_transfer.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/params/table.hpp"
 
 namespace tunica::coupling {
 
-/// Values at the owned interface nodes, three per node.
-using InterfaceVector = std::vector<double>;
+using fields::InterfaceVector;
 
 /// Makes the next interface displacement from the residual r = d̃ − d of a Dirichlet–Neumann
 /// iteration, d̃ the wall's answer to d. What it would relax it relaxes behind the preconditioner

@@ -20,7 +20,7 @@ Vec3 direction(const Vec3& area) {
 }  // namespace
 
 AddedMass::AddedMass(const Teuchos::ParameterList& list, const fields::BlockOperator& fluid,
-                     const fields::Interface& interface, const AddedMassModel& model)
+                     const fields::InterfaceTransfer& interface, const AddedMassModel& model)
     : interface_(&interface), compliance_(model.compliance), right_side_(fluid.mesh().node_map, 1),
       p_(fluid.mesh().node_map, 1) {
   const fields::FieldMesh& mesh = fluid.mesh();
@@ -60,20 +60,18 @@ InterfaceVector AddedMass::apply(const InterfaceVector& residual) {
   return result;
 }
 
-std::optional<std::vector<double>> wall_compliance(const stepping::Clock& clock,
-                                                   const fields::Interface& interface,
-                                                   const std::vector<Vec3>& area,
-                                                   problems::SolidProblem& wall,
-                                                   std::string& reason) {
-  std::vector<Vec3> force(wall.mesh().n_owned);
-  for (int k = 0; k < interface.n_owned(); ++k)
-    force[interface.wall_nodes[k]] = area[interface.fluid_nodes[k]];
-  const auto d = wall.respond(clock, force, reason);
-  if (!d) return std::nullopt;
+Result<std::vector<double>> wall_compliance(const stepping::Clock& clock,
+                                            const fields::InterfaceTransfer& interface,
+                                            const std::vector<Vec3>& area,
+                                            problems::SolidProblem& wall) {
+  const InterfaceVector areas = interface.from_fluid(area);
+  const auto answer = wall.solve_linearised(clock, interface.to_wall(areas));
+  if (answer.is_failure()) return Result<std::vector<double>>::failure(answer.reason());
+  const InterfaceVector d = interface.from_wall(answer.value());
   std::vector<double> compliance;
-  for (int k = 0; k < interface.n_owned(); ++k)
-    compliance.push_back(std::max(
-        0.0, dot(direction(area[interface.fluid_nodes[k]]), (*d)[interface.wall_nodes[k]])));
+  for (std::size_t k = 0; k < d.size(); k += 3)
+    compliance.push_back(std::max(0.0, dot(direction({areas[k], areas[k + 1], areas[k + 2]}),
+                                           Vec3{d[k], d[k + 1], d[k + 2]})));
   return compliance;
 }
 

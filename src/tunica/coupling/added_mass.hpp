@@ -6,7 +6,7 @@
 
 #include "tunica/coupling/accelerator.hpp"
 #include "tunica/fields/block_operator.hpp"
-#include "tunica/fields/interface.hpp"
+#include "tunica/fields/interface_transfer.hpp"
 #include "tunica/linear/scalar_solver.hpp"
 #include "tunica/problems/solid_problem.hpp"
 
@@ -43,13 +43,13 @@ public:
   /// list: a resolved list of linear::scalar_solver_table(); fluid: for its mesh and its graph.
   /// Collective.
   AddedMass(const Teuchos::ParameterList& list, const fields::BlockOperator& fluid,
-            const fields::Interface& interface, const AddedMassModel& model);
+            const fields::InterfaceTransfer& interface, const AddedMassModel& model);
 
   /// P r; r itself where the linear solver fails, which is no worse than no P. Collective.
   InterfaceVector apply(const InterfaceVector& residual);
 
 private:
-  const fields::Interface* interface_;
+  const fields::InterfaceTransfer* interface_;
   std::vector<double> compliance_;  ///< of the owned interface nodes
   std::vector<Vec3> normal_;
   std::vector<double> weight_;  ///< m times their area, 0 on open surfaces
@@ -58,13 +58,12 @@ private:
 };
 
 /// The normal displacement of the owned interface nodes under unit pressure on the whole interface
-/// [mm/kPa], of the wall at its present state. Nothing, and reason says why, where the wall's
-/// linear solver fails. Begins the clock's present step and sets up that solver. Collective.
-/// area: area times normal, out of the fluid, of the owned nodes of the fluid [mm²].
-std::optional<std::vector<double>> wall_compliance(const stepping::Clock& clock,
-                                                   const fields::Interface& interface,
-                                                   const std::vector<Vec3>& area,
-                                                   problems::SolidProblem& wall,
-                                                   std::string& reason);
+/// [mm/kPa], of the wall at its present state. Fails where the wall's linear solver does. Begins
+/// the clock's present step and sets up that solver. Collective. area: area times normal, out of
+/// the fluid, of the owned nodes of the fluid [mm²].
+Result<std::vector<double>> wall_compliance(const stepping::Clock& clock,
+                                            const fields::InterfaceTransfer& interface,
+                                            const std::vector<Vec3>& area,
+                                            problems::SolidProblem& wall);
 
 }  // namespace tunica::coupling

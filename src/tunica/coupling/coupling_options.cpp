@@ -36,17 +36,4 @@ CouplingOptions coupling_options(const Teuchos::ParameterList& list) {
       list.get<int>("halvings"),        list.get<std::string>("when not converged") == "accept"};
 }
 
-int Report::newton_steps(nonlinear::NewtonReport Iteration::*field) const {
-  int sum = 0;
-  for (const Iteration& iteration : iterations)
-    sum += static_cast<int>((iteration.*field).steps.size());
-  return sum;
-}
-
-int Report::linear_iterations(nonlinear::NewtonReport Iteration::*field) const {
-  int sum = 0;
-  for (const Iteration& iteration : iterations) sum += (iteration.*field).linear_iterations();
-  return sum;
-}
-
 }  // namespace tunica::coupling

@@ -7,11 +7,12 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
+#include "tunica/boundary/surface_geometry.hpp"
 
 namespace tunica::coupling {
 
 DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
-                                   const fields::Interface& interface,
+                                   const fields::InterfaceTransfer& interface,
                                    problems::FluidProblem& fluid, problems::SolidProblem& wall,
                                    problems::MeshMotion& motion)
     : options_(coupling_options(list)), interface_(&interface), fluid_(&fluid), wall_(&wall),
@@ -22,37 +23,32 @@ DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
     added_mass_ = list.sublist("Added Mass Solver");
 }
 
-std::optional<std::string> DirichletNeumann::prepare(const stepping::Clock& clock) {
-  if (!added_mass_) return std::nullopt;
+Outcome DirichletNeumann::prepare(const stepping::Clock& clock) {
+  if (!added_mass_) return Outcome::success();
   const fields::FieldMesh& mesh = fluid_->mesh();
   const double dt = clock.step_size();
   AddedMassModel model{mesh.x, {}, fluid_->open_surfaces(), fluid_->density() / (dt * dt), {}};
   for (int a = 0; a < mesh.n_nodes(); ++a) model.positions[a] += motion_->old_displacement()[a];
-  model.area = problems::nodal_areas(mesh, model.positions, interface_->surfaces);
-  std::string reason;
-  const auto compliance = wall_compliance(clock, *interface_, model.area, *wall_, reason);
-  if (!compliance && preconditioner_)
-    return std::nullopt;  // that of an earlier step is near enough
-  if (!compliance) {
-    std::ostringstream text;
-    text << "time " << clock.time() << " ms: the wall under unit pressure, for the coupling's "
-         << "preconditioner: " << reason;
-    return text.str();
+  model.area = boundary::nodal_areas(mesh, model.positions, interface_->surfaces);
+  const auto compliance = wall_compliance(clock, *interface_, model.area, *wall_);
+  if (compliance.is_failure() && preconditioner_)
+    return Outcome::success();  // that of an earlier step is near enough
+  if (compliance.is_failure()) {
+    std::ostringstream where;
+    where << "time " << clock.time() << " ms: the wall under unit pressure, for the coupling's "
+          << "preconditioner";
+    return compliance.outcome().at(where.str());
   }
-  model.compliance = *compliance;
+  model.compliance = compliance.value();
   preconditioner_ =
       std::make_unique<AddedMass>(*added_mass_, fluid_->last_jacobian(), *interface_, model);
   accelerator_->set_preconditioner(
       [this](const InterfaceVector& r) { return preconditioner_->apply(r); });
-  return std::nullopt;
+  return Outcome::success();
 }
 
 InterfaceVector DirichletNeumann::wall_displacement() const {
-  const std::vector<Vec3> d = wall_->displacement();
-  InterfaceVector values;
-  values.reserve(3 * interface_->n_owned());
-  for (const int a : interface_->wall_nodes) values.insert(values.end(), d[a].begin(), d[a].end());
-  return values;
+  return interface_->from_wall(wall_->displacement());
 }
 
 InterfaceVector DirichletNeumann::predict() const {
@@ -64,45 +60,32 @@ InterfaceVector DirichletNeumann::predict() const {
   return d;
 }
 
-bool DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& iteration,
-                                     std::string& reason) {
-  std::vector<Vec3> on_fluid(fluid_->mesh().n_owned);
-  for (int k = 0; k < interface_->n_owned(); ++k)
-    on_fluid[interface_->fluid_nodes[k]] = {d[3 * k], d[3 * k + 1], d[3 * k + 2]};
+Outcome DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& iteration) {
   const Stopwatch moving;
-  const auto failure = motion_->extend(on_fluid);
-  iteration.motion_seconds = moving.seconds();
-  if (failure) {
-    reason = "the mesh motion: " + *failure;
-    return false;
-  }
+  const Outcome moved = motion_->extend(interface_->to_fluid(d));
+  iteration.seconds("motion") = moving.seconds();
+  if (moved.is_failure()) return moved.at("the mesh motion");
   const Stopwatch flowing;
-  const auto inversion = fluid_->set_domain(motion_->displacement(), motion_->old_displacement());
-  if (inversion) {
-    reason = "the fluid's mesh: " + *inversion;
-    return false;
-  }
-  iteration.fluid = fluid_->solve();
-  iteration.fluid_seconds = flowing.seconds();
-  if (!iteration.fluid.is_converged)
-    reason = "the fluid's Newton method: " + iteration.fluid.reason;
-  return iteration.fluid.is_converged;
+  const Outcome placed = fluid_->set_domain(motion_->displacement(), motion_->old_displacement());
+  if (placed.is_failure()) return placed.at("the fluid's mesh");
+  nonlinear::NewtonReport& report = iteration.solve("fluid");
+  report = fluid_->solve();
+  iteration.seconds("fluid") = flowing.seconds();
+  if (report.is_converged) return Outcome::success();
+  return Outcome::failure("the fluid's Newton method: " + report.reason);
 }
 
-bool DirichletNeumann::respond(const InterfaceVector& d, Iteration& iteration,
-                               InterfaceVector& answer, std::string& reason) {
-  if (!move_and_flow(d, iteration, reason)) return false;
+Outcome DirichletNeumann::evaluate(const InterfaceVector& d, Iteration& iteration,
+                                   InterfaceVector& answer) {
+  if (const Outcome flow = move_and_flow(d, iteration); flow.is_failure()) return flow;
   const Stopwatch watch;
-  const std::vector<Vec3> reaction = fluid_->reaction();
-  std::vector<Vec3> force(wall_->mesh().n_owned);
-  for (int k = 0; k < interface_->n_owned(); ++k)
-    force[interface_->wall_nodes[k]] = reaction[interface_->fluid_nodes[k]];
-  wall_->set_nodal_force(force);
-  iteration.wall = wall_->solve();
-  iteration.wall_seconds = watch.seconds();
-  if (!iteration.wall.is_converged) reason = "the wall's Newton method: " + iteration.wall.reason;
+  wall_->set_nodal_force(interface_->to_wall(interface_->from_fluid(fluid_->reaction())));
+  nonlinear::NewtonReport& report = iteration.solve("wall");
+  report = wall_->solve();
+  iteration.seconds("wall") = watch.seconds();
   answer = wall_displacement();
-  return iteration.wall.is_converged;
+  if (report.is_converged) return Outcome::success();
+  return Outcome::failure("the wall's Newton method: " + report.reason);
 }
 
 double DirichletNeumann::size_of(const InterfaceVector& residual) const {
@@ -158,7 +141,7 @@ bool DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
   if (iteration.residual < options_.tolerance) return true;
   const Stopwatch watch;
   d = limited(d, accelerator_->next(d, residual));
-  iteration.update_seconds = watch.seconds();
+  iteration.seconds("update") = watch.seconds();
   iteration.relaxation = accelerator_->relaxation();
   iteration.columns = accelerator_->columns();
   return false;
@@ -179,29 +162,27 @@ std::string DirichletNeumann::why_unconverged(double time, const Report& report)
   return reason.str();
 }
 
-Report DirichletNeumann::solve_step(const stepping::Clock& clock,
-                                    const std::function<void(int, const Iteration&)>& watch) {
-  TUNICA_ASSERT(preconditioner_ || !added_mass_, "prepare() comes before each step");
+Report DirichletNeumann::solve_step(const stepping::Clock& clock, const Watch& watch) {
   Report report;
+  TUNICA_ASSERT(preconditioner_ || !added_mass_, "prepare() comes before each step");
   fluid_->begin_step(clock);
   wall_->begin_step(clock);
   accelerator_->begin_step();
   InterfaceVector d = predict(), answer, reached = history_.front();
   int n_failed = 0;  // in a row
   for (int k = 1; k <= options_.max_iterations && !report.is_converged; ++k) {
-    Iteration& iteration = report.iterations.emplace_back();
-    std::string cause;
-    const bool is_solved = respond(d, iteration, answer, cause);
-    n_failed = is_solved ? 0 : n_failed + 1;
-    if (is_solved) {
+    Iteration& iteration = report.iterations.emplace_back(new_iteration());
+    const Outcome solved = evaluate(d, iteration, answer);  // d̃
+    n_failed = solved.is_success() ? 0 : n_failed + 1;
+    if (solved.is_success()) {
       reached = d;
       report.is_converged = update(d, answer, iteration);
     }
     watch(k, iteration);
-    if (!is_solved && (k == options_.max_iterations || !go_back(d, reached, n_failed))) {
-      std::ostringstream reason;
-      reason << "time " << clock.time() << " ms, coupling iteration " << k << ": " << cause;
-      report.reason = reason.str();
+    if (solved.is_failure() && (k == options_.max_iterations || !go_back(d, reached, n_failed))) {
+      std::ostringstream where;
+      where << "time " << clock.time() << " ms, coupling iteration " << k;
+      report.reason = solved.at(where.str()).reason();
       return report;
     }
   }

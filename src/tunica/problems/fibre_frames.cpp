@@ -110,10 +110,11 @@ std::vector<Vec3> gradient_between(const Teuchos::ParameterList& list,
     const auto view = phi.getLocalViewHost(overwrite_all);
     for (int a = 0; a < mesh.n_owned; ++a) view(a, 0) = is_one[a];
   }
-  Harmonic harmonic(list.sublist("Linear Solver"), mesh, is_given, 1);
-  const auto failure = harmonic.extend(phi);
-  TUNICA_CHECK(!failure, std::string(where) + ": " + *failure + " between \"" + from + "\" and \"" +
-                             to + "\".");
+  const discretisation::HarmonicExtension extension(mesh, is_given);
+  Harmonic harmonic(list.sublist("Linear Solver"), extension, 1);
+  const Outcome outcome = harmonic.extend(phi);
+  TUNICA_CHECK(outcome.is_success(), std::string(where) + ": " + outcome.reason() + " between \"" +
+                                         from + "\" and \"" + to + "\".");
   return smooth_gradient(mesh, fields::ghosted_scalars(mesh, phi));
 }
 

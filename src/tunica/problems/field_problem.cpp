@@ -1,7 +1,5 @@
 #include "tunica/problems/field_problem.hpp"
 
-#include "tunica/assembly/mass_norm.hpp"
-
 namespace tunica::problems {
 
 namespace {
@@ -27,70 +25,47 @@ private:
 
 }  // namespace
 
-FieldProblem::FieldProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
-    : mesh_(&mesh), fixed_(mesh.n_nodes(), 0), K_(mesh), R_(mesh), x_(fields::zero_vector(mesh)),
-      newton_(nonlinear::newton_options(list.sublist("Newton"))) {}
+FieldProblem::FieldProblem(std::unique_ptr<discretisation::MixedField> field,
+                           const Teuchos::ParameterList& list)
+    : x_(field->space()), field_(std::move(field)),
+      newton_(nonlinear::newton_options(list.sublist("Newton"))),
+      solver_(
+          linear::make_linear_solver(list.sublist("Linear Solver"), field_->jacobian(), *field_)) {}
 
 FieldProblem::~FieldProblem() = default;
-
-void FieldProblem::make_solver(const Teuchos::ParameterList& list) {
-  solver_ = linear::make_linear_solver(list.sublist("Linear Solver"), K_, *this);
-}
 
 void FieldProblem::watch_solves(SolveWatch watch) {
   solver_ = std::make_unique<WatchedSolver>(std::move(solver_), std::move(watch));
 }
 
 fields::State FieldProblem::save() const {
-  fields::State state = fields::state_on(*mesh_);
-  state.arrays["vector"] = fields::rows_of(x_[0], 3);
-  state.arrays["scalar"] = fields::rows_of(x_[1], 1);
+  fields::State state = fields::state_on(mesh());
+  for (int b = 0; b < x_.n_blocks(); ++b) {
+    const algebra::Block& block = (*space())[b];
+    state.arrays[block.name] = fields::rows_of(x_[b], block.components);
+  }
   return state;
 }
 
 std::string FieldProblem::restore(const fields::State& state) {
-  fields::assign_rows(state.array("vector", 3), x_[0]);
-  fields::assign_rows(state.array("scalar", 1), x_[1]);
-  read(x_);
+  for (int b = 0; b < x_.n_blocks(); ++b) {
+    const algebra::Block& block = (*space())[b];
+    fields::assign_rows(state.array(block.name, block.components), x_[b]);
+  }
   return "";
 }
 
 nonlinear::NewtonReport FieldProblem::find_state() {
-  algebra::BlockVector x = fields::zero_vector(*mesh_);
+  algebra::BlockVector x(space());
   x.assign(x_);
   nonlinear::NewtonReport report = solve_newton(*this, newton_, x);
-  if (report.is_converged)
-    x_.assign(x);
-  else
-    read(x_);
+  if (report.is_converged) x_.assign(x);
   return report;
 }
 
-bool FieldProblem::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
-  read(x);
-  if (!is_admissible()) return false;
-  assemble(nullptr);
-  R_.store(*mesh_, fixed_, F);
-  return true;
-}
-
 void FieldProblem::jacobian(const algebra::BlockVector& x) {
-  read(x);
-  const Stopwatch watch;
-  assembly::BlockAssembler assembler(K_, fixed_);
-  assemble(&assembler);
-  assembler.finish();
-  meter_.items += static_cast<long long>(mesh_->tets.size());
-  meter_.seconds += watch.seconds();
+  field_->assemble_jacobian(x);
   solver_->matrix_changed();
-}
-
-void FieldProblem::apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const {
-  K_.apply(x, y);
-}
-
-double FieldProblem::increment_norm(const algebra::BlockVector& dx) {
-  return assembly::mass_norm(*mesh_, geometry(), dx);
 }
 
 }  // namespace tunica::problems

@@ -2,25 +2,15 @@
 
 namespace tunica::problems {
 
-namespace {
-
-std::vector<char> given_nodes(const fields::FieldMesh& mesh) {
-  std::vector<char> is_given(mesh.n_nodes());
-  for (int a = 0; a < mesh.n_nodes(); ++a) is_given[a] = mesh.on_surface[a] != 0;
-  return is_given;
-}
-
-}  // namespace
-
 MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
                        const std::vector<int>& surfaces)
-    : mesh_(&mesh), is_interface_(mesh.n_owned, 0),
-      harmonic_(list.sublist("Linear Solver"), mesh, given_nodes(mesh), 3), d_(mesh.n_nodes()),
+    : mesh_(&mesh), is_interface_(mesh.n_owned, 0), motion_(mesh),
+      harmonic_(list.sublist("Linear Solver"), motion_.extension(), 3), d_(mesh.n_nodes()),
       d_old_(mesh.n_nodes()) {
   for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, surfaces);
 }
 
-std::optional<std::string> MeshMotion::extend(const std::vector<Vec3>& interface_displacement) {
+Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement) {
   MultiVector total(mesh_->node_map, 3);
   {
     const auto view = total.getLocalViewHost(overwrite_all);
@@ -28,12 +18,12 @@ std::optional<std::string> MeshMotion::extend(const std::vector<Vec3>& interface
       for (int i = 0; i < 3; ++i)
         view(a, i) = is_interface_[a] ? interface_displacement[a][i] : 0.0;
   }
-  if (const auto failure = harmonic_.extend(total)) return failure;
+  if (const Outcome outcome = harmonic_.extend(total); outcome.is_failure()) return outcome;
   MultiVector ghosted(mesh_->ghosted_map, 3);
   ghosted.doImport(total, *mesh_->import, insert);
   const auto view = ghosted.getLocalViewHost(read_only);
   for (int a = 0; a < mesh_->n_nodes(); ++a) d_[a] = {view(a, 0), view(a, 1), view(a, 2)};
-  return std::nullopt;
+  return Outcome::success();
 }
 
 fields::State MeshMotion::save() const {

@@ -4,9 +4,7 @@
 
 namespace tunica::problems {
 
-/// Harmonic extension of the interface's displacement into the fluid's mesh, on the
-/// undeformed mesh ([LY1] eq:harext): −Δd = 0, d given on the interface, zero on every other
-/// surface of the fluid.
+/// The fluid's mesh follows the interface: the harmonic extension of its displacement, solved for.
 class MeshMotion : public fields::Restartable {
 public:
   /// list: the resolved "Mesh Motion" list; surfaces: indices of the interface's surfaces.
@@ -15,7 +13,7 @@ public:
 
   /// Sets displacement() from that of the owned interface nodes (other entries are ignored).
   /// Says why where the linear solver fails. Collective.
-  std::optional<std::string> extend(const std::vector<Vec3>& interface_displacement);
+  Outcome extend(const std::vector<Vec3>& interface_displacement);
 
   const std::vector<Vec3>& displacement() const { return d_; }          ///< local nodes
   const std::vector<Vec3>& old_displacement() const { return d_old_; }  ///< of the last step
@@ -28,6 +26,7 @@ public:
 private:
   const fields::FieldMesh* mesh_;
   std::vector<char> is_interface_;  ///< per owned node
+  discretisation::MeshMotion motion_;
   Harmonic harmonic_;
   std::vector<Vec3> d_, d_old_;
 };

@@ -2,6 +2,38 @@
 
 namespace tunica::stepping {
 
+Newmark::Newmark(const Teuchos::ParameterList& list)
+    : Newmark(list.get<double>("beta"), list.get<double>("gamma")) {}
+
+Vec3 Newmark::momentum(const History& history, int node) const {
+  return 1.0 / (beta_ * step_size()) * history[0][node] +
+         (1.0 - 2.0 * beta_) / (2.0 * beta_) * history[1][node];
+}
+
+Vec3 Newmark::inertia_load(const History& history, int node) const {
+  const double dt = step_size();
+  return 1.0 / (beta_ * dt * dt) * history.value()[node] + momentum(history, node);
+}
+
+Vec3 Newmark::past(const History& history, int node) const {
+  // v = vⁿ⁻¹ + (1 − γ)Δt aⁿ⁻¹ + γΔt a, with a = (d − dⁿ⁻¹)/(βΔt²) − momentum
+  const double dt = step_size();
+  const Vec3 known = history[0][node] + dt * ((1.0 - gamma_) * history[1][node]) -
+                     gamma_ * dt * momentum(history, node);
+  return history.value()[node] - 1.0 / rate() * known;
+}
+
+void Newmark::accept(const std::vector<Vec3>& x, History& history) const {
+  const double dt = step_size();
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const int node = static_cast<int>(k);
+    const Vec3 a = 1.0 / (beta_ * dt * dt) * (x[k] - history.value()[k]) - momentum(history, node);
+    history[0][k] = history[0][k] + dt * ((1.0 - gamma_) * history[1][k] + gamma_ * a);
+    history[1][k] = a;
+  }
+  history.value() = x;
+}
+
 params::Table newmark_table() {
   params::Table table("Newmark's time integration of the wall.");
   table

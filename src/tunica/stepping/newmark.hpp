@@ -1,6 +1,6 @@
 #pragma once
-#include "tunica/base/tensor.hpp"
 #include "tunica/params/table.hpp"
+#include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::stepping {
 
@@ -9,28 +9,28 @@ namespace tunica::stepping {
 ///   a = (d − dⁿ⁻¹)/(βΔt²) − vⁿ⁻¹/(βΔt) − (1 − 2β)/(2β) aⁿ⁻¹
 ///   v = vⁿ⁻¹ + (1 − γ)Δt aⁿ⁻¹ + γΔt a
 ///
-/// Source: [LY1] section 4.1; β = 0.625, γ = 1 there.
-struct Newmark {
-  double beta;
-  double gamma;
-  double dt;
+/// Remembers v and a. Source: [LY1] section 4.1; β = 0.625, γ = 1 there.
+class Newmark final : public TimeScheme {
+public:
+  Newmark(double beta, double gamma) : beta_(beta), gamma_(gamma) {}
+  /// From a resolved "Newmark" list.
+  explicit Newmark(const Teuchos::ParameterList& list);
 
-  Vec3 acceleration(const Vec3& d, const Vec3& d_old, const Vec3& v_old, const Vec3& a_old) const {
-    return 1.0 / (beta * dt * dt) * (d - d_old) - history(v_old, a_old);
+  std::vector<std::string> remembers() const override { return {"velocity", "acceleration"}; }
+  /// v = γ/(βΔt) (d − x̃).
+  double rate() const override { return gamma_ / (beta_ * step_size()); }
+  Vec3 past(const History& history, int node) const override;
+  double inertia(double density) const override {
+    return density / (beta_ * step_size() * step_size());
   }
-  Vec3 velocity(const Vec3& a, const Vec3& v_old, const Vec3& a_old) const {
-    return v_old + dt * ((1.0 - gamma) * a_old + gamma * a);
-  }
-  /// r of ρ a = αd − r with α = ρ/(βΔt²).
-  Vec3 load(double density, const Vec3& d_old, const Vec3& v_old, const Vec3& a_old) const {
-    return density * (1.0 / (beta * dt * dt) * d_old + history(v_old, a_old));
-  }
-  double alpha(double density) const { return density / (beta * dt * dt); }
+  Vec3 inertia_load(const History& history, int node) const override;
+  void accept(const std::vector<Vec3>& x, History& history) const override;
 
 private:
-  Vec3 history(const Vec3& v_old, const Vec3& a_old) const {
-    return 1.0 / (beta * dt) * v_old + (1.0 - 2.0 * beta) / (2.0 * beta) * a_old;
-  }
+  /// vⁿ⁻¹/(βΔt) + (1 − 2β)/(2β) aⁿ⁻¹.
+  Vec3 momentum(const History& history, int node) const;
+
+  double beta_, gamma_;
 };
 
 params::Table newmark_table();

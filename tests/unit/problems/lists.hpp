@@ -4,9 +4,8 @@
 #include <string>
 
 #include "tunica/params/table.hpp"
-#include "tunica/problems/fluid_options.hpp"
-#include "tunica/problems/observable.hpp"
-#include "tunica/problems/solid_options.hpp"
+#include "tunica/problems/fluid_problem.hpp"
+#include "tunica/problems/solid_problem.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace tunica::test {
@@ -75,7 +74,7 @@ double jacobian_error(Problem& problem, const algebra::BlockVector& x,
   return relative_difference(quotient, Kv);
 }
 
-inline double observed(const problems::Observables& all, const std::string& name) {
+inline double observed(const discretisation::Observables& all, const std::string& name) {
   for (const auto& o : all)
     if (o.name == name) return o.value;
   return std::nan("");

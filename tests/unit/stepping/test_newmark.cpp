@@ -5,55 +5,73 @@
 namespace {
 
 using namespace tunica;
+using stepping::History;
 using stepping::Newmark;
 
 const Vec3 d_old{0.1, -0.2, 0.3}, v_old{1.0, 2.0, -1.0}, a_old{0.5, -3.0, 4.0};
 
+Newmark scheme(double beta, double gamma, double dt) {
+  Newmark newmark(beta, gamma);
+  newmark.set_step_size(dt);
+  return newmark;
+}
+
+/// One node with these values.
+History history_of(const Newmark& newmark, const Vec3& d, const Vec3& v, const Vec3& a) {
+  History history(newmark.remembers(), 1);
+  history.value()[0] = d;
+  history[0][0] = v;
+  history[1][0] = a;
+  return history;
+}
+
 TEUCHOS_UNIT_TEST(newmark, average_acceleration_integrates_constant_acceleration_exactly) {
-  const Newmark scheme{0.25, 0.5, 0.3};
-  const double dt = scheme.dt;
-  const Vec3 d = d_old + dt * v_old + (0.5 * dt * dt) * a_old;
-  const Vec3 a = scheme.acceleration(d, d_old, v_old, a_old);
-  const Vec3 v = scheme.velocity(a, v_old, a_old);
+  const double dt = 0.3;
+  const Newmark newmark = scheme(0.25, 0.5, dt);
+  History history = history_of(newmark, d_old, v_old, a_old);
+  newmark.accept({d_old + dt * v_old + (0.5 * dt * dt) * a_old}, history);
   for (int i = 0; i < 3; ++i) {
-    TEST_FLOATING_EQUALITY(a[i], a_old[i], 1e-13);
-    TEST_FLOATING_EQUALITY(v[i], v_old[i] + dt * a_old[i], 1e-13);
+    TEST_FLOATING_EQUALITY(history[1][0][i], a_old[i], 1e-13);
+    TEST_FLOATING_EQUALITY(history[0][0][i], v_old[i] + dt * a_old[i], 1e-13);
   }
 }
 
 TEUCHOS_UNIT_TEST(newmark, constant_acceleration_is_exact_for_the_papers_parameters_too) {
-  const Newmark scheme{0.625, 1.0, 0.125};
-  const double dt = scheme.dt;
-  Vec3 d = d_old, v = v_old;
+  const double dt = 0.125;
+  const Newmark newmark = scheme(0.625, 1.0, dt);
+  History history = history_of(newmark, d_old, v_old, a_old);
   for (int n = 1; n <= 4; ++n) {
     const double t = n * dt;
-    const Vec3 d_new = d_old + t * v_old + (0.5 * t * t) * a_old;
-    const Vec3 a = scheme.acceleration(d_new, d, v, a_old);
-    v = scheme.velocity(a, v, a_old);
-    d = d_new;
+    newmark.accept({d_old + t * v_old + (0.5 * t * t) * a_old}, history);
     for (int i = 0; i < 3; ++i) {
-      TEST_FLOATING_EQUALITY(a[i], a_old[i], 1e-11);
-      TEST_FLOATING_EQUALITY(v[i], v_old[i] + t * a_old[i], 1e-12);
+      TEST_FLOATING_EQUALITY(history[1][0][i], a_old[i], 1e-11);
+      TEST_FLOATING_EQUALITY(history[0][0][i], v_old[i] + t * a_old[i], 1e-12);
     }
   }
 }
 
-TEUCHOS_UNIT_TEST(newmark, inertia_is_alpha_d_minus_load) {
-  const Newmark scheme{0.625, 1.0, 0.125};
+TEUCHOS_UNIT_TEST(newmark, rates_are_affine_in_the_new_value) {
+  const Newmark newmark = scheme(0.625, 0.8, 0.125);
+  const History before = history_of(newmark, d_old, v_old, a_old);
   const double density = 1.2;
   const Vec3 d{0.4, 0.1, -0.7};
-  const Vec3 a = scheme.acceleration(d, d_old, v_old, a_old);
-  const Vec3 r = scheme.load(density, d_old, v_old, a_old);
-  for (int i = 0; i < 3; ++i)
-    TEST_FLOATING_EQUALITY(scheme.alpha(density) * d[i] - r[i], density * a[i], 1e-12);
+  const Vec3 r = newmark.inertia_load(before, 0), past = newmark.past(before, 0);
+  History after = before;
+  newmark.accept({d}, after);
+  for (int i = 0; i < 3; ++i) {  // ρ a = α d − ρ r,  v = c (d − d̃)
+    TEST_FLOATING_EQUALITY(newmark.inertia(density) * d[i] - density * r[i],
+                           density * after[1][0][i], 1e-12);
+    TEST_FLOATING_EQUALITY(newmark.rate() * (d[i] - past[i]), after[0][0][i], 1e-12);
+  }
 }
 
 TEUCHOS_UNIT_TEST(newmark, numbers_by_hand) {
   // β Δt² = 0.625 / 4 = 0.15625: 1/0.15625 = 6.4; 1/(β Δt) = 3.2; (1 − 2β)/(2β) = −0.2
-  const Newmark scheme{0.625, 1.0, 0.5};
-  const Vec3 a = scheme.acceleration({1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0});
-  TEST_FLOATING_EQUALITY(a[0], 6.4 - 3.2 + 0.2, 1e-14);
-  TEST_FLOATING_EQUALITY(scheme.velocity(a, {1, 0, 0}, {1, 0, 0})[0], 1.0 + 0.5 * 3.4, 1e-14);
+  const Newmark newmark = scheme(0.625, 1.0, 0.5);
+  History history = history_of(newmark, {0, 0, 0}, {1, 0, 0}, {1, 0, 0});
+  newmark.accept({{1, 0, 0}}, history);
+  TEST_FLOATING_EQUALITY(history[1][0][0], 6.4 - 3.2 + 0.2, 1e-14);
+  TEST_FLOATING_EQUALITY(history[0][0][0], 1.0 + 0.5 * 3.4, 1e-14);
 }
 
 }  // namespace

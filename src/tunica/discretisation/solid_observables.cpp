@@ -2,11 +2,11 @@
 
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/discretisation/solid.hpp"
 #include "tunica/kernels/deformation.hpp"
 #include "tunica/kernels/energy.hpp"
-#include "tunica/problems/solid_problem.hpp"
 
-namespace tunica::problems {
+namespace tunica::discretisation {
 
 namespace {
 
@@ -24,18 +24,20 @@ struct Summary {
 // of the isochoric law, the volumetric one ∫ p²/(2κ) dV; the velocity is that of the last
 // accepted step.
 
-Observables SolidProblem::observe() const {
+Observables Solid::observe(const algebra::BlockVector& x) const {
   const Comm& comm = *mesh_->comm;
-  const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, x_[0]);
-  const std::vector<double> p = fields::ghosted_scalars(*mesh_, x_[1]);
+  const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, x[0]);
+  const std::vector<double> p = fields::ghosted_scalars(*mesh_, x[1]);
+  const int n_surfaces = static_cast<int>(mesh_->surfaces.size());
+  bool has_interface = false;
+  for (int k = 0; k < n_surfaces; ++k) has_interface |= surfaces_.is_interface(k);
   Summary s;
   for (int a = 0; a < mesh_->n_owned; ++a) {
     s.displacement = std::max(s.displacement, norm(d[a]));
     s.low_pressure = std::min(s.low_pressure, p[a]);
     s.high_pressure = std::max(s.high_pressure, p[a]);
-    for (std::size_t k = 0; k < condition_of_surface_.size(); ++k)
-      if (condition_of_surface_[k] != nullptr && condition_of_surface_[k]->kind == "interface" &&
-          mesh_->is_on(a, static_cast<int>(k)))
+    for (int k = 0; k < n_surfaces; ++k)
+      if (surfaces_.is_interface(k) && mesh_->is_on(a, k))
         s.interface_displacement = std::max(s.interface_displacement, norm(d[a]));
   }
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
@@ -51,7 +53,7 @@ Observables SolidProblem::observe() const {
     s.volumetric += 0.5 * elements_.coefficients[e].inv_kappa *
                     kernels::squared_norm(V, assembly::gather(p, mesh_->tets[e]));
     s.kinetic += 0.5 * elements_.density[e] *
-                 kernels::squared_norm(V, assembly::gather(v_old_, mesh_->tets[e]));
+                 kernels::squared_norm(V, assembly::gather(velocity(), mesh_->tets[e]));
   }
   Observables found{{"max_displacement_wall_mm", global_max(comm, s.displacement)},
                     {"min_det_F", global_min(comm, s.low_J)},
@@ -61,10 +63,10 @@ Observables SolidProblem::observe() const {
                     {"elastic_energy_kPa_mm3", global_sum(comm, s.elastic)},
                     {"volumetric_energy_kPa_mm3", global_sum(comm, s.volumetric)},
                     {"wall_kinetic_energy_kPa_mm3", global_sum(comm, s.kinetic)}};
-  if (!options_.interface_surfaces().empty())
+  if (has_interface)
     found.insert(found.begin() + 1,
                  {"max_displacement_interface_mm", global_max(comm, s.interface_displacement)});
   return found;
 }
 
-}  // namespace tunica::problems
+}  // namespace tunica::discretisation

@@ -2,11 +2,13 @@
 
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/boundary/backflow.hpp"
+#include "tunica/boundary/traction.hpp"
+#include "tunica/discretisation/fluid.hpp"
 #include "tunica/kernels/energy.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
-#include "tunica/problems/fluid_problem.hpp"
 
-namespace tunica::problems {
+namespace tunica::discretisation {
 
 // The energies and powers of fluid and wall close the balance of a coupled run,
 //
@@ -24,7 +26,7 @@ namespace tunica::problems {
 // under a given traction; the power of prescribed velocities, and of loads on the wall, is left
 // out.
 
-void FluidProblem::observe_volume(const assembly::FluidFields& state, Observables& found) const {
+void Fluid::observe_volume(const assembly::FluidFields& state, Observables& found) const {
   const Comm& comm = *mesh_->comm;
   double volume = 0.0, kinetic = 0.0, viscous = 0.0;
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
@@ -42,37 +44,35 @@ void FluidProblem::observe_volume(const assembly::FluidFields& state, Observable
   found.push_back({"stabilisation_power_kPa_mm3_per_ms", global_sum(comm, stabilisation)});
 }
 
-void FluidProblem::observe_open_surfaces(const std::vector<Vec3>& u, Observables& found) const {
-  const Comm& comm = *mesh_->comm;
-  double traction = 0.0, inflow = 0.0, backflow = 0.0;
+void Fluid::observe_open_surfaces(const assembly::FluidFields& state, Observables& found) const {
+  boundary::Surroundings here = surroundings();
+  here.u = &state.u;
+  std::map<std::string, double> sums{{boundary::traction_power, 0.0},
+                                     {boundary::backflow_power, 0.0}};
+  double inflow = 0.0;
   for (const fields::Face& face : mesh_->faces) {
-    const FlowCondition* condition = condition_of_surface_[face.surface];
-    if (!face.is_owned || (condition != nullptr && !condition->is_open())) continue;
-    const auto x = assembly::gather(position_, face.nodes), v = assembly::gather(u, face.nodes),
-               w = assembly::gather(local_.w, face.nodes);
-    inflow -= options_.density * kernels::kinetic_outflow(x, v, w);
-    if (condition == nullptr) continue;
-    const auto load = kernels::dead_traction(x, traction_on(x, *condition)),
-               brake = kernels::backflow(x, v, w, condition->backflow * options_.density);
-    for (int a = 0; a < 3; ++a) {
-      traction -= dot(load.u[a], v[a]);
-      backflow += dot(brake.u[a], v[a]);
-    }
+    if (!face.is_owned || !surfaces_.is_natural(face.surface)) continue;
+    inflow -= options_.density * kernels::kinetic_outflow(assembly::gather(position_, face.nodes),
+                                                          assembly::gather(state.u, face.nodes),
+                                                          assembly::gather(local_.w, face.nodes));
+    surfaces_.observe(here, face, sums);
   }
-  found.push_back({"traction_power_kPa_mm3_per_ms", global_sum(comm, traction)});
-  found.push_back({"kinetic_inflow_kPa_mm3_per_ms", global_sum(comm, inflow)});
-  found.push_back({"backflow_power_kPa_mm3_per_ms", global_sum(comm, backflow)});
+  const auto total = [&](double mine) { return global_sum(*mesh_->comm, mine); };
+  found.push_back({boundary::traction_power, total(sums[boundary::traction_power])});
+  found.push_back({"kinetic_inflow_kPa_mm3_per_ms", total(inflow)});
+  found.push_back({boundary::backflow_power, total(sums[boundary::backflow_power])});
 }
 
-Observables FluidProblem::observe() const {
+Observables Fluid::observe(const algebra::BlockVector& x) const {
   const Comm& comm = *mesh_->comm;
   assembly::FluidFields state = local_;
-  state.u = fields::ghosted_vectors(*mesh_, x_[0]);
-  state.p = fields::ghosted_scalars(*mesh_, x_[1]);
+  state.u = fields::ghosted_vectors(*mesh_, x[0]);
+  state.p = fields::ghosted_scalars(*mesh_, x[1]);
   Observables found;
-  for (std::size_t s = 0; s < condition_of_surface_.size(); ++s) {
-    const FlowCondition* condition = condition_of_surface_[s];
-    if (condition == nullptr || condition->kind == "interface" || condition->kind == "no slip")
+  for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s) {
+    const boundary::Condition* condition = surfaces_.condition(static_cast<int>(s));
+    if (condition == nullptr || condition->kind() == boundary::interface_condition ||
+        condition->kind() == "no slip")
       continue;
     double inflow = 0.0;
     for (const fields::Face& face : mesh_->faces) {
@@ -91,8 +91,8 @@ Observables FluidProblem::observe() const {
   found.push_back({"fluid_pressure_max_kPa", global_max(comm, high)});
   found.push_back({"max_speed_mm_per_ms", global_max(comm, speed)});
   observe_volume(state, found);
-  observe_open_surfaces(state.u, found);
+  observe_open_surfaces(state, found);
   return found;
 }
 
-}  // namespace tunica::problems
+}  // namespace tunica::discretisation

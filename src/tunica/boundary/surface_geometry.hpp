@@ -1,7 +1,7 @@
 #pragma once
 #include "tunica/fields/field_mesh.hpp"
 
-namespace tunica::problems {
+namespace tunica::boundary {
 
 /// Size and place of a surface of the undeformed mesh.
 struct SurfaceGeometry {
@@ -18,4 +18,4 @@ std::vector<Vec3> nodal_areas(const fields::FieldMesh& mesh, const std::vector<V
 /// Collective.
 SurfaceGeometry surface_geometry(const fields::FieldMesh& mesh, int surface);
 
-}  // namespace tunica::problems
+}  // namespace tunica::boundary

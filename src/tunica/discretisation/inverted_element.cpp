@@ -1,4 +1,4 @@
-#include "tunica/problems/inverted_element.hpp"
+#include "tunica/discretisation/inverted_element.hpp"
 
 #include <cmath>
 #include <limits>
@@ -6,12 +6,12 @@
 
 #include "tunica/base/reduce.hpp"
 
-namespace tunica::problems {
+namespace tunica::discretisation {
 
-std::optional<std::string> describe_inversion(const fields::FieldMesh& mesh, double smallest,
-                                              int element, const std::string& measure) {
+Outcome check_inversion(const fields::FieldMesh& mesh, double smallest, int element,
+                        const std::string& measure) {
   const bool is_fine = element < 0 || smallest > 0.0;  // false for NaN too
-  if (all_agree(*mesh.comm, is_fine)) return std::nullopt;
+  if (all_agree(*mesh.comm, is_fine)) return Outcome::success();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double badness = is_fine ? infinity : std::isnan(smallest) ? -infinity : smallest;
   const double worst = global_min(*mesh.comm, badness);
@@ -32,7 +32,7 @@ std::optional<std::string> describe_inversion(const fields::FieldMesh& mesh, dou
   text << "element " << static_cast<long long>(number) << " at (" << centre[0] << ", " << centre[1]
        << ", " << centre[2] << ") of the undeformed mesh is inverted (" << measure << " = " << value
        << ")";
-  return text.str();
+  return Outcome::failure(text.str());
 }
 
-}  // namespace tunica::problems
+}  // namespace tunica::discretisation

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace tunica::problems {
+namespace tunica::discretisation {
 
 /// A number that characterises the state, a column of steps.csv.
 struct Observable {
@@ -11,4 +11,4 @@ struct Observable {
 };
 using Observables = std::vector<Observable>;
 
-}  // namespace tunica::problems
+}  // namespace tunica::discretisation

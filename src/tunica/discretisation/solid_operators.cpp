@@ -1,7 +1,7 @@
 #include "tunica/assembly/scalar_matrix.hpp"
-#include "tunica/problems/solid_problem.hpp"
+#include "tunica/discretisation/solid.hpp"
 
-namespace tunica::problems {
+namespace tunica::discretisation {
 
 namespace {
 
@@ -10,11 +10,11 @@ constexpr const char* bulk_mass = "Schur Bulk Mass";
 
 }  // namespace
 
-std::vector<std::string> SolidProblem::operator_names() const { return {mass, bulk_mass}; }
+std::vector<std::string> Solid::operator_names() const { return {mass, bulk_mass}; }
 
 // The parts of [LY1] eq:lpreschur, S̃ = (1/θ + 1/κ) diag(Mp). θ is O(c10) there, chosen by
 // trials on a coarse mesh; here it is the law's own modulus c10 + c01, layer by layer.
-Teuchos::RCP<const CrsMatrix> SolidProblem::assemble_operator(const std::string& name) const {
+Teuchos::RCP<const CrsMatrix> Solid::assemble_operator(const std::string& name) const {
   if (name != mass && name != bulk_mass) return Teuchos::null;
   const std::vector<char> none_fixed(mesh_->n_nodes(), 0);
   return assembly::scalar_matrix(
@@ -27,4 +27,4 @@ Teuchos::RCP<const CrsMatrix> SolidProblem::assemble_operator(const std::string&
       none_fixed);
 }
 
-}  // namespace tunica::problems
+}  // namespace tunica::discretisation

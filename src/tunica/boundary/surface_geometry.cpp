@@ -1,4 +1,4 @@
-#include "tunica/problems/surface_geometry.hpp"
+#include "tunica/boundary/surface_geometry.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
 
-namespace tunica::problems {
+namespace tunica::boundary {
 
 SurfaceGeometry surface_geometry(const fields::FieldMesh& mesh, int surface) {
   double area = 0.0, radius = 0.0;
@@ -37,4 +37,4 @@ std::vector<Vec3> nodal_areas(const fields::FieldMesh& mesh, const std::vector<V
   return area;
 }
 
-}  // namespace tunica::problems
+}  // namespace tunica::boundary

@@ -1,9 +1,9 @@
 #include "tunica/assembly/gather.hpp"
 #include "tunica/assembly/scalar_matrix.hpp"
+#include "tunica/discretisation/fluid.hpp"
 #include "tunica/kernels/laplace_p1.hpp"
-#include "tunica/problems/fluid_problem.hpp"
 
-namespace tunica::problems {
+namespace tunica::discretisation {
 
 namespace {
 
@@ -22,15 +22,13 @@ assembly::ScalarElement convection_element(const kernels::Tet4& T, const std::ar
 
 }  // namespace
 
-std::vector<std::string> FluidProblem::operator_names() const {
-  return {laplacian, mass, convection};
-}
+std::vector<std::string> Fluid::operator_names() const { return {laplacian, mass, convection}; }
 
 // The parts of [LY1] eq:rpreschur with their coefficients, so that
 //   S̃⁻¹ = L⁻¹ + M⁻¹ + M⁻¹ N L⁻¹,  L = Δt/ρ Dp,  M = 1/μ Mp,  N = Δt/μ Cp.
 // L has zero Dirichlet values where the fluid leaves freely: there the pressure is known, and
 // the velocity that it drives is not constrained.
-Teuchos::RCP<const CrsMatrix> FluidProblem::assemble_operator(const std::string& name) const {
+Teuchos::RCP<const CrsMatrix> Fluid::assemble_operator(const std::string& name) const {
   const double dt = 1.0 / elements_.coefficients.inv_dt;
   const auto& geometry = elements_.geometry;
   std::vector<char> is_fixed(mesh_->n_nodes(), 0);
@@ -54,9 +52,8 @@ Teuchos::RCP<const CrsMatrix> FluidProblem::assemble_operator(const std::string&
         },
         is_fixed);
   if (name != laplacian) return Teuchos::null;
-  for (std::size_t s = 0; s < condition_of_surface_.size(); ++s) {
-    const FlowCondition* condition = condition_of_surface_[s];
-    if (condition != nullptr && !condition->is_open()) continue;
+  for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s) {
+    if (!surfaces_.is_natural(static_cast<int>(s))) continue;
     for (int a = 0; a < mesh_->n_nodes(); ++a)
       if (mesh_->is_on(a, static_cast<int>(s))) is_fixed[a] = 1;
   }
@@ -71,4 +68,4 @@ Teuchos::RCP<const CrsMatrix> FluidProblem::assemble_operator(const std::string&
       is_fixed);
 }
 
-}  // namespace tunica::problems
+}  // namespace tunica::discretisation

@@ -1,8 +1,8 @@
-#include "tunica/problems/layer_boundary.hpp"
+#include "tunica/discretisation/layer_boundary.hpp"
 
 #include <algorithm>
 
-namespace tunica::problems {
+namespace tunica::discretisation {
 
 // A ghost node's elements are not all here: its owner says whether it lies on a boundary.
 std::vector<char> at_layer_boundary(const fields::FieldMesh& mesh,
@@ -25,4 +25,4 @@ std::vector<char> at_layer_boundary(const fields::FieldMesh& mesh,
   return flags;
 }
 
-}  // namespace tunica::problems
+}  // namespace tunica::discretisation

@@ -1,0 +1,23 @@
+#pragma once
+#include "tunica/boundary/boundary_term.hpp"
+#include "tunica/stepping/time_function.hpp"
+
+namespace tunica::boundary {
+
+/// A pressure on the wall that follows its deformed surface and pushes against the outward normal:
+///
+///   R[a] += ∫ N_a p n da,   with its derivative by the displacement
+class FollowerPressure final : public BoundaryTerm {
+public:
+  /// list: a resolved list with "pressure" [kPa] and "Amplitude".
+  explicit FollowerPressure(const Teuchos::ParameterList& list);
+
+  void add(const Surroundings& s, const fields::Face& face, assembly::NodalResidual& R,
+           assembly::BlockAssembler* K) const override;
+
+private:
+  double pressure_;  ///< [kPa]
+  stepping::TimeFunction amplitude_;
+};
+
+}  // namespace tunica::boundary

@@ -1,0 +1,16 @@
+#pragma once
+#include "tunica/boundary/boundary_term.hpp"
+
+namespace tunica::boundary {
+
+/// Components of the wall's displacement that stay zero; all of them where it is clamped.
+class Held final : public BoundaryTerm {
+public:
+  explicit Held(std::vector<int> components) : components_(std::move(components)) {}
+  std::vector<int> prescribed_components() const override { return components_; }
+
+private:
+  std::vector<int> components_;
+};
+
+}  // namespace tunica::boundary

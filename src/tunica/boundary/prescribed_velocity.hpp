@@ -1,0 +1,45 @@
+#pragma once
+#include <optional>
+
+#include "tunica/boundary/boundary_term.hpp"
+#include "tunica/boundary/surface_geometry.hpp"
+#include "tunica/stepping/time_function.hpp"
+
+namespace tunica::boundary {
+
+/// All components of the fluid's velocity are given.
+class GivenVelocity : public BoundaryTerm {
+public:
+  std::vector<int> prescribed_components() const override { return {0, 1, 2}; }
+};
+
+/// A velocity in time, the same everywhere or parabolic with zero at the rim of a round surface.
+class PrescribedVelocity final : public GivenVelocity {
+public:
+  /// list: a resolved list with "velocity" [mm/ms], "profile" and "Amplitude". Collective.
+  PrescribedVelocity(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+                     int surface);
+
+  Vec3 prescribed(const Surroundings& s, int node) const override;
+  int precedence() const override { return 1; }
+
+private:
+  Vec3 velocity_;                         ///< at the centre of the profile [mm/ms]
+  std::optional<SurfaceGeometry> round_;  ///< of a parabolic profile
+  stepping::TimeFunction amplitude_;
+};
+
+/// No velocity.
+class NoSlip final : public GivenVelocity {
+public:
+  int precedence() const override { return 2; }
+};
+
+/// The fluid sticks to what moves its mesh: u = w.
+class InterfaceVelocity final : public GivenVelocity {
+public:
+  Vec3 prescribed(const Surroundings& s, int node) const override { return (*s.w)[node]; }
+  int precedence() const override { return 3; }
+};
+
+}  // namespace tunica::boundary

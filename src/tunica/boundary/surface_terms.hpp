@@ -1,0 +1,39 @@
+#pragma once
+#include "tunica/boundary/registry.hpp"
+
+namespace tunica::boundary {
+
+/// The terms of all surfaces of a field.
+class SurfaceTerms {
+public:
+  /// A surface that the mesh lacks is left out: the case was checked against the mesh. Collective.
+  SurfaceTerms(const std::vector<Condition>& conditions,
+               const std::vector<ConditionEntry>& registry, const fields::FieldMesh& mesh);
+
+  /// The condition of a surface; null where the case names none.
+  const Condition* condition(int surface) const { return conditions_[surface]; }
+  /// True where no term of the surface prescribes anything.
+  bool is_natural(int surface) const;
+  bool is_interface(int surface) const {
+    return conditions_[surface] != nullptr && conditions_[surface]->kind() == interface_condition;
+  }
+
+  /// Adds the bits of the components that the terms prescribe, for each local node.
+  void constrain(assembly::Constraints& fixed) const;
+  /// Gives the prescribed components of the vector unknown their values on owned nodes.
+  void impose(const Surroundings& s, Vector& u) const;
+
+  /// Adds all faces, in the order of the mesh, to the residual, and to K where it is not null.
+  void add(const Surroundings& s, assembly::NodalResidual& R, assembly::BlockAssembler* K) const;
+  void observe(const Surroundings& s, const fields::Face& face,
+               std::map<std::string, double>& sums) const;
+
+private:
+  const fields::FieldMesh* mesh_;
+  std::vector<Condition> kept_;
+  std::vector<const Condition*> conditions_;  ///< per surface
+  std::vector<Terms> terms_;                  ///< per surface
+  int highest_precedence_ = 0;
+};
+
+}  // namespace tunica::boundary

@@ -1,0 +1,52 @@
+#include "tunica/coupling/scheme.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tunica::coupling {
+
+namespace {
+
+template <class Entries, class Name>
+auto& named(Entries& entries, const std::string& name, Name name_of) {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const auto& entry) { return name_of(entry) == name; });
+  if (found == entries.end()) throw std::out_of_range("a coupling iteration has no " + name);
+  return *found;
+}
+
+}  // namespace
+
+nonlinear::NewtonReport& Iteration::solve(const std::string& field) {
+  return named(solves, field, [](const FieldSolve& s) { return s.field; }).report;
+}
+
+const nonlinear::NewtonReport& Iteration::solve(const std::string& field) const {
+  return named(solves, field, [](const FieldSolve& s) { return s.field; }).report;
+}
+
+double& Iteration::seconds(const std::string& stage) {
+  return named(stages, stage, [](const Stage& s) { return s.name; }).seconds;
+}
+
+int Report::newton_steps(const std::string& field) const {
+  int sum = 0;
+  for (const Iteration& iteration : iterations)
+    sum += static_cast<int>(iteration.solve(field).steps.size());
+  return sum;
+}
+
+int Report::linear_iterations(const std::string& field) const {
+  int sum = 0;
+  for (const Iteration& iteration : iterations) sum += iteration.solve(field).linear_iterations();
+  return sum;
+}
+
+Iteration Scheme::new_iteration() const {
+  Iteration iteration;
+  for (const std::string& field : fields()) iteration.solves.push_back({field, {}});
+  for (const std::string& stage : stages()) iteration.stages.push_back({stage});
+  return iteration;
+}
+
+}  // namespace tunica::coupling

@@ -1,0 +1,74 @@
+#pragma once
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tunica/base/outcome.hpp"
+#include "tunica/fields/state.hpp"
+#include "tunica/nonlinear/newton.hpp"
+#include "tunica/stepping/clock.hpp"
+
+namespace tunica::coupling {
+
+/// One nonlinear solve of a coupling iteration.
+struct FieldSolve {
+  std::string field;  ///< "fluid", "wall"
+  nonlinear::NewtonReport report;
+};
+
+/// How long one part of a coupling iteration took.
+struct Stage {
+  std::string name;  ///< "motion", "fluid", "wall", "update"
+  double seconds = 0.0;
+};
+
+/// One coupling iteration of a scheme. Its fields and stages are those the scheme names, in their
+/// order.
+struct Iteration {
+  double residual = std::nan("");  ///< |r|/√n [mm]; not a number where a field failed
+  double relaxation = 0.0;
+  int columns = 0;
+  std::vector<FieldSolve> solves;
+  std::vector<Stage> stages;
+
+  /// Throw std::out_of_range for a name that the scheme does not have.
+  nonlinear::NewtonReport& solve(const std::string& field);
+  const nonlinear::NewtonReport& solve(const std::string& field) const;
+  double& seconds(const std::string& stage);
+};
+
+/// What became of a time step.
+struct Report {
+  bool is_converged = false;
+  bool is_accepted = false;  ///< converged, or not and accepted as the options say
+  std::string reason;        ///< why not
+  std::vector<Iteration> iterations;
+
+  int newton_steps(const std::string& field) const;
+  int linear_iterations(const std::string& field) const;
+};
+
+/// What marches coupled fields through time: it solves the steps, and says what it reports.
+class Scheme : public fields::Restartable {
+public:
+  /// Called after every coupling iteration with its number, counted from 1.
+  using Watch = std::function<void(int, const Iteration&)>;
+
+  /// Names of the fields that it solves for by Newton's method, and of the stages that it times.
+  virtual std::vector<std::string> fields() const = 0;
+  virtual std::vector<std::string> stages() const = 0;
+
+  /// Sets up for the clock's present step, before it is solved. Fails, and says why, where that
+  /// cannot be done. Collective.
+  virtual Outcome prepare(const stepping::Clock&) { return Outcome::success(); }
+  /// Solves the clock's present step and accepts it as far as the options allow. Collective.
+  virtual Report solve_step(const stepping::Clock& clock, const Watch& watch) = 0;
+
+protected:
+  /// An iteration with the names of this scheme.
+  Iteration new_iteration() const;
+};
+
+}  // namespace tunica::coupling

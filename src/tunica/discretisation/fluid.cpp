@@ -1,0 +1,159 @@
+#include "tunica/discretisation/fluid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tunica/assembly/gather.hpp"
+#include "tunica/assembly/mass_norm.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/discretisation/inverted_element.hpp"
+#include "tunica/kernels/surface_tri3.hpp"
+#include "tunica/stepping/implicit_euler.hpp"
+
+namespace tunica::discretisation {
+
+namespace {
+
+/// The owned node with the smallest vertex of the mesh, wherever it lives; -1 on the other ranks.
+int first_node(const fields::FieldMesh& mesh) {
+  const auto end = mesh.vertex.begin() + mesh.n_owned;
+  const auto mine = std::min_element(mesh.vertex.begin(), end);
+  const double vertex = mine == end ? 1e300 : *mine;
+  if (global_min(*mesh.comm, vertex) != vertex || mine == end) return -1;
+  return static_cast<int>(mine - mesh.vertex.begin());
+}
+
+}  // namespace
+
+Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
+    : MixedField(mesh, {{"velocity", 3}, {"pressure", 1}},
+                 boundary::conditions_of(list.sublist("Surfaces")), boundary::fluid_conditions()),
+      options_(fluid_options(list)), scheme_(std::make_unique<stepping::ImplicitEuler>(1)),
+      velocities_(scheme_->remembers(), mesh.n_nodes()), position_(mesh.x) {
+  for (auto* field : {&local_.u, &local_.u_old, &local_.w, &local_.f})
+    field->assign(mesh.n_nodes(), Vec3{});
+  local_.p.resize(mesh.n_nodes());
+  elements_.coefficients = {options_.density, options_.viscosity, 0.0, options_.viscous_factor};
+  elements_.geometry = assembly::geometry_of(mesh, mesh.x);
+  // Without an open surface the pressure is known up to a constant: pin it at one node, the same
+  // on any ranks, in the assembly of which its ghosts take part.
+  is_closed_ = open_surfaces().empty();
+  if (!is_closed_) return;
+  std::vector<Vec3> is_pinned(mesh.n_nodes());
+  if (const int first = first_node(mesh); first >= 0) is_pinned[first][0] = 1.0;
+  Vector owned(mesh.vector_map);
+  fields::store(is_pinned, mesh, owned);
+  is_pinned = fields::ghosted_vectors(mesh, owned);
+  for (int a = 0; a < mesh.n_nodes(); ++a)
+    if (is_pinned[a][0] > 0.5) fixed_[a] |= assembly::fixed_scalar;
+}
+
+Fluid::~Fluid() = default;
+
+std::vector<int> Fluid::open_surfaces() const {
+  std::vector<int> is_open(mesh_->surfaces.size(), 0), surfaces;
+  for (const fields::Face& face : mesh_->faces)
+    if (surfaces_.is_natural(face.surface)) is_open[face.surface] = 1;
+  for (std::size_t s = 0; s < is_open.size(); ++s)
+    if (global_max(*mesh_->comm, is_open[s]) == 1) surfaces.push_back(static_cast<int>(s));
+  return surfaces;
+}
+
+void Fluid::begin_step(const stepping::Clock& clock, const algebra::BlockVector& x) {
+  time_ = scheme_->load_time(clock);
+  scheme_->set_step_size(clock.step_size());
+  elements_.coefficients.inv_dt = scheme_->rate();
+  scheme_->accept(fields::ghosted_vectors(*mesh_, x[0]), velocities_);
+  for (int a = 0; a < mesh_->n_nodes(); ++a) local_.u_old[a] = scheme_->past(velocities_, a);
+}
+
+Outcome Fluid::set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_old) {
+  for (int a = 0; a < mesh_->n_nodes(); ++a) {
+    position_[a] = mesh_->x[a] + d[a];
+    local_.w[a] = scheme_->rate() * (d[a] - d_old[a]);  // w = (d − d̃)/Δt
+  }
+  elements_.geometry = assembly::geometry_of(*mesh_, position_);
+  double smallest = 1.0;
+  int worst = -1;
+  for (std::size_t e = 0; e < elements_.geometry.size() && !std::isnan(smallest); ++e)
+    if (worst < 0 || !(elements_.geometry[e].volume >= smallest)) {
+      smallest = elements_.geometry[e].volume;
+      worst = static_cast<int>(e);
+    }
+  return check_inversion(*mesh_, smallest, worst, "volume in mm^3");
+}
+
+boundary::Surroundings Fluid::surroundings() const {
+  return {
+      mesh_,     &mesh_->x,        &position_, &local_.u,
+      &local_.w, options_.density, time_,      boundary_velocity_ ? &boundary_velocity_ : nullptr};
+}
+
+double Fluid::outflow(const fields::Face& face, const std::vector<Vec3>& u) const {
+  const auto v = assembly::gather(u, face.nodes);
+  const Vec3 n = kernels::area_normal(assembly::gather(position_, face.nodes));
+  return dot(n, v[0] + v[1] + v[2]) / 3.0;
+}
+
+void Fluid::check_closed_flow(const algebra::BlockVector& x) const {
+  const std::vector<Vec3> u = fields::ghosted_vectors(*mesh_, x[0]);
+  double net = 0.0, total = 0.0;
+  for (const fields::Face& face : mesh_->faces) {
+    if (!face.is_owned) continue;
+    const double flux = outflow(face, u);
+    net += flux;
+    total += std::abs(flux);
+  }
+  net = global_sum(*mesh_->comm, net);
+  total = global_sum(*mesh_->comm, total);
+  // A velocity that conserves mass does so up to the interpolation on the surface only.
+  TUNICA_CHECK(std::abs(net) <= 0.05 * total,
+               "Fluid / Surfaces: " + std::to_string(-net) +
+                   " mm^3/ms flow into a fluid that no surface lets out. Give one a traction or "
+                   "a pressure, or leave it out of the list.");
+}
+
+void Fluid::prescribe(algebra::BlockVector& x) {
+  surfaces_.impose(surroundings(), x[0]);
+  if (is_closed_) check_closed_flow(x);
+  elements_.tau = assembly::fluid_taus(*mesh_, elements_, local_);
+  if (body_force_)
+    for (int a = 0; a < mesh_->n_nodes(); ++a) local_.f[a] = body_force_(position_[a], time_);
+}
+
+void Fluid::fix_pressure_level(algebra::BlockVector& x) const {
+  if (!is_closed_) return;
+  const std::vector<double> p = fields::ghosted_scalars(*mesh_, x[1]);
+  double volume = 0.0, integral = 0.0;
+  for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
+    if (!mesh_->is_owned[e]) continue;
+    const auto at = assembly::gather(p, mesh_->tets[e]);
+    volume += elements_.geometry[e].volume;
+    integral += 0.25 * elements_.geometry[e].volume * (at[0] + at[1] + at[2] + at[3]);
+  }
+  const double mean = global_sum(*mesh_->comm, integral) / global_sum(*mesh_->comm, volume);
+  const auto values = x[1].getLocalViewHost(read_write);
+  for (std::size_t a = 0; a < values.extent(0); ++a) values(a, 0) -= mean;
+}
+
+void Fluid::read(const algebra::BlockVector& x) {
+  local_.u = fields::ghosted_vectors(*mesh_, x[0]);
+  local_.p = fields::ghosted_scalars(*mesh_, x[1]);
+}
+
+void Fluid::assemble(assembly::BlockAssembler* K) {
+  R_.set_zero();
+  assembly::assemble_fluid(*mesh_, elements_, local_, R_, K);
+  surfaces_.add(surroundings(), R_, K);
+}
+
+std::vector<Vec3> Fluid::reaction(const algebra::BlockVector& x) {
+  read(x);
+  assemble(nullptr);
+  std::vector<Vec3> force(R_.u);
+  for (Vec3& f : force) f = -1.0 * f;
+  return force;
+}
+
+}  // namespace tunica::discretisation

@@ -1,0 +1,78 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "tunica/assembly/fluid_assembly.hpp"
+#include "tunica/base/outcome.hpp"
+#include "tunica/discretisation/fluid_options.hpp"
+#include "tunica/discretisation/mixed_field.hpp"
+#include "tunica/discretisation/observable.hpp"
+#include "tunica/stepping/time_scheme.hpp"
+
+namespace tunica::discretisation {
+
+/// The fluid on a moving mesh in a time step: velocity and pressure, implicit Euler. Starts at rest
+/// on the undeformed mesh.
+class Fluid final : public MixedField {
+public:
+  /// list: the resolved "Fluid" list. mesh must outlive the object. Collective.
+  Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
+  ~Fluid() override;
+
+  /// Begins the clock's present step from the state x of the old time.
+  void begin_step(const stepping::Clock& clock, const algebra::BlockVector& x);
+  /// Moves the mesh to the displacement d of all local nodes; the mesh velocity and the velocity
+  /// on the interface are those that the time scheme sees between d_old and d. Fails where an
+  /// element is inverted, and says which.
+  Outcome set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_old);
+  /// Gives x the prescribed velocities and fixes what stays constant in a Newton solve.
+  void prescribe(algebra::BlockVector& x);
+  /// Shifts the pressure of an enclosed fluid, which is known up to a constant, to a mean of zero.
+  void fix_pressure_level(algebra::BlockVector& x) const;
+
+  /// Consistent nodal forces [mN] on what bounds the fluid: minus the momentum residual at x, on
+  /// owned nodes. Meaningful where the velocity is prescribed.
+  std::vector<Vec3> reaction(const algebra::BlockVector& x);
+
+  /// Replaces body force per mass and velocity on "velocity" surfaces by functions; for
+  /// verification.
+  void set_body_force(boundary::VectorField f) { body_force_ = std::move(f); }
+  void set_boundary_velocity(boundary::VectorField u) { boundary_velocity_ = std::move(u); }
+
+  double density() const { return options_.density; }  ///< [mg/mm³]
+  /// Indices into FieldMesh::surfaces: where the fluid may pass. Collective.
+  std::vector<int> open_surfaces() const;
+  const std::vector<Vec3>& positions() const { return position_; }  ///< current, local nodes
+  const assembly::FluidElements& elements() const { return elements_; }
+
+  Observables observe(const algebra::BlockVector& x) const;
+
+  // NamedOperators: the parts of the paper's Schur complement
+  std::vector<std::string> operator_names() const override;
+  Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
+
+private:
+  /// Of the values read.
+  boundary::Surroundings surroundings() const;
+  /// Volume of fluid that leaves through the face [mm³/ms]; u on local nodes.
+  double outflow(const fields::Face& face, const std::vector<Vec3>& u) const;
+  void check_closed_flow(const algebra::BlockVector& x) const;
+  void read(const algebra::BlockVector& x) override;
+  void assemble(assembly::BlockAssembler* K) override;
+  const std::vector<kernels::Tet4>& geometry() const override { return elements_.geometry; }
+  void observe_volume(const assembly::FluidFields& state, Observables& found) const;
+  void observe_open_surfaces(const assembly::FluidFields& state, Observables& found) const;
+
+  FluidOptions options_;
+  std::unique_ptr<stepping::TimeScheme> scheme_;
+  stepping::History velocities_;
+  assembly::FluidElements elements_;
+  boundary::VectorField body_force_, boundary_velocity_;
+
+  std::vector<Vec3> position_;
+  assembly::FluidFields local_;  ///< ghosted copies; u and p at the point of evaluation
+  bool is_closed_ = false;       ///< no surface lets the fluid out
+  double time_ = 0.0;
+};
+
+}  // namespace tunica::discretisation

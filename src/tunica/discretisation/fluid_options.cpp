@@ -1,0 +1,38 @@
+#include "tunica/discretisation/fluid_options.hpp"
+
+#include <Teuchos_Array.hpp>
+
+#include "tunica/base/error.hpp"
+#include "tunica/boundary/registry.hpp"
+
+namespace tunica::discretisation {
+
+void add_fluid_keys(params::Table& table) {
+  table.names("regions", std::vector<std::string>{"fluid"}, "regions of the mesh that are fluid")
+      .number("density", std::nullopt, params::positive(), "mg/mm^3", "density")
+      .number("viscosity", std::nullopt, params::positive(), "kPa ms",
+              "dynamic viscosity; 0.035 Poise are 3.5e-6 kPa s = 3.5e-3 kPa ms")
+      .number("stabilisation viscous factor", 4.0, params::positive(), "1",
+              "c of the viscous part c nu/h^2 in the SUPG and PSPG parameter; 12 is more accurate "
+              "in slow viscous flow at large time steps, where 4 blurs the pressure")
+      .entries("Surfaces",
+               boundary::condition_table("One surface of the fluid. Surfaces that are not listed "
+                                         "let the fluid out freely.",
+                                         boundary::fluid_conditions()),
+               "one list for each surface with a condition")
+      .check([](const Teuchos::ParameterList& list, const std::string& path) {
+        TUNICA_CHECK(!list.get<Teuchos::Array<std::string>>("regions").empty(),
+                     path + ": \"regions\" is empty. Name each region of the fluid.");
+      });
+}
+
+FluidOptions fluid_options(const Teuchos::ParameterList& list) {
+  FluidOptions options;
+  options.regions = list.get<Teuchos::Array<std::string>>("regions").toVector();
+  options.density = list.get<double>("density");
+  options.viscosity = list.get<double>("viscosity");
+  options.viscous_factor = list.get<double>("stabilisation viscous factor");
+  return options;
+}
+
+}  // namespace tunica::discretisation

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tunica/params/table.hpp"
+
+namespace tunica::discretisation {
+
+struct FluidOptions {
+  std::vector<std::string> regions;
+  double density;
+  double viscosity;
+  double viscous_factor;  ///< c_ν of the stabilisation parameter
+};
+
+/// Adds the keys of a "Fluid" list that its discretisation has.
+void add_fluid_keys(params::Table& table);
+FluidOptions fluid_options(const Teuchos::ParameterList& list);
+
+}  // namespace tunica::discretisation

@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+
+#include "tunica/base/outcome.hpp"
+#include "tunica/fields/field_mesh.hpp"
+
+namespace tunica::discretisation {
+
+/// Fails where an element is inverted, and names the worst one over all ranks. smallest and element
+/// are the calling rank's smallest determinant (or volume) and its local element (-1: none).
+/// measure: what smallest is, "det F". Collective; the same on all ranks.
+Outcome check_inversion(const fields::FieldMesh& mesh, double smallest, int element,
+                        const std::string& measure);
+
+}  // namespace tunica::discretisation

@@ -1,0 +1,50 @@
+#pragma once
+#include "tunica/discretisation/discretisation.hpp"
+#include "tunica/fields/block_operator.hpp"
+
+namespace tunica::discretisation {
+
+/// Harmonic functions on the undeformed mesh of a field: −Δφ = 0, φ given at some nodes, no flux
+/// through the rest of the boundary. Components of a vector do not see each other.
+class HarmonicExtension {
+public:
+  /// is_given: one flag per local node. mesh must outlive the object. Collective.
+  HarmonicExtension(const fields::FieldMesh& mesh, std::vector<char> is_given);
+
+  const fields::FieldMesh& mesh() const { return *mesh_; }
+  bool is_given(int node) const { return is_given_[node]; }
+  /// F = L φ at the other nodes, zero at the given ones; one function per column. Collective.
+  void residual(const MultiVector& phi, MultiVector& F) const;
+  /// L; rows and columns of given nodes keep their diagonal only.
+  const Teuchos::RCP<CrsMatrix>& jacobian() const { return jacobian_; }
+
+private:
+  const fields::FieldMesh* mesh_;
+  std::vector<char> is_given_;
+  Teuchos::RCP<CrsMatrix> jacobian_, laplacian_;  ///< the latter without conditions
+};
+
+/// Harmonic extension of the interface's displacement into the fluid's mesh ([LY1] eq:harext):
+/// d given on the interface, zero on every other surface of the fluid.
+class MeshMotion final : public Discretisation {
+public:
+  /// mesh must outlive the object. Collective.
+  explicit MeshMotion(const fields::FieldMesh& mesh);
+
+  const HarmonicExtension& extension() const { return extension_; }
+
+  // Discretisation: one block, the displacement of the mesh
+  const algebra::BlockSpacePtr& space() const override { return space_; }
+  /// x has the given displacements at the nodes of surfaces.
+  bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override;
+  void assemble_jacobian(const algebra::BlockVector& x) override;
+  const algebra::BlockMatrix& jacobian() const override { return K_; }
+  double mass_norm(const algebra::BlockVector& dx) const override;
+
+private:
+  HarmonicExtension extension_;
+  algebra::BlockSpacePtr space_;
+  algebra::BlockMatrix K_;  ///< made when it is first asked for, and the same ever after
+};
+
+}  // namespace tunica::discretisation

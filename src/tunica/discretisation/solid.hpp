@@ -1,0 +1,81 @@
+#pragma once
+#include <memory>
+
+#include "tunica/assembly/solid_assembly.hpp"
+#include "tunica/base/outcome.hpp"
+#include "tunica/discretisation/mixed_field.hpp"
+#include "tunica/discretisation/observable.hpp"
+#include "tunica/discretisation/solid_options.hpp"
+#include "tunica/fields/state.hpp"
+#include "tunica/stepping/time_scheme.hpp"
+
+namespace tunica::discretisation {
+
+/// The wall in a time step: displacement and pressure. Loads are those of its surfaces and nodal
+/// forces from the fluid. Starts at rest in the unloaded configuration.
+class Solid final : public MixedField {
+public:
+  /// list: the resolved "Wall" list; frames: of the fibres, one per local element, or none. mesh
+  /// must outlive the object. Collective.
+  Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+        std::vector<materials::Frame> frames);
+  ~Solid() override;
+
+  void begin_step(const stepping::Clock& clock);
+  /// Nodal forces [mN] on the owned nodes, which stay until the next call.
+  void set_nodal_force(const std::vector<Vec3>& force) { nodal_force_ = force; }
+  /// The right-hand side of these forces [mN] on owned nodes.
+  void load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const;
+  /// Accepts x as the state of the new time.
+  void end_step(const algebra::BlockVector& x);
+
+  /// Body force per mass at the undeformed position [mm/ms²], none by default; for verification.
+  void set_body_force(boundary::VectorField f) { body_force_ = std::move(f); }
+
+  /// Of owned and ghost nodes, of the last accepted step [mm/ms].
+  const std::vector<Vec3>& velocity() const { return history_[0]; }
+  const assembly::SolidElements& elements() const { return elements_; }
+
+  Observables observe(const algebra::BlockVector& x) const;
+
+  /// What the time scheme remembers beside x.
+  void save_history(fields::State& state) const;
+  /// x: of the state. Collective.
+  void restore_history(const fields::State& state, const algebra::BlockVector& x);
+
+  // Discretisation
+  std::string refusal() const override;
+
+  // NamedOperators: the parts of the paper's Schur complement
+  std::vector<std::string> operator_names() const override;
+  Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
+
+private:
+  void set_elements();
+  void set_layer_boundaries();
+  void set_coefficients();
+  void set_inertia_history();
+  void read(const algebra::BlockVector& x) override;
+  bool is_admissible() override;
+  void assemble(assembly::BlockAssembler* K) override;
+  const std::vector<kernels::Tet4>& geometry() const override { return elements_.geometry; }
+
+  SolidOptions options_;
+  std::vector<std::unique_ptr<materials::HyperelasticLaw>> laws_;  ///< per layer
+  std::vector<int> layer_of_region_;
+  std::vector<char> is_at_layer_;  ///< per element: it touches another material
+  assembly::SolidElements elements_;
+
+  std::unique_ptr<stepping::TimeScheme> scheme_;
+  stepping::History history_;    ///< of the displacement
+  assembly::SolidFields local_;  ///< ghosted copy of the point of evaluation
+  std::vector<Vec3> nodal_force_;
+  boundary::VectorField body_force_;
+  double time_ = 0.0;
+  std::string inversion_;  ///< at the last point of evaluation
+};
+
+/// True where a layer of the wall has fibres, which need frames.
+bool has_fibres(const SolidOptions& options);
+
+}  // namespace tunica::discretisation

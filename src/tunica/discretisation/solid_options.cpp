@@ -1,0 +1,102 @@
+#include "tunica/discretisation/solid_options.hpp"
+
+#include "tunica/base/error.hpp"
+#include "tunica/boundary/registry.hpp"
+#include "tunica/materials/registry.hpp"
+#include "tunica/stepping/registry.hpp"
+
+namespace tunica::discretisation {
+
+std::unique_ptr<materials::HyperelasticLaw> law_of(const Layer& layer) {
+  return materials::make_law(layer.law, {layer.constants.begin(), layer.constants.end()});
+}
+
+namespace {
+
+Layer layer_of(const std::string& region, const Teuchos::ParameterList& list) {
+  Layer layer{region, list.get<std::string>("law"), {}, 0.0, list.get<double>("density")};
+  for (const materials::LawEntry& law : materials::laws()) {
+    if (law.name != layer.law) continue;
+    for (const materials::Constant& c : law.constants)
+      layer.constants.emplace_back(c.name, list.get<double>(c.name));
+    layer.bulk_modulus = law.bulk_modulus
+                             ? law.bulk_modulus({layer.constants.begin(), layer.constants.end()})
+                             : list.get<double>("bulk modulus");
+  }
+  return layer;
+}
+
+template <class Visit>
+void for_each_sublist(const Teuchos::ParameterList& list, Visit visit) {
+  for (auto it = list.begin(); it != list.end(); ++it)
+    visit(list.name(it), list.sublist(list.name(it)));
+}
+
+params::Table layer_table() {
+  std::vector<params::Table::Case> laws;
+  for (const materials::LawEntry& law : materials::laws()) {
+    params::Table table(law.sentence);
+    for (const materials::Constant& c : law.constants)
+      table.number(c.name, c.fallback, params::between(c.low, c.high), c.unit, c.sentence);
+    if (!law.bulk_modulus)
+      table.number("bulk modulus", 1e5, params::positive(), "kPa", "bulk modulus κ");
+    laws.push_back({law.name, table});
+  }
+  params::Table table("One layer of the wall.");
+  table.variant("law", laws.front().value, laws, "hyperelastic law")
+      .number("density", 1.2, params::positive(), "mg/mm^3", "density of the unloaded wall")
+      .check([](const Teuchos::ParameterList& list, const std::string& path) {
+        try {
+          law_of(layer_of("", list));
+        } catch (const Error& error) {
+          throw Error(path + ": " + error.what());
+        }
+      });
+  return table;
+}
+
+}  // namespace
+
+void add_layer_keys(params::Table& table) {
+  table.entries("Layers", layer_table(), "one list for each region of the mesh that is wall");
+}
+
+void add_solid_keys(params::Table& table) {
+  table
+      .entries("Surfaces",
+               boundary::condition_table(
+                   "One surface of the wall. Surfaces that are not listed are free.",
+                   boundary::wall_conditions()),
+               "one list for each surface with a condition")
+      .choice("analysis", "dynamic", {"dynamic", "static"},
+              "with inertia, or a sequence of equilibria");
+  stepping::add_scheme_keys(table);
+  table
+      .choice("stabilisation", "inertial", {"inertial", "paper"},
+              "PSPG parameter: 1/(4 mu/h^2 + rho/(beta dt^2)), or the paper's h^2/(4 mu), which "
+              "ignores inertia")
+      .number("stabilisation modulus factor", 1.0, params::positive(), "1",
+              "multiplies the modulus mu of the PSPG parameter")
+      .number("stabilisation at layers", 0.03, params::Range{0.0, 1.0, true, false}, "1",
+              "multiplies the PSPG parameter of elements that touch another material, where the "
+              "pressure jumps; 1 as in the paper");
+}
+
+SolidOptions solid_options(const Teuchos::ParameterList& list) {
+  SolidOptions options;
+  for_each_sublist(list.sublist("Layers"), [&](const std::string& name, const auto& layer) {
+    options.layers.push_back(layer_of(name, layer));
+  });
+  options.has_inertia_in_tau = list.get<std::string>("stabilisation") == "inertial";
+  options.modulus_factor = list.get<double>("stabilisation modulus factor");
+  options.layer_factor = list.get<double>("stabilisation at layers");
+  return options;
+}
+
+std::vector<std::string> SolidOptions::regions() const {
+  std::vector<std::string> names;
+  for (const Layer& layer : layers) names.push_back(layer.region);
+  return names;
+}
+
+}  // namespace tunica::discretisation

@@ -1,0 +1,41 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tunica/materials/hyperelastic_law.hpp"
+#include "tunica/params/table.hpp"
+
+namespace tunica::discretisation {
+
+/// What one layer of the wall is made of.
+struct Layer {
+  std::string region;
+  std::string law;
+  std::vector<std::pair<std::string, double>> constants;
+  double bulk_modulus;  ///< κ [kPa]
+  double density;       ///< ρ in the reference configuration [mg/mm³]
+
+  bool has_material_of(const Layer& other) const {
+    return law == other.law && constants == other.constants;
+  }
+};
+
+struct SolidOptions {
+  std::vector<Layer> layers;
+  bool has_inertia_in_tau;  ///< τ = 1/(4μ_l/h² + α) instead of the paper's h²/(4μ_l)
+  double modulus_factor;    ///< multiplies μ_l in τ
+  double layer_factor;      ///< multiplies τ at the boundary of two materials
+
+  std::vector<std::string> regions() const;
+};
+
+std::unique_ptr<materials::HyperelasticLaw> law_of(const Layer& layer);
+
+/// Adds the keys of a "Wall" list that its discretisation has: those of its layers, and behind
+/// those of the fibre frame the others.
+void add_layer_keys(params::Table& table);
+void add_solid_keys(params::Table& table);
+SolidOptions solid_options(const Teuchos::ParameterList& list);
+
+}  // namespace tunica::discretisation

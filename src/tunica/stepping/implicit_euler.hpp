@@ -1,0 +1,27 @@
+#pragma once
+#include "tunica/stepping/time_scheme.hpp"
+
+namespace tunica::stepping {
+
+/// Implicit Euler:
+///
+///   ẋ = (x − xⁿ⁻¹)/Δt,   ẍ = (ẋ − ẋⁿ⁻¹)/Δt = x/Δt² − (xⁿ⁻¹/Δt² + ẋⁿ⁻¹/Δt)
+///
+/// Source: [LY1] section 4.1 for the fluid, where only ẋ is needed.
+class ImplicitEuler final : public TimeScheme {
+public:
+  /// order: of the highest derivative that is asked for, 1 or 2.
+  explicit ImplicitEuler(int order) : order_(order) {}
+
+  std::vector<std::string> remembers() const override;
+  double rate() const override { return 1.0 / step_size(); }
+  Vec3 past(const History& history, int node) const override { return history.value()[node]; }
+  double inertia(double density) const override { return density / (step_size() * step_size()); }
+  Vec3 inertia_load(const History& history, int node) const override;
+  void accept(const std::vector<Vec3>& x, History& history) const override;
+
+private:
+  int order_;
+};
+
+}  // namespace tunica::stepping

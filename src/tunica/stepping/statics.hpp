@@ -1,0 +1,17 @@
+#pragma once
+#include "tunica/stepping/time_scheme.hpp"
+
+namespace tunica::stepping {
+
+/// A sequence of equilibria: nothing has a velocity or inertia.
+class Statics final : public TimeScheme {
+public:
+  std::vector<std::string> remembers() const override { return {"velocity"}; }
+  double rate() const override { return 0.0; }
+  Vec3 past(const History& history, int node) const override { return history.value()[node]; }
+  double inertia(double) const override { return 0.0; }
+  Vec3 inertia_load(const History&, int) const override { return {}; }
+  void accept(const std::vector<Vec3>& x, History& history) const override { history.value() = x; }
+};
+
+}  // namespace tunica::stepping

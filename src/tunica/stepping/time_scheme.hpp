@@ -1,0 +1,65 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tunica/base/tensor.hpp"
+#include "tunica/stepping/clock.hpp"
+
+namespace tunica::stepping {
+
+/// What a time scheme remembers of a nodal quantity x from step to step: at each local node the
+/// value itself, then what the scheme adds to it. Zero at the start.
+class History {
+public:
+  /// names: of the parts behind the value, TimeScheme::remembers().
+  History(std::vector<std::string> names, int n_nodes);
+
+  const std::vector<Vec3>& value() const { return parts_.front(); }
+  std::vector<Vec3>& value() { return parts_.front(); }
+
+  const std::vector<std::string>& names() const { return names_; }
+  /// Part k behind the value, counted from 0.
+  const std::vector<Vec3>& operator[](int k) const { return parts_[k + 1]; }
+  std::vector<Vec3>& operator[](int k) { return parts_[k + 1]; }
+
+private:
+  std::vector<std::string> names_;
+  std::vector<std::vector<Vec3>> parts_;
+};
+
+/// What the new value x of a quantity makes of its time derivatives in an implicit step:
+///
+///   ẋ = c (x − x̃)          first derivative,    x̃ from the history
+///   ρ ẍ = α x − ρ r        second derivative,   r from the history
+///
+///   c   rate()          1/ms         α   inertia(ρ)            kPa/mm²
+///   x̃   past()          that of x    r   inertia_load()        mm/ms², where x is in mm
+///
+/// One scheme serves fluid, wall, mesh motion and their interface; a step may change its size.
+class TimeScheme {
+public:
+  virtual ~TimeScheme() = default;
+
+  /// Names of what is remembered behind the value, "velocity" first where there is one.
+  virtual std::vector<std::string> remembers() const = 0;
+
+  void set_step_size(double dt) { dt_ = dt; }
+  double step_size() const { return dt_; }  ///< Δt [ms]
+  /// The instant at which loads act on the clock's present step [ms].
+  virtual double load_time(const Clock& clock) const { return clock.time(); }
+
+  virtual double rate() const = 0;
+  virtual Vec3 past(const History& history, int node) const = 0;
+
+  virtual double inertia(double density) const = 0;
+  virtual Vec3 inertia_load(const History& history, int node) const = 0;
+
+  /// Takes x for the value at the new time, and brings the other parts there.
+  virtual void accept(const std::vector<Vec3>& x, History& history) const = 0;
+
+private:
+  double dt_ = 0.0;
+};
+
+}  // namespace tunica::stepping

@@ -1,0 +1,105 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "tunica/assembly/gather.hpp"
+#include "tunica/boundary/surface_terms.hpp"
+#include "unit/fields/small_tube.hpp"
+
+namespace {
+
+using namespace tunica;
+using boundary::Condition;
+using boundary::ConditionEntry;
+using boundary::SurfaceTerms;
+using test::SmallTube;
+
+/// As one adds a term: a bed of springs, R[a] += k A/3 u[a], of the stiffness that the list gives.
+class Springs final : public boundary::BoundaryTerm {
+public:
+  explicit Springs(double stiffness) : stiffness_(stiffness) {}
+
+  void add(const boundary::Surroundings& s, const fields::Face& face, assembly::NodalResidual& R,
+           assembly::BlockAssembler* K) const override {
+    const double k =
+        stiffness_ / 3.0 * norm(kernels::area_normal(assembly::gather(*s.position, face.nodes)));
+    kernels::SurfaceResidual Re;
+    kernels::SurfaceJacobian Ke{};
+    for (int a = 0; a < 3; ++a) {
+      Re.u[a] = k * (*s.u)[face.nodes[a]];
+      for (int i = 0; i < 3; ++i) Ke.A[a][a][i][i] = k;
+    }
+    R.add(*s.mesh, face, Re);
+    if (K != nullptr) K->add(face, Ke);
+  }
+
+private:
+  double stiffness_;
+};
+
+/// Those of a fluid, and the springs.
+std::vector<ConditionEntry> with_springs() {
+  params::Table table;
+  table.number("stiffness", 1.0, params::positive(), "kPa/mm", "");
+  std::vector<ConditionEntry> all = boundary::fluid_conditions();
+  all.push_back(
+      {"springs", table, [](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
+         boundary::Terms terms;
+         terms.push_back(std::make_unique<Springs>(list.get<double>("stiffness")));
+         return terms;
+       }});
+  return all;
+}
+
+Condition condition(const std::string& surface, const std::string& kind) {
+  Teuchos::ParameterList list;
+  list.set("condition", kind);
+  if (kind == "velocity")
+    list.set("velocity", Teuchos::Array<double>(std::vector<double>{1, 2, 3}));
+  boundary::condition_table("", with_springs()).resolve(list, surface, "");
+  return {surface, list};
+}
+
+TEUCHOS_UNIT_TEST(surface_terms, where_surfaces_meet_the_stronger_condition_holds) {
+  const SmallTube tube;
+  const SurfaceTerms terms({condition("inlet", "velocity"), condition("interface", "no slip")},
+                           boundary::fluid_conditions(), tube.fluid);
+  const int inlet = tube.surface("inlet"), side = tube.surface("interface");
+  TEST_ASSERT(!terms.is_natural(inlet) && terms.is_natural(tube.surface("outlet")));
+  assembly::Constraints fixed(tube.fluid.n_nodes(), 0);
+  terms.constrain(fixed);
+  Vector u(tube.fluid.vector_map);
+  u.putScalar(7.0);
+  const std::vector<Vec3> zero(tube.fluid.n_nodes());
+  terms.impose({&tube.fluid, &tube.fluid.x, &tube.fluid.x, &zero, &zero, 1.0, 0.0}, u);
+  const auto values = fields::owned_vectors(tube.fluid, u);
+  for (int a = 0; a < tube.fluid.n_owned; ++a) {
+    const bool is_held = tube.fluid.is_on(a, inlet) || tube.fluid.is_on(a, side);
+    TEST_EQUALITY(fixed[a] == assembly::fixed_vector, is_held);
+    const Vec3 expected = tube.fluid.is_on(a, side)    ? Vec3{0, 0, 0}
+                          : tube.fluid.is_on(a, inlet) ? Vec3{1, 2, 3}
+                                                       : Vec3{7, 7, 7};
+    TEST_EQUALITY(norm(values[a] - expected), 0.0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(surface_terms, a_term_of_ones_own_adds_to_residual_and_jacobian) {
+  const SmallTube tube;
+  const SurfaceTerms terms({condition("outlet", "springs")}, with_springs(), tube.fluid);
+  TEST_ASSERT(terms.is_natural(tube.surface("outlet")));
+  assembly::Constraints fixed(tube.fluid.n_nodes(), 0);
+  fields::BlockOperator K(tube.fluid);
+  assembly::NodalResidual R(tube.fluid);
+  const auto x = test::scattered(tube.fluid, 1);
+  const std::vector<Vec3> u = fields::ghosted_vectors(tube.fluid, x[0]), w(u.size());
+  {
+    assembly::BlockAssembler assembler(K, fixed);
+    terms.add({&tube.fluid, &tube.fluid.x, &tube.fluid.x, &u, &w, 1.0, 0.0}, R, &assembler);
+    assembler.finish();
+  }
+  algebra::BlockVector F = K.zero(), Kx = K.zero();
+  R.store(tube.fluid, fixed, F);
+  K.apply(x, Kx);
+  TEST_COMPARE(test::norm(F), >, 0.1);
+  TEST_COMPARE(test::relative_difference(Kx, F), <, 1e-14);  // it is linear
+}
+
+}  // namespace
