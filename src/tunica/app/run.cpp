@@ -8,6 +8,7 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/session.hpp"
 #include "tunica/base/timer.hpp"
+#include "tunica/io/atomic_file.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "tunica/params/read_xml.hpp"
 
@@ -140,7 +141,8 @@ RunOutput::RunOutput(const Program& program, const Teuchos::ParameterList& list,
       fields_every(every(list, "fields every")), checkpoint_every(every(list, "checkpoint every")),
       restart(std::move(from)) {
   if (restart) record.take_over(steps_done());
-  on_root(*comm, [&] { params::write_xml(list, folder.file("case.xml")); });
+  on_root_or_fault(*comm,
+                   [&] { return io::replace_file(folder.file("case.xml"), params::to_xml(list)); });
 }
 
 int run_program(int argc, char** argv, const Program& program, const March& march,

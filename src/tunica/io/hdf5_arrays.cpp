@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "tunica/base/error.hpp"
-#include "tunica/io/replacement.hpp"
+#include "tunica/io/atomic_file.hpp"
 
 namespace tunica::io {
 namespace {
@@ -198,14 +198,16 @@ void Hdf5Writer::strings(const std::string& dataset, const std::vector<std::stri
   write(dataset, string_type(length).id(), text.data(), {values.size()});
 }
 
-void Hdf5Writer::save() {
+std::string Hdf5Writer::image() const {
   const bool is_flushed = H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0;
   const ssize_t size = is_flushed ? H5Fget_file_image(file_.id(), nullptr, 0) : -1;
   TUNICA_CHECK(size > 0, path_ + ": HDF5 cannot finish the file in memory");
   std::string image(static_cast<std::size_t>(size), '\0');
   TUNICA_CHECK(H5Fget_file_image(file_.id(), image.data(), image.size()) == size,
                path_ + ": HDF5 cannot finish the file in memory");
-  write_bytes(path_, image);
+  return image;
 }
+
+void Hdf5Writer::save() const { write_file(path_, image()); }
 
 }  // namespace tunica::io

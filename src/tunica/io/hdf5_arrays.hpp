@@ -72,8 +72,10 @@ public:
   void integers(const std::string& dataset, const int* values, hsize_t rows, hsize_t columns = 1);
   void reals(const std::string& dataset, const double* values, hsize_t rows, hsize_t columns);
   void strings(const std::string& dataset, const std::vector<std::string>& values);
-  /// Writes the file, or throws and leaves nothing.
-  void save();
+  /// The file's bytes.
+  std::string image() const;
+  /// Writes the file, or throws and leaves all as it was.
+  void save() const;
 
 private:
   void write(const std::string& dataset, hid_t type, const void* values,
