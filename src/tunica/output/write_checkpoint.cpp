@@ -66,15 +66,15 @@ struct Contents {
   std::string image(const std::string& path) const {
     io::Hdf5Writer out(path);
     out.attribute("format", "tunica-checkpoint 1");
-    out.strings("text_names", text_names);
-    out.strings("texts", texts);
-    out.strings("number_names", number_names);
-    out.integers("number_counts", number_counts.data(), number_counts.size());
-    out.reals("numbers", numbers.data(), numbers.size(), 1);
-    out.strings("array_names", array_names);
-    out.integers("array_columns", array_columns.data(), array_columns.size());
-    out.strings("array_checksums", array_checksums);
-    out.strings("head_checksum", {checksum()});
+    out.write("text_names", text_names);
+    out.write("texts", texts);
+    out.write("number_names", number_names);
+    out.write("number_counts", number_counts.data(), number_counts.size());
+    out.write("numbers", numbers.data(), numbers.size());
+    out.write("array_names", array_names);
+    out.write("array_columns", array_columns.data(), array_columns.size());
+    out.write("array_checksums", array_checksums);
+    out.write("head_checksum", std::vector<std::string>{checksum()});
     return out.image();
   }
 };
