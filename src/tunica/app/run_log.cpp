@@ -33,7 +33,7 @@ void RunLog::newton(const IterationIndex& moment, const std::string& field,
                     const nonlinear::NewtonReport& report) {
   for (std::size_t k = 0; k < report.steps.size(); ++k) {
     const nonlinear::NewtonStep& s = report.steps[k];
-    const auto iteration = static_cast<long long>(k + 1);
+    const auto iteration = static_cast<long long>(k) + 1;
     const linear::SolveReport& l = s.linear;
     newton_.row({moment.step, moment.coupling_iteration, field, iteration, s.increment,
                  s.relative_increment, s.residual, s.exponent, s.step_length, l.tolerance,

@@ -95,7 +95,7 @@ std::string legend(const Mesh& mesh) {
   for (const Tag& tag : mesh.regions) text += " region " + std::to_string(tag.id) + " " + tag.name;
   for (const Tag& tag : mesh.surfaces)
     text += " surface " + std::to_string(tag.id) + " " + tag.name;
-  for (std::size_t at; (at = text.find("--")) != text.npos;) text[at] = '_';
+  for (std::size_t at; (at = text.find("--")) != std::string::npos;) text[at] = '_';
   return "<!--" + text + " -->\n";
 }
 
