@@ -1,5 +1,5 @@
 #!/bin/bash
-# Every find_package and find_library has its Debian package in cmake/apt-packages.txt.
+# Every find_package, find_library and find_program has its Debian package in cmake/apt-packages.txt.
 set -euo pipefail
 
 package_of() {
@@ -10,13 +10,16 @@ package_of() {
     metis) echo libmetis-dev ;;
     nlohmann_json) echo nlohmann-json3-dev ;;
     benchmark) echo libbenchmark-dev ;;
+    ccache | clang-format | clang-tidy) echo "$1" ;;
     *) echo "(unknown; name it in tests/house/package_list.sh)" ;;
   esac
 }
 
 wanted() {
-  local files=(CMakeLists.txt cmake/*.cmake src/tunica/*/CMakeLists.txt drivers/CMakeLists.txt bench/CMakeLists.txt)
-  sed -nE 's/.*find_package\((\w+).*/\1/p; s/.*find_library\(\w+ (\w+).*/\1/p' "${files[@]}" | sort -u
+  local files=(CMakeLists.txt cmake/*.cmake src/tunica/*/CMakeLists.txt drivers/CMakeLists.txt
+    bench/CMakeLists.txt tests/house/CMakeLists.txt)
+  sed -nE 's/.*find_package\((\w+).*/\1/p; s/.*find_library\(\w+ (\w+).*/\1/p
+    s/.*find_program\(\w+ (NAMES )?([a-z-]+[a-z]).*/\2/p' "${files[@]}" | sort -u
 }
 
 status=0

@@ -29,8 +29,7 @@ def words(output, steps, accelerator):
 
 def kill_behind(step, process, results):
     """Kills the process in the step behind the first checkpoint that is not older."""
-    deadline = time.time() + 120.0
-    while time.time() < deadline and process.poll() is None:
+    while process.poll() is None:
         if max(checkpoints(results), default=0) >= step:
             break
         time.sleep(0.01)

@@ -1,5 +1,6 @@
-"""What a restart refuses, with one clear message and without touching the folder; what it takes
-over in spite of a difference; a full disk; fluid and wall alone.
+"""What a run refuses to replace and a restart to go on from, with one clear message and without
+touching the folder; what a restart takes over in spite of a difference; a full disk; the case in
+its own folder; fluid and wall alone.
 
 Usage: restart_limits.py FOLDER_OF_PROGRAMS SCRATCH
 """
@@ -37,7 +38,11 @@ def refuses(verdict, programs, folder):
              ['"step size" is 0.25 ms', "was made with 0.125 ms"]),
             ("no checkpoint", ["--restart", "--output", "nowhere"], 1,
              ['"nowhere" has no checkpoint', "--output"]),
-            ("a bad case", ["--set", "Fluid/densty=1"], 1, ["densty"])):
+            ("a bad case", ["--set", "Fluid/densty=1"], 1, ["densty"]),
+            ("results without a word", [], 2,
+             ['"results" holds results of an earlier run (steps.csv, run.json, fields.h5, '
+              'checkpoint-000002.h5, checkpoint-000001.h5)', "--restart", "--output", "--overwrite"]),
+            ("both words", ["--restart", "--overwrite"], 1, ["one of the two"])):
         run = fsi(programs, folder, 4, more, ranks)
         lines = [line for line in run.err.splitlines() if line.startswith("tunica-fsi: ")]
         verdict.claim(run.status == 1, f"{name}: exit status {run.status} is 1")
@@ -66,7 +71,7 @@ def survives_a_full_disk(verdict, programs, folder):
     while process.poll() is None and not checkpoints(results):
         time.sleep(0.01)
     resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (120000, resource.RLIM_INFINITY))
-    _, errors = process.communicate(timeout=300)
+    _, errors = process.communicate()
     lines = errors.splitlines()
     verdict.claim(process.returncode == 3, f"full disk: exit status {process.returncode} is 3")
     verdict.claim(len(lines) == 1 and "no checkpoint could be written" in lines[0],
@@ -94,9 +99,52 @@ def goes_further(verdict, programs, folder):
 
 
 def begins_anew(verdict, programs, folder):
-    run = fsi(programs, folder, 1, ["--set", "Output/checkpoint every=0"])
+    run = fsi(programs, folder, 1, ["--overwrite", "--set", "Output/checkpoint every=0"])
     verdict.claim(run.status == 0 and checkpoints(folder / "results") == [],
-                  "a new run removes the checkpoints of the one before, and writes none if asked")
+                  "--overwrite removes the checkpoints of the run before; none are written if not wanted")
+    verdict.claim(table(folder / "results" / "steps.csv")["step"] == [1.0], "and begins anew")
+
+
+def one_result_is_enough(verdict, programs, folder):
+    for name in ("steps.csv", "run.json", "fields.h5", "checkpoint-000007.h5"):
+        (folder / "some").mkdir(exist_ok=True)
+        (folder / "some" / name).write_text("mine")
+        run = fsi(programs, folder, 1, ["--output", "some"])
+        verdict.claim(run.status == 1 and f"({name})" in run.err and
+                      snapshot(folder / "some") == {name: b"mine"}, f"{name} alone is not replaced")
+        shutil.rmtree(folder / "some")
+    (folder / "some").mkdir()
+    (folder / "some" / "notes.txt").write_text("mine")
+    run = fsi(programs, folder, 1, ["--output", "some", "--set", "Output/fields every=0"])
+    verdict.claim(run.status == 0 and (folder / "some" / "notes.txt").read_text() == "mine",
+                  "a folder with other files is fine, and they stay")
+
+
+def keeps_its_own_case(verdict, programs, folder):
+    """A case in the folder of its results stays as it is, however it is named."""
+    text = CASE.read_text().replace("../meshes", str(MESHES)) + "<!-- by hand -->\n"
+    home, link = folder / "home", folder / "link"
+    home.mkdir()
+    link.symlink_to("home")
+    (home / "case.xml").write_text(text)
+    (folder / "linked.xml").symlink_to(home / "case.xml")
+    def run(case, output, *more):
+        words = [case, "--output", output, "--set", "Output/fields every=0", *more]
+        return Run(command(programs / "tunica-fsi", words), folder)
+    other = run(CASE, "home", "--steps", 1)
+    verdict.claim(other.status == 1 and "home/case.xml: a case that is not that of this run" in other.err
+                  and [path.name for path in home.iterdir()] == ["case.xml"],
+                  "the case of another run is not replaced")
+    for case, output, more in (("home/case.xml", "home", ["--steps", 1]),
+                               ("linked.xml", "link", ["--steps", 1, "--overwrite"]),
+                               ("link/../home/case.xml", "./home", ["--steps", 2, "--restart"]),
+                               (CASE, "home", ["--steps", 3, "--restart"])):
+        done = run(case, output, *more)
+        used = (home / "case-used.xml").read_text()
+        verdict.claim(done.status == 0 and (home / "case.xml").read_text() == text,
+                      f"{case} into {output}: the case stays as it is {done.err}")
+        verdict.claim(f'name="steps" type="int" value="{more[1]}"' in used,
+                      f"{case} into {output}: case-used.xml has what was used")
 
 
 def one_field_goes_on(verdict, programs, folder, program, case, *words):
@@ -120,7 +168,8 @@ def main(programs, scratch):
     folder = fresh(scratch)
     run = fsi(programs, folder, 2)
     verdict.claim(run.status == 0, f"the first two steps end with 0 ({run.seconds:.1f} s)")
-    for part in (refuses, knows_its_end, survives_a_full_disk, goes_further, begins_anew):
+    for part in (refuses, knows_its_end, survives_a_full_disk, goes_further, begins_anew,
+                 one_result_is_enough, keeps_its_own_case):
         part(verdict, programs, folder)
     one_field_goes_on(verdict, programs, folder, "tunica-solid", ROOT / "xml" / "inflation.xml",
                       "--set", "Wall/analysis=dynamic")

@@ -20,7 +20,7 @@ class Run:
 
     def __init__(self, words, folder):
         start = time.time()
-        done = subprocess.run(words, cwd=folder, env=ENVIRONMENT, text=True, timeout=580,
+        done = subprocess.run(words, cwd=folder, env=ENVIRONMENT, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.seconds = time.time() - start
         self.status, self.out, self.err = done.returncode, done.stdout, done.stderr

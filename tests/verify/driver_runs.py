@@ -17,7 +17,7 @@ def rows_of(path):
 def run(case, driver, source, scratch):
     folder = os.path.join(scratch, case)
     case_file = os.path.join(source, "xml", case + ".xml")
-    subprocess.run([driver, case_file, "--output", folder], check=True)
+    subprocess.run([driver, case_file, "--output", folder, "--overwrite"], check=True)
     return rows_of(os.path.join(folder, "steps.csv"))
 
 

@@ -2,12 +2,10 @@
 
 #include <Teuchos_XMLParameterListHelpers.hpp>
 #include <filesystem>
-#include <sstream>
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/params/read_xml.hpp"
-#include "tunica/params/xml_text.hpp"
 #include "tunica/stepping/time_function.hpp"
 
 namespace tunica::app {
@@ -44,9 +42,7 @@ Teuchos::ParameterList read_case(const CommandLine& command, const params::Table
   std::string text;
   on_root(comm, [&] {
     list = read_on_root(command, table);
-    std::ostringstream out;
-    params::print_list(out, list, "Case", 0);
-    text = out.str();
+    text = params::to_xml(list);
   });
   broadcast(comm, text);
   if (comm.getRank() != 0) list = *Teuchos::getParametersFromXmlString(text);

@@ -20,9 +20,9 @@ public:
   Checkpoints(RunOutput& output, Parts parts, const CommPtr& comm);
 
   /// Brings parts and clock to where the run goes on. A new run stays at its beginning and removes
-  /// the checkpoints of an earlier one, which no later restart must take for its own. Comes when
-  /// all parts are made, and before any table is replaced. Throws Error if the checkpoint lacks
-  /// something. Collective.
+  /// the checkpoints that --overwrite gives up: no later restart must take them for its own. Comes
+  /// when all parts are made, and before any table is replaced. Throws Error if the checkpoint
+  /// lacks something. Collective.
   void begin(stepping::Clock& clock) const;
 
   /// Writes the clock's step, which is accepted, if it is due. run.json tells how long it took.

@@ -23,6 +23,9 @@ std::vector<Option> options_of(const std::string& program) {
       {"--dry-run", "", "do everything but the solve"},
       {"--print-defaults", "", "print a complete, commented case file"},
       {"--help", "", "print this text"}};
+  if (program != "tunica-check")
+    options.insert(options.begin() + 2,
+                   {"--overwrite", "", "replace the results of an earlier run in the folder"});
   if (program == "tunica-fsi" || program == "tunica-solid" || program == "tunica-fluid")
     options.insert(options.begin() + 2,
                    {"--restart", "", "go on from the folder's last checkpoint"});
@@ -57,6 +60,7 @@ void store(CommandLine& line, const std::string& name, const std::string& value)
   if (name == "--set") line.set.push_back(value);
   if (name == "--dry-run") line.dry_run = true;
   if (name == "--restart") line.restart = true;
+  if (name == "--overwrite") line.overwrite = true;
   if (name == "--print-defaults") line.print_defaults = true;
   if (name == "--help") line.help = true;
   if (name == "--reference") line.reference = true;
@@ -97,7 +101,16 @@ CommandLine parse(int argc, char** argv, const std::string& program, const std::
   const bool needs_case = !line.help && !line.print_defaults && !line.reference;
   TUNICA_CHECK(!needs_case || !line.case_file.empty(),
                "the case file is missing\n\n" + usage(program, sentence));
+  TUNICA_CHECK(!line.restart || !line.overwrite,
+               "--restart goes on with earlier results, --overwrite replaces them: expected one of "
+               "the two");
   return line;
+}
+
+bool takes(const std::string& program, const std::string& option) {
+  for (const Option& one : options_of(program))
+    if (one.name == option) return true;
+  return false;
 }
 
 std::string usage(const std::string& program, const std::string& sentence) {

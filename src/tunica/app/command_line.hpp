@@ -12,6 +12,7 @@ struct CommandLine {
   std::optional<int> steps;        ///< stop after so many time steps
   bool dry_run = false;            ///< everything but the solve
   bool restart = false;            ///< go on from the newest checkpoint of the folder
+  bool overwrite = false;          ///< replace the results of an earlier run
   bool print_defaults = false;     ///< a complete, commented XML; no case file needed
   bool help = false;               ///< no case file needed
   bool reference = false;          ///< tunica-check only; no case file needed
@@ -22,6 +23,9 @@ struct CommandLine {
 /// Reads the command line. Throws tunica::Error if an option is unknown or incomplete, or if
 /// the case file is missing. program: name of the driver; sentence: what it does.
 CommandLine parse(int argc, char** argv, const std::string& program, const std::string& sentence);
+
+/// True where the program has this option.
+bool takes(const std::string& program, const std::string& option);
 
 /// The text of --help.
 std::string usage(const std::string& program, const std::string& sentence);

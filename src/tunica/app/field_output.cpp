@@ -81,11 +81,11 @@ std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall) 
   return arrays;
 }
 
-FieldSeries::FieldSeries(const RunOutput& output, std::vector<output::Grid> grids,
+FieldSeries::FieldSeries(const RunOutput& output, const std::vector<output::Grid>& grids,
                          const CommPtr& comm)
     : every_(output.fields_every) {
   if (every_ == 0) return;
-  writer_.emplace(output.folder.path(), std::move(grids), comm, output.steps_done());
+  writer_.emplace(output.folder.path(), grids, comm, output.steps_done());
   if (comm->getRank() == 0 && !writer_->remark().empty())
     std::cerr << "warning: " << writer_->remark() << std::endl;
 }

@@ -30,7 +30,7 @@ struct GridFields {
 class FieldSeries {
 public:
   /// Collective.
-  FieldSeries(const RunOutput& output, std::vector<output::Grid> grids, const CommPtr& comm);
+  FieldSeries(const RunOutput& output, const std::vector<output::Grid>& grids, const CommPtr& comm);
 
   bool is_due(const stepping::Clock& clock) const;
   /// Collective.

@@ -33,7 +33,7 @@ std::string newest_whole(const std::string& folder) {
     }
   }
   throw Error("--restart: no checkpoint in \"" + folder + "\" can be used: " + reason +
-              ". Begin anew without --restart.");
+              ". Begin anew with --overwrite.");
 }
 
 /// "fluid and wall"

@@ -3,11 +3,13 @@
 #include <iostream>
 
 #include "tunica/app/exit_status.hpp"
+#include "tunica/app/results_folder.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/session.hpp"
 #include "tunica/base/timer.hpp"
+#include "tunica/io/atomic_file.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "tunica/params/read_xml.hpp"
 
@@ -87,10 +89,21 @@ bool is_over(const output::CheckpointHead& head, const Teuchos::ParameterList& t
   return true;
 }
 
+std::string folder_of(const Teuchos::ParameterList& list) {
+  return list.sublist("Output").get<std::string>("folder");
+}
+
+/// A key of the list "Output" that not every case has.
+int every(const Teuchos::ParameterList& list, const std::string& key) {
+  const Teuchos::ParameterList& output = list.sublist("Output");
+  return output.isParameter(key) ? output.get<int>(key) : 0;
+}
+
 int solve(const Program& program, const CommandLine& command, const March& march,
           const CommPtr& comm) {
   const Stopwatch set_up;
   const Teuchos::ParameterList list = read_case(command, program.table, *comm);
+  if (!command.dry_run) check_results_folder(folder_of(list), command, program.name, *comm);
   const Domain domain = load_domain(list, comm);
   describe_domain(domain, *comm);
   std::optional<Restart> restart;
@@ -98,9 +111,8 @@ int solve(const Program& program, const CommandLine& command, const March& march
   if (restart && is_over(restart->head, list.sublist("Time"), *comm)) return exit_done;
   if (command.dry_run) return exit_done;
   linear::check_direct_solver(comm);
-  RunOutput output(program, list, comm, restart);
+  RunOutput output(program, command, list, comm, restart);
   output.fingerprint = domain.fingerprint;
-  output.record.set("case", "file", command.case_file);
   record_sizes(domain, output.record);
   output.record.add_time("set-up", set_up.seconds());
   return conclude(program, output, *comm, [&] { return march(list, domain, output); });
@@ -110,19 +122,13 @@ int solve(const Program& program, const CommandLine& command, const Alternative&
           const CommPtr& comm) {
   const Stopwatch set_up;
   const Teuchos::ParameterList list = read_case(command, alternative.table, *comm);
+  if (!command.dry_run) check_results_folder(folder_of(list), command, program.name, *comm);
   const auto work = alternative.load(list, comm);
   if (command.dry_run) return exit_done;
   linear::check_direct_solver(comm);
-  RunOutput output(program, list, comm);
-  output.record.set("case", "file", command.case_file);
+  RunOutput output(program, command, list, comm);
   output.record.add_time("set-up", set_up.seconds());
   return conclude(program, output, *comm, [&] { return work(output); });
-}
-
-/// A key of the list "Output" that not every case has.
-int every(const Teuchos::ParameterList& list, const std::string& key) {
-  const Teuchos::ParameterList& output = list.sublist("Output");
-  return output.isParameter(key) ? output.get<int>(key) : 0;
 }
 
 }  // namespace
@@ -133,14 +139,19 @@ int fault(const std::string& message, const Comm& comm) {
   return exit_fault;
 }
 
-RunOutput::RunOutput(const Program& program, const Teuchos::ParameterList& list,
-                     const CommPtr& comm, std::optional<Restart> from)
-    : folder(list.sublist("Output").get<std::string>("folder"), comm),
+RunOutput::RunOutput(const Program& program, const CommandLine& command,
+                     const Teuchos::ParameterList& list, const CommPtr& comm,
+                     std::optional<Restart> from)
+    : folder(folder_of(list), comm),
       record(folder.file("run.json"), program.name, TUNICA_VERSION, comm),
       fields_every(every(list, "fields every")), checkpoint_every(every(list, "checkpoint every")),
       restart(std::move(from)) {
   if (restart) record.take_over(steps_done());
-  on_root(*comm, [&] { params::write_xml(list, folder.file("case.xml")); });
+  record.set("case", "file", command.case_file);
+  on_root_or_fault(*comm, [&] {
+    const std::string name = name_for_parameters(folder.path(), command.case_file);
+    return io::replace_file(folder.file(name), params::to_xml(list));
+  });
 }
 
 int run_program(int argc, char** argv, const Program& program, const March& march,

@@ -23,8 +23,8 @@ struct Program {
 /// What every run writes beside its tables. Made when the case and the mesh are known to be
 /// good, so that a bad input leaves nothing behind.
 struct RunOutput {
-  RunOutput(const Program& program, const Teuchos::ParameterList& list, const CommPtr& comm,
-            std::optional<Restart> from = {});
+  RunOutput(const Program& program, const CommandLine& command, const Teuchos::ParameterList& list,
+            const CommPtr& comm, std::optional<Restart> from = {});
 
   int steps_done() const { return restart ? restart->head.step : 0; }
 

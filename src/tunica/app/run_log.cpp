@@ -51,7 +51,7 @@ void RunLog::newton(const IterationIndex& index, const std::string& field,
                     const nonlinear::NewtonReport& report) {
   for (std::size_t k = 0; k < report.steps.size(); ++k) {
     const nonlinear::NewtonStep& s = report.steps[k];
-    const auto iteration = static_cast<long long>(k + 1);
+    const auto iteration = static_cast<long long>(k) + 1;
     const linear::SolveReport& l = s.linear;
     newton_.row({index.step, index.coupling_iteration, field, iteration, s.increment,
                  s.relative_increment, s.residual, s.exponent, s.step_length, l.tolerance,

@@ -60,6 +60,6 @@ private:
 /// The table of one field as text: a line for each setting, with the iterations of each Newton
 /// step ("!" where it did not converge, with the verdict below), total seconds, and their ratio
 /// to those of the first setting.
-std::string text_of(const std::vector<SolverRow>& rows, const std::string& field);
+std::string text_of(const std::vector<SolverRow>& all, const std::string& field);
 
 }  // namespace tunica::app

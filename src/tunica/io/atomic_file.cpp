@@ -1,32 +1,94 @@
 #include "tunica/io/atomic_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+
+#include "tunica/base/error.hpp"
 
 namespace tunica::io {
+
+namespace {
+
+std::string synced(const std::string& path, int flags) {
+  errno = 0;
+  const int file = ::open(path.c_str(), flags);
+  const bool is_synced = file >= 0 && ::fsync(file) == 0;
+  const std::string problem = is_synced ? "" : "cannot flush " + path + system_reason();
+  if (file >= 0) ::close(file);
+  return problem;
+}
+
+std::string renamed(const std::string& from, const std::string& to) {
+  errno = 0;
+  if (std::rename(from.c_str(), to.c_str()) == 0) return "";
+  return "cannot rename " + from + " to " + to + system_reason();
+}
+
+}  // namespace
 
 std::string system_reason() {
   return errno == 0 ? std::string() : std::string(": ") + std::strerror(errno);
 }
 
-std::string replace_file(const std::string& path, const std::string& text) {
-  const std::string draft = path + ".tmp";
+AtomicFile::AtomicFile(const std::string& path) : path_(path), draft_(draft_of(path)) {}
+
+AtomicFile::~AtomicFile() {
+  if (!is_committed_) std::remove(draft_.c_str());
+}
+
+void AtomicFile::note_failure() {
+  if (!file_ && problem_.empty()) problem_ = "cannot write " + draft_ + system_reason();
+}
+
+void AtomicFile::add(const std::string& text) {
+  if (!problem_.empty()) return;
   errno = 0;
-  std::ofstream file(draft, std::ios::trunc | std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) {
-    const std::string reason = system_reason();
-    std::remove(draft.c_str());
-    return "cannot write " + draft + reason;
-  }
-  if (std::rename(draft.c_str(), path.c_str()) != 0) {
-    return "cannot rename " + draft + " to " + path + system_reason();
-  }
-  return "";
+  if (!file_.is_open()) file_.open(draft_, std::ios::trunc | std::ios::binary);
+  file_ << text;
+  note_failure();
+}
+
+std::string AtomicFile::close() {
+  errno = 0;
+  if (file_.is_open()) file_.close();
+  note_failure();
+  return problem_;
+}
+
+std::string AtomicFile::commit() {
+  if (close().empty()) problem_ = renamed(draft_, path_);
+  is_committed_ = problem_.empty();
+  return problem_;
+}
+
+std::string AtomicFile::commit_to_disk() {
+  if (close().empty()) problem_ = synced(draft_, O_WRONLY);
+  if (!commit().empty()) return problem_;
+  const std::string folder = std::filesystem::path(path_).parent_path().string();
+  const std::string problem = synced(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+  // Some network file systems cannot flush folders; the file has its name all the same.
+  return errno == EINVAL || errno == ENOTSUP ? "" : problem;
+}
+
+std::string replace_file(const std::string& path, const std::string& text) {
+  AtomicFile file(path);
+  file.add(text);
+  return file.commit();
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  TUNICA_CHECK(!path.empty(), "the name of the output file is empty");
+  TUNICA_CHECK(!std::filesystem::is_directory(path), path + ": is a directory, expected a file");
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  TUNICA_CHECK(folder.empty() || std::filesystem::is_directory(folder),
+               path + ": the folder does not exist. Create it first.");
+  const std::string problem = replace_file(path, text);
+  TUNICA_CHECK(problem.empty(), path + ": " + problem);
 }
 
 std::string set_aside(const std::string& path, std::string& new_name) {
@@ -35,9 +97,7 @@ std::string set_aside(const std::string& path, std::string& new_name) {
   new_name = stem + old.extension().string();
   for (int n = 2; std::filesystem::exists(new_name); ++n)
     new_name = stem + "-" + std::to_string(n) + old.extension().string();
-  errno = 0;
-  if (std::rename(path.c_str(), new_name.c_str()) == 0) return "";
-  return "cannot rename " + path + " to " + new_name + system_reason();
+  return renamed(path, new_name);
 }
 
 }  // namespace tunica::io

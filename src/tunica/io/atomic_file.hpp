@@ -1,15 +1,52 @@
 #pragma once
+#include <fstream>
 #include <string>
 
 namespace tunica::io {
 
-/// Replaces the file by the text in one step: a reader sees the old text or the new one, never
-/// a part. The text goes to "<path>.tmp", which is then renamed.
-/// Returns what went wrong, naming the file; empty on success. Not collective.
+/// A file in the making: it grows as "<path>.tmp", gets its name by commit(), and is removed if
+/// that fails or is never reached. A reader sees the old file or the new one, never a part.
+///
+/// Nothing throws: what goes wrong is returned as a sentence that names the file, empty on success,
+/// so that ranks can agree on it first. Not collective.
+class AtomicFile {
+public:
+  explicit AtomicFile(const std::string& path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// "<path>.tmp", for those that write to it by other means.
+  static std::string draft_of(const std::string& path) { return path + ".tmp"; }
+
+  /// Appends to the draft. A failure is kept for close() and commit().
+  void add(const std::string& text);
+  /// Ends what add() does.
+  [[nodiscard]] std::string close();
+  /// Gives the draft its name.
+  [[nodiscard]] std::string commit();
+  /// The same when the draft is on the disk; the folder follows, or a failing power could take the
+  /// name back.
+  [[nodiscard]] std::string commit_to_disk();
+
+private:
+  void note_failure();
+
+  std::string path_, draft_;
+  std::ofstream file_;
+  std::string problem_;
+  bool is_committed_ = false;
+};
+
+/// Replaces a file of a run by the text in one step. Returns as AtomicFile does.
 std::string replace_file(const std::string& path, const std::string& text);
 
+/// Replaces a file that the user has named. Throws Error that begins with the path, and leaves all
+/// as it was.
+void write_file(const std::string& path, const std::string& text);
+
 /// Renames "fields.h5" to "fields.old.h5", or to "fields.old-2.h5" where that is taken, and so on:
-/// nothing is overwritten. new_name receives the name. Returns as replace_file(). Not collective.
+/// nothing is overwritten. new_name receives the name. Returns as AtomicFile does.
 std::string set_aside(const std::string& path, std::string& new_name);
 
 /// ": No space left on device" from errno, or empty if errno says nothing.

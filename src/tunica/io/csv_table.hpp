@@ -19,8 +19,8 @@ using Cell = std::variant<long long, double, std::string>;
 class CsvTable {
 public:
   /// Replaces the file and writes the heading. With kept_step > 0 the whole rows of the file whose
-  /// first cell is at most kept_step stay; where its heading is another one, the file gets the
-  /// ending ".old" instead.
+  /// first cell is at most kept_step stay; where its heading is another one, the file is
+  /// set aside as "steps.old.csv" instead.
   CsvTable(const std::string& path, std::vector<std::string> columns, bool active,
            int kept_step = 0);
 

@@ -1,10 +1,11 @@
 #include "tunica/io/hdf5_arrays.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "tunica/base/error.hpp"
-#include "tunica/io/replacement.hpp"
+#include "tunica/io/atomic_file.hpp"
 
 namespace tunica::io {
 namespace {
@@ -19,15 +20,15 @@ hid_t open_file(const std::string& path) {
 
 hid_t create_in_memory() {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_core(access.id(), std::size_t{1} << 20, false);
-  return H5Fcreate("tunica.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access.id());
+  H5Pset_fapl_core(access, std::size_t{1} << 20, false);
+  return H5Fcreate("tunica.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access);
 }
 
 Hdf5Handle string_type(std::size_t length) {
   Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type.id(), std::max<std::size_t>(length, 1));
-  H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
-  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  H5Tset_size(type, std::max<std::size_t>(length, 1));
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  H5Tset_cset(type, H5T_CSET_UTF8);
   return type;
 }
 
@@ -44,14 +45,6 @@ std::size_t string_length(hid_t type) {
 
 }  // namespace
 
-Hdf5Silence::Hdf5Silence() {
-  H5open();
-  H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-
-Hdf5Silence::~Hdf5Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
-
 Hdf5Reader::Hdf5Reader(const std::string& path) : path_(path), file_(open_file(path), H5Fclose) {
   TUNICA_CHECK(file_.is_valid(), path + ": not an HDF5 file, or truncated");
 }
@@ -61,25 +54,25 @@ void Hdf5Reader::fail(const std::string& dataset, const std::string& message) co
 }
 
 bool Hdf5Reader::has(const std::string& dataset) const {
-  return H5Lexists(file_.id(), dataset.c_str(), H5P_DEFAULT) > 0;
+  return H5Lexists(file_, dataset.c_str(), H5P_DEFAULT) > 0;
 }
 
 std::string Hdf5Reader::attribute(const std::string& name) const {
-  const Hdf5Handle attribute(H5Aopen(file_.id(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle attribute(H5Aopen(file_, name.c_str(), H5P_DEFAULT), H5Aclose);
   TUNICA_CHECK(attribute.is_valid(), path_ + ": has no attribute \"" + name + "\"");
-  const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
-  const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
-  std::vector<char> text(string_length(type.id()));
-  TUNICA_CHECK(!text.empty() && H5Sget_simple_extent_npoints(space.id()) == 1,
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+  std::vector<char> text(string_length(type));
+  TUNICA_CHECK(!text.empty() && H5Sget_simple_extent_npoints(space) == 1,
                path_ + ": attribute \"" + name + "\" is not one string of fixed length");
-  TUNICA_CHECK(H5Aread(attribute.id(), type.id(), text.data()) >= 0,
+  TUNICA_CHECK(H5Aread(attribute, type, text.data()) >= 0,
                path_ + ": attribute \"" + name + "\" cannot be read");
   return trimmed(text.data(), text.size());
 }
 
 Hdf5Handle Hdf5Reader::open(const std::string& dataset) const {
   if (!has(dataset)) fail(dataset, "missing");
-  Hdf5Handle handle(H5Dopen2(file_.id(), dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  Hdf5Handle handle(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
   if (!handle.is_valid()) fail(dataset, "cannot be opened");
   return handle;
 }
@@ -89,14 +82,14 @@ std::size_t Hdf5Reader::rows(hid_t id, const std::string& dataset, hsize_t colum
   const Hdf5Handle type(H5Dget_type(id), H5Tclose);
   const int expected = columns == 1 ? 1 : 2;
   hsize_t size[2] = {0, 1};
-  if (H5Sget_simple_extent_ndims(space.id()) != expected)
+  if (H5Sget_simple_extent_ndims(space) != expected)
     fail(dataset, "expected " + std::to_string(expected) + " dimension(s)");
-  H5Sget_simple_extent_dims(space.id(), size, nullptr);
+  H5Sget_simple_extent_dims(space, size, nullptr);
   if (size[1] != columns)
     fail(dataset,
          "has " + std::to_string(size[1]) + " columns, expected " + std::to_string(columns));
   const double bytes = static_cast<double>(size[0]) * static_cast<double>(columns) *
-                       static_cast<double>(H5Tget_size(type.id()));
+                       static_cast<double>(H5Tget_size(type));
   const double stored = static_cast<double>(
       std::min<std::uintmax_t>(H5Dget_storage_size(id), std::filesystem::file_size(path_)));
   if (size[0] > 2147483647 || bytes > most_compression * stored)
@@ -107,32 +100,32 @@ std::size_t Hdf5Reader::rows(hid_t id, const std::string& dataset, hsize_t colum
 
 std::vector<int> Hdf5Reader::integers(const std::string& dataset, hsize_t columns) const {
   const Hdf5Handle handle = open(dataset);
-  const Hdf5Handle type(H5Dget_type(handle.id()), H5Tclose);
-  if (H5Tget_class(type.id()) != H5T_INTEGER) fail(dataset, "does not hold integers");
-  std::vector<int> values(rows(handle.id(), dataset, columns) * columns);
-  if (H5Dread(handle.id(), H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+  const Hdf5Handle type(H5Dget_type(handle), H5Tclose);
+  if (H5Tget_class(type) != H5T_INTEGER) fail(dataset, "does not hold integers");
+  std::vector<int> values(rows(handle, dataset, columns) * columns);
+  if (H5Dread(handle, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     fail(dataset, "cannot be read. Is it damaged?");
   return values;
 }
 
 std::vector<double> Hdf5Reader::reals(const std::string& dataset, hsize_t columns) const {
   const Hdf5Handle handle = open(dataset);
-  const Hdf5Handle type(H5Dget_type(handle.id()), H5Tclose);
-  if (H5Tget_class(type.id()) != H5T_FLOAT) fail(dataset, "does not hold real numbers");
-  std::vector<double> values(rows(handle.id(), dataset, columns) * columns);
-  if (H5Dread(handle.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+  const Hdf5Handle type(H5Dget_type(handle), H5Tclose);
+  if (H5Tget_class(type) != H5T_FLOAT) fail(dataset, "does not hold real numbers");
+  std::vector<double> values(rows(handle, dataset, columns) * columns);
+  if (H5Dread(handle, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     fail(dataset, "cannot be read. Is it damaged?");
   return values;
 }
 
 std::vector<std::string> Hdf5Reader::strings(const std::string& dataset) const {
   const Hdf5Handle handle = open(dataset);
-  const Hdf5Handle type(H5Dget_type(handle.id()), H5Tclose);
-  const std::size_t length = string_length(type.id());
+  const Hdf5Handle type(H5Dget_type(handle), H5Tclose);
+  const std::size_t length = string_length(type);
   if (length == 0) fail(dataset, "does not hold strings of fixed length");
-  const std::size_t n = rows(handle.id(), dataset, 1);
+  const std::size_t n = rows(handle, dataset, 1);
   std::vector<char> text(n * length);
-  if (H5Dread(handle.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+  if (H5Dread(handle, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
     fail(dataset, "cannot be read. Is it damaged?");
   std::vector<std::string> values;
   for (std::size_t i = 0; i < n; ++i) values.push_back(trimmed(&text[i * length], length));
@@ -140,72 +133,70 @@ std::vector<std::string> Hdf5Reader::strings(const std::string& dataset) const {
 }
 
 Hdf5Writer::Hdf5Writer(const std::string& path) : path_(path), file_(create_in_memory(), H5Fclose) {
-  TUNICA_CHECK(file_.is_valid(), path + ": HDF5 cannot compose the file in memory");
+  TUNICA_CHECK(file_.is_valid(), hdf5_failure(path, "compose the file in memory"));
 }
 
 void Hdf5Writer::attribute(const std::string& name, const std::string& value) {
   const Hdf5Handle type = string_type(value.size());
   const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Hdf5Handle attribute(
-      H5Acreate2(file_.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-      H5Aclose);
-  TUNICA_CHECK(attribute.is_valid() && H5Awrite(attribute.id(), type.id(), value.c_str()) >= 0,
-               path_ + ": writing attribute \"" + name + "\" failed");
+  const Hdf5Handle attribute(H5Acreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Aclose);
+  TUNICA_CHECK(attribute.is_valid() && H5Awrite(attribute, type, value.c_str()) >= 0,
+               hdf5_failure(path_, "write attribute " + name));
 }
 
-void Hdf5Writer::write(const std::string& dataset, hid_t type, const void* values,
-                       const std::vector<hsize_t>& size) {
-  const Hdf5Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr),
-                         H5Sclose);
-  const Hdf5Handle options(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  H5Pset_obj_track_times(options.id(), false);  // the same mesh gives the same file
-  if (size[0] > 0) {
-    std::vector<hsize_t> chunk = size;
-    chunk[0] = std::min<hsize_t>(chunk[0], 65536);
-    H5Pset_chunk(options.id(), static_cast<int>(chunk.size()), chunk.data());
+void Hdf5Writer::write_any(const std::string& dataset, hid_t type, const void* values, hsize_t rows,
+                           hsize_t columns) {
+  const int rank = columns == 1 ? 1 : 2;
+  const std::array<hsize_t, 2> size{rows, columns};
+  const Hdf5Handle space(H5Screate_simple(rank, size.data(), nullptr), H5Sclose);
+  const Hdf5Handle storage(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(storage, false);  // the same mesh gives the same file
+  if (rows > 0) {
+    const std::array<hsize_t, 2> chunk{std::min<hsize_t>(rows, 65536), columns};
+    H5Pset_chunk(storage, rank, chunk.data());
     if (H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0) {
-      H5Pset_shuffle(options.id());
-      H5Pset_deflate(options.id(), 1);
+      H5Pset_shuffle(storage);
+      H5Pset_deflate(storage, 1);
     }
-    H5Pset_fletcher32(options.id());
+    H5Pset_fletcher32(storage);
   }
-  const Hdf5Handle handle(H5Dcreate2(file_.id(), dataset.c_str(), type, space.id(), H5P_DEFAULT,
-                                     options.id(), H5P_DEFAULT),
-                          H5Dclose);
+  const Hdf5Handle handle(
+      H5Dcreate2(file_, dataset.c_str(), type, space, H5P_DEFAULT, storage, H5P_DEFAULT), H5Dclose);
   TUNICA_CHECK(
-      handle.is_valid() && H5Dwrite(handle.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0,
-      path_ + ": writing dataset /" + dataset + " failed");
+      handle.is_valid() && H5Dwrite(handle, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0,
+      hdf5_failure(path_, "write /" + dataset));
 }
 
-void Hdf5Writer::integers(const std::string& dataset, const int* values, hsize_t rows,
-                          hsize_t columns) {
-  write(dataset, H5T_NATIVE_INT32, values,
-        columns == 1 ? std::vector<hsize_t>{rows} : std::vector<hsize_t>{rows, columns});
-}
-
-void Hdf5Writer::reals(const std::string& dataset, const double* values, hsize_t rows,
+void Hdf5Writer::write(const std::string& dataset, const int* values, hsize_t rows,
                        hsize_t columns) {
-  write(dataset, H5T_NATIVE_DOUBLE, values,
-        columns == 1 ? std::vector<hsize_t>{rows} : std::vector<hsize_t>{rows, columns});
+  write_any(dataset, H5T_NATIVE_INT32, values, rows, columns);
 }
 
-void Hdf5Writer::strings(const std::string& dataset, const std::vector<std::string>& values) {
+void Hdf5Writer::write(const std::string& dataset, const double* values, hsize_t rows,
+                       hsize_t columns) {
+  write_any(dataset, H5T_NATIVE_DOUBLE, values, rows, columns);
+}
+
+void Hdf5Writer::write(const std::string& dataset, const std::vector<std::string>& values) {
   std::size_t length = 1;
   for (const std::string& value : values) length = std::max(length, value.size());
   std::vector<char> text(values.size() * length + 1, '\0');
   for (std::size_t i = 0; i < values.size(); ++i)
     std::copy(values[i].begin(), values[i].end(), &text[i * length]);
-  write(dataset, string_type(length).id(), text.data(), {values.size()});
+  write_any(dataset, string_type(length), text.data(), values.size(), 1);
 }
 
-void Hdf5Writer::save() {
-  const bool is_flushed = H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0;
-  const ssize_t size = is_flushed ? H5Fget_file_image(file_.id(), nullptr, 0) : -1;
-  TUNICA_CHECK(size > 0, path_ + ": HDF5 cannot finish the file in memory");
+std::string Hdf5Writer::image() const {
+  const bool is_flushed = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
+  const ssize_t size = is_flushed ? H5Fget_file_image(file_, nullptr, 0) : -1;
+  TUNICA_CHECK(size > 0, hdf5_failure(path_, "finish the file in memory"));
   std::string image(static_cast<std::size_t>(size), '\0');
-  TUNICA_CHECK(H5Fget_file_image(file_.id(), image.data(), image.size()) == size,
-               path_ + ": HDF5 cannot finish the file in memory");
-  write_bytes(path_, image);
+  TUNICA_CHECK(H5Fget_file_image(file_, image.data(), image.size()) == size,
+               hdf5_failure(path_, "finish the file in memory"));
+  return image;
 }
+
+void Hdf5Writer::save() const { write_file(path_, image()); }
 
 }  // namespace tunica::io

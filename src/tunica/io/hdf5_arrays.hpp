@@ -1,43 +1,10 @@
 #pragma once
-#include <hdf5.h>
-
 #include <string>
 #include <vector>
 
+#include "tunica/io/hdf5_handle.hpp"
+
 namespace tunica::io {
-
-/// Owner of one HDF5 identifier.
-class Hdf5Handle {
-public:
-  using Close = herr_t (*)(hid_t);
-  Hdf5Handle(hid_t id, Close closer) : id_(id), close_(closer) {}
-  ~Hdf5Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = -1; }
-  Hdf5Handle(const Hdf5Handle&) = delete;
-  Hdf5Handle& operator=(const Hdf5Handle&) = delete;
-
-  hid_t id() const { return id_; }
-  bool is_valid() const { return id_ >= 0; }
-
-private:
-  hid_t id_;
-  Close close_;
-};
-
-/// Silences HDF5's own messages while it lives; ours say more.
-class Hdf5Silence {
-public:
-  Hdf5Silence();
-  ~Hdf5Silence();
-  Hdf5Silence(const Hdf5Silence&) = delete;
-  Hdf5Silence& operator=(const Hdf5Silence&) = delete;
-
-private:
-  H5E_auto2_t function_ = nullptr;
-  void* data_ = nullptr;
-};
 
 /// An HDF5 file of plain arrays, for one rank. Every failure is an Error that begins with the
 /// path and the dataset.
@@ -69,15 +36,18 @@ public:
   /// path is where save() will put the file.
   explicit Hdf5Writer(const std::string& path);
   void attribute(const std::string& name, const std::string& value);
-  void integers(const std::string& dataset, const int* values, hsize_t rows, hsize_t columns = 1);
-  void reals(const std::string& dataset, const double* values, hsize_t rows, hsize_t columns);
-  void strings(const std::string& dataset, const std::vector<std::string>& values);
-  /// Writes the file, or throws and leaves nothing.
-  void save();
+  /// A dataset of rows × columns, as Hdf5Reader reads it.
+  void write(const std::string& dataset, const int* values, hsize_t rows, hsize_t columns = 1);
+  void write(const std::string& dataset, const double* values, hsize_t rows, hsize_t columns = 1);
+  void write(const std::string& dataset, const std::vector<std::string>& values);
+  /// The file's bytes.
+  std::string image() const;
+  /// Writes the file, or throws and leaves all as it was.
+  void save() const;
 
 private:
-  void write(const std::string& dataset, hid_t type, const void* values,
-             const std::vector<hsize_t>& size);
+  void write_any(const std::string& dataset, hid_t type, const void* values, hsize_t rows,
+                 hsize_t columns);
 
   Hdf5Silence silence_;
   std::string path_;

@@ -3,10 +3,8 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
-#include <fstream>
+#include <optional>
 #include <stdexcept>
 
 #include "tunica/base/agreement.hpp"
@@ -30,24 +28,22 @@ void append(std::string& text, Number value, char end) {
 class CommonFile {
 public:
   CommonFile(const std::string& path, const std::string& heading, const CommPtr& comm)
-      : path_(path), draft_(path + ".tmp"), comm_(comm) {
+      : comm_(comm) {
     if (comm_->getRank() != 0) return;
-    errno = 0;
-    file_.open(draft_, std::ios::trunc | std::ios::binary);
-    file_ << heading;
+    file_.emplace(path);
+    file_->add(heading);
   }
 
   /// Adds the texts of all ranks in their order. Collective.
   void add(const std::string& mine) {
     if (comm_->getRank() != 0) return send(mine);
-    file_ << mine;
+    file_->add(mine);
     for (int rank = 1; rank < comm_->getSize(); ++rank) receive(rank);
   }
 
   /// Collective.
   void finish() {
-    const std::string problem =
-        agreed_message(*comm_, comm_->getRank() == 0 ? replace() : std::string());
+    const std::string problem = agreed_message(*comm_, file_ ? file_->commit() : std::string());
     if (!problem.empty()) throw std::runtime_error(problem);
   }
 
@@ -69,25 +65,12 @@ private:
       const auto count = static_cast<int>(std::min<long long>(most_per_message, size - at));
       part.resize(static_cast<std::size_t>(count));
       Teuchos::receive(*comm_, rank, count, part.data());
-      file_ << part;
+      file_->add(part);
     }
   }
 
-  std::string replace() {
-    file_.close();
-    if (!file_) {
-      const std::string reason = system_reason();
-      std::remove(draft_.c_str());
-      return "cannot write " + draft_ + reason;
-    }
-    if (std::rename(draft_.c_str(), path_.c_str()) != 0)
-      return "cannot rename " + draft_ + " to " + path_ + system_reason();
-    return "";
-  }
-
-  std::string path_, draft_;
   CommPtr comm_;
-  std::ofstream file_;
+  std::optional<AtomicFile> file_;  ///< on rank 0
 };
 
 std::string heading(const std::string& layout, const std::string& comment) {

@@ -15,47 +15,10 @@ namespace tunica::io {
 
 namespace {
 
-/// An HDF5 identifier that closes itself.
-class Handle {
-public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  operator hid_t() const { return id_; }
-
-private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
 MPI_Comm mpi_of(const CommPtr& comm) {
   const auto mpi = Teuchos::rcp_dynamic_cast<const Teuchos::MpiComm<int>>(comm);
   if (mpi.is_null()) return MPI_COMM_SELF;
   return *mpi->getRawMpiComm();
-}
-
-/// The innermost entry of HDF5's error stack, which names the cause.
-std::string cause() {
-  std::string text;
-  const auto keep = [](unsigned n, const H5E_error2_t* entry, void* out) -> herr_t {
-    if (n == 0 && entry->desc != nullptr) *static_cast<std::string*>(out) = entry->desc;
-    return 0;
-  };
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep, &text);
-  return text.empty() ? text : " (" + text + ")";
-}
-
-hid_t open(const std::string& path, Hdf5File::Mode mode, const CommPtr& comm) {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_mpio(access, mpi_of(comm), MPI_INFO_NULL);
-  H5Pset_all_coll_metadata_ops(access, true);
-  H5Pset_coll_metadata_write(access, true);
-  return mode == Hdf5File::Mode::create
-             ? H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
-             : H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
 }
 
 /// Takes room behind the end of a file, which HDF5 gives back on closing as far as it is not
@@ -72,6 +35,21 @@ std::string take_room(const std::string& path, long long bytes) {
          (is_restored ? "" : "; the file's end is undefined");
 }
 
+hid_t open(const std::string& path, Hdf5File::Mode mode, long long bytes_to_come,
+           const CommPtr& comm) {
+  const bool is_new = mode == Hdf5File::Mode::create;
+  const bool takes_room = !is_new && comm->getRank() == 0;
+  const std::string no_room =
+      agreed_message(*comm, takes_room ? take_room(path, bytes_to_come) : std::string());
+  if (!no_room.empty()) throw NoRoom(no_room);
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_mpio(access, mpi_of(comm), MPI_INFO_NULL);
+  H5Pset_all_coll_metadata_ops(access, true);
+  H5Pset_coll_metadata_write(access, true);
+  return is_new ? H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
+                : H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
+}
+
 hid_t with_parents() {
   const hid_t list = H5Pcreate(H5P_LINK_CREATE);
   H5Pset_create_intermediate_group(list, 1);
@@ -82,33 +60,20 @@ hid_t with_parents() {
 
 template <class Result>
 Result Hdf5File::noted(Result result, const std::string& action) {
-  if (result < 0 && failure_.empty()) failure_ = path_ + ": cannot " + action + cause();
+  if (result < 0 && failure_.empty()) failure_ = hdf5_failure(path_, action);
   return result;
 }
 
 Hdf5File::Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, const CommPtr& comm)
-    : path_(path), comm_(comm) {
-  if (mode == Mode::extend) {
-    const bool is_first = comm_->getRank() == 0;
-    const std::string no_room =
-        agreed_message(*comm_, is_first ? take_room(path, bytes_to_come) : std::string());
-    if (!no_room.empty()) throw NoRoom(no_room);
-  }
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are thrown, not printed
-  file_ = noted(open(path, mode, comm), mode == Mode::create ? "create" : "open");
+    : path_(path), comm_(comm), file_(open(path, mode, bytes_to_come, comm), H5Fclose) {
+  noted<hid_t>(file_, mode == Mode::create ? "create" : "open");
   const std::string problem = agreed_message(*comm_, failure_);
-  if (problem.empty()) return;
-  if (file_ >= 0) H5Fclose(file_);
-  throw MachineFault(problem);
-}
-
-Hdf5File::~Hdf5File() {
-  if (file_ >= 0) H5Fclose(file_);
+  if (!problem.empty()) throw MachineFault(problem);
 }
 
 void Hdf5File::make_group(const std::string& name) {
-  const Handle parents(with_parents(), H5Pclose);
-  const Handle group(
+  const Hdf5Handle parents(with_parents(), H5Pclose);
+  const Hdf5Handle group(
       noted(H5Gcreate2(file_, name.c_str(), parents, H5P_DEFAULT, H5P_DEFAULT), "create " + name),
       H5Gclose);
 }
@@ -153,11 +118,11 @@ void Hdf5File::write(const std::string& name, const Rows& rows, const int* value
 
 void Hdf5File::attribute_any(const std::string& object, const std::string& name, hid_t type,
                              const void* value) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle entry(noted(H5Acreate_by_name(file_, object.c_str(), name.c_str(), type, space,
-                                             H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                           "create attribute " + name),
-                     H5Aclose);
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle entry(noted(H5Acreate_by_name(file_, object.c_str(), name.c_str(), type, space,
+                                                 H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                               "create attribute " + name),
+                         H5Aclose);
   noted(H5Awrite(entry, type, value), "write attribute " + name);
 }
 
@@ -169,12 +134,12 @@ void Hdf5File::write_any(const std::string& name, const Rows& rows, hid_t type,
   const std::array<hsize_t, 2> first{static_cast<hsize_t>(rows.first), 0};
   const std::array<hsize_t, 2> count{static_cast<hsize_t>(rows.count), width};
 
-  const Handle on_disk(H5Screate_simple(rank, whole.data(), nullptr), H5Sclose);
-  const Handle in_memory(H5Screate_simple(rank, count.data(), nullptr), H5Sclose);
-  const Handle parents(with_parents(), H5Pclose);
-  const Handle storage(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  const Hdf5Handle on_disk(H5Screate_simple(rank, whole.data(), nullptr), H5Sclose);
+  const Hdf5Handle in_memory(H5Screate_simple(rank, count.data(), nullptr), H5Sclose);
+  const Hdf5Handle parents(with_parents(), H5Pclose);
+  const Hdf5Handle storage(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_fill_time(storage, H5D_FILL_TIME_NEVER);  // every row is written below
-  const Handle dataset(
+  const Hdf5Handle dataset(
       noted(H5Dcreate2(file_, name.c_str(), type, on_disk, parents, storage, H5P_DEFAULT),
             "create " + name),
       H5Dclose);
@@ -186,15 +151,14 @@ void Hdf5File::write_any(const std::string& name, const Rows& rows, hid_t type,
   } else {
     H5Sselect_hyperslab(on_disk, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr);
   }
-  const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+  const Hdf5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
   H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
   noted(H5Dwrite(dataset, type, in_memory, on_disk, transfer, values), "write " + name);
 }
 
 void Hdf5File::close() {
   noted(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush");
-  noted(H5Fclose(file_), "close");
-  file_ = H5I_INVALID_HID;
+  noted(file_.close(), "close");
   const std::string problem = agreed_message(*comm_, failure_);
   if (!problem.empty()) throw MachineFault(problem);
 }

@@ -1,11 +1,10 @@
 #pragma once
-#include <hdf5.h>
-
 #include <string>
 #include <vector>
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/types.hpp"
+#include "tunica/io/hdf5_handle.hpp"
 
 namespace tunica::io {
 
@@ -18,7 +17,8 @@ public:
 /// A parallel HDF5 file, written by all ranks together. Every member is collective.
 ///
 /// A call that fails on one rank must not leave the others waiting: failures are kept, later
-/// calls go on, and close() throws on all ranks.
+/// calls go on, and close() throws on all ranks. One rank alone composes small files in memory
+/// instead, see hdf5_arrays.hpp.
 class Hdf5File {
 public:
   enum class Mode { create, extend };
@@ -35,10 +35,6 @@ public:
   /// disk has no room for the bytes to come. Room is taken beforehand because Open MPI does not
   /// return from a collective write in which one rank meets a full disk.
   Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, const CommPtr& comm);
-  /// Closes without a word about failures: the way out of an exception.
-  ~Hdf5File();
-  Hdf5File(const Hdf5File&) = delete;
-  Hdf5File& operator=(const Hdf5File&) = delete;
 
   /// Names of what lies at the top.
   std::vector<std::string> groups();
@@ -65,10 +61,11 @@ private:
   template <class Result>
   Result noted(Result result, const std::string& action);
 
+  Hdf5Silence silence_;
   std::string path_;
   CommPtr comm_;
-  hid_t file_ = H5I_INVALID_HID;
   std::string failure_;
+  Hdf5Handle file_;  ///< closes without a word on the way out of an exception
 };
 
 }  // namespace tunica::io

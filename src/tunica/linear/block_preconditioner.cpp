@@ -22,6 +22,7 @@
 #include "tunica/linear/direct_factor.hpp"
 #include "tunica/linear/lu_strategy.hpp"
 #include "tunica/linear/nodal_multigrid.hpp"
+#include "tunica/linear/schur.hpp"
 #include "tunica/linear/thyra_operator.hpp"
 #include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
 #include "tunica/params/nearest.hpp"
@@ -63,6 +64,21 @@ std::string known_types(const Teuchos::RCP<Stratimikos::DefaultLinearSolverBuild
   return "Strategies: " + params::quoted(strategies) + ".\nInverses: " + params::quoted(inverses) +
          ".";
 }
+
+/// Tells strategies how many vector unknowns a node has.
+class ComponentsCallback : public Teko::RequestCallback<int> {
+public:
+  explicit ComponentsCallback(int components) : components_(components) {}
+
+  bool handlesRequest(const Teko::RequestMesg& message) override {
+    return message.getName() == components_request;
+  }
+  void preRequest(const Teko::RequestMesg&) override {}
+  int request(const Teko::RequestMesg&) override { return components_; }
+
+private:
+  int components_;
+};
 
 /// Hands the nodes of the blocks to "Nodal Multigrid".
 class NodesCallback : public Teko::RequestCallback<Teuchos::RCP<multigrid::MixedCoarsening>> {
@@ -187,6 +203,7 @@ BlockPreconditioner::BlockPreconditioner(const Teuchos::ParameterList& stratimik
   const auto handler = Teuchos::rcp(new Teko::RequestHandler);
   handler->addRequestCallback(Teuchos::rcp(new Callback(operators)));
   handler->addRequestCallback(Teuchos::rcp(new NodesCallback(K)));
+  handler->addRequestCallback(Teuchos::rcp(new ComponentsCallback((*K.space())[0].components)));
   Teko::addTekoToStratimikosBuilder(builder, handler);
   check_teko_list(stratimikos, stack_->builder, handler);
   builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(stratimikos)));

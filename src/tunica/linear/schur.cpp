@@ -65,18 +65,19 @@ Teko::LinearOp ask(Teko::RequestHandler& handler, const std::string& name) {
 /// The part of A that does not see translations of the whole body: per row the sum over the
 /// unknowns of its own component, which is the lumped inertia. Rows whose sum says nothing (next
 /// to fixed nodes, or without inertia) keep a small share of the diagonal.
-Vector lumped_inertia(const CrsMatrix& A) {
+Vector lumped_inertia(const CrsMatrix& A, int components) {
   const Vector diagonal = diagonal_of(A);
   Vector inertia(A.getRowMap());
   const auto local = A.getLocalMatrixHost();
   const auto D = diagonal.getLocalViewHost(read_only);
   const auto sums = inertia.getLocalViewHost(overwrite_all);
   for (int i = 0; i < local.numRows(); ++i) {
-    const auto component = A.getRowMap()->getGlobalElement(i) % 3;
+    const auto component = A.getRowMap()->getGlobalElement(i) % components;
     const auto row = local.rowConst(i);
     double row_sum = 0.0;
     for (int k = 0; k < row.length; ++k)
-      if (A.getColMap()->getGlobalElement(row.colidx(k)) % 3 == component) row_sum += row.value(k);
+      if (A.getColMap()->getGlobalElement(row.colidx(k)) % components == component)
+        row_sum += row.value(k);
     sums(i, 0) = std::max(row_sum, 1e-3 * std::abs(D(i, 0)));
   }
   return inertia;
@@ -97,7 +98,8 @@ public:
 
   Teko::LinearOp build(const Teko::BlockedLinearOp& K,
                        Teko::BlockPreconditionerState& state) const override {
-    const auto L = schur_matrix(K, lumped_inertia(*matrix_of(Teko::getBlock(0, 0, K))));
+    const int components = handler_->request<int>(Teko::RequestMesg(components_request));
+    const auto L = schur_matrix(K, lumped_inertia(*matrix_of(Teko::getBlock(0, 0, K)), components));
     const auto M = sum(1.0, *matrix_of(ask(*handler_, "Schur Mass")), -1.0,
                        *matrix_of(Teko::getBlock(1, 1, K)));
     return inverse_sum({{1.0, invert(*inverse_, thyra_operator(L), "inverse L", state)},

@@ -4,6 +4,10 @@
 
 namespace tunica::linear {
 
+/// By this name a strategy asks for the number of vector unknowns of a node, an int: row
+/// components*node + i of A is unknown i.
+constexpr const char* components_request = "Vector Components";
+
 /// Approximates the inverse of the Schur complement S = C + B2 A⁻¹ B1ᵀ of a 2×2 block system
 /// [A B1ᵀ; B2 −C].
 class SchurInverse {
@@ -18,8 +22,8 @@ public:
 ///
 ///   Algebraic           C + B2 diag(A)⁻¹ B1ᵀ, inverted by "Inverse Schur Type"
 ///   Two Scale           S̃⁻¹ = (C + B2 D⁻¹ B1ᵀ)⁻¹ + (C + M)⁻¹ with D the lumped inertia in A (its
-///                       row sums) and the operator "Schur Mass" for M, inverted by "Inverse
-///                       Schur Type" and "Inverse Mass Type"; [CC88] with stabilisation
+///                       row sums per component) and the operator "Schur Mass" for M, inverted by
+///                       "Inverse Schur Type" and "Inverse Mass Type"; [CC88] with stabilisation
 ///   Operator Splitting  S̃⁻¹ = L⁻¹ + diag(M)⁻¹ (+ diag(M)⁻¹ N L⁻¹ with "Convection"), with the
 ///                       operators "Schur Laplacian", "Schur Mass", "Schur Convection";
 ///                       "Stabilisation" adds C to L, which "Inverse Schur Type" inverts

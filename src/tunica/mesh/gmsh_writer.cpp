@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include "tunica/base/error.hpp"
-#include "tunica/io/replacement.hpp"
+#include "tunica/io/atomic_file.hpp"
 #include "tunica/mesh/gmsh.hpp"
 
 namespace tunica::mesh {
@@ -147,13 +147,13 @@ std::string elements_41(const Mesh& mesh) {
 
 void write_gmsh(const Mesh& mesh, const std::string& path, GmshVersion version) {
   if (version == GmshVersion::v22) {
-    io::write_bytes(path, "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + names(mesh, path) +
-                              nodes_22(mesh) + elements_22(mesh) +
-                              element_data(mesh, tet_numbers(mesh, version)));
+    io::write_file(path, "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + names(mesh, path) +
+                             nodes_22(mesh) + elements_22(mesh) +
+                             element_data(mesh, tet_numbers(mesh, version)));
   } else {
-    io::write_bytes(path, "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + names(mesh, path) +
-                              entities_41(mesh) + nodes_41(mesh) + elements_41(mesh) +
-                              element_data(mesh, tet_numbers(mesh, version)));
+    io::write_file(path, "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + names(mesh, path) +
+                             entities_41(mesh) + nodes_41(mesh) + elements_41(mesh) +
+                             element_data(mesh, tet_numbers(mesh, version)));
   }
 }
 

@@ -54,8 +54,8 @@ void write_tet_vectors(io::Hdf5Writer& out, const std::vector<TetVectors>& all) 
     names.push_back(vectors.name);
     rows.insert(rows.end(), vectors.values.begin(), vectors.values.end());
   }
-  out.strings("tet_vector_names", names);
-  out.reals("tet_vectors", reinterpret_cast<const double*>(rows.data()), rows.size(), 3);
+  out.write("tet_vector_names", names);
+  out.write("tet_vectors", reinterpret_cast<const double*>(rows.data()), rows.size(), 3);
 }
 
 void write_tags(io::Hdf5Writer& out, const std::vector<Tag>& tags, const std::string& kind) {
@@ -65,8 +65,8 @@ void write_tags(io::Hdf5Writer& out, const std::vector<Tag>& tags, const std::st
     ids.push_back(tag.id);
     names.push_back(tag.name);
   }
-  out.integers(kind + "_ids", ids.data(), ids.size());
-  out.strings(kind + "_names", names);
+  out.write(kind + "_ids", ids.data(), ids.size());
+  out.write(kind + "_names", names);
 }
 
 void check_format(const io::Hdf5Reader& in, const std::string& path) {
@@ -111,19 +111,19 @@ std::optional<Partition> read_hdf5_partition(const std::string& path) {
 void write_hdf5(const Mesh& mesh, const std::string& path, const Partition* partition) {
   io::Hdf5Writer out(path);
   out.attribute("format", format);
-  out.reals("vertices", reinterpret_cast<const double*>(mesh.vertices.data()), mesh.vertices.size(),
+  out.write("vertices", reinterpret_cast<const double*>(mesh.vertices.data()), mesh.vertices.size(),
             3);
-  out.integers("tets", reinterpret_cast<const int*>(mesh.tets.data()), mesh.tets.size(), 4);
-  out.integers("tet_region", mesh.tet_region.data(), mesh.tet_region.size());
-  out.integers("triangles", reinterpret_cast<const int*>(mesh.triangles.data()),
-               mesh.triangles.size(), 3);
-  out.integers("triangle_surface", mesh.triangle_surface.data(), mesh.triangle_surface.size());
+  out.write("tets", reinterpret_cast<const int*>(mesh.tets.data()), mesh.tets.size(), 4);
+  out.write("tet_region", mesh.tet_region.data(), mesh.tet_region.size());
+  out.write("triangles", reinterpret_cast<const int*>(mesh.triangles.data()), mesh.triangles.size(),
+            3);
+  out.write("triangle_surface", mesh.triangle_surface.data(), mesh.triangle_surface.size());
   write_tags(out, mesh.regions, "region");
   write_tags(out, mesh.surfaces, "surface");
   write_tet_vectors(out, mesh.tet_vectors);
   if (partition) {
-    out.integers("tet_part", partition->tet_part.data(), partition->tet_part.size());
-    out.integers("vertex_owner", partition->vertex_owner.data(), partition->vertex_owner.size());
+    out.write("tet_part", partition->tet_part.data(), partition->tet_part.size());
+    out.write("vertex_owner", partition->vertex_owner.data(), partition->vertex_owner.size());
   }
   out.save();
 }

@@ -17,6 +17,9 @@ namespace tunica::mesh {
 ///   /triangle_surface  k      int32    position in /surface_ids
 ///   /region_ids  /surface_ids          int32
 ///   /region_names  /surface_names      strings of fixed length, UTF-8, zero-padded
+/// where tetrahedra have vectors
+///   /tet_vector_names                  strings, one per field
+///   /tet_vectors       f·m × 3  float64  one field behind the other
 /// and in a partitioned file
 ///   /tet_part          m      int32
 ///   /vertex_owner      n      int32
@@ -26,7 +29,7 @@ Mesh read_hdf5(const std::string& path);
 /// The partition in the file, if it holds one.
 std::optional<Partition> read_hdf5_partition(const std::string& path);
 
-/// Writes under a temporary name and renames: a failed write leaves nothing.
+/// A failed write leaves all as it was.
 void write_hdf5(const Mesh& mesh, const std::string& path, const Partition* partition = nullptr);
 
 }  // namespace tunica::mesh

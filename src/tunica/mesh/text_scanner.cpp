@@ -100,8 +100,9 @@ double TextScanner::real(const std::string& expected) {
   const auto [end, code] = std::from_chars(found.data(), found.data() + found.size(), value);
   const bool is_whole = end == found.data() + found.size();
   // An underflow is reported as out of range; the value is then as good as zero.
-  const bool is_tiny = code == std::errc::result_out_of_range &&
-                       (found.find("e-") != found.npos || found.find("E-") != found.npos);
+  const bool is_tiny =
+      code == std::errc::result_out_of_range &&
+      (found.find("e-") != std::string_view::npos || found.find("E-") != std::string_view::npos);
   if (!is_whole || (code != std::errc() && !is_tiny) || !std::isfinite(value))
     fail("found " + shown(found) + ", expected " + expected + " (a finite number)");
   return code == std::errc() ? value : 0.0;

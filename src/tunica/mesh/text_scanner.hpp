@@ -29,7 +29,7 @@ public:
   /// What is left of this line, without white space at its ends.
   std::string rest_of_line();
   /// Fails unless the next word is this one.
-  void expect(const std::string& word);
+  void expect(const std::string& expected);
 
   int line() const { return line_; }
   const std::string& path() const { return path_; }

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "tunica/io/replacement.hpp"
+#include "tunica/io/atomic_file.hpp"
 #include "tunica/mesh/write.hpp"
 
 namespace tunica::mesh {
@@ -95,7 +95,7 @@ std::string legend(const Mesh& mesh) {
   for (const Tag& tag : mesh.regions) text += " region " + std::to_string(tag.id) + " " + tag.name;
   for (const Tag& tag : mesh.surfaces)
     text += " surface " + std::to_string(tag.id) + " " + tag.name;
-  for (std::size_t at; (at = text.find("--")) != text.npos;) text[at] = '_';
+  for (std::size_t at; (at = text.find("--")) != std::string::npos;) text[at] = '_';
   return "<!--" + text + " -->\n";
 }
 
@@ -111,7 +111,7 @@ void write_vtu(const Mesh& mesh, const std::string& path, const Partition* parti
   if (partition) text += point_data(*partition);
   text += cell_data(mesh, partition) + points(mesh) + cells(mesh);
   text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  io::write_bytes(path, text);
+  io::write_file(path, text);
 }
 
 }  // namespace tunica::mesh

@@ -41,7 +41,7 @@ std::vector<NamedCheckpoint> checkpoints_in(const std::string& folder) {
 }
 
 void prune_checkpoints(const std::string& folder, int last_step, int count) {
-  static const std::regex draft("checkpoint-[0-9]{6,9}\\.h5\\.tmp(\\.part[0-9]+)?");
+  static const std::regex draft("checkpoint-[0-9]{6,9}\\.h5\\.tmp");
   std::error_code ignored;
   for (const std::string& name : names_in(folder))
     if (std::regex_match(name, draft)) std::filesystem::remove(folder + "/" + name, ignored);

@@ -87,8 +87,8 @@ std::string group_of(int step) {
 
 }  // namespace
 
-FieldWriter::FieldWriter(const std::string& folder, std::vector<Grid> grids, const CommPtr& comm,
-                         int kept_step)
+FieldWriter::FieldWriter(const std::string& folder, const std::vector<Grid>& grids,
+                         const CommPtr& comm, int kept_step)
     : folder_(folder), comm_(comm) {
   std::string problem;
   for (const Grid& grid : grids) {

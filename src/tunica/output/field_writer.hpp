@@ -52,7 +52,7 @@ public:
   /// With kept_step > 0 the steps up to that one stay and later ones go; files that cannot be
   /// continued are set aside, see remark().
   /// Collective. Throws MachineFault on all ranks if the disk refuses.
-  FieldWriter(const std::string& folder, std::vector<Grid> grids, const CommPtr& comm,
+  FieldWriter(const std::string& folder, const std::vector<Grid>& grids, const CommPtr& comm,
               int kept_step = 0);
 
   /// A sentence for the user if files of an earlier run could not be continued, or nothing.

@@ -7,8 +7,8 @@ namespace tunica::output {
 
 /// The folder that receives everything a run writes.
 ///
-/// Files of an earlier run stay until a writer of this run replaces the one of its name. Only a
-/// run that is restarted adds to them.
+/// Files that are there stay until a writer of this run replaces the one of its name: app/ asks
+/// first whether it may. Only a run that is restarted adds to them.
 class RunFolder {
 public:
   /// Rank 0 creates the folder with its parents and checks that files can be written there.

@@ -1,10 +1,5 @@
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <Teuchos_CommHelpers.hpp>
-#include <cerrno>
-#include <cstdio>
-#include <filesystem>
+#include <optional>
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
@@ -68,19 +63,19 @@ struct Contents {
                          {&number_counts, &array_columns}, numbers);
   }
   /// Composed on one rank.
-  void save(const std::string& path) const {
+  std::string image(const std::string& path) const {
     io::Hdf5Writer out(path);
     out.attribute("format", "tunica-checkpoint 1");
-    out.strings("text_names", text_names);
-    out.strings("texts", texts);
-    out.strings("number_names", number_names);
-    out.integers("number_counts", number_counts.data(), number_counts.size());
-    out.reals("numbers", numbers.data(), numbers.size(), 1);
-    out.strings("array_names", array_names);
-    out.integers("array_columns", array_columns.data(), array_columns.size());
-    out.strings("array_checksums", array_checksums);
-    out.strings("head_checksum", {checksum()});
-    out.save();
+    out.write("text_names", text_names);
+    out.write("texts", texts);
+    out.write("number_names", number_names);
+    out.write("number_counts", number_counts.data(), number_counts.size());
+    out.write("numbers", numbers.data(), numbers.size());
+    out.write("array_names", array_names);
+    out.write("array_columns", array_columns.data(), array_columns.size());
+    out.write("array_checksums", array_checksums);
+    out.write("head_checksum", std::vector<std::string>{checksum()});
+    return out.image();
   }
 };
 
@@ -116,45 +111,24 @@ void write_arrays(const std::string& path, const States& states, const CommPtr& 
   file.close();
 }
 
-std::string synced(const std::string& path, int flags) {
-  errno = 0;
-  const int file = ::open(path.c_str(), flags);
-  const bool is_synced = file >= 0 && ::fsync(file) == 0;
-  const std::string problem = is_synced ? "" : "cannot flush " + path + io::system_reason();
-  if (file >= 0) ::close(file);
-  return problem;
-}
-
-/// Gives the draft its name when it is on the disk; the folder follows, or a failing power could
-/// take the name back.
-std::string publish(const std::string& draft, const std::string& path) {
-  if (const std::string problem = synced(draft, O_WRONLY); !problem.empty()) return problem;
-  if (std::rename(draft.c_str(), path.c_str()) != 0)
-    return "cannot rename " + draft + " to " + path + io::system_reason();
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  const std::string problem = synced(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
-  // Some network file systems cannot flush folders; the file has its name all the same.
-  return errno == EINVAL || errno == ENOTSUP ? "" : problem;
-}
-
 }  // namespace
 
 void write_checkpoint(const std::string& path, const CheckpointHead& head, const States& states,
                       const CommPtr& comm) {
-  const std::string draft = path + ".tmp";
   const Sums sums = checksums(states, *comm);
   try {
+    std::optional<io::AtomicFile> file;  // on rank 0
     on_root_or_fault(*comm, [&] {
       Contents contents;
       for (const auto& [part, state] : states) contents.add(part, state, sums);
       contents.add("run", state_of(head), {});
-      contents.save(draft);
-      return std::string();
+      file.emplace(path);
+      file->add(contents.image(path));
+      return file->close();
     });
-    write_arrays(draft, states, comm);
-    on_root_or_fault(*comm, [&] { return publish(draft, path); });
+    write_arrays(io::AtomicFile::draft_of(path), states, comm);
+    on_root_or_fault(*comm, [&] { return file->commit_to_disk(); });
   } catch (const MachineFault& failure) {
-    if (comm->getRank() == 0) std::remove(draft.c_str());
     throw MachineFault(std::string("no checkpoint could be written: ") + failure.what());
   }
 }

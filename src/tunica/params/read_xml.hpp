@@ -17,7 +17,7 @@ Teuchos::ParameterList read_xml(const std::string& path);
 /// Lists that are not there yet are made. Ranges are left to Table::resolve.
 void set_from_text(Teuchos::ParameterList& list, const Table& table, const std::string& assignment);
 
-/// Writes the list such that read_xml reads the same. The file appears only when it is whole.
-void write_xml(const Teuchos::ParameterList& list, const std::string& path);
+/// The text of a file in which read_xml reads the same list.
+std::string to_xml(const Teuchos::ParameterList& list);
 
 }  // namespace tunica::params

@@ -1,8 +1,9 @@
 #include "tunica/params/xml_text.hpp"
 
 #include <Teuchos_ParameterEntryXMLConverterDB.hpp>
-#include <ostream>
+#include <sstream>
 
+#include "tunica/params/read_xml.hpp"
 #include "tunica/params/value.hpp"
 
 namespace tunica::params {
@@ -67,6 +68,12 @@ void print_list(std::ostream& out, const Teuchos::ParameterList& list, const std
       out << blanks << "  " << parameter_text(key, entry) << "\n";
   }
   out << blanks << "</ParameterList>\n";
+}
+
+std::string to_xml(const Teuchos::ParameterList& list) {
+  std::ostringstream out;
+  print_list(out, list, list.name(), 0);
+  return out.str();
 }
 
 }  // namespace tunica::params

@@ -59,6 +59,15 @@ TEUCHOS_UNIT_TEST(command_line, restart_belongs_to_what_marches) {
   TEST_THROW(parsed({"case.xml", "--restart"}, "tunica-solvers"), tunica::Error);
 }
 
+TEUCHOS_UNIT_TEST(command_line, overwrite_belongs_to_what_solves_and_excludes_restart) {
+  TEST_ASSERT(!parsed({"case.xml"}).overwrite);
+  for (const char* program : {"tunica-fsi", "tunica-solid", "tunica-fluid", "tunica-solvers"})
+    TEST_ASSERT(parsed({"case.xml", "--overwrite"}, program).overwrite);
+  TEST_THROW(parsed({"case.xml", "--overwrite"}, "tunica-check"), tunica::Error);
+  TEST_ASSERT(refusal({"case.xml", "--overwrite", "--restart"}).find("one of the two") !=
+              std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(command_line, reference_belongs_to_tunica_check) {
   TEST_ASSERT(parsed({"--reference"}, "tunica-check").reference);
   TEST_ASSERT(!refusal({"case.xml", "--reference"}).empty());
