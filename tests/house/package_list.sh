@@ -16,7 +16,7 @@ package_of() {
 
 wanted() {
   local files=(CMakeLists.txt cmake/*.cmake src/tunica/*/CMakeLists.txt drivers/CMakeLists.txt bench/CMakeLists.txt)
-  sed -nE 's/.*find_package\((\w+).*/\1/p; s/.*find_library\(\w+ (\w+).*/\1/p' "${files[@]}" | sort -u
+  sed -nE 's/.*find_package\((\w+).*/\1/p; s/.*tunica_find_library\((\w+) .*/\1/p' "${files[@]}" | sort -u
 }
 
 status=0
