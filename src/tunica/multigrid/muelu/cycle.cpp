@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "tunica/base/error.hpp"
+#include "tunica/multigrid/coarsening/matrix_coarsening.hpp"
 #include "tunica/multigrid/muelu/blocked_matrix.hpp"
 #include "tunica/multigrid/muelu/factory_factory.hpp"
 #include "tunica/multigrid/muelu/galerkin_factory.hpp"
@@ -63,6 +64,9 @@ Cycle::Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsenin
   check_matrix_kind(muelu, is_blocked);
   set_up();
 }
+
+Cycle::Cycle(const Teuchos::RCP<CrsMatrix>& A, int components, const Teuchos::ParameterList& muelu)
+    : Cycle(A, make_coarsening(*A, components), muelu) {}
 
 Cycle::~Cycle() = default;
 
