@@ -13,7 +13,7 @@ struct Levels {
 };
 
 /// One multigrid cycle as an operator, by a MueLu list in the form of factories and a hierarchy.
-/// apply() starts from zero and honours alpha and beta.
+/// apply() starts from zero, honours alpha and beta and takes any number of columns.
 ///
 /// The levels have one matrix each, with the unknowns of a node side by side. Or MueLu's 2×2 matrix
 /// of blocks, as its own block smoothers want it; its near-null spaces are the constants of each
