@@ -47,6 +47,10 @@ function(tunica_install_package)
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/TunicaDependencies.cmake
     ${PROJECT_BINARY_DIR}/TunicaConfig.cmake ${PROJECT_BINARY_DIR}/TunicaConfigVersion.cmake
     DESTINATION ${TUNICA_PACKAGE_DIR} COMPONENT smoothers)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright
+    COMPONENT smoothers)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}
+    COMPONENT multigrid)
   tunica_install_before(multigrid smoothers)
   tunica_install_before(fsi multigrid)
 endfunction()
