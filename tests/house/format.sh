@@ -10,10 +10,10 @@ fi
 bad=0
 while IFS= read -r -d '' file; do
   "$tool" --dry-run --Werror "$file" 2>/dev/null || { echo "$file"; bad=$((bad + 1)); }
-done < <(find src drivers tests bench \( -name '*.hpp' -o -name '*.cpp' \) -print0 | sort -z)
+done < <(find src drivers tests bench examples \( -name '*.hpp' -o -name '*.cpp' \) -print0 | sort -z)
 if [ "$bad" -gt 0 ]; then
   echo
   echo "$bad file(s) are not in our layout. This mends them:"
-  echo "  find src drivers tests bench -name '*.[ch]pp' -exec clang-format -i {} +"
+  echo "  find src drivers tests bench examples -name '*.[ch]pp' -exec clang-format -i {} +"
   exit 1
 fi
