@@ -8,6 +8,7 @@ package_of() {
     Trilinos) echo trilinos-all-dev ;;
     hdf5) echo libhdf5-openmpi-dev ;;
     metis) echo libmetis-dev ;;
+    dpkg-shlibdeps) echo dpkg-dev ;;
     nlohmann_json) echo nlohmann-json3-dev ;;
     benchmark) echo libbenchmark-dev ;;
     ccache | clang-format | clang-tidy) echo "$1" ;;
@@ -18,7 +19,7 @@ package_of() {
 wanted() {
   local files=(CMakeLists.txt cmake/*.cmake src/tunica/*/CMakeLists.txt drivers/CMakeLists.txt
     bench/CMakeLists.txt tests/house/CMakeLists.txt)
-  sed -nE 's/.*find_package\((\w+).*/\1/p; s/.*find_library\(\w+ (\w+).*/\1/p
+  sed -nE 's/.*find_package\((\w+).*/\1/p; s/.*tunica_find_library\((\w+) .*/\1/p
     s/.*find_program\(\w+ (NAMES )?([a-z-]+[a-z]).*/\2/p' "${files[@]}" | sort -u
 }
 

@@ -108,6 +108,18 @@ bool is_fixed(const CrsMatrix& K, GlobalOrdinal number) {
   return true;
 }
 
+TEUCHOS_UNIT_TEST(blocked_cycle, treats_each_of_several_columns_as_if_it_were_alone) {
+  const WallMatrix wall;
+  for (const auto& list : {blocked_list(), schwarz_list()}) {
+    const auto cycle = blocked_cycle(wall, list);
+    MultiVector b(wall.K()->getRowMap(), 2), x(b.getMap(), 2);
+    for (int c = 0; c < 2; ++c) b.getVectorNonConst(c)->assign(wall.scattered(c));
+    cycle->apply(b, x);
+    for (int c = 0; c < 2; ++c)
+      TEST_COMPARE(distance(*x.getVector(c), product(*cycle, *b.getVector(c))), <, 1e-11);
+  }
+}
+
 TEUCHOS_UNIT_TEST(blocked_matrix, is_the_merged_one_in_other_clothes) {
   const WallMatrix wall;
   const auto blocks = multigrid::blocked(*wall.K(), {});

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tunica/algebra/columns.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/multigrid/coarsening/matrix_coarsening.hpp"
 #include "tunica/multigrid/muelu/blocked_matrix.hpp"
 #include "tunica/multigrid/muelu/factory_factory.hpp"
 #include "tunica/multigrid/muelu/galerkin_factory.hpp"
@@ -64,6 +66,9 @@ Cycle::Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsenin
   set_up();
 }
 
+Cycle::Cycle(const Teuchos::RCP<CrsMatrix>& A, int components, const Teuchos::ParameterList& muelu)
+    : Cycle(A, make_coarsening(*A, components), muelu) {}
+
 Cycle::~Cycle() = default;
 
 void Cycle::set_up() {
@@ -111,6 +116,7 @@ bool Cycle::keeps_graphs() const { return !parts_->refreshable.empty(); }
 void Cycle::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,
                   Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("Cycle: no transpose");
+  algebra::check_columns("Cycle", X, Y);
   if (alpha == 1.0 && beta == 0.0) return iterate(X, Y);
   MultiVector result(Y.getMap(), Y.getNumVectors());
   iterate(X, result);

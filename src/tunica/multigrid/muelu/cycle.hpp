@@ -13,7 +13,7 @@ struct Levels {
 };
 
 /// One multigrid cycle as an operator, by a MueLu list in the form of factories and a hierarchy.
-/// apply() starts from zero and honours alpha and beta.
+/// apply() starts from zero, honours alpha and beta and takes any number of columns.
 ///
 /// The levels have one matrix each, with the unknowns of a node side by side. Or MueLu's 2×2 matrix
 /// of blocks, as its own block smoothers want it; its near-null spaces are the constants of each
@@ -24,6 +24,17 @@ public:
   /// Collective.
   Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsening>& coarsening,
         const Teuchos::ParameterList& muelu, bool is_blocked = false);
+  /// For a mixed matrix that any program has assembled, with vectors of so many components: its
+  /// unknowns are numbered (components + 1) * node + i, the scalar last, and those of a node are on
+  /// one rank. The coarse nodes come from its graph. An operator for Belos, as in
+  /// examples/smoothers/:
+  ///
+  ///   Teuchos::getParametersFromXmlFile("vanka.xml") names VankaSmoother, NodalIluSmoother, ...
+  ///   const auto M = Teuchos::rcp(new multigrid::Cycle(K, 3, *list));
+  ///   problem.setRightPrec(M);
+  ///
+  /// Throws as the other, and tunica::Error for other numbers (see nodes_of()). Collective.
+  Cycle(const Teuchos::RCP<CrsMatrix>& A, int components, const Teuchos::ParameterList& muelu);
   ~Cycle() override;
 
   /// Follows new values of the same matrix. Numeric work only where "NodalPFactory" and

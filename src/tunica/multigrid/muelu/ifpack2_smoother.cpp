@@ -63,7 +63,7 @@ void Ifpack2Smoother::smooth(const ::tunica::MultiVector& b, ::tunica::MultiVect
     inner_->setZeroStartingSolution(false);
     return inner_->apply(b, x);
   }
-  ::tunica::MultiVector r(b.getMap(), 1), correction(x.getMap(), 1);
+  ::tunica::MultiVector r(b.getMap(), b.getNumVectors()), correction(x.getMap(), x.getNumVectors());
   matrix_->apply(x, r);
   r.update(1.0, b, -1.0);
   inner_->apply(r, correction);

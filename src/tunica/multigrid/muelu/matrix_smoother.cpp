@@ -1,5 +1,7 @@
 #include "tunica/multigrid/muelu/matrix_smoother.hpp"
 
+#include "tunica/algebra/columns.hpp"
+
 namespace tunica::multigrid {
 
 void MatrixSmoother::SetParameterList(const Teuchos::ParameterList& list) {
@@ -16,10 +18,13 @@ void MatrixSmoother::Setup(MueLu::Level& level) {
 }
 
 void MatrixSmoother::Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const {
+  const auto from = unwrapped(b);
+  const auto to = unwrapped(x);
+  algebra::check_columns("a smoother", *from, *to);
   if (is_zero)
-    smooth_from_zero(*unwrapped(b), *unwrapped(x));
+    smooth_from_zero(*from, *to);
   else
-    smooth(*unwrapped(b), *unwrapped(x));
+    smooth(*from, *to);
 }
 
 void MatrixSmoother::smooth_from_zero(const ::tunica::MultiVector& b,

@@ -75,7 +75,8 @@ void gather(const Extractor& extractor, const XMultiVector& x, MultiVector& all)
   for (std::size_t b = 0; b < extractor.NumMaps(); ++b) {
     const auto part = extractor.ExtractVector(whole, b, false);
     const auto from = unwrapped(*part)->getLocalViewHost(read_only);
-    for (std::size_t i = 0; i < from.extent(0); ++i) to(next++, 0) = from(i, 0);
+    for (std::size_t i = 0; i < from.extent(0); ++i, ++next)
+      for (std::size_t c = 0; c < from.extent(1); ++c) to(next, c) = from(i, c);
   }
 }
 
@@ -88,7 +89,8 @@ void scatter(const Extractor& extractor, const MultiVector& all, XMultiVector& x
     const auto part = extractor.ExtractVector(whole, b, false);  // a copy without blocks
     {
       const auto to = unwrapped(*part)->getLocalViewHost(overwrite_all);
-      for (std::size_t i = 0; i < to.extent(0); ++i) to(i, 0) = from(next++, 0);
+      for (std::size_t i = 0; i < to.extent(0); ++i, ++next)
+        for (std::size_t c = 0; c < to.extent(1); ++c) to(i, c) = from(next, c);
     }
     if (!has_blocks) extractor.InsertVector(*part, b, x, false);
   }
@@ -129,7 +131,8 @@ void PressureSchwarzSmoother::Setup(MueLu::Level& level) {
 }
 
 void PressureSchwarzSmoother::Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const {
-  ::tunica::MultiVector all_x(rows_->getRowMap(), 1), all_b(rows_->getRowMap(), 1);
+  ::tunica::MultiVector all_x(rows_->getRowMap(), x.getNumVectors());
+  ::tunica::MultiVector all_b(rows_->getRowMap(), b.getNumVectors());
   gather(*extractor_, b, all_b);
   if (!is_zero) gather(*extractor_, x, all_x);
   smoother_->setZeroStartingSolution(is_zero);

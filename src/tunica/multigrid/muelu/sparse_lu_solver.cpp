@@ -25,7 +25,7 @@ void SparseLuSolver::refresh() {
 }
 
 void SparseLuSolver::smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const {
-  ::tunica::MultiVector solution(x.getMap(), 1);
+  ::tunica::MultiVector solution(x.getMap(), x.getNumVectors());
   lu_->solve(&solution, &b);
   x.assign(solution);
 }

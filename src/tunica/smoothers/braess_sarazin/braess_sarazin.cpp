@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tunica/algebra/columns.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/smoothers/braess_sarazin/mixed_blocks.hpp"
 #include "tunica/smoothers/braess_sarazin/schur_matrix.hpp"
@@ -114,6 +115,11 @@ void BraessSarazin::refresh() {
 }
 
 void BraessSarazin::smooth(const MultiVector& b, MultiVector& x) const {
+  algebra::for_each_column("BraessSarazin", b, x,
+                           [&](const auto& b_c, auto& x_c) { smooth_column(b_c, x_c); });
+}
+
+void BraessSarazin::smooth_column(const MultiVector& b, MultiVector& x) const {
   const Parts& parts = *parts_;
   const MixedBlocks& blocks = parts.blocks;
   MultiVector r(b.getMap(), 1);

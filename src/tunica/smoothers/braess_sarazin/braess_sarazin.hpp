@@ -41,10 +41,13 @@ public:
   /// Takes new values of K over; its graph must be the same. Throws as the constructor. Collective.
   void refresh();
 
-  /// x ← x after the sweeps. Collective.
+  /// x ← x after the sweeps, column by column. Throws std::invalid_argument for unlike numbers of
+  /// columns. Collective.
   void smooth(const MultiVector& b, MultiVector& x) const;
 
 private:
+  void smooth_column(const MultiVector& b, MultiVector& x) const;
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

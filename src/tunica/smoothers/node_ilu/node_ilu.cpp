@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tunica/algebra/columns.hpp"
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/smoothers/dense/dense_inverse.hpp"
@@ -46,6 +47,31 @@ public:
   }
 
   void smooth(double damping, const MultiVector& b, MultiVector& x) override {
+    algebra::for_each_column("NodeIlu", b, x,
+                             [&](const auto& b_c, auto& x_c) { smooth_column(damping, b_c, x_c); });
+  }
+
+  void smooth_from_zero(double damping, const MultiVector& b, MultiVector& x) override {
+    algebra::for_each_column("NodeIlu", b, x, [&](const auto& b_c, auto& x_c) {
+      gather(b_c, r_);
+      fetch_ghosts(b_c, r_);
+      x_c.putScalar(0.0);
+      add_solution(damping, x_c);
+    });
+  }
+
+  double bytes() const override {
+    const auto n_values =
+        lower_values_.size() + upper_values_.size() + inverses_.size() + matrix_.size();
+    return static_cast<double>(sizeof(Real) * n_values + 2 * sizeof(double) * x_.size() +
+                               sizeof(int) * (lower_.columns.size() + upper_.columns.size())) +
+           blocks_.bytes();
+  }
+
+private:
+  std::size_t size() const { return static_cast<std::size_t>(blocks_.width()) * blocks_.width(); }
+
+  void smooth_column(double damping, const MultiVector& b, MultiVector& x) {
     gather(b, r_);
     gather(x, x_);
     fetch_ghosts(x, x_);
@@ -61,24 +87,6 @@ public:
     }
     add_solution(damping, x);
   }
-
-  void smooth_from_zero(double damping, const MultiVector& b, MultiVector& x) override {
-    gather(b, r_);
-    fetch_ghosts(b, r_);
-    x.putScalar(0.0);
-    add_solution(damping, x);
-  }
-
-  double bytes() const override {
-    const auto n_values =
-        lower_values_.size() + upper_values_.size() + inverses_.size() + matrix_.size();
-    return static_cast<double>(sizeof(Real) * n_values + 2 * sizeof(double) * x_.size() +
-                               sizeof(int) * (lower_.columns.size() + upper_.columns.size())) +
-           blocks_.bytes();
-  }
-
-private:
-  std::size_t size() const { return static_cast<std::size_t>(blocks_.width()) * blocks_.width(); }
 
   void split(const RowGraph& graph) {
     for (int node = 0; node < graph.n_rows(); ++node) {

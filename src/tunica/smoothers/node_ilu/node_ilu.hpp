@@ -14,9 +14,10 @@ public:
   /// has a block that cannot be inverted. Collective.
   virtual void refresh() = 0;
   /// x += ω (L U)⁻¹ (b − K x); factors include the rows of other ranks that own ones reach, and
-  /// each rank moves its own unknowns. Collective.
+  /// each rank moves its own unknowns. Column by column. Throws std::invalid_argument for unlike
+  /// numbers of columns. Collective.
   virtual void smooth(double damping, const MultiVector& b, MultiVector& x) = 0;
-  /// The same from x = 0, whatever it holds. Collective.
+  /// The same from x = 0, whatever it holds. Throws as smooth(). Collective.
   virtual void smooth_from_zero(double damping, const MultiVector& b, MultiVector& x) = 0;
   /// Bytes of the factors and a copy of the matrix on this rank.
   virtual double bytes() const = 0;

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "tunica/algebra/columns.hpp"
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/smoothers/vanka/patch_rows.hpp"
@@ -34,19 +35,8 @@ public:
   }
 
   void smooth(const MultiVector& b, MultiVector& x) const override {
-    MultiVector all(K_->getColMap(), 1);  // own and ghost values
-    Scratch scratch(patches_.largest(), options_.is_additive ? share_.size() : 0);
-    for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
-      algebra::fetch_columns(*K_, x, all);
-      const auto rhs = b.getLocalViewHost(read_only);
-      {
-        const auto inside = all.getLocalViewHost(read_write);
-        visit(rhs.data(), inside.data(), scratch);
-      }
-      const auto from = all.getLocalViewHost(read_only);
-      const auto to = x.getLocalViewHost(overwrite_all);
-      for (std::size_t i = 0; i < to.extent(0); ++i) to(i, 0) = from(patches_.column_of_row[i], 0);
-    }
+    algebra::for_each_column("Vanka", b, x,
+                             [&](const auto& b_c, auto& x_c) { smooth_column(b_c, x_c); });
   }
 
   double bytes() const override {
@@ -63,6 +53,22 @@ private:
     std::vector<double> residual, moves;  ///< of one patch at a time
     std::vector<double> sums;             ///< of the moves of all
   };
+
+  void smooth_column(const MultiVector& b, MultiVector& x) const {
+    MultiVector all(K_->getColMap(), 1);  // own and ghost values
+    Scratch scratch(patches_.largest(), options_.is_additive ? share_.size() : 0);
+    for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+      algebra::fetch_columns(*K_, x, all);
+      const auto rhs = b.getLocalViewHost(read_only);
+      {
+        const auto inside = all.getLocalViewHost(read_write);
+        visit(rhs.data(), inside.data(), scratch);
+      }
+      const auto from = all.getLocalViewHost(read_only);
+      const auto to = x.getLocalViewHost(overwrite_all);
+      for (std::size_t i = 0; i < to.extent(0); ++i) to(i, 0) = from(patches_.column_of_row[i], 0);
+    }
+  }
 
   void find_patches() {
     if (options_.patch == "full")

@@ -24,7 +24,8 @@ public:
   /// where entries of B2 have become zero or ceased to be: the result is always that of a new
   /// smoother. Throws std::runtime_error on all ranks where one has a singular patch. Collective.
   virtual void refresh() = 0;
-  /// x ← x after the sweeps. Collective.
+  /// x ← x after the sweeps, column by column. Throws std::invalid_argument for unlike numbers of
+  /// columns. Collective.
   virtual void smooth(const MultiVector& b, MultiVector& x) const = 0;
   /// Bytes of patches, inverses and copies of the matrix on this rank.
   virtual double bytes() const = 0;

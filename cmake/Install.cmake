@@ -1,0 +1,80 @@
+# The parts that can be installed alone, each with those before it: smoothers, multigrid, fsi.
+# cmake/check_includes holds the folders of the first two to what they may include.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+if(NOT Trilinos_DIR MATCHES "^/usr/(lib|share)/")  # programs find one that is not the system's
+  set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+endif()
+set(TUNICA_SMOOTHERS_FOLDERS base algebra smoothers)
+set(TUNICA_MULTIGRID_FOLDERS params multigrid)
+set(TUNICA_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Tunica)
+set(TUNICA_SHARE_DIR ${CMAKE_INSTALL_DATADIR}/tunica)
+
+# The library of a folder and its headers, as Tunica::FOLDER.
+function(tunica_install_library name)
+  set(part fsi)
+  if(name IN_LIST TUNICA_SMOOTHERS_FOLDERS)
+    set(part smoothers)
+  elseif(name IN_LIST TUNICA_MULTIGRID_FOLDERS)
+    set(part multigrid)
+  endif()
+  set_target_properties(tunica_${name} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS tunica_${name} EXPORT Tunica-${part}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${part})
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tunica/${name} COMPONENT ${part}
+    FILES_MATCHING PATTERN "*.hpp")
+  if(part STREQUAL fsi)
+    set_property(GLOBAL APPEND PROPERTY TUNICA_FSI_LIBRARIES tunica_${name})
+  endif()
+endfunction()
+
+# What belongs to no folder; after all of them.
+function(tunica_install_package)
+  add_library(tunica_all INTERFACE)
+  get_property(libraries GLOBAL PROPERTY TUNICA_FSI_LIBRARIES)
+  add_library(Tunica::fsi ALIAS tunica_all)
+  target_link_libraries(tunica_all INTERFACE ${libraries})
+  set_target_properties(tunica_all PROPERTIES EXPORT_NAME fsi)
+  install(TARGETS tunica_all EXPORT Tunica-fsi)
+  foreach(part smoothers multigrid fsi)
+    install(EXPORT Tunica-${part} NAMESPACE Tunica:: DESTINATION ${TUNICA_PACKAGE_DIR}
+      COMPONENT ${part})
+  endforeach()
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/TunicaConfig.cmake.in TunicaConfig.cmake
+    INSTALL_DESTINATION ${TUNICA_PACKAGE_DIR} NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+  write_basic_package_version_file(TunicaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/TunicaDependencies.cmake
+    ${PROJECT_BINARY_DIR}/TunicaConfig.cmake ${PROJECT_BINARY_DIR}/TunicaConfigVersion.cmake
+    DESTINATION ${TUNICA_PACKAGE_DIR} COMPONENT smoothers)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright
+    COMPONENT smoothers)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}
+    COMPONENT multigrid)
+  tunica_install_before(multigrid smoothers)
+  tunica_install_before(fsi multigrid)
+endfunction()
+
+# cmake --install knows no order of components: asked for one alone, it installs the one before.
+function(tunica_install_before part before)
+  install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" --install \"${PROJECT_BINARY_DIR}\"
+    --prefix \"\${CMAKE_INSTALL_PREFIX}\" --config \"\${CMAKE_INSTALL_CONFIG_NAME}\"
+    --component ${before} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${part} EXCLUDE_FROM_ALL)
+endfunction()
+
+# Programs, report, cases and meshes; cases find their meshes as they do in the source tree.
+function(tunica_install_programs)
+  install(TARGETS ${ARGN} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT fsi)
+  install(PROGRAMS ${PROJECT_SOURCE_DIR}/drivers/tunica_report
+    DESTINATION ${TUNICA_SHARE_DIR} COMPONENT fsi)
+  # Python finds its modules behind the link, beside the program.
+  file(RELATIVE_PATH report /${CMAKE_INSTALL_BINDIR} /${TUNICA_SHARE_DIR}/tunica_report)
+  file(CREATE_LINK ${report} ${PROJECT_BINARY_DIR}/tunica-report SYMBOLIC)
+  install(FILES ${PROJECT_BINARY_DIR}/tunica-report
+    DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT fsi)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/drivers/report ${PROJECT_SOURCE_DIR}/meshes
+    ${PROJECT_SOURCE_DIR}/xml DESTINATION ${TUNICA_SHARE_DIR} COMPONENT fsi USE_SOURCE_PERMISSIONS
+    PATTERN __pycache__ EXCLUDE PATTERN make.sh EXCLUDE)
+  install(FILES ${PROJECT_SOURCE_DIR}/tests/data/mesh-tube-small.msh
+    DESTINATION ${TUNICA_SHARE_DIR}/tests/data COMPONENT fsi)
+endfunction()

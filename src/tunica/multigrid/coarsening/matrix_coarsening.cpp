@@ -1,0 +1,90 @@
+#include "tunica/multigrid/coarsening/matrix_coarsening.hpp"
+
+#include <Tpetra_RowMatrixTransposer.hpp>
+#include <algorithm>
+
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/base/trilinos.hpp"
+
+namespace tunica::multigrid {
+
+namespace {
+
+using Neighbours = std::vector<std::vector<GlobalOrdinal>>;  ///< of each own node
+
+void check_nodes(const Map& rows, const Map& nodes, const algebra::DofLayout& numbering) {
+  std::string problem;
+  for (const GlobalOrdinal number : global_numbers(rows)) {
+    const GlobalOrdinal node = number / numbering.dofs();
+    if (problem.empty() && !nodes.isNodeGlobalElement(node))
+      problem = "The unknown " + std::to_string(number) + " of node " + std::to_string(node) +
+                " is without the node's scalar, expected " +
+                std::to_string(numbering.merged(1, node)) +
+                " on the same rank. Unknowns are numbered " + std::to_string(numbering.dofs()) +
+                " * node + i, the scalar last.";
+  }
+  problem = agreed_message(*rows.getComm(), problem);
+  TUNICA_CHECK(problem.empty(), problem);
+}
+
+Teuchos::RCP<CrsMatrix> matrix_of(Neighbours neighbours, const Teuchos::RCP<const Map>& nodes) {
+  std::size_t most = 0;
+  for (auto& row : neighbours) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+    most = std::max(most, row.size());
+  }
+  const auto graph = Teuchos::rcp(new CrsMatrix(nodes, most));
+  for (std::size_t a = 0; a < neighbours.size(); ++a) {
+    const std::vector<Scalar> ones(neighbours[a].size(), 1.0);
+    graph->insertGlobalValues(nodes->getGlobalElement(static_cast<int>(a)),
+                              Teuchos::arrayViewFromVector(neighbours[a]),
+                              Teuchos::arrayViewFromVector(ones));
+  }
+  graph->fillComplete();
+  return graph;
+}
+
+/// Appends to each own node the columns of the rows of M that are its.
+template <class NodeOf>
+void append(const CrsMatrix& M, const Map& nodes, const NodeOf& node_of, Neighbours& neighbours) {
+  const auto local = M.getLocalMatrixHost();
+  for (int i = 0; i < local.numRows(); ++i) {
+    auto& to = neighbours[nodes.getLocalElement(node_of(M.getRowMap()->getGlobalElement(i)))];
+    const auto row = local.rowConst(i);
+    for (int k = 0; k < row.length; ++k)
+      to.push_back(node_of(M.getColMap()->getGlobalElement(row.colidx(k))));
+  }
+}
+
+}  // namespace
+
+algebra::Nodes nodes_of(const CrsMatrix& K, const algebra::DofLayout& numbering) {
+  const Teuchos::RCP<const Map> nodes = numbering.block_map(*K.getRowMap(), 1);
+  check_nodes(*K.getRowMap(), *nodes, numbering);
+  Neighbours neighbours(n_local(*nodes));
+  for (std::size_t a = 0; a < neighbours.size(); ++a)
+    neighbours[a].push_back(nodes->getGlobalElement(static_cast<int>(a)));
+  append(
+      K, *nodes, [&](GlobalOrdinal number) { return number / numbering.dofs(); }, neighbours);
+  const auto one_way = matrix_of(neighbours, nodes);
+  Tpetra::RowMatrixTransposer<Scalar, LocalOrdinal, GlobalOrdinal, Node> transposer(one_way);
+  append(
+      *transposer.createTranspose(), *nodes, [](GlobalOrdinal node) { return node; }, neighbours);
+  const auto order = Teuchos::rcp(new Vector(nodes));
+  for (const GlobalOrdinal node : global_numbers(*nodes))
+    order->replaceGlobalValue(node, static_cast<Scalar>(node));
+  return {matrix_of(neighbours, nodes), order};
+}
+
+Teuchos::RCP<MixedCoarsening> make_coarsening(const CrsMatrix& K, int components) {
+  const algebra::DofLayout numbering({components, 1});
+  const algebra::Nodes nodes = nodes_of(K, numbering);
+  const Map& rows = *K.getRowMap();
+  return Teuchos::rcp(new MixedCoarsening(
+      algebra::BlockSpace({{"vector", numbering.block_map(rows, 0), components, nodes},
+                           {"scalar", numbering.block_map(rows, 1), 1, nodes}})));
+}
+
+}  // namespace tunica::multigrid

@@ -1,0 +1,61 @@
+"""The installed programs run the installed cases and draw the report, wherever they are moved to.
+
+Usage: installed_programs.py SOURCE BUILD CMAKE
+"""
+import pathlib
+import shutil
+import sys
+import tempfile
+
+from installation import CMAKE, SOURCE, Run, Verdict, install_and_move, must
+from runs import command
+
+USER = """cmake_minimum_required(VERSION 3.21)
+project(user LANGUAGES CXX)
+set(CMAKE_CXX_EXTENSIONS OFF)
+find_package(Tunica 0.1 REQUIRED COMPONENTS fsi)
+add_executable(user tunica_check.cpp)
+target_link_libraries(user PRIVATE Tunica::fsi)
+"""
+
+
+def link_all(verdict, prefix, case, scratch):
+    """One of our drivers as a program of somebody else."""
+    folder = scratch / "user"
+    folder.mkdir()
+    (folder / "CMakeLists.txt").write_text(USER)
+    shutil.copy(SOURCE / "drivers" / "tunica_check.cpp", folder)
+    must([CMAKE, "-S", folder, "-B", folder / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}"], scratch)
+    must([CMAKE, "--build", folder / "build"], scratch)
+    run = Run(command(folder / "build" / "user", [case]), scratch)
+    verdict.claim(run.status == 0, f"a program links all of Tunica {run.err}")
+
+
+def main():
+    verdict = Verdict()
+    with tempfile.TemporaryDirectory(prefix="tunica-package-") as folder:
+        scratch = pathlib.Path(folder)
+        prefix = install_and_move("fsi", scratch)
+        programs, shared = prefix / "bin", prefix / "share" / "tunica"
+
+        cases = sorted((shared / "xml").rglob("*.xml"))
+        shipped = sorted((SOURCE / "xml").rglob("*.xml"))
+        verdict.claim(len(cases) == len(shipped), f"{len(cases)} of {len(shipped)} cases are installed")
+        for case in cases:
+            check = Run(command(programs / "tunica-check", [case]), scratch)
+            verdict.claim(check.status == 0, f"{case.name} is valid {check.err}")
+
+        link_all(verdict, prefix, shared / "xml" / "pulse-tiny.xml", scratch)
+        run = Run(command(programs / "tunica-fsi", [shared / "xml" / "pulse-tiny.xml", "--steps", "1",
+                                                    "--output", scratch / "out"], 2), scratch)
+        verdict.claim(run.status == 0, f"the pulse runs on 2 ranks {run.err}")
+        report = Run([str(programs / "tunica-report"), str(scratch / "out")], scratch)
+        verdict.claim(report.status == 0 and (scratch / "out" / "report" / "index.html").exists(),
+                      f"the report is drawn {report.err}")
+        paper = Run([str(shared / "xml" / "paper" / "reproduce"), "--list"], scratch)
+        verdict.claim(paper.status == 0, f"the items of the paper are listed {paper.err}")
+    return verdict.status()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
