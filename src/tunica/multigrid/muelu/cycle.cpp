@@ -28,6 +28,13 @@ using Wrapper = Xpetra::TpetraMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, N
 const std::string cannot_work_on_blocks =
     "a smoother or another factory of the list cannot work on a matrix of blocks: ";
 
+std::vector<std::string> names_of_ours() {
+  std::vector<std::string> names;
+  for (const FactoryEntry& entry : our_factories()) names.push_back(entry.name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 /// What must follow new values, in this order; empty where a part cannot.
 std::vector<algebra::Refreshable*> parts_to_refresh(Hierarchy& hierarchy) {
   std::vector<algebra::Refreshable*> parts;
@@ -152,7 +159,7 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked) {
   const auto found = cause.find("unknown factory name : ");
   if (found != std::string::npos)
     cause = cause.substr(found, cause.find('\n', found) - found) + ". Ours are " +
-            params::quoted(our_factories()) + ", the others are those of MueLu's user's guide.";
+            params::quoted(names_of_ours()) + ", the others are those of MueLu's user's guide.";
   TUNICA_CHECK(cause.empty(), cause);
   check_matrix_kind(muelu, is_blocked);
 }
