@@ -12,7 +12,7 @@ std::string system_reason() {
   return errno == 0 ? std::string() : std::string(": ") + std::strerror(errno);
 }
 
-std::string replace_file(const std::string& path, const std::string& text) {
+Outcome replace_file(const std::string& path, const std::string& text) {
   const std::string draft = path + ".tmp";
   errno = 0;
   std::ofstream file(draft, std::ios::trunc | std::ios::binary);
@@ -21,23 +21,24 @@ std::string replace_file(const std::string& path, const std::string& text) {
   if (!file) {
     const std::string reason = system_reason();
     std::remove(draft.c_str());
-    return "cannot write " + draft + reason;
+    return Outcome::failure("cannot write " + draft + reason);
   }
   if (std::rename(draft.c_str(), path.c_str()) != 0) {
-    return "cannot rename " + draft + " to " + path + system_reason();
+    return Outcome::failure("cannot rename " + draft + " to " + path + system_reason());
   }
-  return "";
+  return Outcome::success();
 }
 
-std::string set_aside(const std::string& path, std::string& new_name) {
+Result<std::string> set_aside(const std::string& path) {
   const std::filesystem::path old(path);
   const std::string stem = (old.parent_path() / old.stem()).string() + ".old";
-  new_name = stem + old.extension().string();
+  std::string new_name = stem + old.extension().string();
   for (int n = 2; std::filesystem::exists(new_name); ++n)
     new_name = stem + "-" + std::to_string(n) + old.extension().string();
   errno = 0;
-  if (std::rename(path.c_str(), new_name.c_str()) == 0) return "";
-  return "cannot rename " + path + " to " + new_name + system_reason();
+  if (std::rename(path.c_str(), new_name.c_str()) == 0) return new_name;
+  return Result<std::string>::failure("cannot rename " + path + " to " + new_name +
+                                      system_reason());
 }
 
 }  // namespace tunica::io

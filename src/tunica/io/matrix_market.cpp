@@ -46,9 +46,7 @@ public:
 
   /// Collective.
   void finish() {
-    const std::string problem =
-        agreed_message(*comm_, comm_->getRank() == 0 ? replace() : std::string());
-    if (!problem.empty()) throw std::runtime_error(problem);
+    on_root_or_fault(*comm_, [this] { return replace(); });
   }
 
 private:
@@ -73,16 +71,16 @@ private:
     }
   }
 
-  std::string replace() {
+  Outcome replace() {
     file_.close();
     if (!file_) {
       const std::string reason = system_reason();
       std::remove(draft_.c_str());
-      return "cannot write " + draft_ + reason;
+      return Outcome::failure("cannot write " + draft_ + reason);
     }
     if (std::rename(draft_.c_str(), path_.c_str()) != 0)
-      return "cannot rename " + draft_ + " to " + path_ + system_reason();
-    return "";
+      return Outcome::failure("cannot rename " + draft_ + " to " + path_ + system_reason());
+    return Outcome::success();
   }
 
   std::string path_, draft_;

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "tunica/base/agreement.hpp"
+#include "tunica/base/attempt.hpp"
 #include "tunica/base/error.hpp"
 
 namespace tunica::io {
@@ -59,17 +60,18 @@ hid_t open(const std::string& path, Hdf5File::Mode mode, const CommPtr& comm) {
 }
 
 /// Takes room behind the end of a file, which HDF5 gives back on closing as far as it is not
-/// needed. Returns what went wrong, and then leaves the file as it was.
-std::string take_room(const std::string& path, long long bytes) {
+/// needed. A failure leaves the file as it was.
+Outcome take_room(const std::string& path, long long bytes) {
   const int file = ::open(path.c_str(), O_WRONLY);
-  if (file < 0) return "";  // HDF5 will say why
+  if (file < 0) return Outcome::success();  // HDF5 will say why
   const off_t end = lseek(file, 0, SEEK_END);
   const int failure = posix_fallocate(file, end, static_cast<off_t>(bytes));
   const bool is_restored = failure == 0 || ftruncate(file, end) == 0;
   ::close(file);
-  if (failure == 0) return "";
-  return path + ": no room for " + std::to_string(bytes) + " bytes: " + std::strerror(failure) +
-         (is_restored ? "" : "; the file's end is undefined");
+  if (failure == 0) return Outcome::success();
+  return Outcome::failure(path + ": no room for " + std::to_string(bytes) +
+                          " bytes: " + std::strerror(failure) +
+                          (is_restored ? "" : "; the file's end is undefined"));
 }
 
 hid_t with_parents() {
@@ -88,11 +90,12 @@ Result Hdf5File::noted(Result result, const std::string& action) {
 
 Hdf5File::Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, const CommPtr& comm)
     : path_(path), comm_(comm) {
+  side_channel(*comm_);  // for the destructor
   if (mode == Mode::extend) {
     const bool is_first = comm_->getRank() == 0;
-    const std::string no_room =
-        agreed_message(*comm_, is_first ? take_room(path, bytes_to_come) : std::string());
-    if (!no_room.empty()) throw NoRoom(no_room);
+    const Outcome room =
+        agreed(*comm_, is_first ? take_room(path, bytes_to_come) : Outcome::success());
+    if (room.is_failure()) throw NoRoom(room.reason());
   }
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are thrown, not printed
   file_ = noted(open(path, mode, comm), mode == Mode::create ? "create" : "open");
@@ -103,7 +106,7 @@ Hdf5File::Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, 
 }
 
 Hdf5File::~Hdf5File() {
-  if (file_ >= 0) H5Fclose(file_);
+  if (file_ >= 0 && all_meet(*comm_)) H5Fclose(file_);
 }
 
 void Hdf5File::make_group(const std::string& name) {

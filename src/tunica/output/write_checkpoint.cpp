@@ -116,25 +116,25 @@ void write_arrays(const std::string& path, const States& states, const CommPtr& 
   file.close();
 }
 
-std::string synced(const std::string& path, int flags) {
+Outcome synced(const std::string& path, int flags) {
   errno = 0;
   const int file = ::open(path.c_str(), flags);
   const bool is_synced = file >= 0 && ::fsync(file) == 0;
-  const std::string problem = is_synced ? "" : "cannot flush " + path + io::system_reason();
+  const std::string reason = io::system_reason();
   if (file >= 0) ::close(file);
-  return problem;
+  return is_synced ? Outcome::success() : Outcome::failure("cannot flush " + path + reason);
 }
 
 /// Gives the draft its name when it is on the disk; the folder follows, or a failing power could
 /// take the name back.
-std::string publish(const std::string& draft, const std::string& path) {
-  if (const std::string problem = synced(draft, O_WRONLY); !problem.empty()) return problem;
+Outcome publish(const std::string& draft, const std::string& path) {
+  if (const Outcome flushed = synced(draft, O_WRONLY); flushed.is_failure()) return flushed;
   if (std::rename(draft.c_str(), path.c_str()) != 0)
-    return "cannot rename " + draft + " to " + path + io::system_reason();
+    return Outcome::failure("cannot rename " + draft + " to " + path + io::system_reason());
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  const std::string problem = synced(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+  const Outcome flushed = synced(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
   // Some network file systems cannot flush folders; the file has its name all the same.
-  return errno == EINVAL || errno == ENOTSUP ? "" : problem;
+  return errno == EINVAL || errno == ENOTSUP ? Outcome::success() : flushed;
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ void write_checkpoint(const std::string& path, const CheckpointHead& head, const
       for (const auto& [part, state] : states) contents.add(part, state, sums);
       contents.add("run", state_of(head), {});
       contents.save(draft);
-      return std::string();
+      return Outcome::success();
     });
     write_arrays(draft, states, comm);
     on_root_or_fault(*comm, [&] { return publish(draft, path); });
