@@ -143,11 +143,11 @@ StepSummary wall_summary(const nonlinear::NewtonReport& report) {
   return summary;
 }
 
-std::string failure(const stepping::Clock& clock, const std::string& field,
-                    const nonlinear::NewtonReport& report) {
+Outcome failure(const stepping::Clock& clock, const std::string& field,
+                const nonlinear::NewtonReport& report) {
   std::ostringstream text;
   text << "time " << clock.time() << " ms: Newton's method of " << field << ": " << report.reason;
-  return text.str();
+  return Outcome::failure(text.str());
 }
 
 problems::Observables joined(const std::vector<problems::Observables>& parts) {

@@ -64,8 +64,8 @@ StepSummary summary_of(const coupling::Report& report);
 StepSummary fluid_summary(const nonlinear::NewtonReport& report);
 StepSummary wall_summary(const nonlinear::NewtonReport& report);
 /// Why a run of one field ends early.
-std::string failure(const stepping::Clock& clock, const std::string& field,
-                    const nonlinear::NewtonReport& report);
+Outcome failure(const stepping::Clock& clock, const std::string& field,
+                const nonlinear::NewtonReport& report);
 
 /// All observables in one list.
 problems::Observables joined(const std::vector<problems::Observables>& parts);
