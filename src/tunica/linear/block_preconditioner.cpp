@@ -19,9 +19,11 @@
 #include <sstream>
 
 #include "tunica/base/error.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/base/fault_point.hpp"
+#include "tunica/base/out_of_memory.hpp"
 #include "tunica/linear/lu_strategy.hpp"
 #include "tunica/linear/nodal_multigrid.hpp"
+#include "tunica/linear/setup_failure.hpp"
 #include "tunica/linear/thyra_operator.hpp"
 #include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
 #include "tunica/params/nearest.hpp"
@@ -127,6 +129,7 @@ void check_teko_list(Teuchos::ParameterList stratimikos,
     library->setRequestHandler(handler);
     if (library->getInverseFactory(name).is_null()) cause = "no such inverse";
   } catch (const std::exception& error) {
+    if (is_out_of_memory(error)) throw;
     cause = output.cause_of(error);
   }
   TUNICA_CHECK(cause.empty(), "the inverse \"" + name + "\" cannot be built: " + cause + "\n" +
@@ -207,12 +210,16 @@ void check_block_preconditioner(const Teuchos::ParameterList& stratimikos) {
 }
 
 void BlockPreconditioner::refresh() {
-  const TekoOutput output;
-  try {
-    Thyra::initializePrec<double>(*stack_->factory, stack_->K, stack_->preconditioner.ptr());
-  } catch (const std::exception& error) {
-    throw SetupFailure("the block preconditioner cannot be set up: " + output.cause_of(error));
-  }
+  set_up(*blocks_.map()->getComm(), "the block preconditioner", [this] {
+    const TekoOutput output;
+    try {
+      fault_point("block set-up");
+      Thyra::initializePrec<double>(*stack_->factory, stack_->K, stack_->preconditioner.ptr());
+    } catch (const std::exception& error) {
+      if (is_out_of_memory(error)) throw;
+      throw std::runtime_error(output.cause_of(error));
+    }
+  });
 }
 
 void BlockPreconditioner::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,

@@ -1,8 +1,9 @@
 #include "tunica/linear/preconditioners/cycle.hpp"
 
 #include "tunica/base/error.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/base/fault_point.hpp"
 #include "tunica/linear/merged_system.hpp"
+#include "tunica/linear/setup_failure.hpp"
 #include "tunica/multigrid/muelu/factory_registry.hpp"
 
 namespace tunica::linear {
@@ -18,15 +19,14 @@ public:
         nodes_(Teuchos::rcp(new multigrid::MixedCoarsening(*K.space()))) {}
 
   void refresh() override {
-    try {
-      if (cycle_.is_null())
-        cycle_ = Teuchos::rcp(new multigrid::Cycle(A_, nodes_, muelu_, is_blocked_));
-      else
-        cycle_->refresh();
-    } catch (const std::exception& error) {
-      cycle_ = Teuchos::null;
-      throw SetupFailure(std::string("the multigrid cycle cannot be set up: ") + error.what());
-    }
+    const Teuchos::RCP<multigrid::Cycle> kept = cycle_;
+    cycle_ = Teuchos::null;  // nothing to keep should the set-up fail
+    set_up(*A_->getComm(), "the multigrid cycle", [&] {
+      fault_point("multigrid set-up");
+      if (!kept.is_null()) return kept->refresh();
+      cycle_ = Teuchos::rcp(new multigrid::Cycle(A_, nodes_, muelu_, is_blocked_));
+    });
+    if (!kept.is_null()) cycle_ = kept;
   }
   Teuchos::RCP<const Operator> as_operator() const override { return cycle_; }
   multigrid::Levels levels() const override {

@@ -2,7 +2,9 @@
 
 #include <Ifpack2_Factory.hpp>
 
+#include "tunica/base/fault_point.hpp"
 #include "tunica/linear/merged_system.hpp"
+#include "tunica/linear/setup_failure.hpp"
 
 namespace tunica::linear {
 
@@ -11,7 +13,23 @@ namespace {
 class IluPreconditioner final : public MatrixPreconditioner {
 public:
   IluPreconditioner(const Teuchos::RCP<const RowMatrix>& rows, int fill_level, int overlap)
-      : has_overlap_(overlap > 0), factors_(Ifpack2::Factory::create<RowMatrix>("SCHWARZ", rows)) {
+      : rows_(rows), has_overlap_(overlap > 0) {
+    set_up(*rows_->getComm(), "the incomplete factors", [&] { initialize(fill_level, overlap); });
+  }
+
+  void refresh() override {
+    set_up(*rows_->getComm(), "the incomplete factors", [this] {
+      fault_point("ilu set-up");
+      // Ifpack2 fetches the values of overlapping rows in initialize() only.
+      if (has_overlap_) factors_->initialize();
+      factors_->compute();
+    });
+  }
+  Teuchos::RCP<const Operator> as_operator() const override { return factors_; }
+
+private:
+  void initialize(int fill_level, int overlap) {
+    factors_ = Ifpack2::Factory::create<RowMatrix>("SCHWARZ", rows_);
     Teuchos::ParameterList list;
     list.set("schwarz: inner preconditioner name", "RILUK");
     list.set("schwarz: overlap level", overlap);
@@ -22,14 +40,7 @@ public:
     factors_->initialize();
   }
 
-  void refresh() override {
-    // Ifpack2 fetches the values of overlapping rows in initialize() only.
-    if (has_overlap_) factors_->initialize();
-    factors_->compute();
-  }
-  Teuchos::RCP<const Operator> as_operator() const override { return factors_; }
-
-private:
+  Teuchos::RCP<const RowMatrix> rows_;
   bool has_overlap_;
   Teuchos::RCP<Ifpack2::Preconditioner<Scalar, LocalOrdinal, GlobalOrdinal, Node>> factors_;
 };

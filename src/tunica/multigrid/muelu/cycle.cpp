@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/out_of_memory.hpp"
 #include "tunica/multigrid/muelu/blocked_matrix.hpp"
 #include "tunica/multigrid/muelu/factory_factory.hpp"
 #include "tunica/multigrid/muelu/galerkin_factory.hpp"
@@ -154,6 +155,7 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked) {
     const Interpreter interpreter(list, Teuchos::rcp(new Teuchos::SerialComm<int>),
                                   make_factory_factory(Teuchos::null));
   } catch (const std::exception& error) {
+    if (is_out_of_memory(error)) throw;
     cause = error.what();
   }
   const auto found = cause.find("unknown factory name : ");
