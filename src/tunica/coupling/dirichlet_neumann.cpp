@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/fault_point.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
 
@@ -157,6 +158,7 @@ bool DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
   iteration.residual = size_of(residual);
   if (iteration.residual < options_.tolerance) return true;
   const Stopwatch watch;
+  fault_point("coupling update");
   d = limited(d, accelerator_->next(d, residual));
   iteration.update_seconds = watch.seconds();
   iteration.relaxation = accelerator_->relaxation();

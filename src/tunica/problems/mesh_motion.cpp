@@ -1,5 +1,7 @@
 #include "tunica/problems/mesh_motion.hpp"
 
+#include "tunica/base/fault_point.hpp"
+
 namespace tunica::problems {
 
 namespace {
@@ -28,6 +30,7 @@ std::optional<std::string> MeshMotion::extend(const std::vector<Vec3>& interface
       for (int i = 0; i < 3; ++i)
         view(a, i) = is_interface_[a] ? interface_displacement[a][i] : 0.0;
   }
+  fault_point("mesh motion");
   if (const auto failure = harmonic_.extend(total)) return failure;
   MultiVector ghosted(mesh_->ghosted_map, 3);
   ghosted.doImport(total, *mesh_->import, insert);
