@@ -210,16 +210,20 @@ void check_block_preconditioner(const Teuchos::ParameterList& stratimikos) {
 }
 
 void BlockPreconditioner::refresh() {
-  set_up(*blocks_.map()->getComm(), "the block preconditioner", [this] {
+  const auto preconditioner = stack_->preconditioner;
+  // Should the set-up fail on one rank, then none keeps what would differ from rank to rank.
+  stack_->preconditioner = stack_->factory->createPrec();
+  set_up(*blocks_.map()->getComm(), "the block preconditioner", [&] {
     const TekoOutput output;
     try {
       fault_point("block set-up");
-      Thyra::initializePrec<double>(*stack_->factory, stack_->K, stack_->preconditioner.ptr());
+      Thyra::initializePrec<double>(*stack_->factory, stack_->K, preconditioner.ptr());
     } catch (const std::exception& error) {
       if (is_out_of_memory(error)) throw;
       throw std::runtime_error(output.cause_of(error));
     }
   });
+  stack_->preconditioner = preconditioner;
 }
 
 void BlockPreconditioner::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,

@@ -19,14 +19,14 @@ public:
         nodes_(Teuchos::rcp(new multigrid::MixedCoarsening(*K.space()))) {}
 
   void refresh() override {
-    const Teuchos::RCP<multigrid::Cycle> kept = cycle_;
-    cycle_ = Teuchos::null;  // nothing to keep should the set-up fail
+    Teuchos::RCP<multigrid::Cycle> cycle = cycle_;
+    cycle_ = Teuchos::null;  // nothing to keep on any rank should the set-up fail on one
     set_up(*A_->getComm(), "the multigrid cycle", [&] {
       fault_point("multigrid set-up");
-      if (!kept.is_null()) return kept->refresh();
-      cycle_ = Teuchos::rcp(new multigrid::Cycle(A_, nodes_, muelu_, is_blocked_));
+      if (!cycle.is_null()) return cycle->refresh();
+      cycle = Teuchos::rcp(new multigrid::Cycle(A_, nodes_, muelu_, is_blocked_));
     });
-    if (!kept.is_null()) cycle_ = kept;
+    cycle_ = cycle;
   }
   Teuchos::RCP<const Operator> as_operator() const override { return cycle_; }
   multigrid::Levels levels() const override {
