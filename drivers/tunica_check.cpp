@@ -8,10 +8,9 @@
 #include "tunica/app/case.hpp"
 #include "tunica/app/domain.hpp"
 #include "tunica/app/exit_status.hpp"
-#include "tunica/app/run.hpp"
+#include "tunica/app/guard.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/base/agreement.hpp"
-#include "tunica/base/error.hpp"
 #include "tunica/base/session.hpp"
 #include "tunica/params/read_xml.hpp"
 #include "tunica/systems/read_system.hpp"
@@ -68,17 +67,12 @@ int main(int argc, char** argv) {
   const std::string name = "tunica-check", sentence = "Validates a case and solves nothing.";
   const Session session;
   const bool is_root = all_ranks()->getRank() == 0;
-  try {
+  return app::guarded(name, *all_ranks(), [&] {
     const app::CommandLine command = app::parse(argc, argv, name, sentence);
     if (command.help && is_root) std::cout << app::usage(name, sentence);
     if (command.reference && is_root) print_reference();
     if (command.print_defaults && is_root) app::fsi_table().print_xml(std::cout, "Case");
     if (command.help || command.reference || command.print_defaults) return app::exit_done;
     return check(command);
-  } catch (const tunica::Error& error) {
-    if (is_root) std::cerr << name << ": " << error.what() << std::endl;
-    return app::exit_bad_input;
-  } catch (const std::exception& error) {
-    return app::fault(name + ": " + error.what(), *all_ranks());
-  }
+  });
 }

@@ -13,8 +13,8 @@ namespace {
 
 using namespace tunica;
 
-app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& domain,
-                     app::RunOutput& output) {
+Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
+              app::RunOutput& output) {
   // 1. The fluid, from where it goes on after a restart, and what is written of it.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   stepping::Clock clock(list.sublist("Time"));
@@ -32,12 +32,12 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
     log.newton({clock.step(), clock.time(), 0}, "fluid", report);
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "fluid"),
              app::joined({fluid.observe(), probes.observe(&fluid, nullptr)}));
-    if (!report.is_converged) return {false, app::failure(clock, "the fluid", report)};
+    if (!report.is_converged) return app::failure(clock, "the fluid", report);
     if (fields.is_due(clock)) fields.write(clock, {{"fluid", app::fluid_arrays(fluid, {}), {}}});
     checkpoints.write_if_due(clock);
   }
   app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);
-  return {};
+  return Outcome::success();
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ std::vector<app::GridFields> both_fields(const problems::FluidProblem& fluid,
           {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}};
 }
 
-app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& domain,
-                     app::RunOutput& output) {
+Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
+              app::RunOutput& output) {
   // 1. Three fields, each with its kernels, blocks and solver.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
@@ -48,15 +48,14 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
 
   // 4. March.
   for (; !clock.is_done(); clock.advance()) {
-    if (const Outcome prepared = scheme.prepare(clock); prepared.is_failure())
-      return {false, prepared.reason()};
+    if (const Outcome prepared = scheme.prepare(clock); prepared.is_failure()) return prepared;
     const coupling::Report report =
         scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
           log.coupling({clock.step(), clock.time(), k}, iteration);
         });
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report, scheme.fields()),
              app::joined({wall.observe(), fluid.observe(), probes.observe(&fluid, &wall)}));
-    if (!report.is_accepted) return {false, report.reason};
+    if (!report.is_accepted) return Outcome::failure(report.reason);
     if (!report.is_converged) log.warn(report.reason);
     if (fields.is_due(clock)) fields.write(clock, both_fields(fluid, motion, wall));
     checkpoints.write_if_due(clock);
@@ -65,7 +64,7 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
   // 5. Report.
   app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);
   app::record_assembly(output.record, "wall", wall.jacobian_throughput(), *comm);
-  return {};
+  return Outcome::success();
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace {
 
 using namespace tunica;
 
-app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& domain,
-                     app::RunOutput& output) {
+Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
+              app::RunOutput& output) {
   // 1. The wall, from where it goes on after a restart, and what is written of it.
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
   stepping::Clock clock(list.sublist("Time"));
@@ -33,13 +33,13 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
     log.newton({clock.step(), clock.time(), 0}, "wall", report);
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "wall"),
              app::joined({wall.observe(), probes.observe(nullptr, &wall)}));
-    if (!report.is_converged) return {false, app::failure(clock, "the wall", report)};
+    if (!report.is_converged) return app::failure(clock, "the wall", report);
     if (fields.is_due(clock))
       fields.write(clock, {{"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});
     checkpoints.write_if_due(clock);
   }
   app::record_assembly(output.record, "wall", wall.jacobian_throughput(), *comm);
-  return {};
+  return Outcome::success();
 }
 
 }  // namespace

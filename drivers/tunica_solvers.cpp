@@ -26,12 +26,11 @@ using namespace tunica;
 struct Complete {};
 
 /// Marches until the wanted coupling iteration is over. Not converging before it is a result.
-app::RunResult march_to_wanted(app::SystemCapture& capture, coupling::Scheme& scheme,
-                               stepping::Clock clock, app::RunLog& log) {
+Outcome march_to_wanted(app::SystemCapture& capture, coupling::Scheme& scheme, stepping::Clock clock,
+                        app::RunLog& log) {
   for (; !clock.is_done(); clock.advance()) {
     capture.enter(0, 0);  // what the coupling solves for itself is not asked for
-    if (const Outcome prepared = scheme.prepare(clock); prepared.is_failure())
-      return {false, prepared.reason()};
+    if (const Outcome prepared = scheme.prepare(clock); prepared.is_failure()) return prepared;
     capture.enter(clock.step(), 1);
     const coupling::Report report =
         scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
@@ -42,13 +41,13 @@ app::RunResult march_to_wanted(app::SystemCapture& capture, coupling::Scheme& sc
           capture.enter(clock.step(), k + 1);
         });
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report, scheme.fields()), {});
-    if (!report.is_accepted) return {false, report.reason};
+    if (!report.is_accepted) return Outcome::failure(report.reason);
   }
-  return {};
+  return Outcome::success();
 }
 
-app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& domain,
-                     app::RunOutput& output) {
+Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
+              app::RunOutput& output) {
   // 1. The coupled problem of the case, as in tunica_fsi.cpp.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
@@ -73,23 +72,23 @@ app::RunResult march(const Teuchos::ParameterList& list, const app::Domain& doma
 
   // 3. March as far as needed.
   app::RunLog log(output, comm->getRank() == 0, clock.steps(), scheme.fields(), scheme.stages());
-  app::RunResult verdict;
+  Outcome outcome = Outcome::success();
   try {
-    verdict = march_to_wanted(capture, scheme, clock, log);
+    outcome = march_to_wanted(capture, scheme, clock, log);
   } catch (const Complete&) {  // what was wanted is in the table
   }
 
   // 4. Report.
   table.print();
-  if (verdict.is_converged && capture.count() == 0)
-    verdict = {false, "there is no linear system at " + capture.wish() +
-                          "; coupling.csv counts those there were"};
-  return verdict;
+  if (outcome.is_success() && capture.count() == 0)
+    outcome = Outcome::failure("there is no linear system at " + capture.wish() +
+                               "; coupling.csv counts those there were");
+  return outcome;
 }
 
 /// A system from files in the place of a coupled problem.
-std::function<app::RunResult(app::RunOutput&)> load_system(const Teuchos::ParameterList& list,
-                                                           const CommPtr& comm) {
+std::function<Outcome(app::RunOutput&)> load_system(const Teuchos::ParameterList& list,
+                                                    const CommPtr& comm) {
   const auto system =
       std::make_shared<systems::System>(systems::read_system(list.sublist("System"), comm));
   if (comm->getRank() == 0)
@@ -101,11 +100,11 @@ std::function<app::RunResult(app::RunOutput&)> load_system(const Teuchos::Parame
     const auto best =
         table.run({"system", 0, 0, 0, &system->K, &system->b, &linear::no_operators()});
     table.print();
-    if (!best) return app::RunResult{false, "no setting came nearer to the solution than zero"};
+    if (!best) return Outcome::failure("no setting came nearer to the solution than zero");
     const algebra::BlockVector x = systems::in_file_order(*system, best->x);
     io::write_matrix_market(output.folder.file("solution.mtx"), {&x[0], &x[1]},
                             app::note_on(*best));
-    return app::RunResult();
+    return Outcome::success();
   };
 }
 

@@ -76,6 +76,9 @@ FAULTS = [
         ["case.xml: Fluid / Surfaces / inlet / Amplitude", "increase", "0.5 ms follows 1 ms"],
         set_parameter("times", "Array(double)", "{0, 1, 2}", "{0, 1, 0.5}")),
     Bad("not_xml", ["case.xml"], lambda text: text[:400]),
+    Bad("lists_20000_deep", ["case.xml: at line", "more than 100 deep", "at most 100"],
+        replace('  <ParameterList name="Wall">', '<ParameterList name="Wall">\n' * 20000 +
+                "</ParameterList>\n" * 20000 + '  <ParameterList name="Wall">')),
     Bad("missing_mesh", ["case.xml: Mesh", '"file"', "nowhere.msh"],
         replace("bad-two-tets.msh\"/>", "nowhere.msh\"/>")),
     Bad("truncated_mesh", ["mesh.msh"], mesh=lambda text: text[:len(text) * 3 // 4]),

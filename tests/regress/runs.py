@@ -18,9 +18,9 @@ ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
 class Run:
     """A finished process: status, out, err, seconds."""
 
-    def __init__(self, words, folder):
+    def __init__(self, words, folder, environment=ENVIRONMENT):
         start = time.time()
-        done = subprocess.run(words, cwd=folder, env=ENVIRONMENT, text=True,
+        done = subprocess.run(words, cwd=folder, env=environment, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.seconds = time.time() - start
         self.status, self.out, self.err = done.returncode, done.stdout, done.stderr

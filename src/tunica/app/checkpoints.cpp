@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "tunica/base/agreement.hpp"
+#include "tunica/base/fault_point.hpp"
 #include "tunica/output/checkpoint.hpp"
 #include "tunica/output/checkpoint_series.hpp"
 
@@ -34,6 +35,7 @@ void Checkpoints::write_if_due(const stepping::Clock& clock) const {
   const int every = output_->checkpoint_every;
   if (every == 0 || (clock.step() % every != 0 && clock.step() != clock.steps())) return;
   const Stopwatch writing;
+  fault_point("checkpoint");
   const double before = output_->restart ? output_->restart->head.seconds : 0.0;
   const output::CheckpointHead head{output_->fingerprint, clock.step(), clock.time(),
                                     clock.step_size(), before + run_.seconds()};

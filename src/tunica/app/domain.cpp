@@ -4,6 +4,7 @@
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/fault_point.hpp"
 #include "tunica/boundary/registry.hpp"
 #include "tunica/discretisation/fluid_options.hpp"
 #include "tunica/discretisation/solid_options.hpp"
@@ -136,12 +137,14 @@ std::vector<bool> marks(const std::vector<int>& regions, std::size_t count) {
 Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
   const MeshRequirements requirements = mesh_requirements_of(list);
   Shares shares;
+  fault_point("mesh reading");
   on_root(*comm, [&] { shares = read_and_check(list, requirements, comm->getSize()); });
   fields::broadcast_mesh(*comm, shares.mesh);
   shares.fluid = region_indices(shares.mesh, requirements.fluid_regions, "Fluid / regions");
   shares.wall = region_indices(shares.mesh, requirements.wall_regions, "Wall / Layers");
 
   Domain domain;
+  fault_point("field mesh");
   domain.fingerprint = mesh::fingerprint(shares.mesh);
   const mesh::Partition partition = mesh::partition(
       shares.mesh, comm->getSize(), marks(shares.fluid, shares.mesh.regions.size()));

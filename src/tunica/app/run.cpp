@@ -3,9 +3,9 @@
 #include <iostream>
 
 #include "tunica/app/exit_status.hpp"
+#include "tunica/app/guard.hpp"
 #include "tunica/app/results_folder.hpp"
 #include "tunica/base/agreement.hpp"
-#include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/session.hpp"
 #include "tunica/base/timer.hpp"
@@ -60,22 +60,22 @@ void record_sizes(const Domain& domain, output::RunRecord& record) {
 
 /// The work and what is written about it.
 int conclude(const Program& program, RunOutput& output, const Comm& comm,
-             const std::function<RunResult()>& work) {
+             const std::function<Outcome()>& work) {
   output.record.save();
   const Stopwatch marching;
-  const RunResult verdict = work();
+  const Outcome outcome = work();
   output.record.add_time("march", marching.seconds());
   if (output.restart)
     output.record.add_time("march from the first step",
                            output.restart->head.seconds + marching.seconds());
   output.record.finish(
-      verdict.is_converged ? output::RunStatus::done : output::RunStatus::not_converged,
-      verdict.reason);
+      outcome.is_success() ? output::RunStatus::done : output::RunStatus::not_converged,
+      outcome.reason());
   if (comm.getRank() == 0) {
-    if (!verdict.is_converged) std::cerr << program.name << ": " << verdict.reason << std::endl;
+    if (outcome.is_failure()) std::cerr << program.name << ": " << outcome.reason() << std::endl;
     std::cout << "results in " << output.folder.path() << std::endl;
   }
-  return verdict.is_converged ? exit_done : exit_not_converged;
+  return outcome.is_success() ? exit_done : exit_not_converged;
 }
 
 /// True, and says so, if the run has made all its steps before.
@@ -133,12 +133,6 @@ int solve(const Program& program, const CommandLine& command, const Alternative&
 
 }  // namespace
 
-int fault(const std::string& message, const Comm& comm) {
-  std::cerr << message << std::endl;
-  if (comm.getSize() > 1) MPI_Abort(MPI_COMM_WORLD, exit_fault);
-  return exit_fault;
-}
-
 RunOutput::RunOutput(const Program& program, const CommandLine& command,
                      const Teuchos::ParameterList& list, const CommPtr& comm,
                      std::optional<Restart> from)
@@ -159,7 +153,7 @@ int run_program(int argc, char** argv, const Program& program, const March& marc
   const Session session;
   const CommPtr comm = all_ranks();
   const bool is_root = comm->getRank() == 0;
-  try {
+  return guarded(program.name, *comm, [&] {
     const CommandLine command = parse(argc, argv, program.name, program.sentence);
     if (command.help && is_root) std::cout << usage(program.name, program.sentence);
     if (command.print_defaults && is_root) program.table.print_xml(std::cout, "Case");
@@ -167,17 +161,7 @@ int run_program(int argc, char** argv, const Program& program, const March& marc
     if (alternative && has_list(command.case_file, alternative->list, *comm))
       return solve(program, command, *alternative, comm);
     return solve(program, command, march, comm);
-  } catch (const Error& error) {  // the same on all ranks
-    if (is_root) std::cerr << program.name << ": " << error.what() << std::endl;
-    return exit_bad_input;
-  } catch (const MachineFault& error) {  // the same on all ranks
-    if (is_root) std::cerr << program.name << ": " << error.what() << std::endl;
-    comm->barrier();  // told before MPI ends all
-    if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, exit_fault);
-    return exit_fault;
-  } catch (const std::exception& error) {
-    return fault(program.name + ": " + error.what(), *comm);
-  }
+  });
 }
 
 }  // namespace tunica::app

@@ -7,6 +7,7 @@
 #include "tunica/app/command_line.hpp"
 #include "tunica/app/domain.hpp"
 #include "tunica/app/restart.hpp"
+#include "tunica/base/outcome.hpp"
 #include "tunica/output/field_writer.hpp"
 #include "tunica/output/run_folder.hpp"
 #include "tunica/output/run_record.hpp"
@@ -35,29 +36,20 @@ struct RunOutput {
   std::string fingerprint{};       ///< of the mesh
 };
 
-/// How a run ended.
-struct RunResult {
-  bool is_converged = true;
-  std::string reason;
-};
-
-/// Ends a program by a fault of ours or of the machine. A fault of one rank would leave the
-/// others waiting in a collective call: it ends them too.
-int fault(const std::string& message, const Comm& comm);
-
-using March = std::function<RunResult(const Teuchos::ParameterList&, const Domain&, RunOutput&)>;
+/// The work of a run; a failure is one to converge.
+using March = std::function<Outcome(const Teuchos::ParameterList&, const Domain&, RunOutput&)>;
 
 /// What a program does with a case that has a certain list at the top: such a case has no mesh.
 struct Alternative {
   std::string list;
   params::Table table;
   /// Reads what the case names, and returns the work. Collective, both.
-  std::function<std::function<RunResult(RunOutput&)>(const Teuchos::ParameterList&, const CommPtr&)>
+  std::function<std::function<Outcome(RunOutput&)>(const Teuchos::ParameterList&, const CommPtr&)>
       load;
 };
 
-/// The frame of every solving driver: command line, case, mesh, --dry-run, the march, and the
-/// one place where errors become exit statuses. Starts and ends MPI.
+/// The frame of every solving driver, guarded: command line, case, mesh, --dry-run, the march.
+/// Starts and ends MPI.
 int run_program(int argc, char** argv, const Program& program, const March& march,
                 const std::optional<Alternative>& alternative = {});
 

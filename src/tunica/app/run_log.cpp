@@ -158,11 +158,11 @@ StepSummary summary_of(const nonlinear::NewtonReport& report, const std::string&
   return summary;
 }
 
-std::string failure(const stepping::Clock& clock, const std::string& field,
-                    const nonlinear::NewtonReport& report) {
+Outcome failure(const stepping::Clock& clock, const std::string& field,
+                const nonlinear::NewtonReport& report) {
   std::ostringstream text;
   text << "time " << clock.time() << " ms: Newton's method of " << field << ": " << report.reason;
-  return text.str();
+  return Outcome::failure(text.str());
 }
 
 discretisation::Observables joined(const std::vector<discretisation::Observables>& parts) {

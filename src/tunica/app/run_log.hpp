@@ -69,8 +69,8 @@ StepSummary summary_of(const coupling::Report& report, const std::vector<std::st
 /// Of a field that is solved alone.
 StepSummary summary_of(const nonlinear::NewtonReport& report, const std::string& field);
 /// Why a run of one field ends early.
-std::string failure(const stepping::Clock& clock, const std::string& field,
-                    const nonlinear::NewtonReport& report);
+Outcome failure(const stepping::Clock& clock, const std::string& field,
+                const nonlinear::NewtonReport& report);
 
 /// All observables in one list.
 discretisation::Observables joined(const std::vector<discretisation::Observables>& parts);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tunica/base/agreement.hpp"
+#include "tunica/base/attempt.hpp"
 #include "tunica/base/exception_summary.hpp"
 #include "tunica/base/heap.hpp"
 #include "tunica/base/reduce.hpp"
@@ -49,12 +49,11 @@ SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, 
   row.unknowns = system.K->n_unknowns();
   row.solve.true_residual = row.solve.recurrence_residual =
       std::numeric_limits<double>::quiet_NaN();
-  std::string failure;
   comm.barrier();
   const Stopwatch watch;
   const double heap_before = heap_bytes();
   double held = 0.0, setup_seconds = 0.0;
-  try {
+  const Outcome outcome = attempt(comm, "trying \"" + setting.name + "\"", [&] {
     const auto solver = linear::make_linear_solver(setting.list, *system.K, *system.operators);
     solver->prepare();
     setup_seconds = watch.seconds();
@@ -62,15 +61,13 @@ SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, 
     row.refresh_seconds = watch.seconds() - setup_seconds;
     row.solve = solver->solve(*system.b, x, tolerance);
     held = heap_bytes() - heap_before;
-  } catch (const std::exception& error) {
-    failure = exception_summary(error.what());
-  }
+  });
   row.solve.setup_seconds = global_max(comm, setup_seconds);
   row.refresh_seconds = global_max(comm, row.refresh_seconds);
   row.solve.solve_seconds = global_max(comm, row.solve.solve_seconds);
   row.memory_megabytes = global_sum(comm, held) / 1e6;
-  failure = agreed_message(comm, failure);
-  row.verdict = failure.empty() ? verdict_of(setting, row.solve) : failure;
+  row.verdict =
+      outcome.is_success() ? verdict_of(setting, row.solve) : exception_summary(outcome.reason());
   row.solve.is_converged = row.verdict == "converged";
   return row;
 }

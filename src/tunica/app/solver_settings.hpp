@@ -34,7 +34,7 @@ struct SolverRow {
 };
 
 /// Sets a solver up anew and solves from zero to the tolerance; times are those of the slowest
-/// rank. No exception of the solver gets through. Collective.
+/// rank. What the solver throws is a verdict; faults of the machine get through. Collective.
 SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, double tolerance,
                       algebra::BlockVector& x);
 

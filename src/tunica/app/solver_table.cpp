@@ -181,9 +181,9 @@ void SolverTable::save() const {
     for (std::size_t i = 0; i < values.size(); ++i)
       std::visit([&](const auto& value) { solve[csv_.columns()[i]] = value; }, values[i]);
   }
-  const std::string problem =
+  const Outcome written =
       io::replace_file(json_file_, out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  if (!problem.empty()) throw std::runtime_error(problem);
+  if (written.is_failure()) throw std::runtime_error(written.reason());
 }
 
 void SolverTable::print() const {

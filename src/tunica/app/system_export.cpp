@@ -99,11 +99,9 @@ void SystemExport::write(const LinearSystem& system) const {
   const MultiVector x = coordinates(*system.mesh), modes = rigid_motions(*system.mesh);
   write_matrix_market(path(system, "coordinates.mtx"), {&x}, "mm");
   write_matrix_market(path(system, "nullspace.mtx"), {&modes}, "");
-  std::string problem;
-  if (comm_->getRank() == 0)
-    problem = io::replace_file(path(system, "state.json"), state_of(system, *record_));
-  problem = agreed_message(*comm_, problem);
-  if (!problem.empty()) throw std::runtime_error(problem);
+  on_root_or_fault(*comm_, [&] {
+    return io::replace_file(path(system, "state.json"), state_of(system, *record_));
+  });
 }
 
 void SystemExport::write(const LinearSystem& system,

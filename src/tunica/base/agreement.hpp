@@ -2,6 +2,7 @@
 #include <functional>
 #include <string>
 
+#include "tunica/base/outcome.hpp"
 #include "tunica/base/types.hpp"
 
 namespace tunica {
@@ -10,15 +11,18 @@ namespace tunica {
 /// otherwise the message of the lowest rank that has one. The same on all ranks. Collective.
 std::string agreed_message(const Comm& comm, const std::string& message);
 
-/// Runs the work on rank 0 only. Where it throws Error, all ranks throw the same. Collective.
+/// The outcome of the lowest rank that failed; success where none did. Collective.
+Outcome agreed(const Comm& comm, const Outcome& mine);
+
+/// Runs the work on rank 0 only; failures are those of on_all(). Collective.
 void on_root(const Comm& comm, const std::function<void()>& work);
 
-/// Runs work with the disk on rank 0, which returns what went wrong or throws. All ranks then throw
-/// the same MachineFault. Collective.
-void on_root_or_fault(const Comm& comm, const std::function<std::string()>& work);
+/// Runs work with the disk on rank 0. Where it fails or throws, all ranks throw the same
+/// MachineFault. Collective.
+void on_root_or_fault(const Comm& comm, const std::function<Outcome()>& work);
 
 /// Runs the work, which is not collective, on all ranks. Where it throws Error on some, all ranks
-/// throw that of the lowest. Collective.
+/// throw that of the lowest; any other exception becomes a MachineFault of all. Collective.
 void on_all(const Comm& comm, const std::function<void()>& work);
 
 /// Gives every rank the text of rank 0. Collective.

@@ -1,6 +1,8 @@
 #include "tunica/coupling/accelerator.hpp"
 
 #include <numeric>
+#include <stdexcept>
+#include <string>
 
 #include "tunica/base/reduce.hpp"
 #include "tunica/coupling/aitken.hpp"
@@ -9,20 +11,45 @@
 
 namespace tunica::coupling {
 
+namespace {
+
+/// An accelerator, as XML names it.
+struct Entry {
+  std::string name;
+  params::Table (*table)();
+  std::unique_ptr<Accelerator> (*make)(const Teuchos::ParameterList&, const CommPtr&);
+};
+
+template <class Kind>
+std::unique_ptr<Accelerator> make(const Teuchos::ParameterList& list, const CommPtr& comm) {
+  return std::make_unique<Kind>(list, comm);
+}
+
+/// Every accelerator there is, in the order of the reference.
+const std::vector<Entry>& accelerators() {
+  static const std::vector<Entry> all = {
+      {"constant", constant_relaxation_table, make<ConstantRelaxation>},
+      {"aitken", aitken_table, make<Aitken>},
+      {"iqn-ils", iqn_ils_table, make<IqnIls>},
+  };
+  return all;
+}
+
+}  // namespace
+
 void add_accelerator_keys(params::Table& table) {
-  table.variant("accelerator", "iqn-ils",
-                {{"constant", constant_relaxation_table()},
-                 {"aitken", aitken_table()},
-                 {"iqn-ils", iqn_ils_table()}},
+  std::vector<params::Table::Case> cases;
+  for (const Entry& entry : accelerators()) cases.push_back({entry.name, entry.table()});
+  table.variant("accelerator", "iqn-ils", cases,
                 "how the next interface displacement is made from the residual");
 }
 
 std::unique_ptr<Accelerator> make_accelerator(const Teuchos::ParameterList& list,
                                               const CommPtr& comm) {
   const auto& kind = list.get<std::string>("accelerator");
-  if (kind == "constant") return std::make_unique<ConstantRelaxation>(list);
-  if (kind == "aitken") return std::make_unique<Aitken>(list, comm);
-  return std::make_unique<IqnIls>(list, comm);
+  for (const Entry& entry : accelerators())
+    if (entry.name == kind) return entry.make(list, comm);
+  throw std::logic_error("\"" + kind + "\" is no accelerator");
 }
 
 fields::State::Array packed(const std::deque<InterfaceVector>& vectors) {

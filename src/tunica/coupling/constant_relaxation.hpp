@@ -6,7 +6,7 @@ namespace tunica::coupling {
 /// d ← d + ω r with a constant ω.
 class ConstantRelaxation : public Accelerator {
 public:
-  explicit ConstantRelaxation(const Teuchos::ParameterList& list)
+  ConstantRelaxation(const Teuchos::ParameterList& list, const CommPtr&)
       : factor_(list.get<double>("factor")) {}
 
   void begin_step() override {}

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/fault_point.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/boundary/surface_geometry.hpp"
@@ -140,6 +141,7 @@ bool DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
   iteration.residual = size_of(residual);
   if (iteration.residual < options_.tolerance) return true;
   const Stopwatch watch;
+  fault_point("coupling update");
   d = limited(d, accelerator_->next(d, residual));
   iteration.seconds("update") = watch.seconds();
   iteration.relaxation = accelerator_->relaxation();

@@ -14,19 +14,19 @@ namespace tunica::io {
 
 namespace {
 
-std::string synced(const std::string& path, int flags) {
+Outcome synced(const std::string& path, int flags) {
   errno = 0;
   const int file = ::open(path.c_str(), flags);
   const bool is_synced = file >= 0 && ::fsync(file) == 0;
-  const std::string problem = is_synced ? "" : "cannot flush " + path + system_reason();
+  const std::string reason = system_reason();
   if (file >= 0) ::close(file);
-  return problem;
+  return is_synced ? Outcome::success() : Outcome::failure("cannot flush " + path + reason);
 }
 
-std::string renamed(const std::string& from, const std::string& to) {
+Outcome renamed(const std::string& from, const std::string& to) {
   errno = 0;
-  if (std::rename(from.c_str(), to.c_str()) == 0) return "";
-  return "cannot rename " + from + " to " + to + system_reason();
+  if (std::rename(from.c_str(), to.c_str()) == 0) return Outcome::success();
+  return Outcome::failure("cannot rename " + from + " to " + to + system_reason());
 }
 
 }  // namespace
@@ -42,40 +42,41 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::note_failure() {
-  if (!file_ && problem_.empty()) problem_ = "cannot write " + draft_ + system_reason();
+  if (!file_ && outcome_.is_success())
+    outcome_ = Outcome::failure("cannot write " + draft_ + system_reason());
 }
 
 void AtomicFile::add(const std::string& text) {
-  if (!problem_.empty()) return;
+  if (outcome_.is_failure()) return;
   errno = 0;
   if (!file_.is_open()) file_.open(draft_, std::ios::trunc | std::ios::binary);
   file_ << text;
   note_failure();
 }
 
-std::string AtomicFile::close() {
+Outcome AtomicFile::close() {
   errno = 0;
   if (file_.is_open()) file_.close();
   note_failure();
-  return problem_;
+  return outcome_;
 }
 
-std::string AtomicFile::commit() {
-  if (close().empty()) problem_ = renamed(draft_, path_);
-  is_committed_ = problem_.empty();
-  return problem_;
+Outcome AtomicFile::commit() {
+  if (close().is_success()) outcome_ = renamed(draft_, path_);
+  is_committed_ = outcome_.is_success();
+  return outcome_;
 }
 
-std::string AtomicFile::commit_to_disk() {
-  if (close().empty()) problem_ = synced(draft_, O_WRONLY);
-  if (!commit().empty()) return problem_;
+Outcome AtomicFile::commit_to_disk() {
+  if (close().is_success()) outcome_ = synced(draft_, O_WRONLY);
+  if (commit().is_failure()) return outcome_;
   const std::string folder = std::filesystem::path(path_).parent_path().string();
-  const std::string problem = synced(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+  const Outcome flushed = synced(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
   // Some network file systems cannot flush folders; the file has its name all the same.
-  return errno == EINVAL || errno == ENOTSUP ? "" : problem;
+  return errno == EINVAL || errno == ENOTSUP ? Outcome::success() : flushed;
 }
 
-std::string replace_file(const std::string& path, const std::string& text) {
+Outcome replace_file(const std::string& path, const std::string& text) {
   AtomicFile file(path);
   file.add(text);
   return file.commit();
@@ -87,17 +88,19 @@ void write_file(const std::string& path, const std::string& text) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   TUNICA_CHECK(folder.empty() || std::filesystem::is_directory(folder),
                path + ": the folder does not exist. Create it first.");
-  const std::string problem = replace_file(path, text);
-  TUNICA_CHECK(problem.empty(), path + ": " + problem);
+  const Outcome written = replace_file(path, text);
+  TUNICA_CHECK(written.is_success(), path + ": " + written.reason());
 }
 
-std::string set_aside(const std::string& path, std::string& new_name) {
+Result<std::string> set_aside(const std::string& path) {
   const std::filesystem::path old(path);
   const std::string stem = (old.parent_path() / old.stem()).string() + ".old";
-  new_name = stem + old.extension().string();
+  std::string new_name = stem + old.extension().string();
   for (int n = 2; std::filesystem::exists(new_name); ++n)
     new_name = stem + "-" + std::to_string(n) + old.extension().string();
-  return renamed(path, new_name);
+  if (const Outcome moved = renamed(path, new_name); moved.is_failure())
+    return Result<std::string>::failure(moved.reason());
+  return new_name;
 }
 
 }  // namespace tunica::io

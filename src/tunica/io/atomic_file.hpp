@@ -2,13 +2,15 @@
 #include <fstream>
 #include <string>
 
+#include "tunica/base/outcome.hpp"
+
 namespace tunica::io {
 
 /// A file in the making: it grows as "<path>.tmp", gets its name by commit(), and is removed if
 /// that fails or is never reached. A reader sees the old file or the new one, never a part.
 ///
-/// Nothing throws: what goes wrong is returned as a sentence that names the file, empty on success,
-/// so that ranks can agree on it first. Not collective.
+/// Nothing throws: the reason of a failure names the file, so that ranks can agree on it first. Not
+/// collective.
 class AtomicFile {
 public:
   explicit AtomicFile(const std::string& path);
@@ -22,32 +24,32 @@ public:
   /// Appends to the draft. A failure is kept for close() and commit().
   void add(const std::string& text);
   /// Ends what add() does.
-  [[nodiscard]] std::string close();
+  Outcome close();
   /// Gives the draft its name.
-  [[nodiscard]] std::string commit();
+  Outcome commit();
   /// The same when the draft is on the disk; the folder follows, or a failing power could take the
   /// name back.
-  [[nodiscard]] std::string commit_to_disk();
+  Outcome commit_to_disk();
 
 private:
   void note_failure();
 
   std::string path_, draft_;
   std::ofstream file_;
-  std::string problem_;
+  Outcome outcome_ = Outcome::success();
   bool is_committed_ = false;
 };
 
 /// Replaces a file of a run by the text in one step. Returns as AtomicFile does.
-std::string replace_file(const std::string& path, const std::string& text);
+Outcome replace_file(const std::string& path, const std::string& text);
 
 /// Replaces a file that the user has named. Throws Error that begins with the path, and leaves all
 /// as it was.
 void write_file(const std::string& path, const std::string& text);
 
 /// Renames "fields.h5" to "fields.old.h5", or to "fields.old-2.h5" where that is taken, and so on:
-/// nothing is overwritten. new_name receives the name. Returns as AtomicFile does.
-std::string set_aside(const std::string& path, std::string& new_name);
+/// nothing is overwritten. The new path, or what went wrong. Not collective.
+Result<std::string> set_aside(const std::string& path);
 
 /// ": No space left on device" from errno, or empty if errno says nothing.
 std::string system_reason();

@@ -53,14 +53,15 @@ void CsvTable::keep(const std::string& heading, int kept_step) {
     if (step > 0 && step <= kept_step) kept += line + '\n';
   }
   earlier.close();
-  std::string problem, old_path;
-  if (is_another) problem = set_aside(path_, old_path);
-  if (is_another && problem.empty())
+  if (is_another) {
+    const Result<std::string> old_path = set_aside(path_);
+    if (old_path.is_failure()) throw std::runtime_error(old_path.reason());
     std::cerr << "warning: " << path_
-              << " has other columns than before and begins anew; its rows are in " << old_path
-              << std::endl;
-  if (problem.empty()) problem = replace_file(path_, heading + '\n' + kept);
-  if (!problem.empty()) throw std::runtime_error(problem);
+              << " has other columns than before and begins anew; its rows are in "
+              << old_path.value() << std::endl;
+  }
+  const Outcome written = replace_file(path_, heading + '\n' + kept);
+  if (written.is_failure()) throw std::runtime_error(written.reason());
 }
 
 void CsvTable::row(const std::vector<Cell>& cells) {

@@ -28,6 +28,9 @@ public:
     return close_(id);
   }
 
+  /// For where closing would wait for others in vain.
+  void leave_open() { id_ = H5I_INVALID_HID; }
+
 private:
   hid_t id_;
   Close close_;

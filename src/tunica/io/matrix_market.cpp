@@ -43,8 +43,7 @@ public:
 
   /// Collective.
   void finish() {
-    const std::string problem = agreed_message(*comm_, file_ ? file_->commit() : std::string());
-    if (!problem.empty()) throw std::runtime_error(problem);
+    on_root_or_fault(*comm_, [this] { return file_->commit(); });
   }
 
 private:

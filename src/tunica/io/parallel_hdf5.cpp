@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "tunica/base/agreement.hpp"
+#include "tunica/base/attempt.hpp"
 #include "tunica/base/error.hpp"
 
 namespace tunica::io {
@@ -22,26 +23,27 @@ MPI_Comm mpi_of(const CommPtr& comm) {
 }
 
 /// Takes room behind the end of a file, which HDF5 gives back on closing as far as it is not
-/// needed. Returns what went wrong, and then leaves the file as it was.
-std::string take_room(const std::string& path, long long bytes) {
+/// needed. A failure leaves the file as it was.
+Outcome take_room(const std::string& path, long long bytes) {
   const int file = ::open(path.c_str(), O_WRONLY);
-  if (file < 0) return "";  // HDF5 will say why
+  if (file < 0) return Outcome::success();  // HDF5 will say why
   const off_t end = lseek(file, 0, SEEK_END);
   const int failure = posix_fallocate(file, end, static_cast<off_t>(bytes));
   const bool is_restored = failure == 0 || ftruncate(file, end) == 0;
   ::close(file);
-  if (failure == 0) return "";
-  return path + ": no room for " + std::to_string(bytes) + " bytes: " + std::strerror(failure) +
-         (is_restored ? "" : "; the file's end is undefined");
+  if (failure == 0) return Outcome::success();
+  return Outcome::failure(path + ": no room for " + std::to_string(bytes) +
+                          " bytes: " + std::strerror(failure) +
+                          (is_restored ? "" : "; the file's end is undefined"));
 }
 
 hid_t open(const std::string& path, Hdf5File::Mode mode, long long bytes_to_come,
            const CommPtr& comm) {
   const bool is_new = mode == Hdf5File::Mode::create;
   const bool takes_room = !is_new && comm->getRank() == 0;
-  const std::string no_room =
-      agreed_message(*comm, takes_room ? take_room(path, bytes_to_come) : std::string());
-  if (!no_room.empty()) throw NoRoom(no_room);
+  const Outcome room =
+      agreed(*comm, takes_room ? take_room(path, bytes_to_come) : Outcome::success());
+  if (room.is_failure()) throw NoRoom(room.reason());
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_mpio(access, mpi_of(comm), MPI_INFO_NULL);
   H5Pset_all_coll_metadata_ops(access, true);
@@ -66,9 +68,14 @@ Result Hdf5File::noted(Result result, const std::string& action) {
 
 Hdf5File::Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, const CommPtr& comm)
     : path_(path), comm_(comm), file_(open(path, mode, bytes_to_come, comm), H5Fclose) {
+  side_channel(*comm_);  // for the destructor
   noted<hid_t>(file_, mode == Mode::create ? "create" : "open");
   const std::string problem = agreed_message(*comm_, failure_);
   if (!problem.empty()) throw MachineFault(problem);
+}
+
+Hdf5File::~Hdf5File() {
+  if (file_.is_valid() && !all_meet(*comm_)) file_.leave_open();
 }
 
 void Hdf5File::make_group(const std::string& name) {

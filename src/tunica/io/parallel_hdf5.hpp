@@ -35,6 +35,11 @@ public:
   /// disk has no room for the bytes to come. Room is taken beforehand because Open MPI does not
   /// return from a collective write in which one rank meets a full disk.
   Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, const CommPtr& comm);
+  /// Closes without a word about failures: the way out of an exception. A rank that throws alone
+  /// leaves the file open: closing takes all ranks.
+  ~Hdf5File();
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
 
   /// Names of what lies at the top.
   std::vector<std::string> groups();

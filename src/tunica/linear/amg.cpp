@@ -2,6 +2,8 @@
 
 #include <MueLu_CreateTpetraPreconditioner.hpp>
 
+#include "tunica/linear/setup_failure.hpp"
+
 namespace tunica::linear {
 
 Teuchos::RCP<Operator> make_amg(const Teuchos::RCP<CrsMatrix>& matrix) {
@@ -10,7 +12,11 @@ Teuchos::RCP<Operator> make_amg(const Teuchos::RCP<CrsMatrix>& matrix) {
   list.set("smoother: type", "CHEBYSHEV");
   list.set("coarse: max size", 500);
   const Teuchos::RCP<Operator> A = matrix;
-  return MueLu::CreateTpetraPreconditioner<Scalar, LocalOrdinal, GlobalOrdinal, Node>(A, list);
+  Teuchos::RCP<Operator> cycle;
+  set_up(*matrix->getComm(), "a multigrid cycle for one unknown per node", [&] {
+    cycle = MueLu::CreateTpetraPreconditioner<Scalar, LocalOrdinal, GlobalOrdinal, Node>(A, list);
+  });
+  return cycle;
 }
 
 }  // namespace tunica::linear

@@ -19,10 +19,12 @@
 #include <sstream>
 
 #include "tunica/base/error.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/base/fault_point.hpp"
+#include "tunica/base/out_of_memory.hpp"
 #include "tunica/linear/lu_strategy.hpp"
 #include "tunica/linear/nodal_multigrid.hpp"
 #include "tunica/linear/schur.hpp"
+#include "tunica/linear/setup_failure.hpp"
 #include "tunica/linear/thyra_operator.hpp"
 #include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
 #include "tunica/params/nearest.hpp"
@@ -143,6 +145,7 @@ void check_teko_list(Teuchos::ParameterList stratimikos,
     library->setRequestHandler(handler);
     if (library->getInverseFactory(name).is_null()) cause = "no such inverse";
   } catch (const std::exception& error) {
+    if (is_out_of_memory(error)) throw;
     cause = output.cause_of(error);
   }
   TUNICA_CHECK(cause.empty(), "the inverse \"" + name + "\" cannot be built: " + cause + "\n" +
@@ -224,12 +227,20 @@ void check_block_preconditioner(const Teuchos::ParameterList& stratimikos) {
 }
 
 void BlockPreconditioner::refresh() {
-  const TekoOutput output;
-  try {
-    Thyra::initializePrec<double>(*stack_->factory, stack_->K, stack_->preconditioner.ptr());
-  } catch (const std::exception& error) {
-    throw SetupFailure("the block preconditioner cannot be set up: " + output.cause_of(error));
-  }
+  const auto preconditioner = stack_->preconditioner;
+  // Should the set-up fail on one rank, then none keeps what would differ from rank to rank.
+  stack_->preconditioner = stack_->factory->createPrec();
+  set_up(*blocks_.map()->getComm(), "the block preconditioner", [&] {
+    const TekoOutput output;
+    try {
+      fault_point("block set-up");
+      Thyra::initializePrec<double>(*stack_->factory, stack_->K, preconditioner.ptr());
+    } catch (const std::exception& error) {
+      if (is_out_of_memory(error)) throw;
+      throw std::runtime_error(output.cause_of(error));
+    }
+  });
+  stack_->preconditioner = preconditioner;
 }
 
 void BlockPreconditioner::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,

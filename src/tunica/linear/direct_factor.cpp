@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "tunica/base/attempt.hpp"
+#include "tunica/base/fault_point.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
 
@@ -13,17 +15,19 @@ struct DirectFactor::Solver {
 
 DirectFactor::DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix)
     : matrix_(matrix), solver_(Teuchos::rcp(new Solver)) {
-  solver_->klu2 = smoothers::make_sparse_lu(matrix_);
+  set_up(*matrix_->getComm(), "the direct solver",
+         [this] { solver_->klu2 = smoothers::make_sparse_lu(matrix_); });
 }
 
 DirectFactor::~DirectFactor() = default;
 
 void DirectFactor::refresh() {
-  try {
+  const Outcome outcome = attempt(*matrix_->getComm(), "factoring a matrix", [this] {
+    fault_point("direct set-up");
     smoothers::refactor(*solver_->klu2, matrix_);
-  } catch (const std::exception&) {  // Amesos2 tells of its source lines
+  });
+  if (outcome.is_failure())  // Amesos2 tells of its source lines
     throw SetupFailure("the matrix is singular: are all rigid motions held, is a pressure given?");
-  }
 }
 
 void DirectFactor::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,

@@ -1,16 +1,7 @@
 #pragma once
-#include <stdexcept>
-
-#include "tunica/base/types.hpp"
+#include "tunica/linear/setup_failure.hpp"
 
 namespace tunica::linear {
-
-/// A matrix that cannot be factored; on all ranks alike. A result for Newton's method, not a
-/// fault.
-class SetupFailure : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Sparse LU factors of a matrix by Amesos2's KLU2; the factors live on rank 0. For small
 /// systems. The graph must not change after construction.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tunica/base/fault_point.hpp"
 #include "tunica/linear/gcr.hpp"
 
 namespace tunica::linear {
@@ -39,6 +40,7 @@ KrylovResult solve_krylov(const KrylovOptions& options, const Teuchos::RCP<const
   factory.addFactory(Teuchos::rcp(new GcrFactory));
   const auto solver = factory.create(options.method, belos_list(options, tolerance));
   solver->setProblem(problem);
+  fault_point("krylov solve");
   try {
     solver->solve();
     return {solver->getNumIters(), solver->achievedTol()};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 #include "tunica/algebra/merged_matrix.hpp"
@@ -11,7 +10,6 @@
 #include "tunica/linear/counting_operator.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "tunica/linear/krylov.hpp"
-#include "tunica/linear/preconditioned_system.hpp"
 #include "tunica/linear/refresh_rule.hpp"
 
 namespace tunica::linear {
@@ -68,23 +66,15 @@ private:
   bool is_stale_ = true;
 };
 
-/// A set-up in iterations, roughly as measured for the default lists on walls and fluids of 10,000
-/// to 200,000 unknowns.
-double setup_cost(const std::string& preconditioner) {
-  static const std::map<std::string, double> costs{
-      {"ilu", 20.0}, {"block", 8.0}, {"multigrid", 4.0}, {"direct", 100.0}, {"none", 0.0}};
-  return costs.at(preconditioner);
-}
-
 class KrylovSolver final : public LinearSolver {
 public:
   KrylovSolver(const Teuchos::ParameterList& options, const algebra::BlockMatrix& K,
                const NamedOperators& operators)
       : options_{options.get<std::string>("method"), options.get<int>("max iterations"),
                  options.isParameter("restart") ? options.get<int>("restart") : 0},
-        rule_(options.get<double>("refresh factor"),
-              setup_cost(options.get<std::string>("preconditioner"))),
-        system_(make_system(options, K, operators)), b_(system_->map(), 1), x_(system_->map(), 1) {
+        rule_(options.get<double>("refresh factor"), preconditioner_of(options).setup_cost),
+        system_(preconditioner_of(options).make(options, K, operators)), b_(system_->map(), 1),
+        x_(system_->map(), 1) {
     for (char& c : options_.method) c = static_cast<char>(std::toupper(c));
   }
 
@@ -163,7 +153,7 @@ private:
 
 params::Table krylov_table(const SolverDefaults& defaults, bool has_restart) {
   params::Table table;
-  add_preconditioner_keys(table, defaults.preconditioner, defaults.block, defaults.cycle);
+  add_preconditioner_keys(table, defaults);
   table.integer("max iterations", 200, params::between(1, 1e6), "cap on the iterations")
       .number(
           "refresh factor", 1.0, params::non_negative(), "1",

@@ -3,9 +3,8 @@
 #include <string>
 
 #include "tunica/algebra/block_matrix.hpp"
-#include "tunica/linear/block_preconditioner.hpp"
 #include "tunica/linear/named_operators.hpp"
-#include "tunica/multigrid/muelu/cycle.hpp"
+#include "tunica/linear/preconditioner_registry.hpp"
 #include "tunica/params/table.hpp"
 
 namespace tunica::linear {
@@ -41,15 +40,6 @@ public:
   /// Solves from a zero start. Collective.
   virtual SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                             double tolerance) = 0;
-};
-
-/// What a field makes of keys that are not given.
-struct SolverDefaults {
-  std::string preconditioner = "block";
-  /// The Stratimikos list of the block preconditioner.
-  Teuchos::ParameterList block = default_block_preconditioner(1, 1);
-  /// The MueLu list of the multigrid cycle.
-  Teuchos::ParameterList cycle = multigrid::mixed_cycle_list(2);
 };
 
 /// The keys of a "Linear Solver" list.

@@ -2,9 +2,7 @@
 #include <memory>
 
 #include "tunica/algebra/block_matrix.hpp"
-#include "tunica/linear/named_operators.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
-#include "tunica/params/table.hpp"
 
 namespace tunica::linear {
 
@@ -29,17 +27,5 @@ public:
   virtual void gather(const algebra::BlockVector& x, MultiVector& all) const = 0;
   virtual void scatter(const MultiVector& all, algebra::BlockVector& x) const = 0;
 };
-
-/// Adds the key "preconditioner" with its default and the keys of each preconditioner; block and
-/// cycle are the default lists of the block preconditioner and of the multigrid cycle.
-void add_preconditioner_keys(params::Table& table, const std::string& fallback,
-                             const Teuchos::ParameterList& block,
-                             const Teuchos::ParameterList& cycle);
-
-/// The system for the preconditioner that the resolved list names. K and operators must
-/// outlive it.
-std::unique_ptr<PreconditionedSystem> make_system(const Teuchos::ParameterList& list,
-                                                  const algebra::BlockMatrix& K,
-                                                  const NamedOperators& operators);
 
 }  // namespace tunica::linear

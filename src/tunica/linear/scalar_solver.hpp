@@ -19,6 +19,7 @@ public:
 /// The keys of a "Linear Solver" list for symmetric positive definite scalar problems.
 params::Table scalar_solver_table();
 
+/// Throws SetupFailure (setup_failure.hpp) for a singular matrix. Collective.
 std::unique_ptr<ScalarSolver> make_scalar_solver(const Teuchos::ParameterList& options,
                                                  const Teuchos::RCP<CrsMatrix>& K);
 

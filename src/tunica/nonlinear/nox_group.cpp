@@ -4,6 +4,8 @@
 #include <Thyra_TpetraThyraWrappers.hpp>
 #include <cmath>
 
+#include "tunica/base/fault_point.hpp"
+
 namespace tunica::nonlinear {
 
 algebra::BlockVector blocks_of(const NOX::Abstract::Vector& v,
@@ -70,6 +72,7 @@ NOX::Abstract::Group::ReturnType NoxGroup::computeF() {
 }
 
 NOX::Abstract::Group::ReturnType NoxGroup::computeJacobian() {
+  fault_point("jacobian");
   if (!is_jacobian_) problem_->jacobian(blocks(x_));
   is_jacobian_ = true;
   return Ok;

@@ -36,8 +36,7 @@ void check_steps(const io::Hdf5Reader& in, const std::string& xdmf) {
 
 }  // namespace
 
-std::string why_not_continued(const std::string& folder, const std::vector<GridSize>& grids,
-                              int step) {
+Outcome can_be_continued(const std::string& folder, const std::vector<GridSize>& grids, int step) {
   try {
     for (const GridSize& grid : grids) {
       const auto points = row_numbers(folder, grid.name + "/vertices").size();
@@ -48,16 +47,15 @@ std::string why_not_continued(const std::string& folder, const std::vector<GridS
     }
     check_steps(io::Hdf5Reader(folder + "/" + hdf5_name), xdmf_up_to(step, folder));
   } catch (const Error& error) {
-    return error.what();
+    return Outcome::failure(error.what());
   }
-  return "";
+  return Outcome::success();
 }
 
-std::string set_fields_aside(const std::string& folder) {
-  std::string new_path;
-  const std::string problem = io::set_aside(folder + "/" + hdf5_name, new_path);
-  if (!problem.empty()) return problem;
-  const std::filesystem::path moved(new_path);
+Outcome set_fields_aside(const std::string& folder) {
+  const Result<std::string> new_path = io::set_aside(folder + "/" + hdf5_name);
+  if (new_path.is_failure()) return new_path.outcome();
+  const std::filesystem::path moved(new_path.value());
   const std::string name = moved.filename().string(), mark = std::string(hdf5_name) + ":";
   std::string text = content(folder + "/" + xdmf_name);
   for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "tunica/base/outcome.hpp"
 #include "tunica/base/types.hpp"
 
 namespace tunica::output {
@@ -14,14 +15,13 @@ struct GridSize {
   long long points, cells;
 };
 
-/// Why the field files of a folder cannot go on behind that step; empty if they can: the grids are
-/// of these sizes and all finished steps are there. Not collective.
-std::string why_not_continued(const std::string& folder, const std::vector<GridSize>& grids,
-                              int step);
+/// Whether the field files of a folder can go on behind that step: the grids are of these sizes and
+/// all finished steps are there. Not collective.
+Outcome can_be_continued(const std::string& folder, const std::vector<GridSize>& grids, int step);
 
 /// Gives the field files of a folder names that are free, fields.old.h5 and fields.old.xdmf or
-/// such. Returns what went wrong; empty on success. Not collective.
-std::string set_fields_aside(const std::string& folder);
+/// such. Not collective.
+Outcome set_fields_aside(const std::string& folder);
 
 /// The XDMF text of the steps of a folder up to that one. Not collective.
 std::string xdmf_up_to(int step, const std::string& folder);

@@ -9,6 +9,7 @@
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/fault_point.hpp"
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/io/parallel_hdf5.hpp"
 #include "tunica/output/field_files.hpp"
@@ -109,23 +110,24 @@ bool FieldWriter::can_go_on(int kept_step) {
   if (kept_step == 0) return false;
   const bool is_root = comm_->getRank() == 0;
   const bool exists = std::filesystem::exists(folder_ + "/" + hdf5_name);
-  std::string obstacle;
+  Outcome going_on = Outcome::success();
   if (is_root) {
     std::vector<GridSize> sizes;
     for (const Shape& s : shapes_) sizes.push_back({s.name, s.points_total, s.cells_total});
-    obstacle = exists ? why_not_continued(folder_, sizes, kept_step) : "it does not exist";
+    going_on = exists ? can_be_continued(folder_, sizes, kept_step)
+                      : Outcome::failure("it does not exist");
   }
-  obstacle = agreed_message(*comm_, obstacle);
+  going_on = agreed(*comm_, going_on);
   try {
-    if (obstacle.empty()) drop_steps_behind(kept_step, folder_, comm_);
+    if (going_on.is_success()) drop_steps_behind(kept_step, folder_, comm_);
   } catch (const io::NoRoom&) {
     throw;
   } catch (const MachineFault& fault) {  // a killed run may leave a group in pieces
-    obstacle = fault.what();
+    going_on = Outcome::failure(fault.what());
   }
-  if (obstacle.empty()) return true;
-  on_root_or_fault(*comm_, [&] { return exists ? set_fields_aside(folder_) : std::string(); });
-  remark_ = std::string(hdf5_name) + " cannot be continued and begins anew: " + obstacle;
+  if (going_on.is_success()) return true;
+  on_root_or_fault(*comm_, [&] { return exists ? set_fields_aside(folder_) : Outcome::success(); });
+  remark_ = std::string(hdf5_name) + " cannot be continued and begins anew: " + going_on.reason();
   return false;
 }
 
@@ -266,6 +268,7 @@ void FieldWriter::write_blocks(const std::string& group) const {
   }
   io::Hdf5File file(folder_ + "/" + hdf5_name, io::Hdf5File::Mode::extend,
                     bytes_of(numbers, datasets), comm_);
+  fault_point("field output");
   file.make_group(group);
   file.attribute(group, "step", static_cast<long long>(step_));
   file.attribute(group, "time", time_);

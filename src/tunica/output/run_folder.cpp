@@ -12,32 +12,32 @@ namespace tunica::output {
 
 namespace {
 
-/// Empty if the folder exists now and takes files.
-std::string create(const std::string& path) {
+/// Success if the folder exists now and takes files.
+Outcome create(const std::string& path) {
   const std::string advice = " Choose another folder with --output.";
   std::error_code failure;
   std::filesystem::create_directories(path, failure);
   if (failure) {
-    return "Output folder \"" + path + "\" cannot be created: " + failure.message() + "." + advice;
+    return Outcome::failure("Output folder \"" + path +
+                            "\" cannot be created: " + failure.message() + "." + advice);
   }
   if (!std::filesystem::is_directory(path)) {
-    return "Output folder \"" + path + "\" is a file, expected a folder or nothing." + advice;
+    return Outcome::failure("Output folder \"" + path +
+                            "\" is a file, expected a folder or nothing." + advice);
   }
   const std::string probe = path + "/.write-probe";
-  const std::string problem = io::replace_file(probe, "writable\n");
+  const Outcome written = io::replace_file(probe, "writable\n");
   std::remove(probe.c_str());
-  if (!problem.empty()) {
-    return "Output folder \"" + path + "\" takes no files: " + problem + "." + advice;
-  }
-  return "";
+  if (written.is_success()) return written;
+  return Outcome::failure("Output folder \"" + path + "\" takes no files: " + written.reason() +
+                          "." + advice);
 }
 
 }  // namespace
 
 RunFolder::RunFolder(const std::string& path, const CommPtr& comm) : path_(path) {
-  const std::string problem =
-      agreed_message(*comm, comm->getRank() == 0 ? create(path_) : std::string());
-  TUNICA_CHECK(problem.empty(), problem);
+  const Outcome outcome = agreed(*comm, comm->getRank() == 0 ? create(path_) : Outcome::success());
+  TUNICA_CHECK(outcome.is_success(), outcome.reason());
 }
 
 std::string RunFolder::file(const std::string& name) const { return path_ + "/" + name; }

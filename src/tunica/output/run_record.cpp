@@ -80,8 +80,8 @@ RunRecord::~RunRecord() {
   status_ = RunStatus::failed;
   ended_ = now();
   try {
-    io::replace_file(path_, text());
-  } catch (const std::exception&) {  // on the way out of another failure
+    static_cast<void>(io::replace_file(path_, text()));  // on the way out of another failure
+  } catch (const std::exception&) {
   }
 }
 

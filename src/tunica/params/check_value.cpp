@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tunica/base/out_of_memory.hpp"
 #include "tunica/params/nearest.hpp"
 #include "tunica/params/value.hpp"
 
@@ -150,6 +151,7 @@ std::string check_foreign(const Key& key, const ParameterList& list, const std::
     list.validateParameters(key.valid);
     return "";
   } catch (const std::exception& error) {
+    if (is_out_of_memory(error)) throw;
     const std::string problem = foreign_problem(list, key.valid, path);
     return problem.empty() ? prefix(path) + essence(error.what()) : problem;
   }

@@ -9,9 +9,11 @@
 #include <sstream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/out_of_memory.hpp"
 #include "tunica/params/content.hpp"
 #include "tunica/params/nearest.hpp"
 #include "tunica/params/value.hpp"
+#include "tunica/params/xml_depth.hpp"
 
 namespace tunica::params {
 
@@ -65,7 +67,8 @@ Teuchos::ParameterEntry Builder::entry(const XMLObject& node, const std::string&
   }
   try {
     return Teuchos::ParameterEntryXMLConverterDB::getConverter(node)->fromXMLtoParameterEntry(node);
-  } catch (const std::exception&) {
+  } catch (const std::exception& error) {
+    if (is_out_of_memory(error)) throw;
     fail(path, "\"" + name + "\" has the unknown type \"" + type + "\" or a value \"" + text +
                    "\" that does not fit. " + did_you_mean(type, known));
   }
@@ -91,9 +94,14 @@ std::string essence(const std::string& message) {
 
 XMLObject parse(const std::string& text, const std::string& path) {
   TUNICA_CHECK(!trimmed(text).empty(), path + ": the file is empty, expected a <ParameterList>");
+  const int line = line_too_deep(text);
+  TUNICA_CHECK(line == 0, path + ": at line " + std::to_string(line) +
+                              " lists are nested more than " + std::to_string(deepest_list) +
+                              " deep, expected at most " + std::to_string(deepest_list) + ".");
   try {
     return Teuchos::StringInputSource(text).getObject();
   } catch (const std::exception& error) {
+    if (is_out_of_memory(error)) throw;
     throw Error(path + ": not well-formed XML: " + trimmed(essence(error.what())));
   }
 }

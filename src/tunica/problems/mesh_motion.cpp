@@ -1,5 +1,7 @@
 #include "tunica/problems/mesh_motion.hpp"
 
+#include "tunica/base/fault_point.hpp"
+
 namespace tunica::problems {
 
 MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
@@ -18,6 +20,7 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement) {
       for (int i = 0; i < 3; ++i)
         view(a, i) = is_interface_[a] ? interface_displacement[a][i] : 0.0;
   }
+  fault_point("mesh motion");
   if (const Outcome outcome = harmonic_.extend(total); outcome.is_failure()) return outcome;
   MultiVector ghosted(mesh_->ghosted_map, 3);
   ghosted.doImport(total, *mesh_->import, insert);

@@ -7,6 +7,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/exception_summary.hpp"
+#include "tunica/base/out_of_memory.hpp"
 
 namespace tunica::systems {
 
@@ -21,6 +22,7 @@ auto reading(const std::string& path, const Read& read) {
   try {
     return read();
   } catch (const std::exception& error) {
+    if (is_out_of_memory(error)) throw;
     const std::string cause =
         exception_summary(error.what());  // ends with files of Trilinos itself
     throw Error(path +

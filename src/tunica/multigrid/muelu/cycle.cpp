@@ -9,6 +9,7 @@
 
 #include "tunica/algebra/columns.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/out_of_memory.hpp"
 #include "tunica/multigrid/coarsening/matrix_coarsening.hpp"
 #include "tunica/multigrid/muelu/blocked_matrix.hpp"
 #include "tunica/multigrid/muelu/factory_factory.hpp"
@@ -29,6 +30,13 @@ using Wrapper = Xpetra::TpetraMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, N
 
 const std::string cannot_work_on_blocks =
     "a smoother or another factory of the list cannot work on a matrix of blocks: ";
+
+std::vector<std::string> names_of_ours() {
+  std::vector<std::string> names;
+  for (const FactoryEntry& entry : our_factories()) names.push_back(entry.name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
 
 /// What must follow new values, in this order; empty where a part cannot.
 std::vector<algebra::Refreshable*> parts_to_refresh(Hierarchy& hierarchy) {
@@ -153,12 +161,13 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked) {
     const Interpreter interpreter(list, Teuchos::rcp(new Teuchos::SerialComm<int>),
                                   make_factory_factory(Teuchos::null));
   } catch (const std::exception& error) {
+    if (is_out_of_memory(error)) throw;
     cause = error.what();
   }
   const auto found = cause.find("unknown factory name : ");
   if (found != std::string::npos)
     cause = cause.substr(found, cause.find('\n', found) - found) + ". Ours are " +
-            params::quoted(our_factories()) + ", the others are those of MueLu's user's guide.";
+            params::quoted(names_of_ours()) + ", the others are those of MueLu's user's guide.";
   TUNICA_CHECK(cause.empty(), cause);
   check_matrix_kind(muelu, is_blocked);
 }

@@ -4,14 +4,14 @@
 #include <string>
 
 #include "tunica/base/error.hpp"
+#include "tunica/multigrid/muelu/factory_registry.hpp"
 
 namespace tunica::multigrid {
 
 namespace {
 
-const std::set<std::string> for_one_matrix{"GalerkinFactory",  "NodalBraessSarazinSmoother",
-                                           "NodalIluSmoother", "NodalPFactory",
-                                           "RAPFactory",       "VankaSmoother"};
+// Of MueLu's own factories; all others work on either.
+const std::set<std::string> for_one_matrix{"RAPFactory"};
 const std::set<std::string> for_blocks{"BlockedCoarseMapFactory",
                                        "BlockedDirectSolver",
                                        "BlockedGaussSeidelSmoother",
@@ -20,7 +20,6 @@ const std::set<std::string> for_blocks{"BlockedCoarseMapFactory",
                                        "BlockedRAPFactory",
                                        "BraessSarazinSmoother",
                                        "IndefiniteBlockDiagonalSmoother",
-                                       "NodalBlockedPFactory",
                                        "ReorderBlockAFactory",
                                        "SchurComplementFactory",
                                        "SimpleSmoother",
@@ -29,9 +28,15 @@ const std::set<std::string> for_blocks{"BlockedCoarseMapFactory",
                                        "UzawaSmoother",
                                        "ZeroSubBlockAFactory"};
 
+MatrixKind kind_of(const std::string& factory) {
+  if (const FactoryEntry* const ours = find_factory(factory)) return ours->works_on;
+  if (for_one_matrix.count(factory) > 0) return MatrixKind::merged;
+  return for_blocks.count(factory) > 0 ? MatrixKind::blocked : MatrixKind::either;
+}
+
 void check_name(const std::string& name, bool is_blocked) {
-  const auto& wrong = is_blocked ? for_one_matrix : for_blocks;
-  TUNICA_CHECK(wrong.count(name) == 0, name + " needs \"matrix\" = \"" +
+  const auto wrong = is_blocked ? MatrixKind::merged : MatrixKind::blocked;
+  TUNICA_CHECK(kind_of(name) != wrong, name + " needs \"matrix\" = \"" +
                                            (is_blocked ? "merged" : "blocked") + "\", found \"" +
                                            (is_blocked ? "blocked" : "merged") + "\".");
 }

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "tunica/base/out_of_memory.hpp"
+
 namespace tunica::multigrid {
 
 Teuchos::RCP<const Teuchos::ParameterList> SparseLuSolver::GetValidParameterList() const {
@@ -19,7 +21,8 @@ void SparseLuSolver::set_up(int, const Teuchos::RCP<::tunica::CrsMatrix>& K) {
 void SparseLuSolver::refresh() {
   try {
     smoothers::refactor(*lu_, matrix_);
-  } catch (const std::exception&) {  // Amesos2 tells of its source lines
+  } catch (const std::exception& error) {  // Amesos2 tells of its source lines
+    if (is_out_of_memory(error)) throw;
     throw std::runtime_error("the matrix of the coarsest level is singular.");
   }
 }

@@ -1,0 +1,145 @@
+#include "tunica/app/guard.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <thread>
+#include <vector>
+
+#include "tunica/app/exit_status.hpp"
+#include "tunica/app/fatal_signals.hpp"
+#include "tunica/base/attempt.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/base/exception_summary.hpp"
+#include "tunica/base/out_of_memory.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+/// How long a failed rank waits to hear of others.
+constexpr std::chrono::seconds patience(2);
+constexpr int tag = 1;
+
+struct Ending {
+  int status;
+  std::string message;
+};
+
+[[noreturn]] void abort_all() {
+  int is_running = 0;
+  MPI_Initialized(&is_running);
+  if (is_running != 0) MPI_Abort(MPI_COMM_WORLD, exit_fault);
+  std::_Exit(exit_fault);
+}
+
+/// Tells all ranks of the own status and returns theirs; 0 of those that are not heard of in time.
+std::vector<int> statuses(MPI_Comm channel, int rank, int size, int status) {
+  static int own = 0;  // sent to ranks that may never take it
+  own = status;
+  std::vector<int> all(size, 0);
+  all[rank] = status;
+  for (int to = 0; to < size; ++to) {
+    MPI_Request unused = MPI_REQUEST_NULL;
+    if (to != rank) MPI_Isend(&own, 1, MPI_INT, to, tag, channel, &unused);
+  }
+  const auto end = std::chrono::steady_clock::now() + patience;
+  for (int heard = 1; heard < size && std::chrono::steady_clock::now() < end;) {
+    int is_there = 0;
+    MPI_Status envelope;
+    MPI_Iprobe(MPI_ANY_SOURCE, tag, channel, &is_there, &envelope);
+    if (is_there != 0) {
+      MPI_Recv(&all[envelope.MPI_SOURCE], 1, MPI_INT, envelope.MPI_SOURCE, tag, channel,
+               MPI_STATUS_IGNORE);
+      ++heard;
+    } else {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  return all;
+}
+
+int end(const Comm& comm, const Ending& ending) {
+  const MPI_Comm channel = side_channel(comm);
+  const int rank = comm.getRank(), size = comm.getSize();
+  const std::vector<int> all = channel == MPI_COMM_NULL
+                                   ? std::vector<int>{ending.status}
+                                   : statuses(channel, rank, size, ending.status);
+  const bool have_all_failed = std::count(all.begin(), all.end(), 0) == 0;
+  const auto speaker = std::max_element(all.begin(), all.end()) - all.begin();
+  const std::string mine = "rank " + std::to_string(rank);
+  const bool is_named = have_all_failed || ending.message.find(mine) != std::string::npos;
+  if (speaker == rank)
+    std::cerr << ending.message << (is_named ? "" : " (on " + mine + " alone)") << std::endl;
+  if (have_all_failed && all[speaker] != exit_fault) return all[speaker];
+  if (size == 1) return exit_fault;
+  if (speaker != rank) std::this_thread::sleep_for(patience);  // it speaks before all end
+  abort_all();
+}
+
+/// Of an exception that is on its way.
+Ending ending_of() {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return {exit_bad_input, error.what()};
+  } catch (const MachineFault& fault) {
+    return {exit_fault, fault.what()};
+  } catch (const std::exception& error) {
+    return {exit_fault,
+            is_out_of_memory(error) ? out_of_memory_text() : exception_summary(error.what())};
+  } catch (const char* message) {  // NOX throws plain strings
+    return {exit_fault, message};
+  } catch (...) {
+    return {exit_fault, "an exception without a message"};
+  }
+}
+
+/// For std::set_terminate: an exception left a destructor, or met another one. Nothing can be
+/// agreed, and there may be no memory for words.
+[[noreturn]] void terminated() {
+  try {
+    if (std::current_exception()) throw;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tunica: ended in: %s\n", error.what());
+  } catch (...) {
+  }
+  abort_all();
+}
+
+/// MPI's own way to fail ends a program with a status of its own.
+void mpi_failed(MPI_Comm*, int* code, ...) {
+  char text[MPI_MAX_ERROR_STRING] = "";
+  int length = 0;
+  MPI_Error_string(*code, text, &length);
+  std::fprintf(stderr, "tunica: ended in MPI: %s\n", text);
+  abort_all();
+}
+
+void watch_ends(const std::string& program, int rank) {
+  catch_fatal_signals(program, rank);
+  set_memory_aside();
+  std::set_terminate(terminated);
+  MPI_Errhandler handler;
+  MPI_Comm_create_errhandler(mpi_failed, &handler);
+  MPI_Comm_set_errhandler(MPI_COMM_WORLD, handler);
+}
+
+}  // namespace
+
+int guarded(const std::string& program, const Comm& comm, const std::function<int()>& work) {
+  watch_ends(program, comm.getRank());
+  side_channel(comm);
+  try {
+    return work();
+  } catch (...) {
+    Ending ending = ending_of();
+    ending.message = program + ": " + ending.message;
+    return end(comm, ending);
+  }
+}
+
+}  // namespace tunica::app

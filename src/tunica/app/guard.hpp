@@ -1,0 +1,16 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "tunica/base/types.hpp"
+
+namespace tunica::app {
+
+/// Does the work of a program: the one place where exceptions become exit statuses.
+///
+/// What all ranks throw alike is told by one of them. A rank that fails alone leaves the others
+/// waiting for it: after a moment it tells why and ends them all, with exit_fault whatever it was.
+/// So do exceptions that nothing catches. Collective.
+int guarded(const std::string& program, const Comm& comm, const std::function<int()>& work);
+
+}  // namespace tunica::app

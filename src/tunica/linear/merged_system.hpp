@@ -1,0 +1,47 @@
+#pragma once
+#include <functional>
+
+#include "tunica/algebra/merged_matrix.hpp"
+#include "tunica/linear/preconditioned_system.hpp"
+
+namespace tunica::linear {
+
+/// A preconditioner of one matrix.
+class MatrixPreconditioner {
+public:
+  virtual ~MatrixPreconditioner() = default;
+
+  /// Sets up for the present values. Throws SetupFailure where they do not permit it. Collective.
+  virtual void refresh() = 0;
+  /// Null: none.
+  virtual Teuchos::RCP<const Operator> as_operator() const = 0;
+  /// Of a multigrid hierarchy. Collective.
+  virtual multigrid::Levels levels() const { return {}; }
+};
+
+/// One matrix with the unknowns of a node side by side, and a preconditioner of it.
+class MergedSystem final : public PreconditionedSystem {
+public:
+  using Maker =
+      std::function<std::unique_ptr<MatrixPreconditioner>(const Teuchos::RCP<CrsMatrix>&)>;
+
+  MergedSystem(const algebra::BlockMatrix& K, const Maker& make)
+      : K_(K), preconditioner_(make(K_.matrix())) {}
+
+  Teuchos::RCP<const Map> map() const override { return K_.matrix()->getRowMap(); }
+  Teuchos::RCP<const Operator> matrix() const override { return K_.matrix(); }
+  Teuchos::RCP<const Operator> preconditioner() const override {
+    return preconditioner_->as_operator();
+  }
+  void refresh_matrix() override { K_.refresh(); }
+  void refresh_preconditioner() override { preconditioner_->refresh(); }
+  multigrid::Levels levels() const override { return preconditioner_->levels(); }
+  void gather(const algebra::BlockVector& x, MultiVector& all) const override { K_.merge(x, all); }
+  void scatter(const MultiVector& all, algebra::BlockVector& x) const override { K_.split(all, x); }
+
+private:
+  algebra::MergedMatrix K_;
+  std::unique_ptr<MatrixPreconditioner> preconditioner_;
+};
+
+}  // namespace tunica::linear

@@ -1,0 +1,44 @@
+#include "tunica/linear/preconditioner_registry.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "tunica/linear/preconditioners/block.hpp"
+#include "tunica/linear/preconditioners/cycle.hpp"
+#include "tunica/linear/preconditioners/direct.hpp"
+#include "tunica/linear/preconditioners/ilu.hpp"
+#include "tunica/linear/preconditioners/none.hpp"
+
+namespace tunica::linear {
+
+const std::vector<PreconditionerEntry>& preconditioners() {
+  static const std::vector<PreconditionerEntry> all = {
+      ilu_preconditioner(),     // "ilu"
+      block_preconditioner(),   // "block"
+      cycle_preconditioner(),   // "multigrid"
+      direct_preconditioner(),  // "direct"
+      no_preconditioner(),      // "none"
+  };
+  return all;
+}
+
+const PreconditionerEntry& preconditioner_of(const Teuchos::ParameterList& list) {
+  const auto& name = list.get<std::string>("preconditioner");
+  const auto& all = preconditioners();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.name == name; });
+  if (found == all.end()) throw std::logic_error("\"" + name + "\" is no preconditioner");
+  return *found;
+}
+
+void add_preconditioner_keys(params::Table& table, const SolverDefaults& defaults) {
+  std::vector<params::Table::Case> cases;
+  for (const PreconditionerEntry& entry : preconditioners())
+    cases.push_back({entry.name, entry.table(defaults)});
+  table.variant("preconditioner", defaults.preconditioner, cases,
+                "right preconditioner: incomplete LU with additive Schwarz between ranks, a "
+                "block preconditioner, a multigrid cycle for the whole system, sparse LU factors "
+                "(worth it where they are kept), or none");
+}
+
+}  // namespace tunica::linear

@@ -1,0 +1,105 @@
+#include "tunica/multigrid/muelu/factory_registry.hpp"
+
+#include <MueLu_SmootherFactory.hpp>
+#include <algorithm>
+#include <type_traits>
+
+#include "tunica/multigrid/muelu/braess_sarazin_smoother.hpp"
+#include "tunica/multigrid/muelu/galerkin_factory.hpp"
+#include "tunica/multigrid/muelu/ifpack2_smoother.hpp"
+#include "tunica/multigrid/muelu/nodal_blocked_p_factory.hpp"
+#include "tunica/multigrid/muelu/nodal_ilu_smoother.hpp"
+#include "tunica/multigrid/muelu/nodal_p_factory.hpp"
+#include "tunica/multigrid/muelu/sparse_lu_solver.hpp"
+#include "tunica/multigrid/muelu/vanka_smoother.hpp"
+#include "tunica/params/known_keys.hpp"
+
+namespace tunica::multigrid {
+
+namespace {
+
+using Made = Teuchos::RCP<const MueLu::FactoryBase>;
+
+/// MueLu passes over what a factory does not know.
+void check_keys(const Teuchos::ParameterList& list, const MueLu::Factory& factory) {
+  const auto valid = factory.GetValidParameterList();
+  std::vector<std::string> known{"factory"};
+  for (const auto& item : *valid) known.push_back(item.first);
+  params::check_keys(list, known,
+                     list.isParameter("factory") ? list.get<std::string>("factory") : "");
+}
+
+template <class Ours>
+Teuchos::RCP<Ours> built(const FactoryRequest& request) {
+  check_keys(request.list, Ours());
+  return request.builder.template Build2<Ours>(request.list, request.factories, request.managers);
+}
+
+/// Those for mixed matrices know the numbers of the unknowns.
+template <class Ours>
+Made smoother(const FactoryRequest& request) {
+  using Smoothers = MueLu::SmootherFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  const Teuchos::RCP<Ours> prototype = built<Ours>(request);
+  if constexpr (std::is_base_of_v<MixedSmoother, Ours>)
+    prototype->set_coarsening(request.coarsening);
+  return Teuchos::rcp(new Smoothers(prototype));
+}
+
+Made galerkin(const FactoryRequest& request) {
+  const auto factory = built<GalerkinFactory>(request);
+  factory->set_coarsening(request.coarsening);
+  return factory;
+}
+
+template <class Ours>
+Made prolongator(const FactoryRequest& request) {
+  const auto factory = Teuchos::rcp(new Ours(request.coarsening));
+  check_keys(request.list, *factory);
+  if (request.list.isParameter("A"))
+    factory->SetFactory("A", request.builder.BuildFactory(request.list.getEntry("A"),
+                                                          request.factories, request.managers));
+  return factory;
+}
+
+}  // namespace
+
+const std::vector<FactoryEntry>& our_factories() {
+  static const std::vector<FactoryEntry> all = {
+      {"NodalPFactory", MatrixKind::merged, prolongator<NodalPFactory>},
+      {"GalerkinFactory", MatrixKind::merged, galerkin},
+      {"NodalIluSmoother", MatrixKind::merged, smoother<NodalIluSmoother>},
+      {"VankaSmoother", MatrixKind::merged, smoother<VankaSmoother>},
+      {"NodalBraessSarazinSmoother", MatrixKind::merged, smoother<NodalBraessSarazinSmoother>},
+      {"Ifpack2Smoother", MatrixKind::either, smoother<Ifpack2Smoother>},
+      {"SparseLUSolver", MatrixKind::either, smoother<SparseLuSolver>},
+      {"NodalBlockedPFactory", MatrixKind::blocked, prolongator<NodalBlockedPFactory>},
+  };
+  return all;
+}
+
+const FactoryEntry* find_factory(const std::string& name) {
+  const auto& all = our_factories();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const FactoryEntry& entry) { return entry.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+}  // namespace
+
+std::string our_factories_text() {
+  std::vector<std::string> others, on_blocks;
+  for (const FactoryEntry& entry : our_factories())
+    (entry.works_on == MatrixKind::blocked ? on_blocks : others).push_back(entry.name);
+  return joined(others) + ", on blocks " + joined(on_blocks);
+}
+
+}  // namespace tunica::multigrid
