@@ -29,7 +29,7 @@ def main(programs, scratch, n_limits):
     verdict = Verdict()
     folder = fresh(scratch)
     program = programs / "tunica-fsi"
-    work = [CASE, "--steps", 1, "--output", "results"]
+    work = [CASE, "--steps", 1, "--output", "results", "--overwrite"]
     status, least = peak(program, folder, ["--help"])
     verdict.claim(status == 0, f"an idle rank takes {least / 1e6:.0f} MB")
     status, most = peak(program, folder, work)
