@@ -26,8 +26,8 @@ using namespace tunica;
 struct Complete {};
 
 /// Marches until the wanted coupling iteration is over. Not converging before it is a result.
-Outcome march_to_wanted(app::SystemCapture& capture, coupling::Scheme& scheme, stepping::Clock clock,
-                        app::RunLog& log) {
+Outcome march_to_wanted(app::SystemCapture& capture, coupling::Scheme& scheme,
+                        stepping::Clock clock, app::RunLog& log) {
   for (; !clock.is_done(); clock.advance()) {
     capture.enter(0, 0);  // what the coupling solves for itself is not asked for
     if (const Outcome prepared = scheme.prepare(clock); prepared.is_failure()) return prepared;

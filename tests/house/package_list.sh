@@ -9,6 +9,7 @@ package_of() {
     hdf5) echo libhdf5-openmpi-dev ;;
     metis) echo libmetis-dev ;;
     dpkg-shlibdeps) echo dpkg-dev ;;
+    doxygen) echo doxygen ;;
     nlohmann_json) echo nlohmann-json3-dev ;;
     benchmark) echo libbenchmark-dev ;;
     ccache | clang-format | clang-tidy) echo "$1" ;;

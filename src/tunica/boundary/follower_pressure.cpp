@@ -23,4 +23,16 @@ void FollowerPressure::add(const Surroundings& s, const fields::Face& face,
   R.add(*s.mesh, face, Re);
 }
 
+ConditionEntry follower_pressure() {
+  params::Table table;
+  table
+      .number("pressure", std::nullopt, params::any(), "kPa",
+              "pressure that follows the deformed surface")
+      .sublist("Amplitude", stepping::time_function_table());
+  return {Field::wall, "pressure", table,
+          [](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
+            return terms(std::make_unique<FollowerPressure>(list));
+          }};
+}
+
 }  // namespace tunica::boundary

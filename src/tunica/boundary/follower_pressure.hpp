@@ -1,5 +1,5 @@
 #pragma once
-#include "tunica/boundary/boundary_term.hpp"
+#include "tunica/boundary/condition.hpp"
 #include "tunica/stepping/time_function.hpp"
 
 namespace tunica::boundary {
@@ -19,5 +19,8 @@ private:
   double pressure_;  ///< [kPa]
   stepping::TimeFunction amplitude_;
 };
+
+/// "pressure" of a wall.
+ConditionEntry follower_pressure();
 
 }  // namespace tunica::boundary

@@ -1,5 +1,5 @@
 #pragma once
-#include "tunica/boundary/boundary_term.hpp"
+#include "tunica/boundary/condition.hpp"
 
 namespace tunica::boundary {
 
@@ -12,5 +12,10 @@ public:
 private:
   std::vector<int> components_;
 };
+
+/// "clamped", "held" and "interface" of a wall; on the last the fluid's force comes from outside.
+ConditionEntry clamped();
+ConditionEntry held();
+ConditionEntry loaded_by_fluid();
 
 }  // namespace tunica::boundary

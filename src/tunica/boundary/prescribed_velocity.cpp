@@ -24,4 +24,32 @@ Vec3 PrescribedVelocity::prescribed(const Surroundings& s, int node) const {
   return factor * velocity_;
 }
 
+ConditionEntry velocity_condition() {
+  params::Table table;
+  table
+      .numbers("velocity", std::nullopt, params::any(), 3, "mm/ms",
+               "velocity, at the centre if the profile is parabolic")
+      .choice("profile", "uniform", {"uniform", "parabolic"},
+              "the same everywhere, or parabolic with zero at the rim of a round surface")
+      .sublist("Amplitude", stepping::time_function_table());
+  return {Field::fluid, "velocity", table,
+          [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {
+            return terms(std::make_unique<PrescribedVelocity>(list, mesh, surface));
+          }};
+}
+
+ConditionEntry no_slip() {
+  return {Field::fluid, "no slip", params::Table("no velocity"),
+          [](const Teuchos::ParameterList&, const fields::FieldMesh&, int) {
+            return terms(std::make_unique<NoSlip>());
+          }};
+}
+
+ConditionEntry moves_with_wall() {
+  return {Field::fluid, interface_condition, params::Table("moves with the wall"),
+          [](const Teuchos::ParameterList&, const fields::FieldMesh&, int) {
+            return terms(std::make_unique<InterfaceVelocity>());
+          }};
+}
+
 }  // namespace tunica::boundary

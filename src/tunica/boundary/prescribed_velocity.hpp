@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "tunica/boundary/boundary_term.hpp"
+#include "tunica/boundary/condition.hpp"
 #include "tunica/boundary/surface_geometry.hpp"
 #include "tunica/stepping/time_function.hpp"
 
@@ -41,5 +41,10 @@ public:
   Vec3 prescribed(const Surroundings& s, int node) const override { return (*s.w)[node]; }
   int precedence() const override { return 3; }
 };
+
+/// "velocity", "no slip" and "interface" of a fluid.
+ConditionEntry velocity_condition();
+ConditionEntry no_slip();
+ConditionEntry moves_with_wall();
 
 }  // namespace tunica::boundary

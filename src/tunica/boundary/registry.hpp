@@ -1,29 +1,14 @@
 #pragma once
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "tunica/boundary/boundary_term.hpp"
-#include "tunica/params/table.hpp"
+#include "tunica/boundary/condition.hpp"
 
 namespace tunica::boundary {
 
-/// A condition that a list of a surface can name.
-struct ConditionEntry {
-  using Make = std::function<Terms(const Teuchos::ParameterList& list,
-                                   const fields::FieldMesh& mesh, int surface)>;
-
-  std::string name;
-  params::Table table;  ///< its keys
-  Make make;            ///< its terms, in the order in which they are added. Collective.
-};
-
-/// Those of a fluid and of a wall; each is one line.
-const std::vector<ConditionEntry>& fluid_conditions();
-const std::vector<ConditionEntry>& wall_conditions();
-
-/// The condition that couples fluid and wall; it stands in both registries.
-constexpr const char* interface_condition = "interface";
+/// Those of a fluid, and those of a wall.
+std::vector<ConditionEntry> fluid_conditions();
+std::vector<ConditionEntry> wall_conditions();
 
 /// What a case says of one surface.
 struct Condition {

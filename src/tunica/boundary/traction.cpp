@@ -3,6 +3,7 @@
 #include <Teuchos_Array.hpp>
 
 #include "tunica/assembly/gather.hpp"
+#include "tunica/boundary/backflow.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
 
 namespace tunica::boundary {
@@ -37,6 +38,48 @@ void Traction::observe(const Surroundings& s, const fields::Face& face,
                        std::map<std::string, double>& sums) const {
   const auto R = load(s, face);
   for (int a = 0; a < 3; ++a) sums[traction_power] -= dot(R.u[a], (*s.u)[face.nodes[a]]);
+}
+
+namespace {
+
+params::Table traction_table(const std::string& sentence) {
+  params::Table table;
+  return table.numbers("traction", std::nullopt, params::any(), 3, "kPa", sentence);
+}
+
+/// A surface that the fluid may pass under a load.
+ConditionEntry open_surface(const std::string& name, params::Table table) {
+  add_backflow_key(table);
+  table.sublist("Amplitude", stepping::time_function_table());
+  const auto make = [](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
+    Terms all = terms(std::make_unique<Traction>(list, false));
+    const double beta = list.get<double>("backflow stabilisation");
+    if (beta != 0.0) all.push_back(std::make_unique<Backflow>(beta));
+    return all;
+  };
+  return {Field::fluid, name, table, make};
+}
+
+}  // namespace
+
+ConditionEntry open_traction() {
+  return open_surface("traction",
+                      traction_table("σ n on the surface; zeros let the fluid out freely"));
+}
+
+ConditionEntry open_pressure() {
+  params::Table table;
+  table.number("pressure", std::nullopt, params::any(), "kPa", "p of the traction -p n");
+  return open_surface("pressure", table);
+}
+
+ConditionEntry dead_traction() {
+  params::Table table = traction_table("dead load per undeformed area, its direction fixed");
+  table.sublist("Amplitude", stepping::time_function_table());
+  return {Field::wall, "traction", table,
+          [](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
+            return terms(std::make_unique<Traction>(list, true));
+          }};
 }
 
 }  // namespace tunica::boundary

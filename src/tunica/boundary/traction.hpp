@@ -1,6 +1,5 @@
 #pragma once
-#include "tunica/boundary/boundary_term.hpp"
-#include "tunica/params/table.hpp"
+#include "tunica/boundary/condition.hpp"
 #include "tunica/stepping/time_function.hpp"
 
 namespace tunica::boundary {
@@ -14,7 +13,7 @@ namespace tunica::boundary {
 /// On the fluid's surface where it lies at present; on the undeformed wall (a dead load).
 class Traction : public BoundaryTerm {
 public:
-  /// list: a resolved list of traction_table() or normal_traction_table().
+  /// list: the resolved list of one of the conditions below.
   Traction(const Teuchos::ParameterList& list, bool on_undeformed);
 
   void add(const Surroundings& s, const fields::Face& face, assembly::NodalResidual& R,
@@ -34,5 +33,10 @@ private:
 };
 
 constexpr const char* traction_power = "traction_power_kPa_mm3_per_ms";
+
+/// "traction" and "pressure" of a fluid, with backflow stabilisation; "traction" of a wall.
+ConditionEntry open_traction();
+ConditionEntry open_pressure();
+ConditionEntry dead_traction();
 
 }  // namespace tunica::boundary

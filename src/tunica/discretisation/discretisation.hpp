@@ -23,7 +23,7 @@ public:
   virtual void assemble_jacobian(const algebra::BlockVector& x) = 0;
   virtual const algebra::BlockMatrix& jacobian() const = 0;
 
-  /// (dxᵀ M dx)^½ with the mass matrices of all unknowns, the norm of [LY1] eq:newstop.
+  /// (dxᵀ M dx)^½ with the mass matrices of all unknowns, the norm of [LY1] newstop.
   virtual double mass_norm(const algebra::BlockVector& dx) const = 0;
 
   // NamedOperators: none

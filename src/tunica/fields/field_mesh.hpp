@@ -35,9 +35,9 @@ struct FieldMesh {
   std::vector<std::uint64_t> on_surface;  ///< bit s is set on the nodes of surface s
 
   std::vector<std::array<int, 4>> tets;
-  std::vector<int> region;                    ///< per tet: index into regions
-  std::vector<int> tet_number;                ///< per tet: number in the mesh file, for messages
-  std::vector<char> is_owned;                 ///< per tet: true on exactly one rank
+  std::vector<int> region;      ///< per tet: index into regions
+  std::vector<int> tet_number;  ///< per tet: its place among those of the mesh, from 1
+  std::vector<char> is_owned;   ///< per tet: true on exactly one rank
   std::vector<mesh::TetVectors> tet_vectors;  ///< those of the mesh, per tet of this rank
   std::vector<Face> faces;
 

@@ -21,6 +21,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/out_of_memory.hpp"
+#include "tunica/base/trilinos.hpp"
 #include "tunica/linear/lu_strategy.hpp"
 #include "tunica/linear/nodal_multigrid.hpp"
 #include "tunica/linear/schur.hpp"
@@ -158,7 +159,11 @@ Teuchos::RCP<Stratimikos::DefaultLinearSolverBuilder> make_builder() {
   register_lu_strategies();
   register_nodal_multigrid();
   const auto builder = Teuchos::rcp(new Stratimikos::DefaultLinearSolverBuilder);
+#if TRILINOS_MAJOR_VERSION < 14
   Stratimikos::enableMueLu<LocalOrdinal, GlobalOrdinal, Node>(*builder);
+#else
+  Stratimikos::enableMueLu<Scalar, LocalOrdinal, GlobalOrdinal, Node>(*builder);
+#endif
   builder->setPreconditioningStrategyFactory(
       Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>,
                                   Thyra::Ifpack2PreconditionerFactory<CrsMatrix>>(),

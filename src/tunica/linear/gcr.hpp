@@ -18,7 +18,7 @@ using BelosProblem = Belos::LinearProblem<Scalar, MultiVector, Operator>;
 /// minimises |r| over the kept directions; after "Num Blocks" of them it begins anew. One right
 /// side. Stagnation (q vanishes, or qᵀr no longer changes r) ends it as not converged.
 ///
-/// Source: [EES] Eisenstat, Elman, Schultz 1983; the fluid's method in [LY1] section 5.3.
+/// Source: [EES] Eisenstat, Elman, Schultz 1983; the fluid's method in [LY1] section 5.4.
 class Gcr : public Belos::SolverManager<Scalar, MultiVector, Operator> {
 public:
   explicit Gcr(const Teuchos::RCP<Teuchos::ParameterList>& list);

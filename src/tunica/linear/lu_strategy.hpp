@@ -11,8 +11,7 @@ namespace tunica::linear {
 /// Keys of a library entry beside "Type": "Inverse Velocity Type", the library's inverse for Ã,
 /// and those of schur.hpp.
 ///
-/// Source: [LY1] eq:lufac, eq:rpre, eq:lpre. Deviation: the sign of the (2,1) block of eq:lpre
-/// is that of the inverse of L̃D̃.
+/// Source: [LY1] eq:lufac, eq:rpre, eq:lpre.
 void register_lu_strategies();
 
 }  // namespace tunica::linear

@@ -35,7 +35,7 @@ ForcingOptions forcing_options(const Teuchos::ParameterList& list);
 /// step will ask for: with η_k = f ε2/e, and as far as error and residual fall alike, what the
 /// linear solver leaves is f times the increment at which Newton's method stops. The source has
 /// f = 0.
-/// stop: ε2, the e at which Newton's method stops. Source: [LY1] section 4.5, made free of units.
+/// stop: ε2, the e at which Newton's method stops. Source: [LY1] section 6, made free of units.
 double increment_forcing(const ForcingOptions& options, double e, double stop);
 
 /// The increments at which a Newton solve stops, made or expected: the larger one counts.

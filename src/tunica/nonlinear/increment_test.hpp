@@ -5,7 +5,7 @@
 
 namespace tunica::nonlinear {
 
-/// Stops Newton's method on the mass norm of the increment ([LY1] eq:newstop), on divergence
+/// Stops Newton's method on the mass norm of the increment ([LY1] newstop), on divergence
 /// and at the cap, and fills the report. With s > 0 it looks at what the next increment is expected
 /// to be instead of the one made (ours):
 ///

@@ -20,7 +20,7 @@ public:
   virtual void jacobian(const algebra::BlockVector& x) = 0;
   virtual void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const = 0;
   virtual linear::LinearSolver& linear_solver() = 0;
-  /// (dxᵀ M dx)^½ with the mass matrices of all unknowns, the norm of [LY1] eq:newstop.
+  /// (dxᵀ M dx)^½ with the mass matrices of all unknowns, the norm of [LY1] newstop.
   virtual double increment_norm(const algebra::BlockVector& dx) = 0;
   /// Why the last residual() was refused.
   virtual std::string refusal() const = 0;

@@ -27,10 +27,10 @@ using States = std::vector<std::pair<std::string, fields::State>>;
 ///   /number_names  /number_counts  /numbers
 ///   /array_names  /array_columns  /array_checksums
 ///   /head_checksum                                              of all above
-///   /<part>/vertices                                            int32, vertex of each row
-///   /<part>/<array>                                             float64, rows × columns
+///   `/<part>/vertices`                                            int32, vertex of each row
+///   `/<part>/<array>`                                             float64, rows × columns
 ///
-/// Names are "<part>/<name>"; what the head has is of the part "run". The rows stand in any
+/// Names are "`<part>/<name>`"; what the head has is of the part "run". The rows stand in any
 /// order. A file of that name appears complete and on the disk, or not at all: until then it has
 /// the ending ".tmp". Collective. Throws MachineFault on all ranks if the disk refuses.
 void write_checkpoint(const std::string& path, const CheckpointHead& head, const States& states,

@@ -18,7 +18,7 @@ struct Attribute {
   std::string dataset;  ///< path in the HDF5 file
 };
 
-/// Points at /<name>/points, tetrahedra at /<name>/tets.
+/// Points at `/<name>/points`, tetrahedra at `/<name>/tets`.
 struct Grid {
   std::string name;
   long long points;

@@ -8,10 +8,22 @@
 
 namespace tunica::stepping {
 
+namespace {
+
+std::unique_ptr<TimeScheme> make_newmark(const Teuchos::ParameterList& wall) {
+  return std::make_unique<Newmark>(wall.sublist("Newmark"));
+}
+
+std::unique_ptr<TimeScheme> make_implicit_euler(const Teuchos::ParameterList&) {
+  return std::make_unique<ImplicitEuler>(2);
+}
+
+}  // namespace
+
 const std::vector<SchemeEntry>& schemes() {
-  static const std::vector<SchemeEntry> all{
-      {"newmark", [](const auto& l) { return std::make_unique<Newmark>(l.sublist("Newmark")); }},
-      {"implicit euler", [](const auto&) { return std::make_unique<ImplicitEuler>(2); }},
+  static const std::vector<SchemeEntry> all = {
+      {"newmark", "Newmark", newmark_table(), make_newmark},
+      {"implicit euler", "", params::Table(), make_implicit_euler},
   };
   return all;
 }
@@ -22,7 +34,8 @@ void add_scheme_keys(params::Table& table) {
   table.choice("time scheme", names.front(), names,
                "of a dynamic wall: Newmark's, with the keys below, or implicit Euler, which gives "
                "the wall the velocity that it has on the interface");
-  table.sublist("Newmark", newmark_table());
+  for (const SchemeEntry& entry : schemes())
+    if (!entry.list.empty()) table.sublist(entry.list, entry.table);
 }
 
 std::unique_ptr<TimeScheme> make_scheme(const Teuchos::ParameterList& wall) {

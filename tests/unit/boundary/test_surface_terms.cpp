@@ -40,12 +40,12 @@ std::vector<ConditionEntry> with_springs() {
   params::Table table;
   table.number("stiffness", 1.0, params::positive(), "kPa/mm", "");
   std::vector<ConditionEntry> all = boundary::fluid_conditions();
-  all.push_back(
-      {"springs", table, [](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
-         boundary::Terms terms;
-         terms.push_back(std::make_unique<Springs>(list.get<double>("stiffness")));
-         return terms;
-       }});
+  all.push_back({boundary::Field::fluid, "springs", table,
+                 [](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
+                   boundary::Terms terms;
+                   terms.push_back(std::make_unique<Springs>(list.get<double>("stiffness")));
+                   return terms;
+                 }});
   return all;
 }
 
