@@ -13,9 +13,9 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]', re.MULTILINE)
 TARGET = re.compile(r"Tunica::(\w+)")
 # What a part may link and whose headers it may include, beside the standard library's.
 PARTS = {"smoothers": ({"base", "algebra", "smoothers", "klu2_repair", "trilinos"},
-                       r"(malloc\.h|Teuchos|Tpetra|Kokkos|Ifpack2|Amesos2|Trilinos)"),
+                       r"(malloc\.h|mpi\.h|Teuchos|Tpetra|Kokkos|Ifpack2|Amesos2|Trilinos)"),
          "multigrid": ({"base", "algebra", "smoothers", "klu2_repair", "trilinos", "params", "multigrid"},
-                       r"(malloc\.h|Teuchos|Tpetra|Kokkos|Ifpack2|Amesos2|Trilinos|MueLu|Xpetra)")}
+                       r"(malloc\.h|mpi\.h|Teuchos|Tpetra|Kokkos|Ifpack2|Amesos2|Trilinos|MueLu|Xpetra)")}
 
 
 def problems_of(part, prefix):
