@@ -23,6 +23,7 @@ InterfaceVector Aitken::next(const InterfaceVector& d, const InterfaceVector& re
   const InterfaceVector z = preconditioned(residual);
   if (!is_first_) {
     const InterfaceVector change = difference(z, last_residual_);
+    // ω = −(d_k − d_{k−1})ᵀ (z_k − z_{k−1}) / |z_k − z_{k−1}|²
     const double size = inner_product(*comm_, change, change);
     if (size > 0.0) factor_ = -inner_product(*comm_, difference(d, last_d_), change) / size;
     factor_ = std::clamp(factor_, smallest_factor_, largest_factor_);
@@ -31,7 +32,7 @@ InterfaceVector Aitken::next(const InterfaceVector& d, const InterfaceVector& re
   last_d_ = d;
   last_residual_ = z;
   InterfaceVector next_d(d);
-  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += factor_ * z[i];
+  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += factor_ * z[i];  // d + ω P r
   return next_d;
 }
 

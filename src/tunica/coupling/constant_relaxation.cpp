@@ -6,7 +6,7 @@ InterfaceVector ConstantRelaxation::next(const InterfaceVector& d,
                                          const InterfaceVector& residual) {
   const InterfaceVector z = preconditioned(residual);
   InterfaceVector next_d(d);
-  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += factor_ * z[i];
+  for (std::size_t i = 0; i < d.size(); ++i) next_d[i] += factor_ * z[i];  // d + ω P r
   return next_d;
 }
 

@@ -36,6 +36,7 @@ InterfaceVector IqnIls::next(const InterfaceVector& d, const InterfaceVector& re
   last_d_ = d;
   const LeastSquares fit = solve_least_squares(*comm_, V_, residual, filter_);
   columns_ = 0;
+  // d_next = d − (W − V) c + ω P (r − V c), c the least-squares solution of V c ≈ r
   InterfaceVector next_d(d), left(residual);
   for (std::size_t j = 0; j < W_.size(); ++j) {
     columns_ += fit.is_kept[j];

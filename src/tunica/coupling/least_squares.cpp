@@ -32,7 +32,7 @@ LeastSquares solve_least_squares(const Comm& comm, const std::deque<InterfaceVec
     InterfaceVector q = columns[j];
     std::vector<double> r(Q.size(), 0.0);
     const double length = std::sqrt(inner_product(comm, q, q));
-    for (int pass = 0; pass < 2; ++pass) {
+    for (int pass = 0; pass < 2; ++pass) {  // q ← (I − Q Qᵀ) v, twice against round-off
       const std::vector<double> along = products(comm, Q, q);
       for (std::size_t k = 0; k < Q.size(); ++k) {
         r[k] += along[k];
@@ -48,7 +48,7 @@ LeastSquares solve_least_squares(const Comm& comm, const std::deque<InterfaceVec
     kept.push_back(j);
     result.is_kept[j] = 1;
   }
-  std::vector<double> c = products(comm, Q, b);
+  std::vector<double> c = products(comm, Q, b);  // R c = Qᵀ b, from the last row up
   for (std::size_t k = Q.size(); k-- > 0;) {
     for (std::size_t l = k + 1; l < Q.size(); ++l) c[k] -= R[l][k] * c[l];
     c[k] /= R[k][k];

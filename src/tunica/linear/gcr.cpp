@@ -73,7 +73,7 @@ Belos::ReturnType Gcr::solve() {
   const MultiVector& b = *problem_->getRHS();
   MultiVector r(b.getMap(), 1);
   problem_->applyOp(x, r);
-  r.update(1.0, b, -1.0);
+  r.update(1.0, b, -1.0);  // r = b − A x
   const double scale = norm(b);
   relative_residual_ = scale == 0.0 ? 0.0 : norm(r) / scale;
   Basis basis;
@@ -88,8 +88,8 @@ Belos::ReturnType Gcr::solve() {
     problem_->applyOp(*z, *q);                 // q = A z
     if (!basis.add(z, q)) break;
     const double step = dot(*basis.q.back(), r);
-    x.update(step, *basis.z.back(), 1.0);
-    r.update(-step, *basis.q.back(), 1.0);
+    x.update(step, *basis.z.back(), 1.0);   // x ← x + (qᵀr) z
+    r.update(-step, *basis.q.back(), 1.0);  // r ← r − (qᵀr) q
     const double before = relative_residual_;
     relative_residual_ = norm(r) / scale;
     if (!(relative_residual_ < before * (1.0 - 1e-12))) {  // stagnation, or not a number

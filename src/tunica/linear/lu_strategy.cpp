@@ -44,12 +44,15 @@ public:
     Teko::LinearOp for_A = inverse_sum({{1.0, inverse_A}});
     Teko::LinearOp for_S =
         inverse_sum({{form == Form::full ? 1.0 : -1.0, schur_->build(K, state)}});
+    // P_F⁻¹: u = Ã⁻¹ r_u, p = −S̃⁻¹ (r_p − B2 u), u ← u − Ã⁻¹ B1ᵀ p
     if constexpr (form == Form::full) return Teko::createLU2x2InverseOp(K, for_A, for_S);
     const std::vector<Teko::LinearOp> diagonal{for_A, for_S};
     if constexpr (form == Form::upper) {
+      // P_R⁻¹: p = −S̃⁻¹ r_p, u = Ã⁻¹ (r_u − B1ᵀ p)
       Teko::BlockedLinearOp U = Teko::getUpperTriBlocks(K);
       return Teko::createBlockUpperTriInverseOp(U, diagonal);
     } else {
+      // P_L⁻¹: u = Ã⁻¹ r_u, p = −S̃⁻¹ (r_p − B2 u)
       Teko::BlockedLinearOp L = Teko::getLowerTriBlocks(K);
       return Teko::createBlockLowerTriInverseOp(L, diagonal);
     }

@@ -102,6 +102,7 @@ public:
     const auto L = schur_matrix(K, lumped_inertia(*matrix_of(Teko::getBlock(0, 0, K)), components));
     const auto M = sum(1.0, *matrix_of(ask(*handler_, "Schur Mass")), -1.0,
                        *matrix_of(Teko::getBlock(1, 1, K)));
+    // S̃⁻¹ = L⁻¹ + M⁻¹ with L = C + B2 D⁻¹ B1ᵀ, M = C + the mass over μ
     return inverse_sum({{1.0, invert(*inverse_, thyra_operator(L), "inverse L", state)},
                         {1.0, invert(*inverse_mass_, thyra_operator(M), "inverse M", state)}});
   }
@@ -126,6 +127,7 @@ public:
       L = thyra_operator(sum(1.0, *matrix_of(L), -1.0, *matrix_of(Teko::getBlock(1, 1, K))));
     const Teko::LinearOp inverse_L = invert(*inverse_, L, "inverse L", state);
     const Teko::LinearOp inverse_M = Teko::getInvDiagonalOp(ask(*handler_, "Schur Mass"));
+    // S̃⁻¹ = L⁻¹ + diag(M)⁻¹ (+ diag(M)⁻¹ N L⁻¹)
     std::vector<std::pair<Scalar, InverseOp>> terms{{1.0, inverse_L}, {1.0, inverse_M}};
     if (has_convection_)
       terms.emplace_back(1.0,
@@ -148,6 +150,7 @@ public:
                        Teko::BlockPreconditionerState&) const override {
     const auto shear = matrix_of(ask(*handler_, "Schur Mass"));
     const auto bulk = matrix_of(ask(*handler_, "Schur Bulk Mass"));
+    // S̃⁻¹ = (diag(M_s)/θ + diag(M_b))⁻¹
     return Teko::getInvDiagonalOp(thyra_operator(sum(1.0 / theta_factor_, *shear, 1.0, *bulk)));
   }
 

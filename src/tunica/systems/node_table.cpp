@@ -76,8 +76,8 @@ public:
       else
         add_scalar(table, node);
     }
-    const auto n_lines =
-        static_cast<long long>(table.vector_node.size() + table.scalar_node.size());
+    const auto n_lines = static_cast<long long>(table.vector_node.size()) +
+                         static_cast<long long>(table.scalar_node.size());
     TUNICA_CHECK(n_lines == n_vector + n_scalar, path_ + ": " + std::to_string(n_lines) +
                                                      " unknowns, expected " +
                                                      std::to_string(n_vector) + " of A and " +

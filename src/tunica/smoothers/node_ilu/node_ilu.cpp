@@ -75,6 +75,7 @@ private:
     gather(b, r_);
     gather(x, x_);
     fetch_ghosts(x, x_);
+    // r = b − K x
     subtract_product({blocks_.width(), blocks_.n_own_nodes(), blocks_.graph().start.data(),
                       blocks_.graph().columns.data(), matrix_.data()},
                      x_.data(), r_.data());
@@ -111,6 +112,7 @@ private:
   bool eliminate(int node) {
     read_row(node);
     const std::size_t first = lower_.start[node], last = lower_.start[node + 1];
+    // K_i· ← K_i· − L_ik U_k· for the nodes k before i, then D_i⁻¹
     for (std::size_t k = first; k < last; ++k)
       subtract_row(lower_.columns[k], lower_values_.data() + size() * k);
     double* const own = row_.data() + size() * (last - first);
@@ -161,6 +163,7 @@ private:
     }
   }
 
+  /// x += ω U⁻¹ D⁻¹ L⁻¹ r.
   void add_solution(double damping, MultiVector& x) {
     solve_factors({blocks_.width(), blocks_.n_nodes(), lower_.start.data(), upper_.start.data(),
                    lower_.columns.data(), upper_.columns.data(), lower_values_.data(),

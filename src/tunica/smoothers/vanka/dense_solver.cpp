@@ -34,8 +34,8 @@ public:
     return singular;
   }
 
-  void solve(int patch, const double* r, double* moves) const override {
-    dense_product(patches_->size(patch), inverses_.data() + place_[patch], r, moves);
+  void solve(int patch, const double* r, double* correction) const override {
+    dense_product(patches_->size(patch), inverses_.data() + place_[patch], r, correction);
   }
 
   PrefetchRange memory(int patch) const override {

@@ -16,10 +16,10 @@ public:
   DiagonalSolver(const CrsMatrix& K, const VankaPatches& patches, int velocities)
       : K_(&K), patches_(&patches), m_(velocities), inverses_(n_local_rows(K) / (m_ + 1) * m_ * m_),
         local_(2 * patches.rows.size()), row_of_column_(n_local(*K.getColMap()), -1),
-        is_lone_(n_local_rows(K), 0), B1T_(n_local_rows(K)), B2_(n_local_rows(K)) {
-    for (std::size_t i = 0; i < is_lone_.size(); ++i)
+        is_uncovered_(n_local_rows(K), 0), B1T_(n_local_rows(K)), B2_(n_local_rows(K)) {
+    for (std::size_t i = 0; i < is_uncovered_.size(); ++i)
       row_of_column_[patches.column_of_row[i]] = static_cast<int>(i);
-    for (const int row : patches.uncovered_rows) is_lone_[row] = 1;
+    for (const int row : patches.uncovered_rows) is_uncovered_[row] = 1;
   }
 
   int refresh() override {
@@ -33,22 +33,22 @@ public:
     return singular_node >= 0 ? singular_node : singular;
   }
 
-  void solve(int patch, const double* r, double* moves) const override {
+  void solve(int patch, const double* r, double* correction) const override {
     const int n = patches_->size(patch) - 1;
     const int* const rows = patches_->rows.data() + patches_->start[patch];
     const Real* const s = local_.data() + 2 * patches_->start[patch];
     const Real* const t = s + n;
     double rest = r[n];
     for (int a = 0; a < n; ++a) rest -= s[a] * r[a];
-    const double p = moves[n] = t[n] * rest;  // (r_p − B2 D⁻¹ r_u) / S
+    const double p = correction[n] = t[n] * rest;  // (r_p − B2 D⁻¹ r_u) / S
     for (int first = 0, end; first < n; first = end) {
       const int node = rows[first] / (m_ + 1);
       const Real* const inverse = inverses_.data() + node * m_ * m_;
       for (end = first; end < n && rows[end] / (m_ + 1) == node;) ++end;
       for (int a = first; a < end; ++a) {  // u = D⁻¹ r_u − D⁻¹ B1ᵀ p
         const Real* const row = inverse + rows[a] % (m_ + 1) * m_;
-        moves[a] = -t[a] * p;
-        for (int b = first; b < end; ++b) moves[a] += row[rows[b] % (m_ + 1)] * r[b];
+        correction[a] = -t[a] * p;
+        for (int b = first; b < end; ++b) correction[a] += row[rows[b] % (m_ + 1)] * r[b];
       }
     }
   }
@@ -60,12 +60,12 @@ public:
 
   double bytes() const override {
     return static_cast<double>(sizeof(Real) * (inverses_.size() + local_.size()) +
-                               sizeof(int) * row_of_column_.size() + is_lone_.size() +
+                               sizeof(int) * row_of_column_.size() + is_uncovered_.size() +
                                sizeof(double) * (B1T_.size() + B2_.size()));
   }
 
 private:
-  /// With zeros in the rows and columns of lone velocities. A node without inverse, or -1.
+  /// With zeros in the rows and columns of uncovered velocities. A node without inverse, or -1.
   int invert_nodes() {
     const auto K = K_->getLocalMatrixHost();
     int singular = -1;
@@ -77,14 +77,14 @@ private:
         const auto row = K.rowConst(first + i);
         for (int k = 0; k < row.length; ++k) {
           const int j = row_of_column_[row.colidx(k)] - first;
-          if (j >= 0 && j < m_ && !is_lone_[first + i] && !is_lone_[first + j])
+          if (j >= 0 && j < m_ && !is_uncovered_[first + i] && !is_uncovered_[first + j])
             D[i * m_ + j] = row.value(k);
         }
-        if (is_lone_[first + i]) D[i * m_ + i] = 1.0;
+        if (is_uncovered_[first + i]) D[i * m_ + i] = 1.0;
       }
       if (!invert_dense(m_, D.data(), scratch_) && singular < 0) singular = node;
       for (int i = 0; i < m_; ++i)
-        if (is_lone_[first + i]) D[i * m_ + i] = 0.0;
+        if (is_uncovered_[first + i]) D[i * m_ + i] = 0.0;
       std::copy(D.begin(), D.end(), inverses_.begin() + node * m_ * m_);
     }
     return singular;
@@ -140,7 +140,7 @@ private:
   std::vector<Real> inverses_;  ///< m×m per node, row by row
   std::vector<Real> local_;     ///< s, t and 1/S, patch after patch, one number unused
   std::vector<int> row_of_column_;
-  std::vector<char> is_lone_;
+  std::vector<char> is_uncovered_;
   std::vector<double> B1T_, B2_, dense_;  ///< of refresh(), as is the rest
   DenseScratch scratch_;
 };

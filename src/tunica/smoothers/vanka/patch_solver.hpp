@@ -14,8 +14,8 @@ public:
   virtual ~PatchSolver() = default;
   /// Takes over the present values of the matrix. The number of a patch without inverse, or -1.
   virtual int refresh() = 0;
-  /// moves = solution of a patch for the residual r of its rows.
-  virtual void solve(int patch, const double* r, double* moves) const = 0;
+  /// correction = solution of a patch for the residual r of its rows.
+  virtual void solve(int patch, const double* r, double* correction) const = 0;
   /// What solve() will read.
   virtual PrefetchRange memory(int patch) const = 0;
   virtual double bytes() const = 0;

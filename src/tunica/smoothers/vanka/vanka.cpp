@@ -28,7 +28,7 @@ public:
     if (const int patch = solver_->refresh(); patch >= 0)
       singular =
           "the patch of the pressure in" + name(patches_.rows[patches_.start[patch + 1] - 1]);
-    if (const int row = refresh_lone_rows(); row >= 0 && singular.empty())
+    if (const int row = refresh_uncovered_rows(); row >= 0 && singular.empty())
       singular = "the diagonal of the velocity in" + name(row);
     singular = agreed_message(*K_->getComm(), singular);
     if (!singular.empty()) throw std::runtime_error("Vanka: " + singular + " is singular.");
@@ -49,9 +49,9 @@ public:
 
 private:
   struct Scratch {
-    Scratch(std::size_t patch, std::size_t all) : residual(patch), moves(patch), sums(all) {}
-    std::vector<double> residual, moves;  ///< of one patch at a time
-    std::vector<double> sums;             ///< of the moves of all
+    Scratch(std::size_t patch, std::size_t all) : residual(patch), correction(patch), sums(all) {}
+    std::vector<double> residual, correction;  ///< of one patch at a time
+    std::vector<double> sums;                  ///< of the corrections of all
   };
 
   void smooth_column(const MultiVector& b, MultiVector& x) const {
@@ -62,7 +62,7 @@ private:
       const auto rhs = b.getLocalViewHost(read_only);
       {
         const auto inside = all.getLocalViewHost(read_write);
-        visit(rhs.data(), inside.data(), scratch);
+        sweep_patches(rhs.data(), inside.data(), scratch);
       }
       const auto from = all.getLocalViewHost(read_only);
       const auto to = x.getLocalViewHost(overwrite_all);
@@ -96,9 +96,9 @@ private:
   }
 
   /// One without diagonal, or -1.
-  int refresh_lone_rows() {
+  int refresh_uncovered_rows() {
     int singular = -1;
-    lone_factor_.resize(patches_.uncovered_rows.size());
+    uncovered_factor_.resize(patches_.uncovered_rows.size());
     const auto K = K_->getLocalMatrixHost();
     for (std::size_t l = 0; l < patches_.uncovered_rows.size(); ++l) {
       const auto row = K.rowConst(patches_.uncovered_rows[l]);
@@ -107,23 +107,24 @@ private:
         if (row.colidx(k) == patches_.column_of_row[patches_.uncovered_rows[l]])
           diagonal = row.value(k);
       if (diagonal == 0.0 && singular < 0) singular = patches_.uncovered_rows[l];
-      lone_factor_[l] = 1.0 / diagonal;
+      uncovered_factor_[l] = 1.0 / diagonal;
     }
     return singular;
   }
 
   /// One sweep on the own and ghost values x.
-  void visit(const double* b, double* x, Scratch& scratch) const {
+  void sweep_patches(const double* b, double* x, Scratch& scratch) const {
     for (std::size_t l = 0; l < patches_.uncovered_rows.size(); ++l) {
       const int row = patches_.uncovered_rows[l];
       double r = 0.0;
       rows_->residual(&row, 1, b, x, &r, {});
-      x[patches_.column_of_row[row]] += lone_factor_[l] * r;
+      x[patches_.column_of_row[row]] += uncovered_factor_[l] * r;  // x_i += r_i / K_ii
     }
-    if (options_.is_additive) return visit_at_once(b, x, scratch);
+    if (options_.is_additive) return sweep_patches_at_once(b, x, scratch);
+    // x += ω K_P⁻¹ (b − K x)_P, patch by patch
     const auto relax = [&](int patch) {
-      solve(patch, b, x, scratch, [&](int row, double move) {
-        x[patches_.column_of_row[row]] += options_.damping * move;
+      solve(patch, b, x, scratch, [&](int row, double correction) {
+        x[patches_.column_of_row[row]] += options_.damping * correction;
       });
     };
     const int n = patches_.n_patches();
@@ -133,11 +134,12 @@ private:
       for (int p = n - 1; p >= 0; --p) relax(p);
   }
 
-  void visit_at_once(const double* b, double* x, Scratch& scratch) const {
+  void sweep_patches_at_once(const double* b, double* x, Scratch& scratch) const {
+    // x += ω Σ_P W K_P⁻¹ (b − K x)_P, W the share of each row
     scratch.sums.assign(share_.size(), 0.0);
     for (int p = 0; p < patches_.n_patches(); ++p)
       solve(p, b, x, scratch,
-            [&](int row, double move) { scratch.sums[row] += share_[row] * move; });
+            [&](int row, double correction) { scratch.sums[row] += share_[row] * correction; });
     for (std::size_t i = 0; i < share_.size(); ++i)
       x[patches_.column_of_row[i]] += options_.damping * scratch.sums[i];
   }
@@ -150,8 +152,8 @@ private:
     const int n = patches_.size(patch);
     const int* const rows = patches_.rows.data() + patches_.start[patch];
     rows_->residual(rows, n, b, x, scratch.residual.data(), solver_->memory(patch));
-    solver_->solve(patch, scratch.residual.data(), scratch.moves.data());
-    for (int a = 0; a < n; ++a) give(rows[a], scratch.moves[a]);
+    solver_->solve(patch, scratch.residual.data(), scratch.correction.data());
+    for (int a = 0; a < n; ++a) give(rows[a], scratch.correction[a]);
   }
 
   const CrsMatrix* K_;
@@ -160,8 +162,8 @@ private:
   VankaPatches patches_;
   std::unique_ptr<PatchRows> rows_;
   std::unique_ptr<PatchSolver> solver_;
-  std::vector<double> share_;        ///< 1 / number of patches of a row
-  std::vector<double> lone_factor_;  ///< 1 / diagonal of each lone row
+  std::vector<double> share_;             ///< 1 / number of patches of a row
+  std::vector<double> uncovered_factor_;  ///< 1 / diagonal of each uncovered row
 };
 
 }  // namespace

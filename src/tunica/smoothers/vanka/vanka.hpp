@@ -8,9 +8,9 @@ namespace tunica::smoothers {
 
 struct VankaOptions {
   int sweeps = 1;
-  double damping = 1.0;             ///< ω: each patch moves by ω times its solution
+  double damping = 1.0;             ///< ω: a patch is corrected by ω times its solution
   std::string order = "symmetric";  ///< of the patches: "forward", "backward", "symmetric"
-  bool is_additive = false;         ///< all patches at once, each row's moves averaged
+  bool is_additive = false;         ///< all patches at once, each row's corrections averaged
   bool is_single = false;           ///< keep the inverses in single precision
   std::string patch = "full";       ///< "full", "diagonal", "node pair": see vanka_patches.hpp
 };

@@ -23,12 +23,12 @@ struct VankaPatches {
 /// is_pressure: one flag per local row of K.
 VankaPatches make_vanka_patches(const CrsMatrix& K, const std::vector<char>& is_pressure);
 
-/// The same with all velocities of each node that a patch reaches but the lone ones. Throws
+/// The same with all velocities of each node that a patch reaches but the uncovered ones. Throws
 /// std::invalid_argument where the rows are not nodes of as many velocities and a pressure.
 VankaPatches make_nodal_patches(const CrsMatrix& K, const std::vector<char>& is_pressure);
 
 /// One patch per pair of nodes whose pressures are neighbours in the graph of K, with the
-/// unknowns of both but the lone rows of make_vanka_patches().
+/// unknowns of both but the uncovered rows of make_vanka_patches().
 VankaPatches make_pair_patches(const CrsMatrix& K, const std::vector<char>& is_pressure);
 
 /// Notes which entries of the pressure rows are not zero: with the graph, all that the patches
