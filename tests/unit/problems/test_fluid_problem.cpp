@@ -254,6 +254,21 @@ TEUCHOS_UNIT_TEST(fluid_problem, an_enclosed_fluid_has_the_same_pressure_on_any_
   TEST_COMPARE(high, >, 1e-3);
 }
 
+TEUCHOS_UNIT_TEST(fluid_problem, an_enclosed_fluid_takes_in_what_it_lets_out) {
+  const SmallTube tube;
+  const auto solve_with = [&tube](double outlet) {
+    auto list = test::fluid_list(1.0, 3.5e-3);
+    test::set_vector(test::condition(list, "inlet", "velocity"), "velocity", {0, 0, 0.1});
+    test::set_vector(test::condition(list, "outlet", "velocity"), "velocity", {0, 0, outlet});
+    test::condition(list, "interface", "no slip");
+    FluidProblem fluid(test::resolved(list, problems::fluid_table()), tube.fluid);
+    fluid.begin_step(stepping::Clock(0.5, 1));
+    return fluid.solve().is_converged;
+  };
+  TEST_ASSERT(solve_with(0.1));
+  TEST_THROW(solve_with(0.102), Error);
+}
+
 TEUCHOS_UNIT_TEST(surface_geometry, inlet_is_an_octagon_about_the_axis) {
   const SmallTube tube;
   const auto g = boundary::surface_geometry(tube.fluid, tube.surface("inlet"));
