@@ -13,19 +13,6 @@
 
 namespace tunica::discretisation {
 
-namespace {
-
-/// The owned node with the smallest vertex of the mesh, wherever it lives; -1 on the other ranks.
-int first_node(const fields::FieldMesh& mesh) {
-  const auto end = mesh.vertex.begin() + mesh.n_owned;
-  const auto mine = std::min_element(mesh.vertex.begin(), end);
-  const double vertex = mine == end ? 1e300 : *mine;
-  if (global_min(*mesh.comm, vertex) != vertex || mine == end) return -1;
-  return static_cast<int>(mine - mesh.vertex.begin());
-}
-
-}  // namespace
-
 Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
     : MixedField(mesh, {{"velocity", 3}, {"pressure", 1}},
                  boundary::conditions_of(list.sublist("Surfaces")), boundary::fluid_conditions()),
@@ -36,17 +23,15 @@ Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
   local_.p.resize(mesh.n_nodes());
   elements_.coefficients = {options_.density, options_.viscosity, 0.0, options_.viscous_factor};
   elements_.geometry = assembly::geometry_of(mesh, mesh.x);
-  // Without an open surface the pressure is known up to a constant: pin it at one node, the same
-  // on any ranks, in the assembly of which its ghosts take part.
+  // Without an open surface the pressure is known up to a constant: pin it at the node with the
+  // smallest vertex, the same on any ranks.
   is_closed_ = open_surfaces().empty();
   if (!is_closed_) return;
-  std::vector<Vec3> is_pinned(mesh.n_nodes());
-  if (const int first = first_node(mesh); first >= 0) is_pinned[first][0] = 1.0;
-  Vector owned(mesh.vector_map);
-  fields::store(is_pinned, mesh, owned);
-  is_pinned = fields::ghosted_vectors(mesh, owned);
+  double smallest = 1e300;
+  for (const int vertex : mesh.vertex) smallest = std::min<double>(smallest, vertex);
+  smallest = global_min(*mesh.comm, smallest);
   for (int a = 0; a < mesh.n_nodes(); ++a)
-    if (is_pinned[a][0] > 0.5) fixed_[a] |= assembly::fixed_scalar;
+    if (mesh.vertex[a] == smallest) fixed_[a] |= assembly::fixed_scalar;
 }
 
 Fluid::~Fluid() = default;

@@ -18,4 +18,9 @@ void ImplicitEuler::accept(const std::vector<Vec3>& x, History& history) const {
   history.value() = x;
 }
 
+SchemeEntry implicit_euler_scheme() {
+  return {"implicit euler", "", params::Table(),
+          [](const Teuchos::ParameterList&) { return std::make_unique<ImplicitEuler>(2); }};
+}
+
 }  // namespace tunica::stepping

@@ -24,4 +24,7 @@ private:
   int order_;
 };
 
+/// "implicit euler" of a wall.
+SchemeEntry implicit_euler_scheme();
+
 }  // namespace tunica::stepping

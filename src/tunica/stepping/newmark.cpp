@@ -34,13 +34,15 @@ void Newmark::accept(const std::vector<Vec3>& x, History& history) const {
   history.value() = x;
 }
 
-params::Table newmark_table() {
+SchemeEntry newmark_scheme() {
   params::Table table("Newmark's time integration of the wall.");
   table
       .number("beta", 0.625, params::Range{0.0, 1.0, true, false}, "1",
               "β; more than 0.5 keeps the pressure free of oscillations in time")
       .number("gamma", 1.0, params::between(0.5, 1.0), "1", "γ; 1 is the first-order scheme");
-  return table;
+  return {"newmark", "Newmark", table, [](const Teuchos::ParameterList& wall) {
+            return std::make_unique<Newmark>(wall.sublist("Newmark"));
+          }};
 }
 
 }  // namespace tunica::stepping

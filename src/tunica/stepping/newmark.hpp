@@ -1,5 +1,4 @@
 #pragma once
-#include "tunica/params/table.hpp"
 #include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::stepping {
@@ -33,6 +32,7 @@ private:
   double beta_, gamma_;
 };
 
-params::Table newmark_table();
+/// "newmark" of a wall.
+SchemeEntry newmark_scheme();
 
 }  // namespace tunica::stepping

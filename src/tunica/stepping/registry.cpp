@@ -8,22 +8,10 @@
 
 namespace tunica::stepping {
 
-namespace {
-
-std::unique_ptr<TimeScheme> make_newmark(const Teuchos::ParameterList& wall) {
-  return std::make_unique<Newmark>(wall.sublist("Newmark"));
-}
-
-std::unique_ptr<TimeScheme> make_implicit_euler(const Teuchos::ParameterList&) {
-  return std::make_unique<ImplicitEuler>(2);
-}
-
-}  // namespace
-
 const std::vector<SchemeEntry>& schemes() {
   static const std::vector<SchemeEntry> all = {
-      {"newmark", "Newmark", newmark_table(), make_newmark},
-      {"implicit euler", "", params::Table(), make_implicit_euler},
+      newmark_scheme(),         // "newmark"
+      implicit_euler_scheme(),  // "implicit euler"
   };
   return all;
 }

@@ -1,9 +1,11 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "tunica/base/tensor.hpp"
+#include "tunica/params/table.hpp"
 #include "tunica/stepping/clock.hpp"
 
 namespace tunica::stepping {
@@ -60,6 +62,14 @@ public:
 
 private:
   double dt_ = 0.0;
+};
+
+/// A time scheme that a wall's list can name.
+struct SchemeEntry {
+  std::string name;
+  std::string list;     ///< of its keys in the wall's list; empty where it has none
+  params::Table table;  ///< these keys
+  std::function<std::unique_ptr<TimeScheme>(const Teuchos::ParameterList& wall)> make;
 };
 
 }  // namespace tunica::stepping
