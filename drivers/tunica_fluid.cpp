@@ -29,6 +29,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   for (; !clock.is_done(); clock.advance()) {
     fluid.begin_step(clock);
     const nonlinear::NewtonReport report = fluid.solve();
+    if (report.is_converged) fluid.end_step();
     log.newton({clock.step(), clock.time(), 0}, "fluid", report);
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "fluid"),
              app::joined({fluid.observe(), probes.observe(&fluid, nullptr)}));

@@ -27,8 +27,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   // 1. Three fields, each with its kernels, blocks and solver.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
-  problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid,
-                              domain.interface_surfaces);
+  problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid, domain.interface_surfaces,
+                              fluid.time_scheme());
 
   // 2. Couple them.
   stepping::Clock clock(list.sublist("Time"));

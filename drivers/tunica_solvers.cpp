@@ -51,8 +51,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   // 1. The coupled problem of the case, as in tunica_fsi.cpp.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
-  problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid,
-                              domain.interface_surfaces);
+  problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid, domain.interface_surfaces,
+                              fluid.time_scheme());
   Teuchos::ParameterList coupling(list.sublist("Coupling"));
   coupling.set("halvings", 0);  // a system that cannot be solved is a result
   const stepping::Clock clock(list.sublist("Time"));

@@ -11,6 +11,7 @@ struct SolidWeakForm {
   Energy energy;
   double alpha, inv_kappa, tau;
   std::array<Vec<double>, 4> r;
+  Vec<double> subscale_r;
 
   /// Π = ∫ α/2 |d|² − r·d + Ψ'(C) − p (J − 1) − p²/(2κ) dV.
   template <class S>
@@ -30,7 +31,7 @@ struct SolidWeakForm {
     return total;
   }
 
-  /// The PSPG rows −τ ∫ (α d − r + J F⁻ᵀ∇p)·F⁻ᵀ∇N_a dV.
+  /// The PSPG rows −τ ∫ (α d − r − r' + J F⁻ᵀ∇p)·F⁻ᵀ∇N_a dV.
   template <class S>
   std::array<S, 4> pspg(const std::array<S, 16>& x) const {
     const std::array<Vec<S>, 4> d = displacement(x);
@@ -43,7 +44,7 @@ struct SolidWeakForm {
       const Vec<S> d_q = at(q.N, d);
       const Vec<double> r_q = at(q.N, r);
       for (int i = 0; i < 3; ++i) {
-        S strong = alpha * d_q[i] - r_q[i];
+        S strong = alpha * d_q[i] - r_q[i] - subscale_r[i];
         for (int a = 0; a < 4; ++a) strong += J * x[12 + a] * spatial(F_inv_t, i, a);
         for (int a = 0; a < 4; ++a)
           rows[a] -= tau * q.weight * T.volume * strong * spatial(F_inv_t, i, a);

@@ -8,27 +8,40 @@ namespace tunica::verify {
 
 /// Options of a fluid whose velocity is given all around the cube.
 inline Teuchos::ParameterList enclosed_fluid(double density, double viscosity,
-                                             const std::string& newton = "") {
+                                             const std::string& newton = "",
+                                             const std::string& scheme = "implicit euler",
+                                             const std::string& stabilisation = "inertial") {
   std::ostringstream rho, mu;
   rho << density;
   mu << viscosity;
   return resolved(
       problems::fluid_table(),
       entry("density", "double", rho.str()) + entry("viscosity", "double", mu.str()) +
+          entry("time scheme", "string", scheme) + entry("stabilisation", "string", stabilisation) +
           sublist("Surfaces",
                   sublist("boundary", entry("condition", "string", "velocity") +
                                           entry("velocity", "Array(double)", "{0, 0, 0}"))) +
           sublist("Newton", newton));
 }
 
-/// Solves the clock's step on the mesh that moves from d_old to d; throws Error where it cannot.
+/// The displacement of the fluid's mesh over time, nowhere at the start.
+inline stepping::History mesh_at_rest(const problems::FluidProblem& fluid) {
+  return {fluid.time_scheme().remembers(), fluid.mesh().n_nodes()};
+}
+
+/// Solves the clock's step on the mesh that moves on to d; throws Error where it cannot.
 inline void solve_moving_step(problems::FluidProblem& fluid, const stepping::Clock& clock,
-                              const std::vector<Vec3>& d, const std::vector<Vec3>& d_old) {
+                              const std::vector<Vec3>& d, stepping::History& mesh) {
   fluid.begin_step(clock);
-  const Outcome placed = fluid.set_domain(d, d_old);
+  std::vector<Vec3> past(d.size());
+  for (std::size_t a = 0; a < d.size(); ++a)
+    past[a] = fluid.time_scheme().past(mesh, static_cast<int>(a));
+  const Outcome placed = fluid.set_domain(d, past);
   TUNICA_CHECK(placed.is_success(), placed.reason());
   const nonlinear::NewtonReport report = fluid.solve();
   TUNICA_CHECK(report.is_converged, report.reason);
+  fluid.end_step();
+  fluid.time_scheme().accept(d, mesh);
 }
 
 }  // namespace tunica::verify

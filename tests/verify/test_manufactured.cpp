@@ -65,6 +65,7 @@ FlowErrors errors_on_cube(Kind kind, int n, const stepping::Clock& times) {
     fluid.begin_step(clock);
     const nonlinear::NewtonReport report = fluid.solve();
     TUNICA_CHECK(report.is_converged, report.reason);
+    fluid.end_step();
   }
   const double end = times.steps() * times.step_size();
   return verify::flow_errors(fluid, [kind, end](const Vec3& x) { return flow_at(kind, x, end); });

@@ -83,6 +83,7 @@ Flow flow_on(int n, const std::string& viscous_factor = "4") {
     fluid.begin_step(clock);
     const nonlinear::NewtonReport report = fluid.solve();
     TUNICA_CHECK(report.is_converged, report.reason);
+    fluid.end_step();
     last = Q;
     Q = flow_through(fluid, "inlet");
   }

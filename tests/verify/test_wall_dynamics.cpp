@@ -31,7 +31,8 @@ std::string smooth_rise() {
          verify::entry("values", "Array(double)", values.str() + "}");
 }
 
-std::string dynamic_wall(const std::string& beta, const std::string& gamma) {
+std::string dynamic_wall(const std::string& scheme, const std::string& beta,
+                         const std::string& gamma) {
   using verify::entry;
   using verify::sublist;
   const auto held = [](const std::string& component) {
@@ -46,7 +47,7 @@ std::string dynamic_wall(const std::string& beta, const std::string& gamma) {
                                           sublist("Amplitude", smooth_rise())) +
                      sublist("struct_in", held("z")) + sublist("struct_out", held("z")) +
                      sublist("symmetry_x", held("x")) + sublist("symmetry_y", held("y"))) +
-         entry("stabilisation", "string", "paper") +
+         entry("stabilisation", "string", "paper") + entry("time scheme", "string", scheme) +
          sublist("Newmark", entry("beta", "double", beta) + entry("gamma", "double", gamma)) +
          sublist("Newton", entry("relative increment", "double", "1e-11")) +
          sublist("Linear Solver", entry("method", "string", "direct"));
@@ -65,11 +66,11 @@ std::vector<Vec3> displacement(const Teuchos::ParameterList& list, const fields:
   return wall.displacement();
 }
 
-double order_in_time(const std::string& beta, const std::string& gamma, int steps,
-                     std::ostream& out) {
+double order_in_time(const std::string& scheme, const std::string& beta, const std::string& gamma,
+                     int steps, std::ostream& out) {
   const fields::FieldMesh field = verify::field_of(verify::make_quarter_tube(1));
   const Teuchos::ParameterList list =
-      verify::resolved(problems::solid_table(), dynamic_wall(beta, gamma));
+      verify::resolved(problems::solid_table(), dynamic_wall(scheme, beta, gamma));
   std::vector<std::vector<Vec3>> d;
   for (const int factor : {1, 2, 4}) d.push_back(displacement(list, field, factor * steps));
   out << "differences " << verify::distance(d[0], d[1]) << " " << verify::distance(d[1], d[2])
@@ -78,11 +79,15 @@ double order_in_time(const std::string& beta, const std::string& gamma, int step
 }
 
 TEUCHOS_UNIT_TEST(wall_dynamics, newmark_with_gamma_one_half_is_of_second_order) {
-  TEST_FLOATING_EQUALITY(order_in_time("0.25", "0.5", 40, out), 2.0, 0.05);
+  TEST_FLOATING_EQUALITY(order_in_time("newmark", "0.25", "0.5", 40, out), 2.0, 0.05);
+}
+
+TEUCHOS_UNIT_TEST(wall_dynamics, bdf2_is_of_second_order) {
+  TEST_FLOATING_EQUALITY(order_in_time("bdf2", "0.25", "0.5", 80, out), 2.0, 0.1);
 }
 
 TEUCHOS_UNIT_TEST(wall_dynamics, newmark_with_gamma_one_is_of_first_order) {
-  TEST_FLOATING_EQUALITY(order_in_time("0.625", "1", 120, out), 1.0, 0.1);
+  TEST_FLOATING_EQUALITY(order_in_time("newmark", "0.625", "1", 120, out), 1.0, 0.1);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ std::string vibrating_wall(const std::string& beta, const std::string& gamma) {
                                           sublist("Amplitude", smooth_pulse())) +
                      sublist("struct_in", held("z")) + sublist("struct_out", held("z")) +
                      sublist("symmetry_x", held("x")) + sublist("symmetry_y", held("y"))) +
+         entry("time scheme", "string", "newmark") +
          sublist("Newmark", entry("beta", "double", beta) + entry("gamma", "double", gamma)) +
          sublist("Newton", entry("relative increment", "double", "1e-11")) +
          sublist("Linear Solver", entry("method", "string", "direct"));

@@ -127,6 +127,7 @@ Comparison flow_on(int n, int steps, std::ostream& out) {
     fluid.begin_step(clock);
     const nonlinear::NewtonReport report = fluid.solve();
     TUNICA_CHECK(report.is_converged, report.reason);
+    fluid.end_step();
     if (clock.step() > (periods - 1) * steps) found.add(clock.time(), steps);
   }
   const Complex flow = found.flow() / found.gradient();

@@ -9,8 +9,14 @@
 
 namespace tunica::app {
 
-Checkpoints::Checkpoints(RunOutput& output, Parts parts, const CommPtr& comm)
-    : output_(&output), parts_(std::move(parts)), comm_(comm) {}
+Checkpoints::Checkpoints(RunOutput& output, const Parts& parts, const CommPtr& comm)
+    : output_(&output), comm_(comm) {
+  for (const auto& [name, part] : parts) {
+    parts_.emplace_back(name, part);
+    for (const auto& [inner, its_part] : part->inner_parts())
+      parts_.emplace_back(name + " " + inner, its_part);
+  }
+}
 
 void Checkpoints::begin(stepping::Clock& clock) const {
   const auto& restart = output_->restart;

@@ -17,7 +17,7 @@ public:
   using Parts = std::vector<std::pair<std::string, fields::Restartable*>>;
 
   /// The parts, which must outlive the object, are all that a run needs to go on.
-  Checkpoints(RunOutput& output, Parts parts, const CommPtr& comm);
+  Checkpoints(RunOutput& output, const Parts& parts, const CommPtr& comm);
 
   /// Brings parts and clock to where the run goes on. A new run stays at its beginning and removes
   /// the checkpoints that --overwrite gives up: no later restart must take them for its own. Comes

@@ -6,9 +6,10 @@ namespace tunica::assembly {
 
 namespace {
 
-kernels::FluidState state_of(const FluidFields& s, const std::array<int, 4>& nodes) {
-  return {gather(s.u, nodes), gather(s.p, nodes), gather(s.u_old, nodes), gather(s.w, nodes),
-          gather(s.f, nodes)};
+kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh, std::size_t e) {
+  const std::array<int, 4>& nodes = mesh.tets[e];
+  return {gather(s.u, nodes), gather(s.p, nodes), gather(s.u_old, nodes),
+          gather(s.w, nodes), gather(s.f, nodes), s.subscale.empty() ? Vec3{} : s.subscale[e]};
 }
 
 }  // namespace
@@ -18,7 +19,7 @@ void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements
   kernels::MixedResidual Re;
   kernels::MixedJacobian Ke;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    const kernels::FluidState s = state_of(state, mesh.tets[e]);
+    const kernels::FluidState s = state_of(state, mesh, e);
     const kernels::Tet4& T = elements.geometry[e];
     if (K == nullptr) {
       Re = kernels::fluid_up_residual(T, s, elements.coefficients, elements.tau[e]);
@@ -34,9 +35,18 @@ std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElement
                                const FluidFields& state) {
   std::vector<double> tau(mesh.tets.size());
   for (std::size_t e = 0; e < tau.size(); ++e)
-    tau[e] = kernels::fluid_tau(elements.geometry[e], state_of(state, mesh.tets[e]),
-                                elements.coefficients);
+    tau[e] =
+        kernels::fluid_tau(elements.geometry[e], state_of(state, mesh, e), elements.coefficients);
   return tau;
+}
+
+std::vector<Vec3> fluid_subscales(const fields::FieldMesh& mesh, const FluidElements& elements,
+                                  const FluidFields& state) {
+  std::vector<Vec3> subscales(mesh.tets.size());
+  for (std::size_t e = 0; e < subscales.size(); ++e)
+    subscales[e] = kernels::fluid_subscale(elements.geometry[e], state_of(state, mesh, e),
+                                           elements.coefficients, elements.tau[e]);
+  return subscales;
 }
 
 double stabilisation_power(const fields::FieldMesh& mesh, const FluidElements& elements,
@@ -44,9 +54,8 @@ double stabilisation_power(const fields::FieldMesh& mesh, const FluidElements& e
   double power = 0.0;
   for (std::size_t e = 0; e < elements.tau.size(); ++e)
     if (mesh.is_owned[e])
-      power +=
-          kernels::fluid_stabilisation_power(elements.geometry[e], state_of(state, mesh.tets[e]),
-                                             elements.coefficients, elements.tau[e]);
+      power += kernels::fluid_stabilisation_power(elements.geometry[e], state_of(state, mesh, e),
+                                                  elements.coefficients, elements.tau[e]);
   return power;
 }
 

@@ -18,6 +18,7 @@ struct FluidFields {
   std::vector<Vec3> u_old;
   std::vector<Vec3> w;
   std::vector<Vec3> f;
+  std::vector<Vec3> subscale = {};  ///< ũ' per element; empty where subscales have no inertia
 };
 
 /// Adds the element residuals, and the Jacobians where K is not null.
@@ -27,6 +28,10 @@ void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements
 /// The stabilisation parameters for u_old and w of the state.
 std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElements& elements,
                                const FluidFields& state);
+
+/// The subscales u' of the new time, per element [mm/ms].
+std::vector<Vec3> fluid_subscales(const fields::FieldMesh& mesh, const FluidElements& elements,
+                                  const FluidFields& state);
 
 /// Power that the stabilisation takes out in the elements that the rank counts [kPa mm³/ms].
 double stabilisation_power(const fields::FieldMesh& mesh, const FluidElements& elements,

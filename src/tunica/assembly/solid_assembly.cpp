@@ -6,6 +6,20 @@
 
 namespace tunica::assembly {
 
+namespace {
+
+kernels::SolidState state_of(const SolidFields& s, const fields::FieldMesh& mesh,
+                             const SolidElements& elements, std::size_t e) {
+  const std::array<int, 4>& nodes = mesh.tets[e];
+  const double density = elements.density[e];
+  kernels::SolidState state{gather(s.d, nodes), gather(s.p, nodes), gather(s.r, nodes)};
+  for (Vec3& r : state.r) r = density * r;
+  if (!s.subscale_r.empty()) state.subscale_r = density * s.subscale_r[e];
+  return state;
+}
+
+}  // namespace
+
 WorstElement worst_solid_element(const fields::FieldMesh& mesh, const SolidElements& elements,
                                  const std::vector<Vec3>& d) {
   WorstElement worst{1.0, -1};
@@ -18,14 +32,21 @@ WorstElement worst_solid_element(const fields::FieldMesh& mesh, const SolidEleme
   return worst;
 }
 
+std::vector<Vec3> solid_subscales(const fields::FieldMesh& mesh, const SolidElements& elements,
+                                  const SolidFields& state) {
+  std::vector<Vec3> subscales(mesh.tets.size());
+  for (std::size_t e = 0; e < subscales.size(); ++e)
+    subscales[e] = kernels::solid_subscale(elements.geometry[e], state_of(state, mesh, elements, e),
+                                           elements.coefficients[e]);
+  return subscales;
+}
+
 void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements,
                     const SolidFields& state, NodalResidual& R, BlockAssembler* K) {
   kernels::MixedResidual Re;
   kernels::MixedJacobian Ke;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    const auto& nodes = mesh.tets[e];
-    kernels::SolidState s{gather(state.d, nodes), gather(state.p, nodes), gather(state.r, nodes)};
-    for (Vec3& r : s.r) r = elements.density[e] * r;
+    const kernels::SolidState s = state_of(state, mesh, elements, e);
     const kernels::Tet4& T = elements.geometry[e];
     if (K == nullptr) {
       Re = kernels::solid_up_residual(T, s, *elements.law[e], elements.coefficients[e],

@@ -23,6 +23,7 @@ struct SolidFields {
   std::vector<Vec3> d;
   std::vector<double> p;
   std::vector<Vec3> r;  ///< inertia history of kernels::SolidState for unit density [mm/ms²]
+  std::vector<Vec3> subscale_r = {};  ///< that of the subscales, per element; empty without inertia
 };
 
 /// The local element of smallest det F and its value.
@@ -32,6 +33,10 @@ struct WorstElement {
 };
 WorstElement worst_solid_element(const fields::FieldMesh& mesh, const SolidElements& elements,
                                  const std::vector<Vec3>& d);
+
+/// The subscales d' of the new time, per element [mm].
+std::vector<Vec3> solid_subscales(const fields::FieldMesh& mesh, const SolidElements& elements,
+                                  const SolidFields& state);
 
 /// Adds the element residuals, and the Jacobians where K is not null.
 void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements,

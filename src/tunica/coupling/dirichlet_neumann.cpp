@@ -27,8 +27,10 @@ DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
 Outcome DirichletNeumann::prepare(const stepping::Clock& clock) {
   if (!added_mass_) return Outcome::success();
   const fields::FieldMesh& mesh = fluid_->mesh();
-  const double dt = clock.step_size();
-  AddedMassModel model{mesh.x, {}, fluid_->open_surfaces(), fluid_->density() / (dt * dt), {}};
+  fluid_->begin_step(clock);
+  // ρ (u − ũ)/Δt with u = (d − d̃)/Δt on the interface
+  const double mass = fluid_->density() * std::pow(fluid_->time_scheme().rate(), 2);
+  AddedMassModel model{mesh.x, {}, fluid_->open_surfaces(), mass, {}};
   for (int a = 0; a < mesh.n_nodes(); ++a) model.positions[a] += motion_->old_displacement()[a];
   model.area = boundary::nodal_areas(mesh, model.positions, interface_->surfaces);
   const auto compliance = wall_compliance(clock, *interface_, model.area, *wall_);
@@ -67,7 +69,7 @@ Outcome DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& ite
   iteration.seconds("motion") = moving.seconds();
   if (moved.is_failure()) return moved.at("the mesh motion");
   const Stopwatch flowing;
-  const Outcome placed = fluid_->set_domain(motion_->displacement(), motion_->old_displacement());
+  const Outcome placed = fluid_->set_domain(motion_->displacement(), motion_->past_displacement());
   if (placed.is_failure()) return placed.at("the fluid's mesh");
   nonlinear::NewtonReport& report = iteration.solve("fluid");
   report = fluid_->solve();
@@ -106,6 +108,7 @@ InterfaceVector DirichletNeumann::limited(const InterfaceVector& d, InterfaceVec
 }
 
 void DirichletNeumann::accept() {
+  fluid_->end_step();
   wall_->end_step();
   motion_->end_step();
   accelerator_->end_step();

@@ -7,28 +7,33 @@
 #include "tunica/discretisation/fluid_options.hpp"
 #include "tunica/discretisation/mixed_field.hpp"
 #include "tunica/discretisation/observable.hpp"
+#include "tunica/discretisation/subscales.hpp"
 #include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::discretisation {
 
-/// The fluid on a moving mesh in a time step: velocity and pressure, implicit Euler. Starts at rest
-/// on the undeformed mesh.
+/// The fluid on a moving mesh in a time step: velocity and pressure. Starts at rest on the
+/// undeformed mesh.
 class Fluid final : public MixedField {
 public:
   /// list: the resolved "Fluid" list. mesh must outlive the object. Collective.
   Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
   ~Fluid() override;
 
-  /// Begins the clock's present step from the state x of the old time.
-  void begin_step(const stepping::Clock& clock, const algebra::BlockVector& x);
+  /// Takes x for the state at the start, instead of rest.
+  void start_from(const algebra::BlockVector& x);
+  void begin_step(const stepping::Clock& clock);
   /// Moves the mesh to the displacement d of all local nodes; the mesh velocity and the velocity
-  /// on the interface are those that the time scheme sees between d_old and d. Fails where an
-  /// element is inverted, and says which.
-  Outcome set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_old);
+  /// on the interface are those that the time scheme sees between d_past, its past of the mesh's
+  /// displacement, and d. Fails where an element is inverted, and says which.
+  Outcome set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_past);
   /// Gives x the prescribed velocities and fixes what stays constant in a Newton solve.
   void prescribe(algebra::BlockVector& x);
   /// Shifts the pressure of an enclosed fluid, which is known up to a constant, to a mean of zero.
   void fix_pressure_level(algebra::BlockVector& x) const;
+
+  /// Accepts x as the state of the new time.
+  void end_step(const algebra::BlockVector& x);
 
   /// Consistent nodal forces [mN] on what bounds the fluid: minus the momentum residual at x, on
   /// owned nodes. Meaningful where the velocity is prescribed.
@@ -44,6 +49,15 @@ public:
   std::vector<int> open_surfaces() const;
   const std::vector<Vec3>& positions() const { return position_; }  ///< current, local nodes
   const assembly::FluidElements& elements() const { return elements_; }
+  /// That of the mesh and of the interface, too.
+  const stepping::TimeScheme& time_scheme() const { return *scheme_; }
+  /// None where they have no inertia.
+  Subscales* subscales() { return subscales_.get(); }
+
+  /// What the time scheme remembers beside x.
+  void save_history(fields::State& state) const;
+  /// x: of the state. Collective.
+  void restore_history(const fields::State& state, const algebra::BlockVector& x);
 
   Observables observe(const algebra::BlockVector& x) const;
 
@@ -66,6 +80,7 @@ private:
   FluidOptions options_;
   std::unique_ptr<stepping::TimeScheme> scheme_;
   stepping::History velocities_;
+  std::unique_ptr<Subscales> subscales_;
   assembly::FluidElements elements_;
   boundary::VectorField body_force_, boundary_velocity_;
 

@@ -4,6 +4,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/boundary/registry.hpp"
+#include "tunica/stepping/registry.hpp"
 
 namespace tunica::discretisation {
 
@@ -12,6 +13,9 @@ void add_fluid_keys(params::Table& table) {
       .number("density", std::nullopt, params::positive(), "mg/mm^3", "density")
       .number("viscosity", std::nullopt, params::positive(), "kPa ms",
               "dynamic viscosity; 0.035 Poise are 3.5e-6 kPa s = 3.5e-3 kPa ms")
+      .choice("stabilisation", "inertial", {"inertial", "dynamic"},
+              "subscales of SUPG and PSPG: without inertia of their own, the time step in their "
+              "parameter only, or time-dependent, which keep the pressure as the time step shrinks")
       .number("stabilisation viscous factor", 4.0, params::positive(), "1",
               "c of the viscous part c nu/h^2 in the SUPG and PSPG parameter; 12 is more accurate "
               "in slow viscous flow at large time steps, where 4 blurs the pressure")
@@ -19,11 +23,12 @@ void add_fluid_keys(params::Table& table) {
                boundary::condition_table("One surface of the fluid. Surfaces that are not listed "
                                          "let the fluid out freely.",
                                          boundary::fluid_conditions()),
-               "one list for each surface with a condition")
-      .check([](const Teuchos::ParameterList& list, const std::string& path) {
-        TUNICA_CHECK(!list.get<Teuchos::Array<std::string>>("regions").empty(),
-                     path + ": \"regions\" is empty. Name each region of the fluid.");
-      });
+               "one list for each surface with a condition");
+  stepping::add_fluid_scheme_keys(table);
+  table.check([](const Teuchos::ParameterList& list, const std::string& path) {
+    TUNICA_CHECK(!list.get<Teuchos::Array<std::string>>("regions").empty(),
+                 path + ": \"regions\" is empty. Name each region of the fluid.");
+  });
 }
 
 FluidOptions fluid_options(const Teuchos::ParameterList& list) {
@@ -31,6 +36,7 @@ FluidOptions fluid_options(const Teuchos::ParameterList& list) {
   options.regions = list.get<Teuchos::Array<std::string>>("regions").toVector();
   options.density = list.get<double>("density");
   options.viscosity = list.get<double>("viscosity");
+  options.has_dynamic_subscales = list.get<std::string>("stabilisation") == "dynamic";
   options.viscous_factor = list.get<double>("stabilisation viscous factor");
   return options;
 }

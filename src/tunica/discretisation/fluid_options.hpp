@@ -10,7 +10,8 @@ struct FluidOptions {
   std::vector<std::string> regions;
   double density;
   double viscosity;
-  double viscous_factor;  ///< c_ν of the stabilisation parameter
+  bool has_dynamic_subscales;  ///< they have inertia of their own
+  double viscous_factor;       ///< c_ν of the stabilisation parameter
 };
 
 /// Adds the keys of a "Fluid" list that its discretisation has.

@@ -5,6 +5,7 @@
 #include "tunica/assembly/mass_norm.hpp"
 #include "tunica/discretisation/inverted_element.hpp"
 #include "tunica/discretisation/layer_boundary.hpp"
+#include "tunica/discretisation/nodal_history.hpp"
 #include "tunica/stepping/registry.hpp"
 
 namespace tunica::discretisation {
@@ -13,13 +14,14 @@ Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
              std::vector<materials::Frame> frames)
     : MixedField(mesh, {{"displacement", 3}, {"pressure", 1}},
                  boundary::conditions_of(list.sublist("Surfaces")), boundary::wall_conditions()),
-      options_(solid_options(list)), scheme_(stepping::make_scheme(list)),
+      options_(solid_options(list)), scheme_(stepping::make_wall_scheme(list)),
       history_(scheme_->remembers(), mesh.n_nodes()), nodal_force_(mesh.n_owned) {
   local_.r.assign(mesh.n_nodes(), Vec3{});
   local_.d.resize(mesh.n_nodes());
   local_.p.resize(mesh.n_nodes());
   set_elements();
   set_layer_boundaries();
+  if (options_.has_dynamic_subscales) subscales_ = std::make_unique<Subscales>(*scheme_, mesh);
   elements_.frames = std::move(frames);
 }
 
@@ -69,19 +71,26 @@ void Solid::set_inertia_history() {
     local_.r[a] = scheme_->inertia_load(history_, a);
     if (body_force_) local_.r[a] += body_force_(mesh_->x[a], time_);
   }
+  if (!subscales_) return;
+  local_.subscale_r.resize(mesh_->tets.size());
+  for (std::size_t e = 0; e < mesh_->tets.size(); ++e)
+    local_.subscale_r[e] = scheme_->inertia_load(subscales_->history(), static_cast<int>(e));
 }
 
 void Solid::begin_step(const stepping::Clock& clock) {
   time_ = scheme_->load_time(clock);
-  if (scheme_->step_size() != clock.step_size()) {
-    scheme_->set_step_size(clock.step_size());
+  scheme_->begin_step(clock);
+  if (unit_inertia_ != scheme_->inertia(1.0)) {
+    unit_inertia_ = scheme_->inertia(1.0);
     set_coefficients();
   }
   set_inertia_history();
 }
 
 void Solid::end_step(const algebra::BlockVector& x) {
-  scheme_->accept(fields::ghosted_vectors(*mesh_, x[0]), history_);
+  read(x);
+  if (subscales_) subscales_->accept(assembly::solid_subscales(*mesh_, elements_, local_));
+  scheme_->accept(local_.d, history_);
 }
 
 void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const {
@@ -90,16 +99,10 @@ void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) con
   load.store(*mesh_, fixed_, b);
 }
 
-void Solid::save_history(fields::State& state) const {
-  for (std::size_t k = 0; k < history_.names().size(); ++k)
-    state.arrays[history_.names()[k]] =
-        fields::rows_of(history_[static_cast<int>(k)], mesh_->n_owned);
-}
+void Solid::save_history(fields::State& state) const { save_parts(history_, *mesh_, state); }
 
 void Solid::restore_history(const fields::State& state, const algebra::BlockVector& x) {
-  for (std::size_t k = 0; k < history_.names().size(); ++k)
-    history_[static_cast<int>(k)] =
-        fields::ghosted_rows(state.array(history_.names()[k], 3), *mesh_);
+  restore_parts(state, *mesh_, history_);
   history_.value() = fields::ghosted_vectors(*mesh_, x[0]);
 }
 

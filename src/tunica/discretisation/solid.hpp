@@ -6,6 +6,7 @@
 #include "tunica/discretisation/mixed_field.hpp"
 #include "tunica/discretisation/observable.hpp"
 #include "tunica/discretisation/solid_options.hpp"
+#include "tunica/discretisation/subscales.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/stepping/time_scheme.hpp"
 
@@ -35,6 +36,8 @@ public:
   /// Of owned and ghost nodes, of the last accepted step [mm/ms].
   const std::vector<Vec3>& velocity() const { return history_[0]; }
   const assembly::SolidElements& elements() const { return elements_; }
+  /// None where they have no inertia.
+  Subscales* subscales() { return subscales_.get(); }
 
   Observables observe(const algebra::BlockVector& x) const;
 
@@ -67,7 +70,9 @@ private:
   assembly::SolidElements elements_;
 
   std::unique_ptr<stepping::TimeScheme> scheme_;
-  stepping::History history_;    ///< of the displacement
+  stepping::History history_;  ///< of the displacement
+  std::unique_ptr<Subscales> subscales_;
+  double unit_inertia_ = -1.0;   ///< of the coefficients: the scheme's for unit density
   assembly::SolidFields local_;  ///< ghosted copy of the point of evaluation
   std::vector<Vec3> nodal_force_;
   boundary::VectorField body_force_;

@@ -70,11 +70,12 @@ void add_solid_keys(params::Table& table) {
                "one list for each surface with a condition")
       .choice("analysis", "dynamic", {"dynamic", "static"},
               "with inertia, or a sequence of equilibria");
-  stepping::add_scheme_keys(table);
+  stepping::add_wall_scheme_keys(table);
   table
-      .choice("stabilisation", "inertial", {"inertial", "paper"},
-              "PSPG parameter: 1/(4 mu/h^2 + rho/(beta dt^2)), or the paper's h^2/(4 mu), which "
-              "ignores inertia")
+      .choice("stabilisation", "inertial", {"inertial", "dynamic", "paper"},
+              "PSPG parameter: 1/(4 mu/h^2 + rho/(beta dt^2)) without or with time-dependent "
+              "subscales, which keep the pressure as the time step shrinks, or the paper's "
+              "h^2/(4 mu), which ignores inertia")
       .number("stabilisation modulus factor", 1.0, params::positive(), "1",
               "multiplies the modulus mu of the PSPG parameter")
       .number("stabilisation at layers", 0.03, params::Range{0.0, 1.0, true, false}, "1",
@@ -87,7 +88,9 @@ SolidOptions solid_options(const Teuchos::ParameterList& list) {
   for_each_sublist(list.sublist("Layers"), [&](const std::string& name, const auto& layer) {
     options.layers.push_back(layer_of(name, layer));
   });
-  options.has_inertia_in_tau = list.get<std::string>("stabilisation") == "inertial";
+  const auto& stabilisation = list.get<std::string>("stabilisation");
+  options.has_dynamic_subscales = stabilisation == "dynamic";
+  options.has_inertia_in_tau = stabilisation != "paper";
   options.modulus_factor = list.get<double>("stabilisation modulus factor");
   options.layer_factor = list.get<double>("stabilisation at layers");
   return options;

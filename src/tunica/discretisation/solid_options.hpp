@@ -23,9 +23,10 @@ struct Layer {
 
 struct SolidOptions {
   std::vector<Layer> layers;
-  bool has_inertia_in_tau;  ///< τ = 1/(4μ_l/h² + α) instead of the paper's h²/(4μ_l)
-  double modulus_factor;    ///< multiplies μ_l in τ
-  double layer_factor;      ///< multiplies τ at the boundary of two materials
+  bool has_dynamic_subscales;  ///< those of PSPG have inertia of their own
+  bool has_inertia_in_tau;     ///< τ = 1/(4μ_l/h² + α) instead of the paper's h²/(4μ_l)
+  double modulus_factor;       ///< multiplies μ_l in τ
+  double layer_factor;         ///< multiplies τ at the boundary of two materials
 
   std::vector<std::string> regions() const;
 };

@@ -36,6 +36,13 @@ State state_on(const FieldMesh& mesh) {
   return state;
 }
 
+State element_state_on(const FieldMesh& mesh) {
+  State state;
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
+    if (mesh.is_owned[e]) state.vertices.push_back(mesh.tet_number[e]);
+  return state;
+}
+
 State::Array rows_of(const Vector& v, int columns) {
   const auto view = v.getLocalViewHost(read_only);
   return {columns, {view.data(), view.data() + view.extent(0)}};
@@ -58,6 +65,33 @@ std::vector<Vec3> ghosted_rows(const State::Array& rows, const FieldMesh& mesh) 
   Vector owned(mesh.vector_map, false);
   assign_rows(rows, owned);
   return ghosted_vectors(mesh, owned);
+}
+
+State::Array element_rows_of(const std::vector<Vec3>& values, const FieldMesh& mesh) {
+  State::Array rows{3, {}};
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
+    if (mesh.is_owned[e]) rows.values.insert(rows.values.end(), values[e].begin(), values[e].end());
+  return rows;
+}
+
+std::vector<Vec3> all_element_rows(const State::Array& rows, const FieldMesh& mesh) {
+  const State owned = element_state_on(mesh);
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const auto map_of = [&](const std::vector<int>& numbers) {
+    const std::vector<GlobalOrdinal> global(numbers.begin(), numbers.end());
+    return Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(global), 0, mesh.comm));
+  };
+  MultiVector from(map_of(owned.vertices), 3), to(map_of(mesh.tet_number), 3);
+  {
+    const auto view = from.getLocalViewHost(overwrite_all);
+    for (std::size_t k = 0; k < owned.vertices.size(); ++k)
+      for (int i = 0; i < 3; ++i) view(k, i) = rows.values[3 * k + i];
+  }
+  to.doImport(from, Import(from.getMap(), to.getMap()), insert);
+  const auto view = to.getLocalViewHost(read_only);
+  std::vector<Vec3> values(mesh.tets.size());
+  for (std::size_t e = 0; e < values.size(); ++e) values[e] = {view(e, 0), view(e, 1), view(e, 2)};
+  return values;
 }
 
 }  // namespace tunica::fields

@@ -11,7 +11,7 @@ namespace tunica::fields {
 struct FieldMesh;
 
 /// What a part of a run keeps between time steps and needs to go on from there: words, numbers,
-/// and values at nodes. The nodes are named by their vertices of the mesh, so that another
+/// and values at nodes or elements. They are named by their number in the mesh, so that another
 /// number of ranks can take the state over.
 struct State {
   /// Rows of the calling rank, one per entry of vertices, each of so many numbers.
@@ -20,7 +20,8 @@ struct State {
     std::vector<double> values;
   };
 
-  std::vector<int> vertices;  ///< of the rows; each vertex on exactly one rank
+  /// Of the rows: vertices, or elements from 1; each on exactly one rank.
+  std::vector<int> vertices;
   std::map<std::string, std::string> texts;
   std::map<std::string, std::vector<double>> numbers;
   std::map<std::string, Array> arrays;
@@ -43,10 +44,14 @@ public:
   /// about what could not be used, or nothing. Throws Error where something is missing.
   /// Collective.
   virtual std::string restore(const State& state) = 0;
+
+  /// What belongs to it and has rows of another kind, by name.
+  virtual std::map<std::string, Restartable*> inner_parts() { return {}; }
 };
 
-/// A state without values on the owned nodes of the mesh.
+/// A state without values on the owned nodes of the mesh, or on its owned elements.
 State state_on(const FieldMesh& mesh);
+State element_state_on(const FieldMesh& mesh);
 
 /// Nodal values as rows, and back. Vectors have `columns` entries per node.
 State::Array rows_of(const Vector& v, int columns);
@@ -54,5 +59,9 @@ State::Array rows_of(const std::vector<Vec3>& values, int count);
 void assign_rows(const State::Array& rows, Vector& v);
 /// On owned and ghost nodes. Collective.
 std::vector<Vec3> ghosted_rows(const State::Array& rows, const FieldMesh& mesh);
+
+/// Rows of the owned elements, and back to all local ones. The latter is collective.
+State::Array element_rows_of(const std::vector<Vec3>& values, const FieldMesh& mesh);
+std::vector<Vec3> all_element_rows(const State::Array& rows, const FieldMesh& mesh);
 
 }  // namespace tunica::fields

@@ -10,17 +10,21 @@ struct FluidState {
   std::array<Vec3, 4> u_old;  ///< velocity of the previous step [mm/ms]
   std::array<Vec3, 4> w;      ///< mesh velocity [mm/ms]
   std::array<Vec3, 4> f;      ///< body force per mass [mm/ms²], zero but for tests
+  Vec3 subscale{};            ///< ũ', velocity of the past that the mesh does not resolve [mm/ms]
 };
 
 struct FluidCoefficients {
-  double density;               ///< ρ [mg/mm³]
-  double viscosity;             ///< μ [kPa ms]
-  double inv_dt;                ///< 1/Δt, zero for steady flow [1/ms]
-  double viscous_factor = 4.0;  ///< c_ν in τ
+  double density;                      ///< ρ [mg/mm³]
+  double viscosity;                    ///< μ [kPa ms]
+  double inv_dt;                       ///< 1/Δt, zero for steady flow [1/ms]
+  double viscous_factor = 4.0;         ///< c_ν in τ
+  bool has_dynamic_subscales = false;  ///< subscales have inertia, see fluid_tau()
 };
 
-/// SUPG/PSPG parameter τ = ((2/Δt)² + (2|c|/h)² + (c_ν ν/h²)²)^(−1/2) [ms], c = u_old − w at the
-/// centroid, so that it is constant in a Newton solve.
+/// SUPG/PSPG parameter τ [ms], c = u_old − w at the centroid, so that it is constant in a Newton
+/// solve:
+///   τ = ((2/Δt)² + (2|c|/h)² + (c_ν ν/h²)²)^(−1/2)       subscales without inertia
+///   τ = (1/Δt + ((2|c|/h)² + (c_ν ν/h²)²)^(1/2))^(−1)    time-dependent subscales
 double fluid_tau(const Tet4& T, const FluidState& s, const FluidCoefficients& c);
 
 /// Residual of the P1–P1 SUPG/PSPG fluid; see fluid_up.cpp for the equations.
@@ -31,7 +35,10 @@ MixedResidual fluid_up_residual(const Tet4& T, const FluidState& s, const FluidC
 void fluid_up_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau,
                        MixedResidual& R, MixedJacobian& K);
 
-/// Power that SUPG and PSPG take out: τ ∫ (G c + ∇p/ρ)·(m + ∇p) dV in the symbols of
+/// The subscale u' of the new time, constant on the element [mm/ms]; see fluid_up.cpp.
+Vec3 fluid_subscale(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau);
+
+/// Power that SUPG and PSPG take out: τ ∫ (G c + ∇p/ρ)·(m + h) dV in the symbols of
 /// fluid_up.cpp [kPa mm³/ms].
 double fluid_stabilisation_power(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
                                  double tau);

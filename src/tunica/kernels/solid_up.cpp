@@ -8,13 +8,18 @@ namespace tunica::kernels {
 // The P1–P1 mixed solid with PSPG on one tetrahedron of the reference configuration.
 //
 //   R_u[a] = ∫ N_a (α d − r) + P ∇N_a dV,               P = F S' − p J F⁻ᵀ
-//   R_p[a] = −∫ N_a (J − 1 + p/κ) dV − τ ∫ s·g_a dV,    s = α d − r + J F⁻ᵀ∇p
+//   R_p[a] = −∫ N_a (J − 1 + p/κ) dV − τ ∫ s·g_a dV,    s = α d − r − r' + J F⁻ᵀ∇p
 //
 //   F    I + Σ_a d_a ⊗ ∇N_a, constant        1        J   det F, positive          1
 //   S'   law.stress, isochoric PK2           kPa      κ   bulk modulus             kPa
 //   p    nodal, compression positive         kPa      τ   PSPG parameter           mm²/kPa
 //   α    ρ/(βΔt²), zero in statics           kPa/mm²  r   inertia history, force   kPa/mm
-//   g_a  F⁻ᵀ∇N_a, spatial gradient           1/mm
+//   g_a  F⁻ᵀ∇N_a, spatial gradient           1/mm     r'  history of the subscale   kPa/mm
+//
+// The subscale d' is what the mesh does not resolve of the displacement, a vector per element with
+// the inertia of the wall where it is time-dependent (r' = 0 otherwise), at fixed 1/τ = 4μ/h² + α:
+//
+//   α d' − r' + (4μ/h²) d' = −mean(α d − r + J F⁻ᵀ∇p),   hence   d' = −τ s̄
 //
 // Every integral is exact: the integrands are at most quadratic on the element.
 // The Jacobian is exact, with the derivative of the PSPG term:
@@ -40,7 +45,7 @@ struct Point {
   Vec3 g[4];  ///< F⁻ᵀ∇N_a
   Vec3 g_p;   ///< F⁻ᵀ∇p
   Vec3 q[4];  ///< α d_a − r_a
-  Vec3 s;     ///< mean of q + J g_p
+  Vec3 s;     ///< mean of q + J g_p − r'
 };
 
 Point evaluate(const Tet4& T, const SolidState& s, const SolidCoefficients& c) {
@@ -63,7 +68,7 @@ Point evaluate(const Tet4& T, const SolidState& s, const SolidCoefficients& c) {
     }
   }
   x.p_mean = 0.25 * (s.p[0] + s.p[1] + s.p[2] + s.p[3]);
-  for (int i = 0; i < 3; ++i) x.s[i] = 0.25 * q_sum[i] + x.J * x.g_p[i];
+  for (int i = 0; i < 3; ++i) x.s[i] = 0.25 * q_sum[i] - s.subscale_r[i] + x.J * x.g_p[i];
   return x;
 }
 
@@ -180,6 +185,10 @@ void pressure_blocks(const Tet4& T, const Point& x, const SolidCoefficients& c, 
 
 double solid_jacobian_determinant(const Tet4& T, const std::array<Vec3, 4>& d) {
   return det(deformation_gradient(T, d));
+}
+
+Vec3 solid_subscale(const Tet4& T, const SolidState& s, const SolidCoefficients& c) {
+  return -c.tau * evaluate(T, s, c).s;  // d' = −τ s̄
 }
 
 MixedResidual solid_up_residual(const Tet4& T, const SolidState& s,

@@ -9,6 +9,7 @@ struct SolidState {
   std::array<Vec3, 4> d;    ///< displacement [mm]
   std::array<double, 4> p;  ///< pressure, compression positive [kPa]
   std::array<Vec3, 4> r;    ///< time scheme and body force f: ρ (a − f) = alpha d − r [kPa/mm]
+  Vec3 subscale_r{};        ///< time scheme of the subscale: ρ a' = alpha d' − r' [kPa/mm]
 };
 
 /// Constants of one element.
@@ -20,6 +21,9 @@ struct SolidCoefficients {
 
 /// det F of the element; positive unless it is inverted.
 double solid_jacobian_determinant(const Tet4& T, const std::array<Vec3, 4>& d);
+
+/// The subscale d' of the new time, constant on the element [mm]; see solid_up.cpp.
+Vec3 solid_subscale(const Tet4& T, const SolidState& s, const SolidCoefficients& c);
 
 /// Residual of the P1–P1 mixed solid; see solid_up.cpp for the equations. det F > 0 is the
 /// caller's promise. frame: matters for laws with fibres only.

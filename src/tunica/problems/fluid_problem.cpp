@@ -21,12 +21,30 @@ void FluidProblem::set_initial_velocity(const std::function<Vec3(const Vec3& x)>
   std::vector<Vec3> values(mesh().n_nodes());
   for (int a = 0; a < mesh().n_nodes(); ++a) values[a] = u(mesh().x[a]);
   fields::store(values, mesh(), x_[0]);
+  fluid_->start_from(x_);
+}
+
+fields::State FluidProblem::save() const {
+  fields::State state = FieldProblem::save();
+  fluid_->save_history(state);
+  return state;
+}
+
+std::string FluidProblem::restore(const fields::State& state) {
+  const std::string remark = FieldProblem::restore(state);
+  fluid_->restore_history(state, x_);
+  return remark;
+}
+
+std::map<std::string, fields::Restartable*> FluidProblem::inner_parts() {
+  if (fluid_->subscales() == nullptr) return {};
+  return {{"subscales", fluid_->subscales()}};
 }
 
 params::Table fluid_solver_table() { return linear::linear_solver_table({"multigrid"}); }
 
 params::Table fluid_table() {
-  params::Table table("The fluid: ALE Navier-Stokes, P1-P1 with SUPG and PSPG, implicit Euler.");
+  params::Table table("The fluid: ALE Navier-Stokes, P1-P1 with SUPG and PSPG.");
   discretisation::add_fluid_keys(table);
   table.sublist("Newton", nonlinear::newton_table()).sublist("Linear Solver", fluid_solver_table());
   return table;

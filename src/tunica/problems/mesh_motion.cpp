@@ -1,14 +1,15 @@
 #include "tunica/problems/mesh_motion.hpp"
 
 #include "tunica/base/fault_point.hpp"
+#include "tunica/discretisation/nodal_history.hpp"
 
 namespace tunica::problems {
 
 MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
-                       const std::vector<int>& surfaces)
+                       const std::vector<int>& surfaces, const stepping::TimeScheme& scheme)
     : mesh_(&mesh), is_interface_(mesh.n_owned, 0), motion_(mesh),
-      harmonic_(list.sublist("Linear Solver"), motion_.extension(), 3), d_(mesh.n_nodes()),
-      d_old_(mesh.n_nodes()) {
+      harmonic_(list.sublist("Linear Solver"), motion_.extension(), 3), scheme_(&scheme),
+      history_(scheme.remembers(), mesh.n_nodes()), d_(mesh.n_nodes()) {
   for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, surfaces);
 }
 
@@ -29,15 +30,23 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement) {
   return Outcome::success();
 }
 
+std::vector<Vec3> MeshMotion::past_displacement() const {
+  std::vector<Vec3> past(d_.size());
+  for (int a = 0; a < mesh_->n_nodes(); ++a) past[a] = scheme_->past(history_, a);
+  return past;
+}
+
 fields::State MeshMotion::save() const {
   fields::State state = fields::state_on(*mesh_);
   state.arrays["displacement"] = fields::rows_of(d_, mesh_->n_owned);
+  discretisation::save_parts(history_, *mesh_, state);
   return state;
 }
 
 std::string MeshMotion::restore(const fields::State& state) {
   const fields::State::Array& rows = state.array("displacement", 3);
-  d_ = d_old_ = fields::ghosted_rows(rows, *mesh_);
+  d_ = history_.value() = fields::ghosted_rows(rows, *mesh_);
+  discretisation::restore_parts(state, *mesh_, history_);
   MultiVector last(mesh_->node_map, 3);
   {
     const auto view = last.getLocalViewHost(overwrite_all);

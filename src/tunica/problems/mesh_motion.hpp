@@ -1,23 +1,28 @@
 #pragma once
 #include "tunica/fields/state.hpp"
 #include "tunica/problems/harmonic.hpp"
+#include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::problems {
 
 /// The fluid's mesh follows the interface: the harmonic extension of its displacement, solved for.
 class MeshMotion : public fields::Restartable {
 public:
-  /// list: the resolved "Mesh Motion" list; surfaces: indices of the interface's surfaces.
+  /// list: the resolved "Mesh Motion" list; surfaces: indices of the interface's surfaces; scheme:
+  /// that of the fluid, which begins its steps. mesh and scheme must outlive the object.
   MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
-             const std::vector<int>& surfaces);
+             const std::vector<int>& surfaces, const stepping::TimeScheme& scheme);
 
   /// Sets displacement() from that of the owned interface nodes (other entries are ignored).
   /// Says why where the linear solver fails. Collective.
   Outcome extend(const std::vector<Vec3>& interface_displacement);
 
-  const std::vector<Vec3>& displacement() const { return d_; }          ///< local nodes
-  const std::vector<Vec3>& old_displacement() const { return d_old_; }  ///< of the last step
-  void end_step() { d_old_ = d_; }
+  const std::vector<Vec3>& displacement() const { return d_; }  ///< local nodes
+  /// Of the last step.
+  const std::vector<Vec3>& old_displacement() const { return history_.value(); }
+  /// The time scheme's past of the displacement in the present step.
+  std::vector<Vec3> past_displacement() const;
+  void end_step() { scheme_->accept(d_, history_); }
 
   // Restartable
   fields::State save() const override;
@@ -28,7 +33,9 @@ private:
   std::vector<char> is_interface_;  ///< per owned node
   discretisation::MeshMotion motion_;
   Harmonic harmonic_;
-  std::vector<Vec3> d_, d_old_;
+  const stepping::TimeScheme* scheme_;
+  stepping::History history_;
+  std::vector<Vec3> d_;
 };
 
 params::Table mesh_motion_table();

@@ -52,6 +52,11 @@ std::string SolidProblem::restore(const fields::State& state) {
   return remark;
 }
 
+std::map<std::string, fields::Restartable*> SolidProblem::inner_parts() {
+  if (wall_->subscales() == nullptr) return {};
+  return {{"subscales", wall_->subscales()}};
+}
+
 std::vector<Vec3> SolidProblem::displacement() const {
   return fields::owned_vectors(mesh(), x_[0]);
 }

@@ -35,6 +35,7 @@ public:
   // Restartable
   fields::State save() const override;
   std::string restore(const fields::State& state) override;
+  std::map<std::string, fields::Restartable*> inner_parts() override;
 
 private:
   SolidProblem(std::unique_ptr<discretisation::Solid> wall, const Teuchos::ParameterList& list);

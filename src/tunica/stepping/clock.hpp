@@ -20,6 +20,8 @@ public:
   int step() const { return step_ + 1; }
   double time() const { return step() * step_size_; }
   double step_size() const { return step_size_; }
+  /// Δt of the step before; zero in the first one [ms].
+  double previous_step_size() const { return step_ == 0 ? 0.0 : step_size_; }
   int steps() const { return steps_; }
 
 private:

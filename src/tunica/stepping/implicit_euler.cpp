@@ -19,8 +19,14 @@ void ImplicitEuler::accept(const std::vector<Vec3>& x, History& history) const {
 }
 
 SchemeEntry implicit_euler_scheme() {
-  return {"implicit euler", "", params::Table(),
-          [](const Teuchos::ParameterList&) { return std::make_unique<ImplicitEuler>(2); }};
+  return {"implicit euler",
+          "first order, damps what it does not resolve",
+          true,
+          "",
+          params::Table(),
+          [](const Teuchos::ParameterList&, int order) {
+            return std::make_unique<ImplicitEuler>(order);
+          }};
 }
 
 }  // namespace tunica::stepping

@@ -24,7 +24,7 @@ private:
   int order_;
 };
 
-/// "implicit euler" of a wall.
+/// "implicit euler" of fluid and wall.
 SchemeEntry implicit_euler_scheme();
 
 }  // namespace tunica::stepping

@@ -40,7 +40,12 @@ SchemeEntry newmark_scheme() {
       .number("beta", 0.625, params::Range{0.0, 1.0, true, false}, "1",
               "β; more than 0.5 keeps the pressure free of oscillations in time")
       .number("gamma", 1.0, params::between(0.5, 1.0), "1", "γ; 1 is the first-order scheme");
-  return {"newmark", "Newmark", table, [](const Teuchos::ParameterList& wall) {
+  return {"newmark",
+          "the paper's for the wall, with the keys below",
+          false,
+          "Newmark",
+          table,
+          [](const Teuchos::ParameterList& wall, int) {
             return std::make_unique<Newmark>(wall.sublist("Newmark"));
           }};
 }

@@ -10,12 +10,12 @@
 
 namespace tunica::stepping {
 
-/// What a time scheme remembers of a nodal quantity x from step to step: at each local node the
-/// value itself, then what the scheme adds to it. Zero at the start.
+/// What a time scheme remembers of a quantity x from step to step, a vector at each local node or
+/// element: the value itself, then what the scheme adds to it. Zero at the start.
 class History {
 public:
   /// names: of the parts behind the value, TimeScheme::remembers().
-  History(std::vector<std::string> names, int n_nodes);
+  History(std::vector<std::string> names, int n_places);
 
   const std::vector<Vec3>& value() const { return parts_.front(); }
   std::vector<Vec3>& value() { return parts_.front(); }
@@ -46,30 +46,42 @@ public:
   /// Names of what is remembered behind the value, "velocity" first where there is one.
   virtual std::vector<std::string> remembers() const = 0;
 
-  void set_step_size(double dt) { dt_ = dt; }
-  double step_size() const { return dt_; }  ///< Δt [ms]
+  /// Begins the clock's present step.
+  void begin_step(const Clock& clock) {
+    set_step_size(clock.step_size(), clock.previous_step_size());
+  }
+  /// previous: that of the step before, zero where there is none [ms].
+  void set_step_size(double dt, double previous = 0.0) {
+    dt_ = dt;
+    previous_dt_ = previous;
+  }
+  double step_size() const { return dt_; }                    ///< Δt [ms]
+  double previous_step_size() const { return previous_dt_; }  ///< of the step before [ms]
   /// The instant at which loads act on the clock's present step [ms].
   virtual double load_time(const Clock& clock) const { return clock.time(); }
 
   virtual double rate() const = 0;
-  virtual Vec3 past(const History& history, int node) const = 0;
+  virtual Vec3 past(const History& history, int place) const = 0;
 
   virtual double inertia(double density) const = 0;
-  virtual Vec3 inertia_load(const History& history, int node) const = 0;
+  virtual Vec3 inertia_load(const History& history, int place) const = 0;
 
   /// Takes x for the value at the new time, and brings the other parts there.
   virtual void accept(const std::vector<Vec3>& x, History& history) const = 0;
 
 private:
-  double dt_ = 0.0;
+  double dt_ = 0.0, previous_dt_ = 0.0;
 };
 
-/// A time scheme that a wall's list can name.
+/// A time scheme that the list of a field can name.
 struct SchemeEntry {
   std::string name;
-  std::string list;     ///< of its keys in the wall's list; empty where it has none
-  params::Table table;  ///< these keys
-  std::function<std::unique_ptr<TimeScheme>(const Teuchos::ParameterList& wall)> make;
+  std::string sentence;  ///< what it is good for
+  bool is_for_fluids;    ///< it serves an equation of first order too
+  std::string list;      ///< of its keys in the field's list; empty where it has none
+  params::Table table;   ///< these keys
+  /// order: of the highest derivative in the field's equations.
+  std::function<std::unique_ptr<TimeScheme>(const Teuchos::ParameterList& field, int order)> make;
 };
 
 }  // namespace tunica::stepping

@@ -26,10 +26,12 @@ struct Case {
     s.u_old = samples.vectors(2.0);
     s.w = samples.vectors(0.5);
     s.f = samples.vectors(3.0);
+    s.subscale = samples.vector(0.7);
   }
 
   oracle::FluidWeakForm weak_form(const FluidCoefficients& c, double tau) const {
-    return {oracle::Element(x), c.density, c.viscosity, c.inv_dt, tau, s.u_old, s.w, s.f};
+    return {oracle::Element(x), c.density, c.viscosity, c.inv_dt, tau, s.u_old, s.w, s.f,
+            s.subscale};
   }
 
   template <class S>
@@ -100,6 +102,7 @@ TEUCHOS_UNIT_TEST(FluidUp, uniform_flow_on_a_moving_mesh_has_no_residual) {
     test.s.u = test.s.u_old = {uniform, uniform, uniform, uniform};
     test.s.p = {0, 0, 0, 0};
     test.s.f = {};
+    test.s.subscale = {};
     const double tau = fluid_tau(test.T, test.s, blood);
     const auto R = fluid_up_residual(test.T, test.s, blood, tau);
     for (int a = 0; a < 4; ++a) {
@@ -117,6 +120,7 @@ TEUCHOS_UNIT_TEST(FluidUp, rigid_rotation_meets_no_viscous_force) {
   test.s.w = test.s.u_old = test.s.u;  // no convection, no acceleration
   test.s.p = {0, 0, 0, 0};
   test.s.f = {};
+  test.s.subscale = {};
   const auto R = fluid_up_residual(test.T, test.s, {1.0, 1.0, 8.0}, 0.05);
   for (int a = 0; a < 4; ++a) {
     TEST_COMPARE(norm(R.u[a]), <, 1e-14);
@@ -135,6 +139,33 @@ TEUCHOS_UNIT_TEST(FluidUp, tau_tends_to_its_three_limits) {
   TEST_FLOATING_EQUALITY(fluid_tau(test.T, test.s, {1.0, 0.0, 0.0}), h / 10.0, 1e-13);
   test.s.w = test.s.u_old;
   TEST_FLOATING_EQUALITY(fluid_tau(test.T, test.s, {2.0, 0.5, 0.0}), h * h, 1e-13);
+}
+
+TEUCHOS_UNIT_TEST(FluidUp, dynamic_subscales_solve_their_own_equation) {
+  // ρ (u' − ũ')/Δt + ρ u'/τ_s = −r with the mean residual r, τ_s that of steady flow
+  Samples samples(26);
+  FluidCoefficients c = blood, steady = blood;
+  c.has_dynamic_subscales = true;
+  steady.inv_dt = 0.0;
+  for (int trial = 0; trial < 5; ++trial) {
+    const Case test(samples);
+    const double tau_s = fluid_tau(test.T, test.s, steady);
+    const Vec3 u = fluid_subscale(test.T, test.s, c, fluid_tau(test.T, test.s, c));
+    Mat3 G{};
+    Vec3 r{};
+    for (int a = 0; a < 4; ++a) {
+      r += test.s.p[a] * test.T.grad_N[a];
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) G[i][j] += test.s.u[a][i] * test.T.grad_N[a][j];
+    }
+    for (int a = 0; a < 4; ++a)
+      r += 0.25 * c.density *
+           (c.inv_dt * (test.s.u[a] - test.s.u_old[a]) + G * (test.s.u[a] - test.s.w[a]) -
+            test.s.f[a]);
+    for (int i = 0; i < 3; ++i)
+      TEST_FLOATING_EQUALITY(c.density * ((u[i] - test.s.subscale[i]) * c.inv_dt + u[i] / tau_s),
+                             -r[i], 1e-11);
+  }
 }
 
 }  // namespace

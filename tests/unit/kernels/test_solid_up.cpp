@@ -3,6 +3,7 @@
 #include "oracle/holzapfel_energy.hpp"
 #include "oracle/samples.hpp"
 #include "oracle/solid_weak_form.hpp"
+#include "tunica/kernels/deformation.hpp"
 #include "tunica/kernels/solid_up.hpp"
 #include "tunica/materials/holzapfel.hpp"
 
@@ -31,11 +32,12 @@ struct Case {
     } while (kernels::solid_jacobian_determinant(T, s.d) < 0.3);
     s.p = samples.numbers(5.0);
     s.r = samples.vectors(20.0);
+    s.subscale_r = samples.vector(15.0);
   }
 
   template <class Energy>
   oracle::SolidWeakForm<Energy> weak_form(const Energy& energy, const SolidCoefficients& c) const {
-    return {oracle::Element(x), energy, c.alpha, c.inv_kappa, c.tau, s.r};
+    return {oracle::Element(x), energy, c.alpha, c.inv_kappa, c.tau, s.r, s.subscale_r};
   }
   auto weak_form(const SolidCoefficients& c) const {
     return weak_form(oracle::MooneyRivlinEnergy{3.0, 0.3}, c);
@@ -115,6 +117,23 @@ TEUCHOS_UNIT_TEST(SolidUp, jacobian_is_derivative_of_residual) {
     }
 }
 
+TEUCHOS_UNIT_TEST(SolidUp, subscale_is_what_the_continuity_rows_see) {
+  // d' = −τ s̄, and the PSPG rows are −τ V s̄·g_a = V d'·g_a
+  Samples samples(19);
+  for (int trial = 0; trial < 5; ++trial) {
+    const Case test(samples);
+    const SolidCoefficients c{alpha, 0.0, tau}, unstabilised{alpha, 0.0, 0.0};
+    const Vec3 d = solid_subscale(test.T, test.s, c);
+    const auto with = solid_up_residual(test.T, test.s, law, c);
+    const auto without = solid_up_residual(test.T, test.s, law, unstabilised);
+    const Mat3 F = kernels::deformation_gradient(test.T, test.s.d);
+    for (int a = 0; a < 4; ++a) {
+      const Vec3 g = 1.0 / det(F) * (transpose(adjugate(F)) * test.T.grad_N[a]);
+      TEST_FLOATING_EQUALITY(with.p[a] - without.p[a], test.T.volume * dot(d, g), 1e-10);
+    }
+  }
+}
+
 TEUCHOS_UNIT_TEST(SolidUp, both_entry_points_give_the_same_residual) {
   Samples samples(14);
   const Case test(samples);
@@ -140,6 +159,7 @@ TEUCHOS_UNIT_TEST(SolidUp, rigid_motion_gives_no_force) {
     for (int a = 0; a < 4; ++a) test.s.d[a] = Q * test.x[a] + shift - test.x[a];
     test.s.p = {0, 0, 0, 0};
     test.s.r = {};
+    test.s.subscale_r = {};
     const auto R = solid_up_residual(test.T, test.s, law, {0.0, inv_kappa, tau});
     // relative to modulus × area, respectively volume
     for (int a = 0; a < 4; ++a) {
@@ -154,6 +174,7 @@ TEUCHOS_UNIT_TEST(SolidUp, force_rotates_with_the_body) {
   for (int trial = 0; trial < 10; ++trial) {
     Case test(samples);
     test.s.r = {};
+    test.s.subscale_r = {};
     const SolidCoefficients c{0.0, inv_kappa, tau};
     const auto before = solid_up_residual(test.T, test.s, law, c);
     const Mat3 Q = samples.rotation();
@@ -208,6 +229,7 @@ TEUCHOS_UNIT_TEST(SolidUp, force_of_fibres_rotates_with_the_body) {
   for (int trial = 0; trial < 10; ++trial) {
     Case test(samples);
     test.s.r = {};
+    test.s.subscale_r = {};
     const materials::Frame frame = oracle::random_frame(samples);
     const SolidCoefficients c{0.0, inv_kappa, tau};
     const auto before = solid_up_residual(test.T, test.s, artery, c, frame);

@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
+#include "tunica/stepping/bdf2.hpp"
 #include "tunica/stepping/implicit_euler.hpp"
 #include "tunica/stepping/registry.hpp"
 #include "tunica/stepping/statics.hpp"
@@ -14,7 +15,7 @@ using stepping::ImplicitEuler;
 /// A wall's list with a scheme of this name.
 Teuchos::ParameterList wall_list(const std::string& scheme, const std::string& analysis) {
   params::Table table;
-  stepping::add_scheme_keys(table);
+  stepping::add_wall_scheme_keys(table);
   table.choice("analysis", "dynamic", {"dynamic", "static"}, "");
   Teuchos::ParameterList list;
   list.set("time scheme", scheme).set("analysis", analysis);
@@ -22,13 +23,26 @@ Teuchos::ParameterList wall_list(const std::string& scheme, const std::string& a
   return list;
 }
 
+/// x(1) of ẍ + x = sin²(πt) from rest in n steps of a scheme.
+double oscillator_from_rest(stepping::TimeScheme& scheme, int n) {
+  History history(scheme.remembers(), 1);
+  for (stepping::Clock clock(1.0 / n, n); !clock.is_done(); clock.advance()) {
+    scheme.begin_step(clock);
+    const double load = std::pow(std::sin(std::acos(-1.0) * clock.time()), 2);
+    const double x = (load + scheme.inertia_load(history, 0)[0]) / (scheme.inertia(1.0) + 1.0);
+    scheme.accept({{x, 0, 0}}, history);
+  }
+  return history.value()[0][0];
+}
+
 /// x(1) of the oscillator ẍ + x = 0 from x(0) = 1 in n steps of a scheme: α x − r + x = 0.
 double oscillator(stepping::TimeScheme& scheme, int n) {
-  scheme.set_step_size(1.0 / n);
   History history(scheme.remembers(), 1);
   history.value()[0] = {1, 0, 0};
-  if (history.names().size() > 1) history[1][0] = {-1, 0, 0};  // the acceleration at the start
-  for (int k = 0; k < n; ++k) {
+  for (std::size_t k = 0; k < history.names().size(); ++k)
+    if (history.names()[k] == "acceleration") history[static_cast<int>(k)][0] = {-1, 0, 0};
+  for (stepping::Clock clock(1.0 / n, n); !clock.is_done(); clock.advance()) {
+    scheme.begin_step(clock);
     const double x = scheme.inertia_load(history, 0)[0] / (scheme.inertia(1.0) + 1.0);
     scheme.accept({{x, 0, 0}}, history);
   }
@@ -57,7 +71,7 @@ TEUCHOS_UNIT_TEST(implicit_euler, remembers_a_velocity_only_where_inertia_is_ask
 
 TEUCHOS_UNIT_TEST(time_scheme, every_one_of_the_registry_converges_on_an_oscillator) {
   for (const stepping::SchemeEntry& entry : stepping::schemes()) {
-    const auto scheme = stepping::make_scheme(wall_list(entry.name, "dynamic"));
+    const auto scheme = stepping::make_wall_scheme(wall_list(entry.name, "dynamic"));
     const double coarse = std::abs(oscillator(*scheme, 200) - std::cos(1.0));
     const double fine = std::abs(oscillator(*scheme, 400) - std::cos(1.0));
     out << entry.name << ": " << coarse << " " << fine << "\n";
@@ -66,8 +80,67 @@ TEUCHOS_UNIT_TEST(time_scheme, every_one_of_the_registry_converges_on_an_oscilla
   }
 }
 
+TEUCHOS_UNIT_TEST(bdf2, is_exact_for_parabolas_at_any_steps) {
+  // x = 3 + 2t − t² and its rates, from two exact values at uneven steps
+  const auto x = [](double t) { return 3.0 + 2.0 * t - t * t; };
+  const auto v = [](double t) { return 2.0 - 2.0 * t; };
+  for (const double dt : {0.2, 0.5, 0.7}) {
+    stepping::Bdf2 first(1), second(2);
+    History one(first.remembers(), 1), two(second.remembers(), 1);
+    const double before = 0.1, last = 0.6, now = last + dt;
+    one.value()[0] = two.value()[0] = {x(last), 0, 0};
+    one[0][0] = two[1][0] = {x(before), 0, 0};
+    two[0][0] = {v(last), 0, 0};
+    two[2][0] = {v(before), 0, 0};
+    for (stepping::TimeScheme* scheme : {static_cast<stepping::TimeScheme*>(&first),
+                                         static_cast<stepping::TimeScheme*>(&second)}) {
+      scheme->set_step_size(dt, last - before);
+      const History& history = scheme == &first ? one : two;
+      TEST_FLOATING_EQUALITY(scheme->rate() * (x(now) - scheme->past(history, 0)[0]), v(now),
+                             1e-13);
+    }
+    // ẍ = −2: the rate of the rate
+    TEST_FLOATING_EQUALITY(second.inertia(5.0) * x(now) - 5.0 * second.inertia_load(two, 0)[0],
+                           -10.0, 1e-12);
+    second.accept({{x(now), 0, 0}}, two);
+    TEST_FLOATING_EQUALITY(two[0][0][0], v(now), 1e-13);
+    TEST_EQUALITY(two[1][0][0], x(last));
+    TEST_EQUALITY(two[2][0][0], v(last));
+  }
+}
+
+TEUCHOS_UNIT_TEST(bdf2, begins_with_a_step_of_implicit_euler) {
+  stepping::Bdf2 bdf2(2);
+  ImplicitEuler euler(2);
+  History ours(bdf2.remembers(), 1), theirs(euler.remembers(), 1);
+  for (auto* history : {&ours, &theirs}) {
+    history->value()[0] = {1, 2, 3};
+    (*history)[0][0] = {4, 5, 6};
+  }
+  bdf2.begin_step(stepping::Clock(0.25, 4));
+  euler.begin_step(stepping::Clock(0.25, 4));
+  TEST_EQUALITY(bdf2.rate(), euler.rate());
+  TEST_ASSERT(bdf2.past(ours, 0) == euler.past(theirs, 0));
+  TEST_ASSERT(bdf2.inertia_load(ours, 0) == euler.inertia_load(theirs, 0));
+  stepping::Clock later(0.25, 4);
+  later.advance();
+  bdf2.begin_step(later);
+  TEST_FLOATING_EQUALITY(bdf2.rate(), 1.5 / 0.25, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(bdf2, is_of_second_order_on_an_oscillator) {
+  stepping::Bdf2 bdf2(2);
+  // x = (1 − cos t)/2 + (cos 2πt − cos t)/(8π² − 2)
+  const double pi = std::acos(-1.0);
+  const double exact = 0.5 * (1.0 - std::cos(1.0)) * (1.0 + 1.0 / (4.0 * pi * pi - 1.0));
+  const double coarse = oscillator_from_rest(bdf2, 400) - exact;
+  const double fine = oscillator_from_rest(bdf2, 800) - exact;
+  TEST_FLOATING_EQUALITY(std::log2(coarse / fine), 2.0, 0.02);
+  TEST_COMPARE(std::abs(fine), <, 1e-6);
+}
+
 TEUCHOS_UNIT_TEST(time_scheme, in_statics_nothing_has_inertia) {
-  const auto scheme = stepping::make_scheme(wall_list("newmark", "static"));
+  const auto scheme = stepping::make_wall_scheme(wall_list("newmark", "static"));
   scheme->set_step_size(0.1);
   History history(scheme->remembers(), 1);
   scheme->accept({{1, 2, 3}}, history);

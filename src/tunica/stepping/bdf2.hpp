@@ -1,0 +1,41 @@
+#pragma once
+#include "tunica/stepping/time_scheme.hpp"
+
+namespace tunica::stepping {
+
+/// BDF2, written as an implicit Euler step of length Δt_e from an extrapolated past:
+///
+///   ẋ = (x − x̃)/Δt_e,   ẍ = (ẋ − v̂)/Δt_e,   x̃ and v̂ extrapolated alike from x and ẋ
+///
+///   Δt_e = Δt (1 + ω)/(1 + 2ω),   x̃ = ((1 + ω)² xⁿ⁻¹ − ω² xⁿ⁻²)/(1 + 2ω),   ω = Δt/Δtⁿ⁻¹
+///
+/// With equal steps Δt_e = 2Δt/3 and x̃ = (4xⁿ⁻¹ − xⁿ⁻²)/3. The first step is Euler's: ω = 0.
+/// Second order where the solution is smooth, and no less stable than Euler's up to ω = 1 + √2.
+/// Source: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I,
+/// section III.5.
+class Bdf2 final : public TimeScheme {
+public:
+  /// order: of the highest derivative that is asked for, 1 or 2.
+  explicit Bdf2(int order) : order_(order) {}
+
+  std::vector<std::string> remembers() const override;
+  double rate() const override { return (1.0 + 2.0 * ratio()) / (1.0 + ratio()) / step_size(); }
+  Vec3 past(const History& history, int place) const override;
+  double inertia(double density) const override { return density * rate() * rate(); }
+  Vec3 inertia_load(const History& history, int place) const override;
+  void accept(const std::vector<Vec3>& x, History& history) const override;
+
+private:
+  /// ω, zero in the first step.
+  double ratio() const {
+    return previous_step_size() > 0.0 ? step_size() / previous_step_size() : 0.0;
+  }
+  Vec3 extrapolated(const Vec3& last, const Vec3& before) const;
+
+  int order_;
+};
+
+/// "bdf2" of fluid and wall.
+SchemeEntry bdf2_scheme();
+
+}  // namespace tunica::stepping
