@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
-#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tunica/base/tensor.hpp"
@@ -21,6 +21,27 @@ struct Face {
   bool is_owned;             ///< true on exactly one rank: sums over the surface use it there
 };
 
+/// The surfaces that each node lies on: of most nodes none, of few more than one, however many the
+/// mesh has.
+class NodeSurfaces {
+public:
+  NodeSurfaces() = default;
+  /// pairs: local node and surface, in any order and with repetitions.
+  NodeSurfaces(int n_nodes, std::vector<std::pair<int, int>> pairs);
+
+  /// True where the node lies on any surface.
+  bool any(int node) const { return first_[node] != first_[node + 1]; }
+  bool contains(int node, int surface) const {
+    for (int k = first_[node]; k < first_[node + 1]; ++k)
+      if (surface_[k] == surface) return true;
+    return false;
+  }
+
+private:
+  std::vector<int> first_;    ///< per node, and the total at the end: its place in surface_
+  std::vector<int> surface_;  ///< those of a node ascend
+};
+
 /// One field's share of the mesh on one rank: the owned nodes, every tetrahedron and boundary
 /// triangle that touches one of them, and the ghost nodes these need. Owned rows can thus be
 /// assembled without communication.
@@ -29,10 +50,10 @@ struct FieldMesh {
   std::vector<std::string> regions;   ///< of the whole mesh
   std::vector<std::string> surfaces;  ///< of the whole mesh
 
-  int n_owned = 0;                        ///< owned nodes stand first in all node arrays
-  std::vector<Vec3> x;                    ///< reference positions [mm]
-  std::vector<int> vertex;                ///< vertex number in the mesh file
-  std::vector<std::uint64_t> on_surface;  ///< bit s is set on the nodes of surface s
+  int n_owned = 0;             ///< owned nodes stand first in all node arrays
+  std::vector<Vec3> x;         ///< reference positions [mm]
+  std::vector<int> vertex;     ///< vertex number in the mesh file
+  NodeSurfaces node_surfaces;  ///< of owned and ghost nodes
 
   std::vector<std::array<int, 4>> tets;
   std::vector<int> region;      ///< per tet: index into regions
@@ -51,7 +72,8 @@ struct FieldMesh {
   /// Index into surfaces; -1 for an unknown name.
   int surface_index(const std::string& name) const;
   int n_nodes() const { return static_cast<int>(x.size()); }
-  bool is_on(int node, int surface) const { return (on_surface[node] >> surface) & 1U; }
+  bool is_on(int node, int surface) const { return node_surfaces.contains(node, surface); }
+  bool is_on_boundary(int node) const { return node_surfaces.any(node); }
   bool is_on_any(int node, const std::vector<int>& indices) const {
     return std::any_of(indices.begin(), indices.end(), [&](int s) { return is_on(node, s); });
   }
