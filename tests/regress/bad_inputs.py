@@ -110,6 +110,13 @@ FAULTS = [
         replace(parameter("law", "string", "mooney-rivlin"),
                 parameter("law", "string", "mooney-rivlin") + parameter("c10", "double", "0.0") +
                 parameter("c01", "double", "0.0"))),
+    Bad("probe_outside_the_mesh",
+        ["mesh.msh: Probes / here", '"position" {0.25, 0.25, 4}', "mm outside the undeformed wall"],
+        replace('  <ParameterList name="Wall">',
+                '  <ParameterList name="Probes"><ParameterList name="here">' +
+                parameter("quantity", "string", "wall displacement") +
+                parameter("position", "Array(double)", "{0.25, 0.25, 4}") +
+                '</ParameterList></ParameterList>\n  <ParameterList name="Wall">')),
     Bad("probe_of_a_missing_field", ["Probes / here", "fluid pressure"],
         lambda text: text.replace(
             '  <ParameterList name="Wall">',
