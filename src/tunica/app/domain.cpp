@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tunica/app/probes.hpp"
+#include "tunica/app/surface_report.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/fault_point.hpp"
@@ -24,12 +25,13 @@ namespace {
 /// What the case says of the mesh.
 struct MeshRequirements {
   std::vector<std::string> fluid_regions, wall_regions;
-  std::vector<std::string> fluid_surfaces, wall_surfaces, frame_surfaces;
+  std::vector<std::string> fluid_surfaces, wall_surfaces, frame_surfaces, reported_surfaces;
   std::vector<std::string> interface;
 };
 
 MeshRequirements mesh_requirements_of(const Teuchos::ParameterList& list) {
   MeshRequirements requirements;
+  requirements.reported_surfaces = named_surfaces(list.sublist("Output"));
   std::vector<std::string> on_fluid, on_wall;
   if (list.isSublist("Fluid")) {
     const Teuchos::ParameterList& fluid = list.sublist("Fluid");
@@ -71,12 +73,16 @@ std::vector<int> region_indices(const mesh::Mesh& mesh, const std::vector<std::s
   return indices;
 }
 
-/// Every surface the case names must exist and bound the field.
+/// Every surface the case names must exist and bound the field, or one of the fields, each of which
+/// is given by its regions.
 void check_surfaces(const mesh::Mesh& mesh, const std::vector<std::string>& names,
-                    const std::vector<int>& regions, const std::string& where) {
+                    const std::vector<std::vector<int>>& fields, const std::string& where) {
   const std::vector<mesh::Face> faces = mesh::faces(mesh);
-  const auto is_in_field = [&](int tet) {
-    return tet >= 0 && std::count(regions.begin(), regions.end(), mesh.tet_region[tet]) > 0;
+  const auto is_between = [&](const mesh::Face& face, const std::vector<int>& regions) {
+    const auto is_in_field = [&](int tet) {
+      return tet >= 0 && std::count(regions.begin(), regions.end(), mesh.tet_region[tet]) > 0;
+    };
+    return is_in_field(face.tets[0]) != is_in_field(face.tets[1]);
   };
   for (const std::string& name : names) {
     int surface = 0;
@@ -89,10 +95,12 @@ void check_surfaces(const mesh::Mesh& mesh, const std::vector<std::string>& name
     for (std::size_t t = 0; t < mesh.triangles.size() && !bounds_field; ++t) {
       if (mesh.triangle_surface[t] != surface) continue;
       const mesh::Face& face = *mesh::find_face(faces, mesh.triangles[t]);  // a valid mesh has it
-      bounds_field = is_in_field(face.tets[0]) != is_in_field(face.tets[1]);
+      bounds_field = std::any_of(fields.begin(), fields.end(),
+                                 [&](const auto& regions) { return is_between(face, regions); });
     }
-    TUNICA_CHECK(bounds_field, where + ": the surface \"" + name +
-                                   "\" does not bound this field: it lies outside or inside.");
+    TUNICA_CHECK(bounds_field, where + ": the surface \"" + name + "\" does not bound " +
+                                   (fields.size() == 1 ? "this field" : "fluid or wall") +
+                                   ": it lies outside or inside.");
   }
 }
 
@@ -109,9 +117,11 @@ Shares read_and_check(const Teuchos::ParameterList& list, const MeshRequirements
   try {
     shares.fluid = region_indices(shares.mesh, requirements.fluid_regions, "Fluid / regions");
     shares.wall = region_indices(shares.mesh, requirements.wall_regions, "Wall / Layers");
-    check_surfaces(shares.mesh, requirements.fluid_surfaces, shares.fluid, "Fluid / Surfaces");
-    check_surfaces(shares.mesh, requirements.wall_surfaces, shares.wall, "Wall / Surfaces");
-    check_surfaces(shares.mesh, requirements.frame_surfaces, shares.wall, "Wall / Fibre Frame");
+    check_surfaces(shares.mesh, requirements.fluid_surfaces, {shares.fluid}, "Fluid / Surfaces");
+    check_surfaces(shares.mesh, requirements.wall_surfaces, {shares.wall}, "Wall / Surfaces");
+    check_surfaces(shares.mesh, requirements.frame_surfaces, {shares.wall}, "Wall / Fibre Frame");
+    check_surfaces(shares.mesh, requirements.reported_surfaces, {shares.fluid, shares.wall},
+                   "Output / surfaces");
     for (const int r : shares.fluid)
       TUNICA_CHECK(std::count(shares.wall.begin(), shares.wall.end(), r) == 0,
                    "the region \"" + shares.mesh.regions[r].name + "\" is both fluid and wall.");

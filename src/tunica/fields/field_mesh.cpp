@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tunica/base/reduce.hpp"
 #include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/partition.hpp"
 
@@ -97,7 +98,7 @@ void add_faces(const mesh::Mesh& mesh, const mesh::Partition& partition,
   const int rank = field.comm->getRank();
   for (const auto& [key, owner] : owners) {
     if (owner.tets != 1) continue;
-    Face face{{}, owner.surface, partition.tet_part[owner.tet] == rank};
+    Face face{{}, owner.surface, partition.tet_part[owner.tet] == rank, -1};
     bool touches_owned = face.is_owned;
     bool is_local = true;
     for (int k = 0; k < 3; ++k) {
@@ -108,7 +109,11 @@ void add_faces(const mesh::Mesh& mesh, const mesh::Partition& partition,
         touches_owned = touches_owned || face.nodes[k] < field.n_owned;
       }
     }
-    if (is_local && touches_owned) field.faces.push_back(face);
+    if (!is_local || !touches_owned) continue;
+    const auto& numbers = field.tet_number;  // they ascend
+    const auto tet = std::lower_bound(numbers.begin(), numbers.end(), owner.tet + 1);
+    face.tet = static_cast<int>(tet - numbers.begin());
+    field.faces.push_back(face);
   }
   field.node_surfaces = NodeSurfaces(field.n_nodes(), std::move(on_surfaces));
 }
@@ -190,6 +195,16 @@ FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partiti
 int FieldMesh::surface_index(const std::string& name) const {
   const auto found = std::find(surfaces.begin(), surfaces.end(), name);
   return found == surfaces.end() ? -1 : static_cast<int>(found - surfaces.begin());
+}
+
+std::vector<int> bounding_surfaces(const FieldMesh& mesh) {
+  std::vector<double> faces(mesh.surfaces.size(), 0.0);
+  for (const Face& face : mesh.faces) faces[face.surface] += face.is_owned;
+  faces = global_sum(*mesh.comm, faces);
+  std::vector<int> found;
+  for (std::size_t s = 0; s < faces.size(); ++s)
+    if (faces[s] > 0.0) found.push_back(static_cast<int>(s));
+  return found;
 }
 
 namespace {

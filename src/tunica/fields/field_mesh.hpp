@@ -19,22 +19,27 @@ struct Face {
   std::array<int, 3> nodes;  ///< local nodes
   int surface;               ///< index into FieldMesh::surfaces
   bool is_owned;             ///< true on exactly one rank: sums over the surface use it there
+  int tet;                   ///< the local tetrahedron that it is a side of
 };
 
 /// The surfaces that each node lies on: of most nodes none, of few more than one, however many the
-/// mesh has.
+/// mesh has. The pairs of a node and a surface are numbered, node by node.
 class NodeSurfaces {
 public:
   NodeSurfaces() = default;
   /// pairs: local node and surface, in any order and with repetitions.
   NodeSurfaces(int n_nodes, std::vector<std::pair<int, int>> pairs);
 
-  /// True where the node lies on any surface.
-  bool any(int node) const { return first_[node] != first_[node + 1]; }
-  bool contains(int node, int surface) const {
-    for (int k = first_[node]; k < first_[node + 1]; ++k)
-      if (surface_[k] == surface) return true;
-    return false;
+  int size() const { return static_cast<int>(surface_.size()); }
+  /// The pairs of a node, and the surface of a pair.
+  int begin(int node) const { return first_[node]; }
+  int end(int node) const { return first_[node + 1]; }
+  int surface(int pair) const { return surface_[pair]; }
+  /// The pair of node and surface; -1 where the node does not lie on it.
+  int find(int node, int surface) const {
+    for (int k = begin(node); k < end(node); ++k)
+      if (surface_[k] == surface) return k;
+    return -1;
   }
 
 private:
@@ -72,8 +77,10 @@ struct FieldMesh {
   /// Index into surfaces; -1 for an unknown name.
   int surface_index(const std::string& name) const;
   int n_nodes() const { return static_cast<int>(x.size()); }
-  bool is_on(int node, int surface) const { return node_surfaces.contains(node, surface); }
-  bool is_on_boundary(int node) const { return node_surfaces.any(node); }
+  bool is_on(int node, int surface) const { return node_surfaces.find(node, surface) >= 0; }
+  bool is_on_boundary(int node) const {
+    return node_surfaces.begin(node) != node_surfaces.end(node);
+  }
   bool is_on_any(int node, const std::vector<int>& indices) const {
     return std::any_of(indices.begin(), indices.end(), [&](int s) { return is_on(node, s); });
   }
@@ -83,6 +90,9 @@ struct FieldMesh {
 /// mesh.regions). Collective.
 FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partition,
                           const std::vector<int>& regions, const CommPtr& comm);
+
+/// The surfaces that bound the field, ascending. Collective.
+std::vector<int> bounding_surfaces(const FieldMesh& mesh);
 
 /// Nodal values on owned nodes.
 std::vector<Vec3> owned_vectors(const FieldMesh& mesh, const Vector& v);
