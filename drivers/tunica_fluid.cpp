@@ -8,6 +8,7 @@
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
+#include "tunica/app/surface_report.hpp"
 
 namespace {
 
@@ -19,6 +20,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   stepping::Clock clock(list.sublist("Time"));
   const app::Probes probes(list.sublist("Probes"), &*domain.fluid, nullptr);
+  const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, nullptr);
   const CommPtr comm = domain.fluid->comm;
   const app::Checkpoints checkpoints(output, {{"fluid", &fluid}}, comm);
   checkpoints.begin(clock);
@@ -32,7 +34,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     if (report.is_converged) fluid.end_step();
     log.newton({clock.step(), clock.time(), 0}, "fluid", report);
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "fluid"),
-             app::joined({fluid.observe(), probes.observe(&fluid, nullptr)}));
+             app::joined({fluid.observe(), probes.observe(&fluid, nullptr),
+                          surfaces.observe(&fluid, nullptr)}));
     if (!report.is_converged) return app::failure(clock, "the fluid", report);
     if (fields.is_due(clock)) fields.write(clock, {{"fluid", app::fluid_arrays(fluid, {}), {}}});
     checkpoints.write_if_due(clock);

@@ -8,6 +8,7 @@
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
+#include "tunica/app/surface_report.hpp"
 
 namespace {
 
@@ -19,6 +20,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
   stepping::Clock clock(list.sublist("Time"));
   const app::Probes probes(list.sublist("Probes"), nullptr, &*domain.wall);
+  const app::SurfaceReport surfaces(list.sublist("Output"), nullptr, &*domain.wall);
   const CommPtr comm = domain.wall->comm;
   const app::Checkpoints checkpoints(output, {{"wall", &wall}}, comm);
   checkpoints.begin(clock);
@@ -32,7 +34,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     if (report.is_converged) wall.end_step();
     log.newton({clock.step(), clock.time(), 0}, "wall", report);
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "wall"),
-             app::joined({wall.observe(), probes.observe(nullptr, &wall)}));
+             app::joined({wall.observe(), probes.observe(nullptr, &wall),
+                          surfaces.observe(nullptr, &wall)}));
     if (!report.is_converged) return app::failure(clock, "the wall", report);
     if (fields.is_due(clock))
       fields.write(clock, {{"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});

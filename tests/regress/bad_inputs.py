@@ -110,6 +110,24 @@ FAULTS = [
         replace(parameter("law", "string", "mooney-rivlin"),
                 parameter("law", "string", "mooney-rivlin") + parameter("c10", "double", "0.0") +
                 parameter("c01", "double", "0.0"))),
+    Bad("unknown_surface_in_the_report",
+        ["mesh.msh: Output / surfaces", "inlett", 'Did you mean "inlet"?'],
+        words=["--set", "Output/surfaces={outer, inlett}"]),
+    Bad("surface_of_no_field_in_the_report",
+        ["mesh.msh: Output / surfaces", "outer", "does not bound fluid or wall"],
+        lambda text: text.replace(
+            text[text.index('  <ParameterList name="Wall">'):], "</ParameterList>\n")
+        .replace('value="interface"', 'value="no slip"'),
+        words=["--set", "Output/surfaces={outer}"], program="tunica-fluid"),
+    Bad("all_surfaces_and_one_more", ["case.xml: Output", '"surfaces" holds "all" beside'],
+        words=["--set", "Output/surfaces={all, inlet}"]),
+    Bad("probe_outside_the_mesh",
+        ["mesh.msh: Probes / here", '"position" {0.25, 0.25, 4}', "mm outside the undeformed wall"],
+        replace('  <ParameterList name="Wall">',
+                '  <ParameterList name="Probes"><ParameterList name="here">' +
+                parameter("quantity", "string", "wall displacement") +
+                parameter("position", "Array(double)", "{0.25, 0.25, 4}") +
+                '</ParameterList></ParameterList>\n  <ParameterList name="Wall">')),
     Bad("probe_of_a_missing_field", ["Probes / here", "fluid pressure"],
         lambda text: text.replace(
             '  <ParameterList name="Wall">',

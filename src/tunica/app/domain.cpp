@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tunica/app/probes.hpp"
+#include "tunica/app/surface_report.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/fault_point.hpp"
@@ -23,12 +25,13 @@ namespace {
 /// What the case says of the mesh.
 struct MeshRequirements {
   std::vector<std::string> fluid_regions, wall_regions;
-  std::vector<std::string> fluid_surfaces, wall_surfaces, frame_surfaces;
+  std::vector<std::string> fluid_surfaces, wall_surfaces, frame_surfaces, reported_surfaces;
   std::vector<std::string> interface;
 };
 
 MeshRequirements mesh_requirements_of(const Teuchos::ParameterList& list) {
   MeshRequirements requirements;
+  requirements.reported_surfaces = named_surfaces(list.sublist("Output"));
   std::vector<std::string> on_fluid, on_wall;
   if (list.isSublist("Fluid")) {
     const Teuchos::ParameterList& fluid = list.sublist("Fluid");
@@ -70,12 +73,16 @@ std::vector<int> region_indices(const mesh::Mesh& mesh, const std::vector<std::s
   return indices;
 }
 
-/// Every surface the case names must exist and bound the field.
+/// Every surface the case names must exist and bound the field, or one of the fields, each of which
+/// is given by its regions.
 void check_surfaces(const mesh::Mesh& mesh, const std::vector<std::string>& names,
-                    const std::vector<int>& regions, const std::string& where) {
+                    const std::vector<std::vector<int>>& fields, const std::string& where) {
   const std::vector<mesh::Face> faces = mesh::faces(mesh);
-  const auto is_in_field = [&](int tet) {
-    return tet >= 0 && std::count(regions.begin(), regions.end(), mesh.tet_region[tet]) > 0;
+  const auto is_between = [&](const mesh::Face& face, const std::vector<int>& regions) {
+    const auto is_in_field = [&](int tet) {
+      return tet >= 0 && std::count(regions.begin(), regions.end(), mesh.tet_region[tet]) > 0;
+    };
+    return is_in_field(face.tets[0]) != is_in_field(face.tets[1]);
   };
   for (const std::string& name : names) {
     int surface = 0;
@@ -88,10 +95,12 @@ void check_surfaces(const mesh::Mesh& mesh, const std::vector<std::string>& name
     for (std::size_t t = 0; t < mesh.triangles.size() && !bounds_field; ++t) {
       if (mesh.triangle_surface[t] != surface) continue;
       const mesh::Face& face = *mesh::find_face(faces, mesh.triangles[t]);  // a valid mesh has it
-      bounds_field = is_in_field(face.tets[0]) != is_in_field(face.tets[1]);
+      bounds_field = std::any_of(fields.begin(), fields.end(),
+                                 [&](const auto& regions) { return is_between(face, regions); });
     }
-    TUNICA_CHECK(bounds_field, where + ": the surface \"" + name +
-                                   "\" does not bound this field: it lies outside or inside.");
+    TUNICA_CHECK(bounds_field, where + ": the surface \"" + name + "\" does not bound " +
+                                   (fields.size() == 1 ? "this field" : "fluid or wall") +
+                                   ": it lies outside or inside.");
   }
 }
 
@@ -108,9 +117,11 @@ Shares read_and_check(const Teuchos::ParameterList& list, const MeshRequirements
   try {
     shares.fluid = region_indices(shares.mesh, requirements.fluid_regions, "Fluid / regions");
     shares.wall = region_indices(shares.mesh, requirements.wall_regions, "Wall / Layers");
-    check_surfaces(shares.mesh, requirements.fluid_surfaces, shares.fluid, "Fluid / Surfaces");
-    check_surfaces(shares.mesh, requirements.wall_surfaces, shares.wall, "Wall / Surfaces");
-    check_surfaces(shares.mesh, requirements.frame_surfaces, shares.wall, "Wall / Fibre Frame");
+    check_surfaces(shares.mesh, requirements.fluid_surfaces, {shares.fluid}, "Fluid / Surfaces");
+    check_surfaces(shares.mesh, requirements.wall_surfaces, {shares.wall}, "Wall / Surfaces");
+    check_surfaces(shares.mesh, requirements.frame_surfaces, {shares.wall}, "Wall / Fibre Frame");
+    check_surfaces(shares.mesh, requirements.reported_surfaces, {shares.fluid, shares.wall},
+                   "Output / surfaces");
     for (const int r : shares.fluid)
       TUNICA_CHECK(std::count(shares.wall.begin(), shares.wall.end(), r) == 0,
                    "the region \"" + shares.mesh.regions[r].name + "\" is both fluid and wall.");
@@ -130,6 +141,16 @@ std::vector<bool> marks(const std::vector<int>& regions, std::size_t count) {
   std::vector<bool> is_marked(count, false);
   for (const int r : regions) is_marked[r] = true;
   return is_marked;
+}
+
+/// They must lie in their fields.
+void check_probes(const Teuchos::ParameterList& list, const Domain& domain) {
+  const auto pointer = [](const auto& mesh) { return mesh ? &*mesh : nullptr; };
+  try {
+    Probes(list.sublist("Probes"), pointer(domain.fluid), pointer(domain.wall));
+  } catch (const Error& error) {
+    throw Error(list.sublist("Mesh").get<std::string>("file") + ": " + error.what());
+  }
 }
 
 }  // namespace
@@ -156,6 +177,7 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
     domain.interface_surfaces.push_back(mesh::surface_index(shares.mesh, name));
   if (domain.fluid && domain.wall)
     domain.interface.emplace(*domain.fluid, *domain.wall, domain.interface_surfaces);
+  check_probes(list, domain);
   return domain;
 }
 

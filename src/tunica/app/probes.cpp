@@ -2,6 +2,7 @@
 
 #include <Teuchos_Array.hpp>
 #include <cmath>
+#include <sstream>
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
@@ -14,19 +15,23 @@ constexpr const char* fluid_pressure = "fluid pressure";
 constexpr const char* wall_displacement = "wall displacement";
 constexpr const char* radial_displacement = "radial displacement";
 
-/// Owned node nearest to the position over all ranks: its local number on one rank, -1 on the
-/// others.
-int nearest_node(const fields::FieldMesh& mesh, const Vec3& position) {
-  double distance = 1e300;
-  int nearest = -1;
-  for (int a = 0; a < mesh.n_owned; ++a)
-    if (const double r = norm(mesh.x[a] - position); r < distance) {
-      distance = r;
-      nearest = a;
-    }
-  const double smallest = global_min(*mesh.comm, distance);
-  const double rank = distance == smallest ? mesh.comm->getRank() : mesh.comm->getSize();
-  return global_min(*mesh.comm, rank) == mesh.comm->getRank() ? nearest : -1;
+/// A probe may lie outside the mesh by no more than this part of the nearest element's edge. It is
+/// then moved to the surface.
+constexpr double tolerance = 1e-3;
+
+std::string braces(const Vec3& x) {
+  std::ostringstream text;
+  text << "{" << x[0] << ", " << x[1] << ", " << x[2] << "}";
+  return text.str();
+}
+
+void check_place(const fields::Place& place, const Vec3& position, const std::string& name,
+                 const std::string& field) {
+  std::ostringstream text;
+  text << "Probes / " << name << ": \"position\" " << braces(position) << " lies " << place.distance
+       << " mm outside the undeformed " << field << ". The nearest point in it is "
+       << braces(place.position) << ".";
+  TUNICA_CHECK(place.distance <= tolerance * place.element_length, text.str());
 }
 
 double distance_from_axis(const Vec3& x) { return std::hypot(x[0], x[1]); }
@@ -48,7 +53,7 @@ params::Table probe_table(bool has_fluid, bool has_wall) {
               "fluid pressure [kPa], length of the wall's displacement, or change of the "
               "distance from the z axis [mm]")
       .numbers("position", std::nullopt, params::any(), 3, "mm",
-               "the nearest vertex of the undeformed mesh is taken");
+               "in the undeformed field, where the value is interpolated");
   return table;
 }
 
@@ -58,30 +63,35 @@ Probes::Probes(const Teuchos::ParameterList& list, const fields::FieldMesh* flui
     const std::string& name = list.name(it);
     const Teuchos::ParameterList& entry = list.sublist(name);
     const auto& x = entry.get<Teuchos::Array<double>>("position");
-    Probe probe{name, entry.get<std::string>("quantity"), {x[0], x[1], x[2]}, -1};
-    const fields::FieldMesh* mesh = probe.quantity == fluid_pressure ? fluid : wall;
+    const Vec3 position{x[0], x[1], x[2]};
+    const auto& quantity = entry.get<std::string>("quantity");
+    const bool is_fluid = quantity == fluid_pressure;
+    const fields::FieldMesh* mesh = is_fluid ? fluid : wall;
     TUNICA_ASSERT(mesh != nullptr, "probe_table() permits only quantities of the case's fields");
-    probe.node = nearest_node(*mesh, probe.position);
-    if (probe.node >= 0) probe.position = mesh->x[probe.node];
-    probes_.push_back(probe);
+    probes_.push_back({name, quantity, fields::locate(*mesh, position)});
+    check_place(probes_.back().place, position, name, is_fluid ? "fluid" : "wall");
   }
 }
 
 discretisation::Observables Probes::observe(const problems::FluidProblem* fluid,
                                             const problems::SolidProblem* wall) const {
+  if (probes_.empty()) return {};
+  std::vector<double> p;
+  std::vector<Vec3> d;
+  if (fluid != nullptr) p = fields::ghosted_scalars(fluid->mesh(), fluid->state()[1]);
+  if (wall != nullptr) d = fields::ghosted_vectors(wall->mesh(), wall->state()[0]);
+  const Comm& comm = fluid != nullptr ? *fluid->mesh().comm : *wall->mesh().comm;
   discretisation::Observables found;
-  const std::vector<Vec3> d = wall != nullptr ? wall->displacement() : std::vector<Vec3>{};
   for (const Probe& probe : probes_) {
-    std::string column =
-        probe.quantity + "_" + probe.name + (probe.quantity == fluid_pressure ? "_kPa" : "_mm");
+    const bool is_fluid = probe.quantity == fluid_pressure;
+    std::string column = probe.quantity + "_" + probe.name + (is_fluid ? "_kPa" : "_mm");
     for (char& c : column)
       if (c == ' ') c = '_';
+    const fields::Place& at = probe.place;
     double value = 0.0;
-    if (probe.node >= 0)
-      value = probe.quantity == fluid_pressure
-                  ? fluid->state()[1].getLocalViewHost(read_only)(probe.node, 0)
-                  : wall_value(probe.quantity, probe.position, d[probe.node]);
-    const Comm& comm = fluid != nullptr ? *fluid->mesh().comm : *wall->mesh().comm;
+    if (at.is_here)
+      value = is_fluid ? at.value(p)
+                       : wall_value(probe.quantity, at.value(wall->mesh().x), at.value(d));
     found.push_back({column, global_sum(comm, value)});
   }
   return found;

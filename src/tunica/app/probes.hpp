@@ -1,5 +1,5 @@
 #pragma once
-#include "tunica/base/tensor.hpp"
+#include "tunica/fields/locate.hpp"
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/solid_problem.hpp"
 
@@ -8,10 +8,11 @@ namespace tunica::app {
 /// The keys of a probe where the case has a fluid, a wall, or both.
 params::Table probe_table(bool has_fluid, bool has_wall);
 
-/// Values at the vertices nearest to given points of the undeformed mesh.
+/// Values at given points of the undeformed mesh, interpolated between the vertices.
 class Probes {
 public:
-  /// list: the resolved "Probes" list; a field that the case lacks is null. Collective.
+  /// list: the resolved "Probes" list; a field that the case lacks is null. Throws Error on all
+  /// ranks alike where a point lies outside its field. Collective.
   Probes(const Teuchos::ParameterList& list, const fields::FieldMesh* fluid,
          const fields::FieldMesh* wall);
 
@@ -23,8 +24,7 @@ private:
   struct Probe {
     std::string name;
     std::string quantity;
-    Vec3 position;
-    int node;  ///< on the rank that owns the nearest vertex; -1 elsewhere
+    fields::Place place;
   };
   std::vector<Probe> probes_;
 };

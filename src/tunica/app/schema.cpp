@@ -2,6 +2,7 @@
 
 #include "tunica/app/probes.hpp"
 #include "tunica/app/solver_table.hpp"
+#include "tunica/app/surface_report.hpp"
 #include "tunica/app/system_capture.hpp"
 #include "tunica/app/system_export.hpp"
 #include "tunica/base/error.hpp"
@@ -29,6 +30,7 @@ params::Table output_table() {
                "write the fields after every so many steps; 0 never")
       .integer("checkpoint every", 1, params::non_negative(),
                "write a checkpoint for --restart after every so many steps; 0 never");
+  add_surface_keys(table);
   return table;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <Teuchos_CommHelpers.hpp>
+#include <vector>
 
 #include "tunica/base/types.hpp"
 
@@ -9,6 +10,13 @@ inline double global_sum(const Comm& comm, double mine) {
   double sum = 0.0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &mine, &sum);
   return sum;
+}
+/// The sums of each number over the ranks, which all have as many.
+inline std::vector<double> global_sum(const Comm& comm, const std::vector<double>& mine) {
+  std::vector<double> sums(mine.size(), 0.0);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
+                     sums.data());
+  return sums;
 }
 inline double global_max(const Comm& comm, double mine) {
   double largest = 0.0;

@@ -28,6 +28,14 @@ bool SurfaceTerms::is_natural(int surface) const {
                      [](const auto& term) { return term->prescribed_components().empty(); });
 }
 
+bool SurfaceTerms::prescribes(int surface, int component) const {
+  const Terms& terms = terms_[surface];
+  return std::any_of(terms.begin(), terms.end(), [component](const auto& term) {
+    const std::vector<int> components = term->prescribed_components();
+    return std::find(components.begin(), components.end(), component) != components.end();
+  });
+}
+
 void SurfaceTerms::constrain(assembly::Constraints& fixed) const {
   for (std::size_t s = 0; s < terms_.size(); ++s)
     for (const auto& term : terms_[s])
@@ -55,6 +63,16 @@ void SurfaceTerms::add(const Surroundings& s, assembly::NodalResidual& R,
                        assembly::BlockAssembler* K) const {
   for (const fields::Face& face : mesh_->faces)
     for (const auto& term : terms_[face.surface]) term->add(s, face, R, K);
+}
+
+Vec3 SurfaceTerms::load(const Surroundings& s, int surface) const {
+  assembly::NodalResidual R(*mesh_);
+  for (const fields::Face& face : mesh_->faces)
+    if (face.surface == surface)
+      for (const auto& term : terms_[surface]) term->add(s, face, R, nullptr);
+  Vec3 load{};
+  for (const Vec3& r : R.u) load += -1.0 * r;
+  return load;
 }
 
 void SurfaceTerms::observe(const Surroundings& s, const fields::Face& face,

@@ -14,6 +14,8 @@ public:
   const Condition* condition(int surface) const { return conditions_[surface]; }
   /// True where no term of the surface prescribes anything.
   bool is_natural(int surface) const;
+  /// True where a term of the surface prescribes the component of the vector unknown.
+  bool prescribes(int surface, int component) const;
   bool is_interface(int surface) const {
     return conditions_[surface] != nullptr && conditions_[surface]->kind() == interface_condition;
   }
@@ -25,6 +27,9 @@ public:
 
   /// Adds all faces, in the order of the mesh, to the residual, and to K where it is not null.
   void add(const Surroundings& s, assembly::NodalResidual& R, assembly::BlockAssembler* K) const;
+  /// What the terms of one surface load the field with, this rank's part: minus their residual, all
+  /// nodes together [mN].
+  Vec3 load(const Surroundings& s, int surface) const;
   void observe(const Surroundings& s, const fields::Face& face,
                std::map<std::string, double>& sums) const;
 

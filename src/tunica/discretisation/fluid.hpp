@@ -4,6 +4,7 @@
 
 #include "tunica/assembly/fluid_assembly.hpp"
 #include "tunica/base/outcome.hpp"
+#include "tunica/boundary/surface_forces.hpp"
 #include "tunica/discretisation/fluid_options.hpp"
 #include "tunica/discretisation/mixed_field.hpp"
 #include "tunica/discretisation/observable.hpp"
@@ -60,6 +61,9 @@ public:
   void restore_history(const fields::State& state, const algebra::BlockVector& x);
 
   Observables observe(const algebra::BlockVector& x) const;
+  /// Area, pressure and forces of the surfaces (indices into FieldMesh::surfaces), and the inflow
+  /// of those that the case does not list, at the end of a step.
+  Observables observe_surfaces(const algebra::BlockVector& x, const std::vector<int>& surfaces);
 
   // NamedOperators: the parts of the paper's Schur complement
   std::vector<std::string> operator_names() const override;
@@ -75,6 +79,16 @@ private:
   void assemble(assembly::BlockAssembler* K) override;
   const std::vector<kernels::Tet4>& geometry() const override { return elements_.geometry; }
   void observe_volume(const assembly::FluidFields& state, Observables& found) const;
+  /// Of the values read, on one surface and this rank.
+  struct SurfaceSums {
+    double area, pressure, inflow;
+    Vec3 pressure_force;
+  };
+  SurfaceSums sums_over(int surface) const;
+  /// What the stress of the elements makes of the forces on all surfaces, of the values read.
+  boundary::NodalShares tractions() const;
+  /// Forces on the given ones of all surfaces, this rank's part.
+  std::vector<Vec3> forces(const algebra::BlockVector& x, const std::vector<int>& surfaces);
   void observe_open_surfaces(const assembly::FluidFields& state, Observables& found) const;
 
   FluidOptions options_;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/reduce.hpp"
@@ -92,6 +93,95 @@ Observables Fluid::observe(const algebra::BlockVector& x) const {
   found.push_back({"max_speed_mm_per_ms", global_max(comm, speed)});
   observe_volume(state, found);
   observe_open_surfaces(state, found);
+  return found;
+}
+
+// A surface takes from the fluid
+//
+//   F_p = ∫ p n da,   F_μ = F − F_p,   F = −∫ σ n da
+//
+//   p   nodal pressure      kPa      σ   stress of the fluid                      kPa
+//   n   outward, unit        1       F   force of the fluid on what bounds it      mN
+//
+// Where the velocity is prescribed F is the sum of the nodal reactions, minus the momentum
+// residual; elsewhere it is minus the load that the surface's terms put on the fluid, backflow
+// stabilisation among them. The forces on all surfaces thus close the balance of momentum of the
+// discrete flow. Where surfaces of prescribed velocity meet, the stress of the elements says how
+// much of a reaction each takes, and what that leaves goes by area (boundary/surface_forces.hpp):
+// exact for velocities and pressures that are linear in space.
+
+boundary::NodalShares Fluid::tractions() const {
+  boundary::NodalShares shares(*mesh_);
+  for (const fields::Face& face : mesh_->faces) {
+    const Vec3 n = kernels::area_normal(assembly::gather(position_, face.nodes));
+    const auto p = assembly::gather(local_.p, face.nodes);
+    const auto u = assembly::gather(local_.u, mesh_->tets[face.tet]);
+    const auto& grad_N = elements_.geometry[face.tet].grad_N;
+    Vec3 viscous{};  // −2μ ε n
+    for (int a = 0; a < 4; ++a)
+      viscous += -options_.viscosity * (dot(grad_N[a], n) * u[a] + dot(u[a], n) * grad_N[a]);
+    std::array<Vec3, 3> force;
+    for (int a = 0; a < 3; ++a)  // ∫ N_a p n da + a third of the other
+      force[a] = (p[0] + p[1] + p[2] + p[a]) / 12.0 * n + 1.0 / 3.0 * viscous;
+    boundary::add_face(*mesh_, face, norm(n), force, shares);
+  }
+  return shares;
+}
+
+std::vector<Vec3> Fluid::forces(const algebra::BlockVector& x, const std::vector<int>& surfaces) {
+  std::vector<Vec3> force(mesh_->surfaces.size());
+  const auto has_reaction = [this](int s) { return !surfaces_.is_natural(s); };
+  if (std::any_of(surfaces.begin(), surfaces.end(), has_reaction)) {
+    // Before the first solve there are no stabilisation parameters and hence no residual.
+    const Vec3 unknown{std::nan(""), std::nan(""), std::nan("")};
+    const std::vector<Vec3> r =
+        elements_.tau.empty() ? std::vector<Vec3>(mesh_->n_owned, unknown) : reaction(x);
+    force = boundary::reaction_forces(*mesh_, surfaces_, r, tractions());
+  }
+  for (const int s : surfaces) force[s] += -1.0 * surfaces_.load(surroundings(), s);
+  return force;
+}
+
+Fluid::SurfaceSums Fluid::sums_over(int surface) const {
+  SurfaceSums sums{};
+  for (const fields::Face& face : mesh_->faces) {
+    if (face.surface != surface || !face.is_owned) continue;
+    const Vec3 n = kernels::area_normal(assembly::gather(position_, face.nodes));
+    const auto p = assembly::gather(local_.p, face.nodes);
+    const double mean = (p[0] + p[1] + p[2]) / 3.0;
+    sums.area += norm(n);
+    sums.pressure += norm(n) * mean;
+    sums.inflow -= outflow(face, local_.u);
+    sums.pressure_force += mean * n;
+  }
+  return sums;
+}
+
+Observables Fluid::observe_surfaces(const algebra::BlockVector& x,
+                                    const std::vector<int>& surfaces) {
+  read(x);
+  const std::vector<Vec3> force = forces(x, surfaces);
+  std::vector<double> mine;
+  for (const int s : surfaces) {
+    const SurfaceSums sums = sums_over(s);
+    mine.insert(mine.end(), {sums.area, sums.pressure, sums.inflow});
+    mine.insert(mine.end(), sums.pressure_force.begin(), sums.pressure_force.end());
+    mine.insert(mine.end(), force[s].begin(), force[s].end());
+  }
+  const std::vector<double> all = global_sum(*mesh_->comm, mine);
+  Observables found;
+  const double* sum = all.data();
+  for (const int s : surfaces) {
+    const std::string& name = mesh_->surfaces[s];
+    const Vec3 of_pressure{sum[3], sum[4], sum[5]}, total{sum[6], sum[7], sum[8]};
+    if (surfaces_.condition(s) == nullptr)
+      found.push_back({"inflow_" + name + "_mm3_per_ms", sum[2]});
+    found.push_back({"area_" + name + "_mm2", sum[0]});
+    found.push_back({"mean_pressure_" + name + "_kPa", sum[1] / sum[0]});
+    add_vector("pressure_force_" + name, "mN", of_pressure, found);
+    add_vector("viscous_force_" + name, "mN", total - of_pressure, found);
+    sum += 9;
+  }
   return found;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 std::vector<char> nodes_of_surfaces(const fields::FieldMesh& mesh) {
   std::vector<char> is_given(mesh.n_nodes());
-  for (int a = 0; a < mesh.n_nodes(); ++a) is_given[a] = mesh.on_surface[a] != 0;
+  for (int a = 0; a < mesh.n_nodes(); ++a) is_given[a] = mesh.is_on_boundary(a);
   return is_given;
 }
 

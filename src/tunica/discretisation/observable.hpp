@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -10,5 +11,11 @@ struct Observable {
   double value;
 };
 using Observables = std::vector<Observable>;
+
+/// Adds the components of a vector, as "wall_force_inlet_x_mN".
+inline void add_vector(const std::string& name, const std::string& unit,
+                       const std::array<double, 3>& value, Observables& found) {
+  for (int i = 0; i < 3; ++i) found.push_back({name + "_" + "xyz"[i] + "_" + unit, value[i]});
+}
 
 }  // namespace tunica::discretisation

@@ -40,6 +40,9 @@ public:
   Subscales* subscales() { return subscales_.get(); }
 
   Observables observe(const algebra::BlockVector& x) const;
+  /// Area of the surfaces (indices into FieldMesh::surfaces), displacement of those that are not
+  /// clamped and forces on those that hold the wall, at the end of a step.
+  Observables observe_surfaces(const algebra::BlockVector& x, const std::vector<int>& surfaces);
 
   /// What the time scheme remembers beside x.
   void save_history(fields::State& state) const;
@@ -58,6 +61,14 @@ private:
   void set_layer_boundaries();
   void set_coefficients();
   void set_inertia_history();
+  /// On one surface and this rank; displacement: its integral over the undeformed surface.
+  struct SurfaceSums {
+    double area, undeformed_area;
+    Vec3 displacement;
+  };
+  SurfaceSums sums_over(int surface, const std::vector<Vec3>& d) const;
+  /// Forces on all surfaces that hold the wall, this rank's part.
+  std::vector<Vec3> reaction_forces(const algebra::BlockVector& x);
   void read(const algebra::BlockVector& x) override;
   bool is_admissible() override;
   void assemble(assembly::BlockAssembler* K) override;

@@ -2,9 +2,11 @@
 
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/boundary/surface_forces.hpp"
 #include "tunica/discretisation/solid.hpp"
 #include "tunica/kernels/deformation.hpp"
 #include "tunica/kernels/energy.hpp"
+#include "tunica/kernels/surface_tri3.hpp"
 
 namespace tunica::discretisation {
 
@@ -66,6 +68,68 @@ Observables Solid::observe(const algebra::BlockVector& x) const {
   if (has_interface)
     found.insert(found.begin() + 1,
                  {"max_displacement_interface_mm", global_max(comm, s.interface_displacement)});
+  return found;
+}
+
+// A surface that holds the wall takes from it the sum of the nodal reactions, minus the momentum
+// residual, inertia and the loads on the other surfaces included. Where such surfaces meet they
+// share it by their undeformed areas (boundary/surface_forces.hpp).
+
+std::vector<Vec3> Solid::reaction_forces(const algebra::BlockVector& x) {
+  read(x);
+  assemble(nullptr);
+  std::vector<Vec3> reaction(R_.u);
+  for (Vec3& r : reaction) r = -1.0 * r;
+  boundary::NodalShares shares(*mesh_);
+  for (const fields::Face& face : mesh_->faces) {
+    const Vec3 n = kernels::area_normal(assembly::gather(mesh_->x, face.nodes));
+    boundary::add_face(*mesh_, face, norm(n), {}, shares);
+  }
+  return boundary::reaction_forces(*mesh_, surfaces_, reaction, shares);
+}
+
+Solid::SurfaceSums Solid::sums_over(int surface, const std::vector<Vec3>& d) const {
+  SurfaceSums sums{};
+  for (const fields::Face& face : mesh_->faces) {
+    if (face.surface != surface || !face.is_owned) continue;
+    auto x = assembly::gather(mesh_->x, face.nodes);
+    const auto moves = assembly::gather(d, face.nodes);
+    const double A = norm(kernels::area_normal(x));
+    sums.undeformed_area += A;
+    sums.displacement += A / 3.0 * (moves[0] + moves[1] + moves[2]);
+    for (int a = 0; a < 3; ++a) x[a] += moves[a];
+    sums.area += norm(kernels::area_normal(x));
+  }
+  return sums;
+}
+
+Observables Solid::observe_surfaces(const algebra::BlockVector& x,
+                                    const std::vector<int>& surfaces) {
+  const auto holds = [this](int s) { return !surfaces_.is_natural(s); };
+  const auto is_clamped = [this](int s) {
+    return surfaces_.prescribes(s, 0) && surfaces_.prescribes(s, 1) && surfaces_.prescribes(s, 2);
+  };
+  std::vector<Vec3> force(mesh_->surfaces.size());
+  if (std::any_of(surfaces.begin(), surfaces.end(), holds)) force = reaction_forces(x);
+  const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, x[0]);
+  std::vector<double> mine;
+  for (const int s : surfaces) {
+    const SurfaceSums sums = sums_over(s, d);
+    mine.insert(mine.end(), {sums.area, sums.undeformed_area});
+    mine.insert(mine.end(), sums.displacement.begin(), sums.displacement.end());
+    mine.insert(mine.end(), force[s].begin(), force[s].end());
+  }
+  const std::vector<double> all = global_sum(*mesh_->comm, mine);
+  Observables found;
+  const double* sum = all.data();
+  for (const int s : surfaces) {
+    const std::string& name = mesh_->surfaces[s];
+    const Vec3 moved = 1.0 / sum[1] * Vec3{sum[2], sum[3], sum[4]};
+    found.push_back({"wall_area_" + name + "_mm2", sum[0]});
+    if (!is_clamped(s)) add_vector("mean_displacement_" + name, "mm", moved, found);
+    if (holds(s)) add_vector("wall_force_" + name, "mN", {sum[5], sum[6], sum[7]}, found);
+    sum += 8;
+  }
   return found;
 }
 

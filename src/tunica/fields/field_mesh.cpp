@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "tunica/base/error.hpp"
+#include "tunica/base/reduce.hpp"
 #include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/partition.hpp"
 
@@ -94,23 +94,28 @@ void add_faces(const mesh::Mesh& mesh, const mesh::Partition& partition,
       found->second.outward = face;
     }
   }
-  field.on_surface.assign(field.vertex.size(), 0);
+  std::vector<std::pair<int, int>> on_surfaces;
   const int rank = field.comm->getRank();
   for (const auto& [key, owner] : owners) {
     if (owner.tets != 1) continue;
-    Face face{{}, owner.surface, partition.tet_part[owner.tet] == rank};
+    Face face{{}, owner.surface, partition.tet_part[owner.tet] == rank, -1};
     bool touches_owned = face.is_owned;
     bool is_local = true;
     for (int k = 0; k < 3; ++k) {
       face.nodes[k] = local[owner.outward[k]];
       is_local = is_local && face.nodes[k] >= 0;
       if (face.nodes[k] >= 0) {
-        field.on_surface[face.nodes[k]] |= std::uint64_t{1} << owner.surface;
+        on_surfaces.emplace_back(face.nodes[k], owner.surface);
         touches_owned = touches_owned || face.nodes[k] < field.n_owned;
       }
     }
-    if (is_local && touches_owned) field.faces.push_back(face);
+    if (!is_local || !touches_owned) continue;
+    const auto& numbers = field.tet_number;  // they ascend
+    const auto tet = std::lower_bound(numbers.begin(), numbers.end(), owner.tet + 1);
+    face.tet = static_cast<int>(tet - numbers.begin());
+    field.faces.push_back(face);
   }
+  field.node_surfaces = NodeSurfaces(field.n_nodes(), std::move(on_surfaces));
 }
 
 Teuchos::RCP<const Map> map_of(const std::vector<long long>& numbers, int dofs, long long total,
@@ -139,9 +144,20 @@ void add_maps(const Numbering& n, FieldMesh& field) {
 
 }  // namespace
 
+NodeSurfaces::NodeSurfaces(int n_nodes, std::vector<std::pair<int, int>> pairs)
+    : first_(n_nodes + 1, 0) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  surface_.reserve(pairs.size());
+  for (const auto& [node, surface] : pairs) {
+    ++first_[node + 1];
+    surface_.push_back(surface);
+  }
+  for (int a = 0; a < n_nodes; ++a) first_[a + 1] += first_[a];
+}
+
 FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partition,
                           const std::vector<int>& regions, const CommPtr& comm) {
-  TUNICA_CHECK(mesh.surfaces.size() <= 64, "Mesh: more than 64 surfaces are not supported.");
   FieldMesh field;
   field.comm = comm;
   for (const mesh::Tag& tag : mesh.regions) field.regions.push_back(tag.name);
@@ -179,6 +195,16 @@ FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partiti
 int FieldMesh::surface_index(const std::string& name) const {
   const auto found = std::find(surfaces.begin(), surfaces.end(), name);
   return found == surfaces.end() ? -1 : static_cast<int>(found - surfaces.begin());
+}
+
+std::vector<int> bounding_surfaces(const FieldMesh& mesh) {
+  std::vector<double> faces(mesh.surfaces.size(), 0.0);
+  for (const Face& face : mesh.faces) faces[face.surface] += face.is_owned;
+  faces = global_sum(*mesh.comm, faces);
+  std::vector<int> found;
+  for (std::size_t s = 0; s < faces.size(); ++s)
+    if (faces[s] > 0.0) found.push_back(static_cast<int>(s));
+  return found;
 }
 
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
-#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tunica/base/tensor.hpp"
@@ -19,6 +19,32 @@ struct Face {
   std::array<int, 3> nodes;  ///< local nodes
   int surface;               ///< index into FieldMesh::surfaces
   bool is_owned;             ///< true on exactly one rank: sums over the surface use it there
+  int tet;                   ///< the local tetrahedron that it is a side of
+};
+
+/// The surfaces that each node lies on: of most nodes none, of few more than one, however many the
+/// mesh has. The pairs of a node and a surface are numbered, node by node.
+class NodeSurfaces {
+public:
+  NodeSurfaces() = default;
+  /// pairs: local node and surface, in any order and with repetitions.
+  NodeSurfaces(int n_nodes, std::vector<std::pair<int, int>> pairs);
+
+  int size() const { return static_cast<int>(surface_.size()); }
+  /// The pairs of a node, and the surface of a pair.
+  int begin(int node) const { return first_[node]; }
+  int end(int node) const { return first_[node + 1]; }
+  int surface(int pair) const { return surface_[pair]; }
+  /// The pair of node and surface; -1 where the node does not lie on it.
+  int find(int node, int surface) const {
+    for (int k = begin(node); k < end(node); ++k)
+      if (surface_[k] == surface) return k;
+    return -1;
+  }
+
+private:
+  std::vector<int> first_;    ///< per node, and the total at the end: its place in surface_
+  std::vector<int> surface_;  ///< those of a node ascend
 };
 
 /// One field's share of the mesh on one rank: the owned nodes, every tetrahedron and boundary
@@ -29,10 +55,10 @@ struct FieldMesh {
   std::vector<std::string> regions;   ///< of the whole mesh
   std::vector<std::string> surfaces;  ///< of the whole mesh
 
-  int n_owned = 0;                        ///< owned nodes stand first in all node arrays
-  std::vector<Vec3> x;                    ///< reference positions [mm]
-  std::vector<int> vertex;                ///< vertex number in the mesh file
-  std::vector<std::uint64_t> on_surface;  ///< bit s is set on the nodes of surface s
+  int n_owned = 0;             ///< owned nodes stand first in all node arrays
+  std::vector<Vec3> x;         ///< reference positions [mm]
+  std::vector<int> vertex;     ///< vertex number in the mesh file
+  NodeSurfaces node_surfaces;  ///< of owned and ghost nodes
 
   std::vector<std::array<int, 4>> tets;
   std::vector<int> region;      ///< per tet: index into regions
@@ -51,7 +77,10 @@ struct FieldMesh {
   /// Index into surfaces; -1 for an unknown name.
   int surface_index(const std::string& name) const;
   int n_nodes() const { return static_cast<int>(x.size()); }
-  bool is_on(int node, int surface) const { return (on_surface[node] >> surface) & 1U; }
+  bool is_on(int node, int surface) const { return node_surfaces.find(node, surface) >= 0; }
+  bool is_on_boundary(int node) const {
+    return node_surfaces.begin(node) != node_surfaces.end(node);
+  }
   bool is_on_any(int node, const std::vector<int>& indices) const {
     return std::any_of(indices.begin(), indices.end(), [&](int s) { return is_on(node, s); });
   }
@@ -61,6 +90,9 @@ struct FieldMesh {
 /// mesh.regions). Collective.
 FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partition,
                           const std::vector<int>& regions, const CommPtr& comm);
+
+/// The surfaces that bound the field, ascending. Collective.
+std::vector<int> bounding_surfaces(const FieldMesh& mesh);
 
 /// Nodal values on owned nodes.
 std::vector<Vec3> owned_vectors(const FieldMesh& mesh, const Vector& v);

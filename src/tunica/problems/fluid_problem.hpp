@@ -45,6 +45,9 @@ public:
   const std::vector<Vec3>& positions() const { return fluid_->positions(); }
   const assembly::FluidElements& elements() const { return fluid_->elements(); }
   discretisation::Observables observe() const { return fluid_->observe(x_); }
+  discretisation::Observables observe_surfaces(const std::vector<int>& surfaces) {
+    return fluid_->observe_surfaces(x_, surfaces);
+  }
 
 private:
   FluidProblem(std::unique_ptr<discretisation::Fluid> fluid, const Teuchos::ParameterList& list);

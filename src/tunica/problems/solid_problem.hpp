@@ -31,6 +31,9 @@ public:
   std::vector<Vec3> velocity() const;      ///< of owned nodes, of the last accepted step [mm/ms]
   const assembly::SolidElements& elements() const { return wall_->elements(); }
   discretisation::Observables observe() const { return wall_->observe(x_); }
+  discretisation::Observables observe_surfaces(const std::vector<int>& surfaces) {
+    return wall_->observe_surfaces(x_, surfaces);
+  }
 
   // Restartable
   fields::State save() const override;

@@ -148,6 +148,14 @@ TEUCHOS_UNIT_TEST(schema, probes_are_limited_to_the_fields_of_the_case) {
   }
 }
 
+TEUCHOS_UNIT_TEST(schema, all_or_no_surfaces_are_reported_or_those_named) {
+  const std::string file = xml_folder + "/pulse-tiny.xml", key = "Output/surfaces=";
+  for (const char* good : {"{all}", "{none}", "{}", "{inlet, outlet}"})
+    TEST_EQUALITY(refusal(file, {key + good}), "");
+  for (const char* bad : {"{all, inlet}", "{inlet, none}"})
+    TEST_ASSERT(refusal(file, {key + bad}).find("Output: \"surfaces\" holds") != std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(read_case, all_ranks_receive_the_same_list) {
   app::CommandLine command;
   command.case_file = xml_folder + "/pulse-tiny.xml";

@@ -149,6 +149,48 @@ TEUCHOS_UNIT_TEST(field_mesh, nodes_know_their_surfaces_on_every_rank) {
   }
 }
 
+/// A tube's fluid, each triangle of whose side is a surface of its own.
+struct ManySurfaces {
+  explicit ManySurfaces(const CommPtr& comm) {
+    mesh::Tube shape = SmallTube::options();
+    shape.axial = 4;
+    const SmallTube tube(comm, shape);
+    whole = tube.mesh;
+    const int side = tube.surface("interface");
+    for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
+      if (whole.triangle_surface[t] != side) continue;
+      whole.triangle_surface[t] = static_cast<int>(whole.surfaces.size());
+      whole.surfaces.push_back({1000 + static_cast<int>(t), "patch-" + std::to_string(t)});
+    }
+    mesh::validate(whole, "patches");
+    field = fields::make_field_mesh(whole, tube.partition, {0}, comm);
+  }
+  mesh::Mesh whole;
+  FieldMesh field;
+};
+
+TEUCHOS_UNIT_TEST(field_mesh, nodes_may_lie_on_any_number_of_surfaces) {
+  const ManySurfaces many(world());
+  const FieldMesh& field = many.field;
+  const int n = static_cast<int>(field.surfaces.size());
+  TEST_EQUALITY(n, 7 + 2 * 8 * 4);  // those of a tube, and the triangles of its interface
+  std::vector<std::set<int>> expected(many.whole.vertices.size());
+  const auto is_fluid = [&](const std::array<int, 3>& t) {
+    return std::all_of(t.begin(), t.end(), [&](int v) {
+      return std::hypot(many.whole.vertices[v][0], many.whole.vertices[v][1]) < 1.43 + 1e-9;
+    });
+  };
+  for (std::size_t t = 0; t < many.whole.triangles.size(); ++t)
+    if (is_fluid(many.whole.triangles[t]))
+      for (const int v : many.whole.triangles[t])
+        expected[v].insert(many.whole.triangle_surface[t]);
+  for (int a = 0; a < field.n_nodes(); ++a) {
+    const std::set<int>& on = expected[field.vertex[a]];
+    for (int s = 0; s < n; ++s) TEST_EQUALITY(field.is_on(a, s), on.count(s) == 1);
+    TEST_EQUALITY(field.is_on_boundary(a), !on.empty());
+  }
+}
+
 TEUCHOS_UNIT_TEST(broadcast_mesh, every_rank_receives_the_mesh_of_rank_0) {
   mesh::Mesh whole = mesh::make_tube(SmallTube::options());
   whole.tet_vectors = {{"axial", std::vector<Vec3>(whole.tets.size(), Vec3{0.1, 0.2, 0.3})}};

@@ -37,7 +37,7 @@ TEUCHOS_UNIT_TEST(mesh_motion, a_linear_field_on_the_whole_boundary_is_reproduce
     std::vector<Vec3> given(tube.fluid.n_owned), expected(tube.fluid.n_nodes());
     for (int a = 0; a < tube.fluid.n_nodes(); ++a) expected[a] = linear_field(tube.fluid.x[a]);
     for (int a = 0; a < tube.fluid.n_owned; ++a)
-      given[a] = tube.fluid.on_surface[a] != 0 ? expected[a] : Vec3{7, 7, 7};  // 7 is ignored
+      given[a] = tube.fluid.is_on_boundary(a) ? expected[a] : Vec3{7, 7, 7};  // 7 is ignored
     TEST_ASSERT(motion.extend(given).is_success());
     TEST_COMPARE(largest(motion.displacement(), expected), <, 1e-10);
   }
@@ -54,7 +54,7 @@ TEUCHOS_UNIT_TEST(mesh_motion, other_surfaces_stay_and_the_interface_moves_as_gi
   for (int a = 0; a < tube.fluid.n_nodes(); ++a) {
     if (tube.fluid.is_on(a, tube.surface("interface")))
       TEST_ASSERT(d[a] == linear_field(tube.fluid.x[a]))
-    else if (tube.fluid.on_surface[a] != 0)
+    else if (tube.fluid.is_on_boundary(a))
       TEST_ASSERT(d[a] == Vec3{})
     else
       moves_inside = moves_inside || norm(d[a]) > 1e-3;

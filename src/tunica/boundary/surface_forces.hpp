@@ -1,0 +1,33 @@
+#pragma once
+#include "tunica/boundary/surface_terms.hpp"
+
+namespace tunica::boundary {
+
+/// What a node has of each surface that it lies on, by the pairs of FieldMesh::node_surfaces. Whole
+/// at owned nodes.
+struct NodalShares {
+  explicit NodalShares(const fields::FieldMesh& mesh)
+      : area(mesh.node_surfaces.size(), 0.0), force(mesh.node_surfaces.size()) {}
+
+  std::vector<double> area;  ///< a third of each triangle around the node [mm²]
+  std::vector<Vec3> force;   ///< an estimate of the field's force on the surface [mN]
+};
+
+/// Adds a triangle: its area, and a force on each of its nodes.
+void add_face(const fields::FieldMesh& mesh, const fields::Face& face, double area,
+              const std::array<Vec3, 3>& force, NodalShares& shares);
+
+/// The field's forces on the surfaces that prescribe its vector unknown, this rank's part, by the
+/// reactions r of owned nodes [mN]. Each component of a reaction goes to the surfaces s of the node
+/// that prescribe it:
+///
+///   r_a[s] = e_a[s] + A_a[s] / Σ_t A_a[t] (r_a − Σ_t e_a[t])
+///
+///   e   shares.force, the estimate   mN      A   shares.area   mm²
+///
+/// Where no such surfaces meet, that is all of r_a, whatever the estimate. The forces of all
+/// surfaces add up to the sum of the reactions.
+std::vector<Vec3> reaction_forces(const fields::FieldMesh& mesh, const SurfaceTerms& terms,
+                                  const std::vector<Vec3>& reaction, const NodalShares& shares);
+
+}  // namespace tunica::boundary
