@@ -33,6 +33,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "fluid"),
              app::joined({fluid.observe(), probes.observe(&fluid, nullptr)}));
     if (!report.is_converged) return app::failure(clock, "the fluid", report);
+    fluid.end_step();
     if (fields.is_due(clock)) fields.write(clock, {{"fluid", app::fluid_arrays(fluid, {}), {}}});
     checkpoints.write_if_due(clock);
   }

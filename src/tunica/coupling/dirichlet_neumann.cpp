@@ -106,6 +106,7 @@ InterfaceVector DirichletNeumann::limited(const InterfaceVector& d, InterfaceVec
 }
 
 void DirichletNeumann::accept() {
+  fluid_->end_step();
   wall_->end_step();
   motion_->end_step();
   accelerator_->end_step();

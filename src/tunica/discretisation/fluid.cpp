@@ -23,6 +23,7 @@ Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
   local_.p.resize(mesh.n_nodes());
   elements_.coefficients = {options_.density, options_.viscosity, 0.0, options_.viscous_factor};
   elements_.geometry = assembly::geometry_of(mesh, mesh.x);
+  surfaces_.follow(*scheme_);
   // Without an open surface the pressure is known up to a constant: pin it at the node with the
   // smallest vertex, the same on any ranks.
   is_closed_ = open_surfaces().empty();
@@ -51,6 +52,7 @@ void Fluid::begin_step(const stepping::Clock& clock, const algebra::BlockVector&
   elements_.coefficients.inv_dt = scheme_->rate();
   scheme_->accept(fields::ghosted_vectors(*mesh_, x[0]), velocities_);
   for (int a = 0; a < mesh_->n_nodes(); ++a) local_.u_old[a] = scheme_->past(velocities_, a);
+  surfaces_.begin_step();
 }
 
 Outcome Fluid::set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_old) {

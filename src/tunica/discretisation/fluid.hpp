@@ -21,6 +21,8 @@ public:
 
   /// Begins the clock's present step from the state x of the old time.
   void begin_step(const stepping::Clock& clock, const algebra::BlockVector& x);
+  /// Accepts x as the state of the new time. Collective.
+  void end_step(const algebra::BlockVector& x) { end_step_on_surfaces(x); }
   /// Moves the mesh to the displacement d of all local nodes; the mesh velocity and the velocity
   /// on the interface are those that the time scheme sees between d_old and d. Fails where an
   /// element is inverted, and says which.
@@ -52,8 +54,7 @@ public:
   Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
 
 private:
-  /// Of the values read.
-  boundary::Surroundings surroundings() const;
+  boundary::Surroundings surroundings() const override;
   /// Volume of fluid that leaves through the face [mm³/ms]; u on local nodes.
   double outflow(const fields::Face& face, const std::vector<Vec3>& u) const;
   void check_closed_flow(const algebra::BlockVector& x) const;

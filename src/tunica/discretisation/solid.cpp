@@ -21,6 +21,7 @@ Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
   set_elements();
   set_layer_boundaries();
   elements_.frames = std::move(frames);
+  surfaces_.follow(*scheme_);
 }
 
 Solid::~Solid() = default;
@@ -78,10 +79,12 @@ void Solid::begin_step(const stepping::Clock& clock) {
     set_coefficients();
   }
   set_inertia_history();
+  surfaces_.begin_step();
 }
 
 void Solid::end_step(const algebra::BlockVector& x) {
   scheme_->accept(fields::ghosted_vectors(*mesh_, x[0]), history_);
+  end_step_on_surfaces(x);
 }
 
 void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const {
@@ -122,7 +125,7 @@ std::string Solid::refusal() const {
 void Solid::assemble(assembly::BlockAssembler* K) {
   R_.set_zero();
   assembly::assemble_solid(*mesh_, elements_, local_, R_, K);
-  surfaces_.add({mesh_, &mesh_->x, &mesh_->x, &local_.d, nullptr, 0.0, time_}, R_, K);
+  surfaces_.add(surroundings(), R_, K);
   for (int a = 0; a < mesh_->n_owned; ++a) R_.u[a] += -1.0 * nodal_force_[a];
 }
 

@@ -55,6 +55,9 @@ private:
   void set_layer_boundaries();
   void set_coefficients();
   void set_inertia_history();
+  boundary::Surroundings surroundings() const override {
+    return {mesh_, &mesh_->x, &mesh_->x, &local_.d, nullptr, 0.0, time_};
+  }
   void read(const algebra::BlockVector& x) override;
   bool is_admissible() override;
   void assemble(assembly::BlockAssembler* K) override;

@@ -10,7 +10,7 @@ public:
   /// list: the resolved "Fluid" list. mesh must outlive the problem. Collective.
   FluidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
 
-  /// Accepts the present velocity as that of the old time.
+  /// Takes the present velocity for that of the old time.
   void begin_step(const stepping::Clock& clock) { fluid_->begin_step(clock, x_); }
   Outcome set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_old) {
     return fluid_->set_domain(d, d_old);
@@ -19,6 +19,8 @@ public:
   /// solve() does by itself.
   void prepare() { fluid_->prescribe(x_); }
   nonlinear::NewtonReport solve();
+  /// Accepts the present state as that of the new time.
+  void end_step() { fluid_->end_step(x_); }
 
   /// discretisation::Fluid::reaction() of the last solve.
   std::vector<Vec3> reaction() { return fluid_->reaction(x_); }
