@@ -23,12 +23,13 @@ void BlockMatrix::apply(const BlockVector& x, BlockVector& y) const {
     from.push_back(Teuchos::rcp_const_cast<Vector>(x.block(b)));
     to.push_back(y.block(b));
   }
-  apply(from, to, 1.0, 0.0);
+  apply_blocks(from, to, 1.0, 0.0);
+  if (low_rank_) low_rank_->add(from, to, 1.0);  // y ← y + W S Vᵀ x
 }
 
-void BlockMatrix::apply(const std::vector<Teuchos::RCP<MultiVector>>& x,
-                        const std::vector<Teuchos::RCP<MultiVector>>& y, Scalar alpha,
-                        Scalar beta) const {
+void BlockMatrix::apply_blocks(const std::vector<Teuchos::RCP<MultiVector>>& x,
+                               const std::vector<Teuchos::RCP<MultiVector>>& y, Scalar alpha,
+                               Scalar beta) const {
   for (int i = 0; i < n_blocks(); ++i) {
     Scalar keep = beta;  // of what y_i holds: β at first, then all
     for (int j = 0; j < n_blocks(); ++j) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "tunica/algebra/block_vector.hpp"
+#include "tunica/algebra/low_rank.hpp"
 
 namespace tunica::algebra {
 
@@ -9,7 +9,8 @@ namespace tunica::algebra {
 ///   K = [ A   B1ᵀ ]      K(0, 0) = A    K(0, 1) = B1ᵀ
 ///       [ B2  −C  ]      K(1, 0) = B2   K(1, 1) = −C
 ///
-/// The matrices are shared, so that one who holds them sees their values change.
+/// Beside the blocks there may be a part of low rank. Matrices and that part are shared, so that
+/// one who holds them sees their values change.
 class BlockMatrix {
 public:
   BlockMatrix() = default;
@@ -27,17 +28,24 @@ public:
     return blocks_[row * n_blocks() + column];
   }
 
+  /// Gives K a part of low rank, zero at first; before anything is built upon K.
+  void make_low_rank(int rank) { low_rank_ = std::make_shared<LowRank>(space_, rank); }
+  /// Null: none.
+  const std::shared_ptr<LowRank>& low_rank() const { return low_rank_; }
+
   BlockVector zero() const { return BlockVector(space_); }
 
-  /// y = K x.
+  /// y = K x, all of it.
   void apply(const BlockVector& x, BlockVector& y) const;
-  /// y_i = α Σ_j K_ij x_j + β y_i for the parts of longer vectors.
-  void apply(const std::vector<Teuchos::RCP<MultiVector>>& x,
-             const std::vector<Teuchos::RCP<MultiVector>>& y, Scalar alpha, Scalar beta) const;
+  /// y_i = α Σ_j K_ij x_j + β y_i for the parts of longer vectors, without the part of low rank.
+  void apply_blocks(const std::vector<Teuchos::RCP<MultiVector>>& x,
+                    const std::vector<Teuchos::RCP<MultiVector>>& y, Scalar alpha,
+                    Scalar beta) const;
 
 private:
   BlockSpacePtr space_;
   std::vector<Teuchos::RCP<CrsMatrix>> blocks_;
+  std::shared_ptr<LowRank> low_rank_;
 };
 
 }  // namespace tunica::algebra

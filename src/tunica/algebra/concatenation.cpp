@@ -44,7 +44,7 @@ void Concatenation::scatter(const MultiVector& all, BlockVector& x) const {
 void ConcatenatedOperator::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,
                                  Scalar alpha, Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("ConcatenatedOperator: no transpose");
-  K_->apply(blocks_.parts(X), blocks_.parts(Y), alpha, beta);
+  K_->apply_blocks(blocks_.parts(X), blocks_.parts(Y), alpha, beta);
 }
 
 }  // namespace tunica::algebra

@@ -24,7 +24,7 @@ private:
   Teuchos::RCP<const Map> map_;
 };
 
-/// K on concatenated vectors.
+/// The blocks of K on concatenated vectors.
 class ConcatenatedOperator : public Operator {
 public:
   /// K must outlive the object.

@@ -7,7 +7,7 @@ namespace tunica::algebra {
 
 /// A matrix of blocks as one matrix with the unknowns of a node side by side (DofLayout): what
 /// incomplete and complete factorisations of the whole system and mixed multigrid work on. A copy
-/// of the values; refresh() takes them over.
+/// of the values; refresh() takes them over. The part of low rank, if K has one, is left out.
 class MergedMatrix {
 public:
   /// K must outlive the object. Collective.

@@ -44,6 +44,32 @@ std::vector<const MultiVector*> vectors_of(const algebra::BlockVector& x) {
   return vectors;
 }
 
+/// The vectors w, or v, of all products, in columns.
+struct Columns {
+  std::vector<MultiVector> blocks;
+
+  std::vector<const MultiVector*> all() const {
+    std::vector<const MultiVector*> pointers;
+    for (const MultiVector& block : blocks) pointers.push_back(&block);
+    return pointers;
+  }
+};
+
+/// W S, and V, of W S Vᵀ.
+std::pair<Columns, Columns> columns_of(const algebra::LowRank& L,
+                                       const algebra::BlockSpace& space) {
+  Columns WS, V;
+  for (int b = 0; b < space.n_blocks(); ++b) {
+    WS.blocks.emplace_back(space[b].map, L.rank());
+    V.blocks.emplace_back(space[b].map, L.rank());
+    for (int k = 0; k < L.rank(); ++k) {
+      WS.blocks[b].getVectorNonConst(k)->update(L[k].scale, L[k].w[b], 0.0);
+      V.blocks[b].getVectorNonConst(k)->assign(L[k].v[b]);
+    }
+  }
+  return {WS, V};
+}
+
 std::string state_of(const LinearSystem& system, const output::RunRecord& record) {
   const Json run = Json::parse(record.text());
   const auto nodes = static_cast<long long>(system.mesh->node_map->getGlobalNumElements());
@@ -57,6 +83,10 @@ std::string state_of(const LinearSystem& system, const output::RunRecord& record
   out["newton step"] = system.newton_step;
   out["sizes"] = {{"nodes", nodes}, {"vector unknowns", 3 * nodes}, {"scalar unknowns", nodes}};
   out["operator"] = "K = [A B1T; B2 -C]; constrained rows and columns keep their diagonal only";
+  if (system.K->low_rank())
+    out["low rank"] =
+        "K has W VT beside these blocks, for what couples whole surfaces: a column of "
+        "W and of V for each product, rows as in rhs";
   out["ordering"] =
       "vector unknown 3*node + i, scalar unknown node, both counted from 0; "
       "rhs and solution hold all vector unknowns, then all scalar ones";
@@ -95,6 +125,7 @@ void SystemExport::write(const LinearSystem& system) const {
   write_matrix_market(path(system, "B1T.mtx"), *(*system.K)(0, 1), 1.0, "");
   write_matrix_market(path(system, "B2.mtx"), *(*system.K)(1, 0), 1.0, "");
   write_matrix_market(path(system, "C.mtx"), *(*system.K)(1, 1), -1.0, "");
+  write_low_rank(system);
   write_matrix_market(path(system, "rhs.mtx"), vectors_of(*system.b), "");
   const MultiVector x = coordinates(*system.mesh), modes = rigid_motions(*system.mesh);
   write_matrix_market(path(system, "coordinates.mtx"), {&x}, "mm");
@@ -102,6 +133,20 @@ void SystemExport::write(const LinearSystem& system) const {
   on_root_or_fault(*comm_, [&] {
     return io::replace_file(path(system, "state.json"), state_of(system, *record_));
   });
+}
+
+void SystemExport::write_low_rank(const LinearSystem& system) const {
+  const std::string W = path(system, "W.mtx"), V = path(system, "V.mtx");
+  if (!system.K->low_rank()) {
+    if (comm_->getRank() == 0) {
+      std::remove(W.c_str());
+      std::remove(V.c_str());
+    }
+    return;
+  }
+  const auto columns = columns_of(*system.K->low_rank(), *system.K->space());
+  io::write_matrix_market(W, columns.first.all(), "");
+  io::write_matrix_market(V, columns.second.all(), "");
 }
 
 void SystemExport::write(const LinearSystem& system,

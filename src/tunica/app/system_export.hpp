@@ -10,6 +10,7 @@ void add_export_keys(params::Table& table);
 /// Writes systems for other programs, each into a folder of its own:
 ///
 ///   A, B1T, B2, C .mtx   the blocks of K = [A B1ᵀ; B2 −C]
+///   W, V .mtx            where K has W Vᵀ beside its blocks: a column for each product
 ///   rhs.mtx              b, vector unknowns before scalar ones
 ///   solution.mtx         x, likewise; the best one found
 ///   coordinates.mtx      of the nodes in the undeformed mesh [mm]
@@ -27,6 +28,8 @@ public:
   void write(const LinearSystem& system, const std::optional<BestSolution>& solution) const;
 
 private:
+  /// Takes that of an earlier run away where there is none now. Collective.
+  void write_low_rank(const LinearSystem& system) const;
   std::string path(const LinearSystem& system, const std::string& file) const;
 
   std::string folder_;

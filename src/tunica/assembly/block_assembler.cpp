@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tunica/base/error.hpp"
+
 namespace tunica::assembly {
 
 namespace {
@@ -32,6 +34,13 @@ void constrain(const std::array<std::uint8_t, 4>& fixed, kernels::MixedJacobian&
       }
       if ((is_fixed_p_row || is_fixed_p_col) && a != b) K.mC[a][b] = 0.0;
     }
+}
+
+/// Copies what is not constrained.
+void store_free(const std::vector<Vec3>& values, const Constraints& fixed, Vector& x) {
+  const auto rows = x.getLocalViewHost(overwrite_all);
+  for (std::size_t a = 0; a < values.size(); ++a)
+    for (int i = 0; i < 3; ++i) rows(3 * a + i, 0) = (fixed[a] >> i) & 1 ? 0.0 : values[a][i];
 }
 
 }  // namespace
@@ -84,6 +93,15 @@ void BlockAssembler::add(std::size_t e, const kernels::MixedJacobian& Ke) {
   kernels::MixedJacobian constrained = Ke;
   constrain(fixed, constrained);
   scatter(e, constrained);
+}
+
+void BlockAssembler::add(double s, const std::vector<Vec3>& w, const std::vector<Vec3>& v) {
+  TUNICA_ASSERT(K_->low_rank() && next_product_ < K_->low_rank()->rank(),
+                "the terms add no more products than they announce");
+  algebra::RankOne& product = (*K_->low_rank())[next_product_++];
+  product.scale = s;
+  store_free(w, *fixed_, product.w[0]);
+  store_free(v, *fixed_, product.v[0]);
 }
 
 void BlockAssembler::scatter(std::size_t e, const kernels::MixedJacobian& Ke) {

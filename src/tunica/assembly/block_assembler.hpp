@@ -34,12 +34,15 @@ struct NodalResidual {
 ///
 /// Constrained rows and columns keep only their diagonal, summed like any other entry, so
 /// that it has the size of its neighbours; the increments there are zero, so that the dropped
-/// columns need no right-hand side. Writing begins with zeros and ends with finish().
+/// columns need no right-hand side. Writing begins with zeros and ends with finish(). Products of
+/// vectors go to the operator's part of low rank, which has as many as are added.
 class BlockAssembler {
 public:
   BlockAssembler(fields::BlockOperator& K, const Constraints& fixed);
   void add(std::size_t e, const kernels::MixedJacobian& Ke);
   void add(const fields::Face& face, const kernels::SurfaceJacobian& Ke);
+  /// s w vᵀ on the vector unknown, given on the owned nodes.
+  void add(double s, const std::vector<Vec3>& w, const std::vector<Vec3>& v);
   void finish();
 
 private:
@@ -50,6 +53,7 @@ private:
   const fields::NodeGraph* graph_;
   const Constraints* fixed_;
   double *A_, *B1T_, *B2_, *mC_;
+  int next_product_ = 0;
 };
 
 }  // namespace tunica::assembly

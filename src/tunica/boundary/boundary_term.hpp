@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tunica/assembly/block_assembler.hpp"
+#include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::boundary {
 
@@ -26,6 +27,10 @@ struct Surroundings {
 
 /// What happens on one surface of a field. A term adds to residual and Jacobian, or prescribes
 /// components of the vector unknown, or both. A condition of a case may be made of several terms.
+///
+/// Most terms are sums over faces: add() and observe(). One that looks at the surface as a whole,
+/// at the flow through it, has add_whole() and observe_whole() instead, and one that remembers
+/// something from step to step a state.
 class BoundaryTerm {
 public:
   virtual ~BoundaryTerm() = default;
@@ -44,6 +49,26 @@ public:
   /// Adds what one face does, by names of observables.
   virtual void observe(const Surroundings&, const fields::Face&,
                        std::map<std::string, double>& /*sums*/) const {}
+
+  /// How many products s w vᵀ add_whole() gives the Jacobian, always.
+  virtual int rank() const { return 0; }
+  /// Adds the part of the whole surface to the residual on owned nodes, and the products to the
+  /// Jacobian where K is not null. Collective.
+  virtual void add_whole(const Surroundings&, assembly::NodalResidual&,
+                         assembly::BlockAssembler* /*K*/) const {}
+  /// Adds what the whole surface does, by names of observables, the same on all ranks. Collective.
+  virtual void observe_whole(const Surroundings&, std::map<std::string, double>& /*found*/) const {}
+
+  /// The scheme by which the state moves; outlives the term. Comes before all that follows.
+  virtual void follow(const stepping::TimeScheme&) {}
+  /// A step begins, of the scheme's present size, or begins again.
+  virtual void begin_step() {}
+  /// The step is accepted with these surroundings. Collective.
+  virtual void end_step(const Surroundings&) {}
+  /// What end_step() left, for checkpoints, the same on all ranks; always as many numbers, none
+  /// where there is no state.
+  virtual std::vector<double> state() const { return {}; }
+  virtual void restore(const std::vector<double>& /*state*/) {}
 };
 
 using Terms = std::vector<std::unique_ptr<BoundaryTerm>>;

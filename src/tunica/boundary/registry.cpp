@@ -4,6 +4,7 @@
 #include "tunica/boundary/held.hpp"
 #include "tunica/boundary/prescribed_velocity.hpp"
 #include "tunica/boundary/traction.hpp"
+#include "tunica/boundary/windkessel.hpp"
 
 namespace tunica::boundary {
 
@@ -11,16 +12,17 @@ namespace {
 
 const std::vector<ConditionEntry>& conditions() {
   static const std::vector<ConditionEntry> all = {
-      open_traction(),       // "traction" of a fluid
-      open_pressure(),       // "pressure" of a fluid
-      velocity_condition(),  // "velocity"
-      no_slip(),             // "no slip"
-      moves_with_wall(),     // "interface" of a fluid
-      clamped(),             // "clamped"
-      held(),                // "held"
-      dead_traction(),       // "traction" of a wall
-      follower_pressure(),   // "pressure" of a wall
-      loaded_by_fluid(),     // "interface" of a wall
+      open_traction(),         // "traction" of a fluid
+      open_pressure(),         // "pressure" of a fluid
+      windkessel_condition(),  // "windkessel"
+      velocity_condition(),    // "velocity"
+      no_slip(),               // "no slip"
+      moves_with_wall(),       // "interface" of a fluid
+      clamped(),               // "clamped"
+      held(),                  // "held"
+      dead_traction(),         // "traction" of a wall
+      follower_pressure(),     // "pressure" of a wall
+      loaded_by_fluid(),       // "interface" of a wall
   };
   return all;
 }

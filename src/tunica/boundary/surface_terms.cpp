@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tunica/base/error.hpp"
+
 namespace tunica::boundary {
 
 SurfaceTerms::SurfaceTerms(const std::vector<Condition>& conditions,
@@ -63,6 +65,15 @@ void SurfaceTerms::add(const Surroundings& s, assembly::NodalResidual& R,
                        assembly::BlockAssembler* K) const {
   for (const fields::Face& face : mesh_->faces)
     for (const auto& term : terms_[face.surface]) term->add(s, face, R, K);
+  for (const Terms& terms : terms_)
+    for (const auto& term : terms) term->add_whole(s, R, K);
+}
+
+int SurfaceTerms::rank() const {
+  int sum = 0;
+  for (const Terms& terms : terms_)
+    for (const auto& term : terms) sum += term->rank();
+  return sum;
 }
 
 Vec3 SurfaceTerms::load(const Surroundings& s, int surface) const {
@@ -70,6 +81,7 @@ Vec3 SurfaceTerms::load(const Surroundings& s, int surface) const {
   for (const fields::Face& face : mesh_->faces)
     if (face.surface == surface)
       for (const auto& term : terms_[surface]) term->add(s, face, R, nullptr);
+  for (const auto& term : terms_[surface]) term->add_whole(s, R, nullptr);
   Vec3 load{};
   for (const Vec3& r : R.u) load += -1.0 * r;
   return load;
@@ -78,6 +90,76 @@ Vec3 SurfaceTerms::load(const Surroundings& s, int surface) const {
 void SurfaceTerms::observe(const Surroundings& s, const fields::Face& face,
                            std::map<std::string, double>& sums) const {
   for (const auto& term : terms_[face.surface]) term->observe(s, face, sums);
+}
+
+void SurfaceTerms::observe_whole(const Surroundings& s,
+                                 std::map<std::string, double>& found) const {
+  for (const Terms& terms : terms_)
+    for (const auto& term : terms) term->observe_whole(s, found);
+}
+
+void SurfaceTerms::follow(const stepping::TimeScheme& scheme) {
+  for (const Terms& terms : terms_)
+    for (const auto& term : terms) term->follow(scheme);
+}
+
+void SurfaceTerms::begin_step() {
+  for (const Terms& terms : terms_)
+    for (const auto& term : terms) term->begin_step();
+}
+
+void SurfaceTerms::end_step(const Surroundings& s) {
+  for (const Terms& terms : terms_)
+    for (const auto& term : terms) term->end_step(s);
+}
+
+std::vector<double> SurfaceTerms::state_of(int surface) const {
+  std::vector<double> all;
+  for (const auto& term : terms_[surface]) {
+    const std::vector<double> one = term->state();
+    all.insert(all.end(), one.begin(), one.end());
+  }
+  return all;
+}
+
+std::string SurfaceTerms::name_of_state(int surface) const {
+  return conditions_[surface]->kind() + " at " + conditions_[surface]->surface;
+}
+
+bool SurfaceTerms::has_state() const {
+  for (std::size_t k = 0; k < terms_.size(); ++k)
+    if (!state_of(static_cast<int>(k)).empty()) return true;
+  return false;
+}
+
+void SurfaceTerms::save(fields::State& state) const {
+  for (int k = 0; k < static_cast<int>(terms_.size()); ++k)
+    if (const std::vector<double> values = state_of(k); !values.empty())
+      state.numbers[name_of_state(k)] = values;
+}
+
+std::string SurfaceTerms::restore(const fields::State& state) {
+  std::string remark;
+  for (int k = 0; k < static_cast<int>(terms_.size()); ++k) {
+    const std::size_t size = state_of(k).size();
+    if (size == 0) continue;
+    const auto found = state.numbers.find(name_of_state(k));
+    if (found == state.numbers.end()) {
+      remark += (remark.empty() ? "the " : "; the ") + name_of_state(k) + " begins anew";
+      continue;
+    }
+    TUNICA_CHECK(found->second.size() == size,
+                 "the state of the " + name_of_state(k) + " has " +
+                     std::to_string(found->second.size()) + " numbers, expected " +
+                     std::to_string(size) + ": a run goes on with the time scheme it began with.");
+    auto next = found->second.begin();
+    for (const auto& term : terms_[k]) {
+      const auto count = static_cast<std::ptrdiff_t>(term->state().size());
+      term->restore({next, next + count});
+      next += count;
+    }
+  }
+  return remark;
 }
 
 }  // namespace tunica::boundary

@@ -1,5 +1,6 @@
 #pragma once
 #include "tunica/boundary/registry.hpp"
+#include "tunica/fields/state.hpp"
 
 namespace tunica::boundary {
 
@@ -25,15 +26,33 @@ public:
   /// Gives the prescribed components of the vector unknown their values on owned nodes.
   void impose(const Surroundings& s, Vector& u) const;
 
-  /// Adds all faces, in the order of the mesh, to the residual, and to K where it is not null.
+  /// Products of vectors that the terms add to a Jacobian.
+  int rank() const;
+  /// Adds all faces, in the order of the mesh, and then whole surfaces to the residual, and to K
+  /// where it is not null. Collective.
   void add(const Surroundings& s, assembly::NodalResidual& R, assembly::BlockAssembler* K) const;
   /// What the terms of one surface load the field with, this rank's part: minus their residual, all
-  /// nodes together [mN].
+  /// nodes together [mN]. Collective.
   Vec3 load(const Surroundings& s, int surface) const;
   void observe(const Surroundings& s, const fields::Face& face,
                std::map<std::string, double>& sums) const;
+  void observe_whole(const Surroundings& s, std::map<std::string, double>& found) const;
+
+  /// The states of the terms, see BoundaryTerm.
+  void follow(const stepping::TimeScheme& scheme);
+  void begin_step();
+  void end_step(const Surroundings& s);
+  bool has_state() const;
+  /// As numbers of the state, by condition and surface.
+  void save(fields::State& state) const;
+  /// Returns a sentence about each condition that the state does not know, which begins anew.
+  std::string restore(const fields::State& state);
 
 private:
+  std::vector<double> state_of(int surface) const;
+  /// Under which it is saved.
+  std::string name_of_state(int surface) const;
+
   const fields::FieldMesh* mesh_;
   std::vector<Condition> kept_;
   std::vector<const Condition*> conditions_;  ///< per surface

@@ -26,6 +26,7 @@ Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
                             options_.has_dynamic_subscales};
   if (options_.has_dynamic_subscales) subscales_ = std::make_unique<Subscales>(*scheme_, mesh);
   elements_.geometry = assembly::geometry_of(mesh, mesh.x);
+  surfaces_.follow(*scheme_);
   // Without an open surface the pressure is known up to a constant: pin it at the node with the
   // smallest vertex, the same on any ranks.
   is_closed_ = open_surfaces().empty();
@@ -57,6 +58,7 @@ void Fluid::begin_step(const stepping::Clock& clock) {
   scheme_->begin_step(clock);
   elements_.coefficients.inv_dt = scheme_->rate();
   for (int a = 0; a < mesh_->n_nodes(); ++a) local_.u_old[a] = scheme_->past(velocities_, a);
+  surfaces_.begin_step();
   if (!subscales_) return;
   local_.subscale.resize(mesh_->tets.size());
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e)
@@ -67,6 +69,7 @@ void Fluid::end_step(const algebra::BlockVector& x) {
   read(x);
   if (subscales_) subscales_->accept(assembly::fluid_subscales(*mesh_, elements_, local_));
   scheme_->accept(local_.u, velocities_);
+  end_step_on_surfaces(x);
 }
 
 void Fluid::save_history(fields::State& state) const { save_parts(velocities_, *mesh_, state); }

@@ -70,8 +70,7 @@ public:
   Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
 
 private:
-  /// Of the values read.
-  boundary::Surroundings surroundings() const;
+  boundary::Surroundings surroundings() const override;
   /// Volume of fluid that leaves through the face [mm³/ms]; u on local nodes.
   double outflow(const fields::Face& face, const std::vector<Vec3>& u) const;
   void check_closed_flow(const algebra::BlockVector& x) const;

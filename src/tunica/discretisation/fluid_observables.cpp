@@ -24,8 +24,8 @@ namespace tunica::discretisation {
 // up to what the time schemes and the wall's stabilisation take out, which vanish with Δt.
 // P_τ does not vanish with Δt: smaller τ lets the pressure oscillate more at the moving wall
 // ([BGL07]), see tests/verify/energy_balance.py. Surface integrals are over what the fluid may pass
-// under a given traction; the power of prescribed velocities, and of loads on the wall, is left
-// out.
+// under a given traction, also where a windkessel gives it; the power of prescribed velocities, and
+// of loads on the wall, is left out.
 
 void Fluid::observe_volume(const assembly::FluidFields& state, Observables& found) const {
   const Comm& comm = *mesh_->comm;
@@ -58,10 +58,15 @@ void Fluid::observe_open_surfaces(const assembly::FluidFields& state, Observable
                                                           assembly::gather(local_.w, face.nodes));
     surfaces_.observe(here, face, sums);
   }
+  std::map<std::string, double> whole{{boundary::traction_power, 0.0}};
+  surfaces_.observe_whole(here, whole);
   const auto total = [&](double mine) { return global_sum(*mesh_->comm, mine); };
-  found.push_back({boundary::traction_power, total(sums[boundary::traction_power])});
+  found.push_back({boundary::traction_power,
+                   total(sums[boundary::traction_power]) + whole[boundary::traction_power]});
   found.push_back({"kinetic_inflow_kPa_mm3_per_ms", total(inflow)});
   found.push_back({boundary::backflow_power, total(sums[boundary::backflow_power])});
+  whole.erase(boundary::traction_power);
+  for (const auto& [name, value] : whole) found.push_back({name, value});
 }
 
 Observables Fluid::observe(const algebra::BlockVector& x) const {

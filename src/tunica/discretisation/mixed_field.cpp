@@ -10,6 +10,7 @@ MixedField::MixedField(const fields::FieldMesh& mesh, const fields::NodalBlocks&
     : mesh_(&mesh), surfaces_(conditions, registry, mesh), fixed_(mesh.n_nodes(), 0),
       K_(mesh, blocks), R_(mesh) {
   surfaces_.constrain(fixed_);
+  if (surfaces_.rank() > 0) K_.make_low_rank(surfaces_.rank());
 }
 
 bool MixedField::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
@@ -28,6 +29,12 @@ void MixedField::assemble_jacobian(const algebra::BlockVector& x) {
   assembler.finish();
   throughput_.items += static_cast<long long>(mesh_->tets.size());
   throughput_.seconds += watch.seconds();
+}
+
+void MixedField::end_step_on_surfaces(const algebra::BlockVector& x) {
+  if (!surfaces_.has_state()) return;
+  read(x);
+  surfaces_.end_step(surroundings());
 }
 
 double MixedField::mass_norm(const algebra::BlockVector& dx) const {

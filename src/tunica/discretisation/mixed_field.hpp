@@ -22,6 +22,10 @@ public:
   const fields::BlockOperator& jacobian() const override { return K_; }
   double mass_norm(const algebra::BlockVector& dx) const override;
 
+  /// What the surfaces remember from step to step, see boundary::SurfaceTerms.
+  void save_surfaces(fields::State& state) const { surfaces_.save(state); }
+  std::string restore_surfaces(const fields::State& state) { return surfaces_.restore(state); }
+
 protected:
   /// mesh must outlive the object. Collective.
   MixedField(const fields::FieldMesh& mesh, const fields::NodalBlocks& blocks,
@@ -34,6 +38,10 @@ protected:
   virtual bool is_admissible() { return true; }
   /// Fills R_, and K where it is not null, for the values read.
   virtual void assemble(assembly::BlockAssembler* K) = 0;
+  /// What the terms of the surfaces see, of the values read.
+  virtual boundary::Surroundings surroundings() const = 0;
+  /// Moves the states of the surfaces on to x, which is accepted. Collective.
+  void end_step_on_surfaces(const algebra::BlockVector& x);
   /// The elements on which masses are taken.
   virtual const std::vector<kernels::Tet4>& geometry() const = 0;
 

@@ -23,6 +23,7 @@ Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
   set_layer_boundaries();
   if (options_.has_dynamic_subscales) subscales_ = std::make_unique<Subscales>(*scheme_, mesh);
   elements_.frames = std::move(frames);
+  surfaces_.follow(*scheme_);
 }
 
 Solid::~Solid() = default;
@@ -85,12 +86,14 @@ void Solid::begin_step(const stepping::Clock& clock) {
     set_coefficients();
   }
   set_inertia_history();
+  surfaces_.begin_step();
 }
 
 void Solid::end_step(const algebra::BlockVector& x) {
   read(x);
   if (subscales_) subscales_->accept(assembly::solid_subscales(*mesh_, elements_, local_));
   scheme_->accept(local_.d, history_);
+  end_step_on_surfaces(x);
 }
 
 void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const {
@@ -125,7 +128,7 @@ std::string Solid::refusal() const {
 void Solid::assemble(assembly::BlockAssembler* K) {
   R_.set_zero();
   assembly::assemble_solid(*mesh_, elements_, local_, R_, K);
-  surfaces_.add({mesh_, &mesh_->x, &mesh_->x, &local_.d, nullptr, 0.0, time_}, R_, K);
+  surfaces_.add(surroundings(), R_, K);
   for (int a = 0; a < mesh_->n_owned; ++a) R_.u[a] += -1.0 * nodal_force_[a];
 }
 

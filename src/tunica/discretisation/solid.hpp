@@ -69,6 +69,9 @@ private:
   SurfaceSums sums_over(int surface, const std::vector<Vec3>& d) const;
   /// Forces on all surfaces that hold the wall, this rank's part.
   std::vector<Vec3> reaction_forces(const algebra::BlockVector& x);
+  boundary::Surroundings surroundings() const override {
+    return {mesh_, &mesh_->x, &mesh_->x, &local_.d, nullptr, 0.0, time_};
+  }
   void read(const algebra::BlockVector& x) override;
   bool is_admissible() override;
   void assemble(assembly::BlockAssembler* K) override;

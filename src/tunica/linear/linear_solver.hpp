@@ -45,7 +45,9 @@ public:
 /// The keys of a "Linear Solver" list.
 params::Table linear_solver_table(const SolverDefaults& defaults = {});
 
-/// Builds the solver that the resolved list describes; K and operators must outlive it.
+/// Builds the solver that the resolved list describes; K and operators must outlive it. What K has
+/// of low rank stands in the products; preconditioners and factors of its blocks are made those of
+/// all of K (low_rank.hpp).
 std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& options,
                                                  const algebra::BlockMatrix& K,
                                                  const NamedOperators& operators = no_operators());

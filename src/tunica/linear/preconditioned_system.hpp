@@ -12,8 +12,9 @@ public:
   virtual ~PreconditionedSystem() = default;
 
   virtual Teuchos::RCP<const Map> map() const = 0;
+  /// The blocks, without what K has of low rank.
   virtual Teuchos::RCP<const Operator> matrix() const = 0;
-  /// Null: none.
+  /// Of matrix(). Null: none.
   virtual Teuchos::RCP<const Operator> preconditioner() const = 0;
 
   /// Takes over the present values of the block operator.

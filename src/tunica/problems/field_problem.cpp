@@ -44,6 +44,7 @@ fields::State FieldProblem::save() const {
     const algebra::Block& block = (*space())[b];
     state.arrays[block.name] = fields::rows_of(x_[b], block.components);
   }
+  field_->save_surfaces(state);
   return state;
 }
 
@@ -52,7 +53,7 @@ std::string FieldProblem::restore(const fields::State& state) {
     const algebra::Block& block = (*space())[b];
     fields::assign_rows(state.array(block.name, block.components), x_[b]);
   }
-  return "";
+  return field_->restore_surfaces(state);
 }
 
 nonlinear::NewtonReport FieldProblem::find_state() {

@@ -28,7 +28,7 @@ public:
   using SolveWatch = std::function<void(const algebra::BlockVector& b)>;
   void watch_solves(SolveWatch watch);
 
-  // Restartable: the state by the names of its blocks
+  // Restartable: the state by the names of its blocks, and what surfaces remember
   fields::State save() const override;
   std::string restore(const fields::State& state) override;
 

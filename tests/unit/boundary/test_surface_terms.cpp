@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/assembly/gather.hpp"
+#include "tunica/boundary/surface_geometry.hpp"
 #include "tunica/boundary/surface_terms.hpp"
 #include "unit/fields/small_tube.hpp"
 
@@ -35,7 +36,37 @@ private:
   double stiffness_;
 };
 
-/// Those of a fluid, and the springs.
+/// As one adds a term of the whole surface with a memory: R[a] += s Q³ A_a for the flow Q = Σ
+/// A_a·u_a, where s is the sum of the flows of the steps accepted.
+class Memory final : public boundary::BoundaryTerm {
+public:
+  explicit Memory(int surface) : surface_(surface) {}
+
+  int rank() const override { return 1; }
+  void add_whole(const boundary::Surroundings& s, assembly::NodalResidual& R,
+                 assembly::BlockAssembler* K) const override {
+    const auto area = boundary::nodal_areas(*s.mesh, *s.position, {surface_});
+    const double Q = flow(s);
+    for (std::size_t a = 0; a < area.size(); ++a) R.u[a] += sum_ * Q * Q * Q * area[a];
+    if (K != nullptr) K->add(3.0 * sum_ * Q * Q, area, area);
+  }
+  void end_step(const boundary::Surroundings& s) override { sum_ += flow(s); }
+  std::vector<double> state() const override { return {sum_}; }
+  void restore(const std::vector<double>& state) override { sum_ = state[0]; }
+
+private:
+  double flow(const boundary::Surroundings& s) const {
+    const auto area = boundary::nodal_areas(*s.mesh, *s.position, {surface_});
+    double mine = 0.0;
+    for (std::size_t a = 0; a < area.size(); ++a) mine += dot(area[a], (*s.u)[a]);
+    return global_sum(*s.mesh->comm, mine);
+  }
+
+  int surface_;
+  double sum_ = 0.0;
+};
+
+/// Those of a fluid, the springs and the memory.
 std::vector<ConditionEntry> with_springs() {
   params::Table table;
   table.number("stiffness", 1.0, params::positive(), "kPa/mm", "");
@@ -45,6 +76,10 @@ std::vector<ConditionEntry> with_springs() {
                    boundary::Terms terms;
                    terms.push_back(std::make_unique<Springs>(list.get<double>("stiffness")));
                    return terms;
+                 }});
+  all.push_back({boundary::Field::fluid, "memory", params::Table(),
+                 [](const Teuchos::ParameterList&, const fields::FieldMesh&, int surface) {
+                   return boundary::terms(std::make_unique<Memory>(surface));
                  }});
   return all;
 }
@@ -100,6 +135,60 @@ TEUCHOS_UNIT_TEST(surface_terms, a_term_of_ones_own_adds_to_residual_and_jacobia
   K.apply(x, Kx);
   TEST_COMPARE(test::norm(F), >, 0.1);
   TEST_COMPARE(test::relative_difference(Kx, F), <, 1e-14);  // it is linear
+}
+
+TEUCHOS_UNIT_TEST(surface_terms, a_term_of_a_whole_surface_has_an_exact_jacobian_and_a_state) {
+  const SmallTube tube;
+  SurfaceTerms terms({condition("outlet", "memory"), condition("inlet", "memory")}, with_springs(),
+                     tube.fluid);
+  TEST_EQUALITY(terms.rank(), 2);
+  const std::vector<Vec3> w(tube.fluid.n_nodes());
+  const auto at = [&](const std::vector<Vec3>& u) {
+    return boundary::Surroundings{&tube.fluid, &tube.fluid.x, &tube.fluid.x, &u, &w, 1.0, 0.0};
+  };
+  const std::vector<Vec3> uniform(tube.fluid.n_nodes(), Vec3{0, 0, 0.5});
+  terms.end_step(at(uniform));
+  fields::State state;
+  terms.save(state);
+  TEST_FLOATING_EQUALITY(state.number_list("memory at outlet").at(0),
+                         -state.number_list("memory at inlet").at(0), 1e-12);
+
+  assembly::Constraints fixed(tube.fluid.n_nodes(), 0);
+  const auto residual = [&](const algebra::BlockVector& x, fields::BlockOperator* K) {
+    const std::vector<Vec3> u = fields::ghosted_vectors(tube.fluid, x[0]);
+    assembly::NodalResidual R(tube.fluid);
+    if (K != nullptr) {
+      assembly::BlockAssembler assembler(*K, fixed);
+      terms.add(at(u), R, &assembler);
+      assembler.finish();
+    } else {
+      terms.add(at(u), R, nullptr);
+    }
+    algebra::BlockVector F = fields::zero_vector(tube.fluid);
+    R.store(tube.fluid, fixed, F);
+    return F;
+  };
+  fields::BlockOperator K(tube.fluid);
+  K.make_low_rank(terms.rank());
+  const auto x = test::scattered(tube.fluid, 1), v = test::scattered(tube.fluid, 2);
+  residual(x, &K);
+  algebra::BlockVector plus = K.zero(), minus = K.zero(), Kv = K.zero();
+  plus.assign(x);
+  minus.assign(x);
+  test::add(1e-5, v, plus);
+  test::add(-1e-5, v, minus);
+  algebra::BlockVector quotient = residual(plus, nullptr);
+  test::add(-1.0, residual(minus, nullptr), quotient);
+  for (int b = 0; b < 2; ++b) quotient[b].scale(0.5 / 1e-5);
+  K.apply(v, Kv);
+  TEST_COMPARE(test::norm(Kv), >, 1e-6);
+  TEST_COMPARE(test::relative_difference(Kv, quotient), <, 1e-7);
+
+  const auto before = residual(x, nullptr);
+  terms.end_step(at(uniform));  // changes it, and back
+  TEST_COMPARE(test::relative_difference(residual(x, nullptr), before), >, 0.5);
+  TEST_EQUALITY(terms.restore(state), "");
+  TEST_EQUALITY(test::relative_difference(residual(x, nullptr), before), 0.0);
 }
 
 }  // namespace

@@ -51,6 +51,61 @@ TEUCHOS_UNIT_TEST(fluid_problem, jacobian_is_the_derivative_of_the_residual) {
   }
 }
 
+/// Prescribed inflow into a windkessel.
+Teuchos::ParameterList tube_with_windkessel() {
+  auto list = test::fluid_list(1.0, 3.5e-3);
+  test::set_vector(test::condition(list, "inlet", "velocity"), "velocity", {0, 0, 0.2});
+  auto& outlet = test::condition(list, "outlet", "windkessel");
+  outlet.set("proximal resistance", 2.0);
+  outlet.set("capacitance", 0.1);
+  outlet.set("distal resistance", 30.0);
+  outlet.set("initial pressure", 3.0);
+  outlet.set("backflow stabilisation", 0.3);
+  test::condition(list, "interface", "no slip");
+  return test::resolved(list, problems::fluid_table());
+}
+
+TEUCHOS_UNIT_TEST(fluid_problem, jacobian_with_a_windkessel_is_the_derivative_of_the_residual) {
+  const SmallTube tube;
+  FluidProblem fluid(tube_with_windkessel(), tube.fluid);
+  fluid.begin_step(stepping::Clock(0.125, 1));
+  TEST_ASSERT(fluid.set_domain(bulge(tube.fluid, 0.05), bulge(tube.fluid, 0.03)).is_success());
+  fluid.prepare();
+  const auto x = test::scattered(tube.fluid, 1);
+  const std::vector<int> held{tube.surface("interface"), tube.surface("inlet")};
+  for (int direction = 2; direction < 5; ++direction) {
+    const auto v = test::free_part(tube.fluid, test::scattered(tube.fluid, direction), held);
+    TEST_COMPARE(test::jacobian_error(fluid, x, v, 1e-5), <, 1e-7);
+  }
+}
+
+TEUCHOS_UNIT_TEST(fluid_problem, a_windkessel_lets_out_what_flows_in_against_its_pressure) {
+  const SmallTube tube;
+  FluidProblem fluid(tube_with_windkessel(), tube.fluid), other(tube_with_windkessel(), tube.fluid);
+  double stored = 3.0, rest = 0.0;
+  for (stepping::Clock clock(0.5, 4); !clock.is_done(); clock.advance()) {
+    fluid.begin_step(clock);
+    const auto report = fluid.solve();
+    TEST_ASSERT(report.is_converged);
+    TEST_COMPARE(report.steps.size(), <=, 5);  // as quickly as without
+    fluid.end_step();
+    const auto found = fluid.observe();
+    const double Q = test::observed(found, "inflow_inlet_mm3_per_ms");
+    TEST_FLOATING_EQUALITY(-test::observed(found, "inflow_outlet_mm3_per_ms"), Q, 1e-9);
+    stored = (30.0 * Q + 6.0 * stored) / 7.0;  // R_d C/Δt = 6
+    TEST_FLOATING_EQUALITY(test::observed(found, "stored_pressure_outlet_kPa"), stored, 1e-9);
+    TEST_FLOATING_EQUALITY(test::observed(found, "pressure_outlet_kPa"), stored + 2.0 * Q, 1e-9);
+    if (clock.step() == 2) TEST_EQUALITY(other.restore(fluid.save()), "");
+    if (clock.step() > 2) {
+      other.begin_step(clock);
+      TEST_ASSERT(other.solve().is_converged);
+      other.end_step();
+      rest = std::max(rest, test::relative_difference(other.state(), fluid.state()));
+    }
+  }
+  TEST_EQUALITY(rest, 0.0);  // a restored problem goes on the same
+}
+
 TEUCHOS_UNIT_TEST(fluid_problem, rows_of_prescribed_velocities_have_no_residual) {
   const SmallTube tube;
   FluidProblem fluid(open_tube(), tube.fluid);

@@ -1,0 +1,95 @@
+#include "tunica/boundary/windkessel.hpp"
+
+#include "tunica/base/reduce.hpp"
+#include "tunica/boundary/backflow.hpp"
+#include "tunica/boundary/surface_geometry.hpp"
+#include "tunica/boundary/traction.hpp"
+
+namespace tunica::boundary {
+
+Windkessel::Windkessel(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+                       int surface)
+    : name_(mesh.surfaces[surface]), surface_(surface),
+      proximal_(list.get<double>("proximal resistance")),
+      capacitance_(list.get<double>("capacitance")), distal_(list.get<double>("distal resistance")),
+      distal_pressure_(list.get<double>("distal pressure")),
+      initial_pressure_(list.get<double>("initial pressure")), known_(initial_pressure_) {}
+
+double Windkessel::flow(const Surroundings& s, const std::vector<Vec3>& area) const {
+  double mine = 0.0;
+  for (std::size_t a = 0; a < area.size(); ++a) mine += dot(area[a], (*s.u)[a] - (*s.w)[a]);
+  return global_sum(*s.mesh->comm, mine);
+}
+
+void Windkessel::add_whole(const Surroundings& s, assembly::NodalResidual& R,
+                           assembly::BlockAssembler* K) const {
+  const std::vector<Vec3> area = nodal_areas(*s.mesh, *s.position, {surface_});
+  const double Q = flow(s, area), p = proximal_ * Q + stored(Q);
+  for (std::size_t a = 0; a < area.size(); ++a) R.u[a] += p * area[a];
+  if (K != nullptr) K->add(proximal_ + slope_, area, area);
+}
+
+void Windkessel::observe_whole(const Surroundings& s, std::map<std::string, double>& found) const {
+  const std::vector<Vec3> area = nodal_areas(*s.mesh, *s.position, {surface_});
+  const double Q = flow(s, area), p = proximal_ * Q + stored(Q);
+  double mine = 0.0;
+  for (std::size_t a = 0; a < area.size(); ++a) mine -= p * dot(area[a], (*s.u)[a]);
+  found["pressure_" + name_ + "_kPa"] = p;
+  found["stored_pressure_" + name_ + "_kPa"] = stored(Q);
+  found[traction_power] += global_sum(*s.mesh->comm, mine);
+}
+
+void Windkessel::follow(const stepping::TimeScheme& scheme) {
+  scheme_ = &scheme;
+  history_.emplace(scheme.remembers(), 1);
+}
+
+void Windkessel::begin_step() {
+  if (!has_begun_) scheme_->accept({{initial_pressure_, 0.0, 0.0}}, *history_);
+  has_begun_ = true;
+  const double theta = scheme_->rate() * distal_ * capacitance_;
+  slope_ = distal_ / (1.0 + theta);
+  known_ = (theta * scheme_->past(*history_, 0)[0] + distal_pressure_) / (1.0 + theta);
+}
+
+void Windkessel::end_step(const Surroundings& s) {
+  const double Q = flow(s, nodal_areas(*s.mesh, *s.position, {surface_}));
+  scheme_->accept({{stored(Q), 0.0, 0.0}}, *history_);
+}
+
+std::vector<double> Windkessel::state() const {
+  std::vector<double> values{history_->value()[0][0]};
+  for (std::size_t k = 0; k < history_->names().size(); ++k)
+    values.push_back((*history_)[static_cast<int>(k)][0][0]);
+  return values;
+}
+
+void Windkessel::restore(const std::vector<double>& state) {
+  history_->value()[0][0] = state[0];
+  for (std::size_t k = 1; k < state.size(); ++k)
+    (*history_)[static_cast<int>(k) - 1][0][0] = state[k];
+  has_begun_ = true;
+}
+
+ConditionEntry windkessel_condition() {
+  params::Table table;
+  table
+      .number("proximal resistance", std::nullopt, params::non_negative(), "kPa ms/mm^3",
+              "R_p of p = R_p Q + p_c, where the flow Q leaves; 1 dyn s/cm^5 are 1e-4 kPa ms/mm^3, "
+              "1 mmHg s/ml are 0.1333")
+      .number("capacitance", std::nullopt, params::non_negative(), "mm^3/kPa",
+              "C of C dp_c/dt = Q - (p_c - p_d)/R_d; 0 leaves a resistance, the sum of both")
+      .number("distal resistance", std::nullopt, params::non_negative(), "kPa ms/mm^3", "R_d")
+      .number("distal pressure", 0.0, params::any(), "kPa", "p_d behind both resistances")
+      .number("initial pressure", 0.0, params::any(), "kPa", "p_c at the start");
+  add_backflow_key(table);
+  return {Field::fluid, "windkessel", table,
+          [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {
+            Terms all = terms(std::make_unique<Windkessel>(list, mesh, surface));
+            const double beta = list.get<double>("backflow stabilisation");
+            if (beta != 0.0) all.push_back(std::make_unique<Backflow>(beta));
+            return all;
+          }};
+}
+
+}  // namespace tunica::boundary

@@ -1,0 +1,176 @@
+"""Windkessels behind an outlet. xml/windkessel.xml prescribes what flows in, so that the outlet's
+pressure is known in advance, on any ranks and across a restart; then one behind the vessel of
+xml/pulse-tiny.xml, and what tunica-solvers makes of its systems.
+
+Usage: windkessel.py FOLDER_OF_PROGRAMS SCRATCH
+"""
+import json
+import math
+import pathlib
+import shutil
+import sys
+import xml.etree.ElementTree as ElementTree
+
+from runs import ROOT, Run, Verdict, checkpoints, command, entry, fresh, same_steps, table
+
+CASE = ROOT / "xml" / "windkessel.xml"
+R_P, C, R_D, P_D, P_0 = 1.0, 10.0, 16.0, 1.0, 10.0
+LENGTH = 400.0  # of the run [ms]
+EXACT = ["Fluid/Linear Solver/method=direct"]  # which has no memory of earlier steps
+
+
+def run(verdict, programs, folder, name, settings=(), ranks=1, words=()):
+    arguments = [CASE, "--output", name, *words]
+    for setting in settings:
+        arguments += ["--set", setting]
+    done = Run(command(programs / "tunica-fluid", arguments, ranks), folder)
+    if not verdict.claim(done.status == 0, f"{name}: ends with 0 ({done.seconds:.1f} s)"):
+        print(done.out + done.err)
+    return table(folder / name / "steps.csv")
+
+
+def stepped(flows, dt):
+    """Pressures by implicit Euler, C (p - p_old)/dt = Q - (p - P_D)/R_D."""
+    p, pressures = P_0, []
+    for flow in flows:
+        p = (C / dt * p + flow + P_D / R_D) / (C / dt + 1.0 / R_D)
+        pressures.append(R_P * flow + p)
+    return pressures
+
+
+def closed_form(peak, time):
+    """The pressure without steps in time, of the case's inflow: a sum of ramps k (t - t_0)."""
+    decay = R_D * C
+    stored = P_D + (P_0 - P_D) * math.exp(-time / decay)
+    flow = 0.0
+    for slope, start in ((peak / 50, 0), (-peak / 50, 50), (-peak / 100, 100), (peak / 100, 200)):
+        t = max(time - start, 0.0)
+        flow += slope * t
+        stored += slope * R_D * (t - decay * (1.0 - math.exp(-t / decay)))
+    return R_P * flow + stored
+
+
+def worst(found, expected):
+    return max(abs(a - b) for a, b in zip(found, expected)) / max(map(abs, expected))
+
+
+def check_pressures(verdict, programs, folder):
+    errors = {}
+    for name, dt, ranks in (("one", 5.0, 1), ("two", 5.0, 2), ("half", 2.5, 1)):
+        steps = run(verdict, programs, folder, name, [f"Time/step size={dt}"], ranks,
+                    ["--steps", int(LENGTH / dt)])
+        inflow, pressures = steps["inflow_inlet_mm3_per_ms"], steps["pressure_outlet_kPa"]
+        peak = max(inflow)
+        error = worst(pressures, stepped(inflow, dt))
+        verdict.claim(error < 1e-9, f"{name}: the pressure is that of implicit Euler to {error:.1e}")
+        error = worst(steps["inflow_outlet_mm3_per_ms"], [-flow for flow in inflow])
+        verdict.claim(error < 1e-6, f"{name}: what flows in flows out to {error:.1e}")
+        errors[name] = worst(pressures, [closed_form(peak, time) for time in steps["time"]])
+        # The outlet holds the fluid's pressure, and its beginning little more.
+        lowest = steps["fluid_pressure_min_kPa"][-1]
+        verdict.claim(abs(lowest - pressures[-1]) < 1e-3 * pressures[-1],
+                      f"{name}: the fluid at rest has {lowest:.6f} kPa, the outlet {pressures[-1]:.6f}")
+    order = math.log2(errors["one"] / errors["half"])
+    verdict.claim(errors["one"] < 0.02 and abs(order - 1.0) < 0.1,
+                  f"errors to the closed form {errors['one']:.1e}, {errors['half']:.1e}: order {order:.2f}")
+    same_steps(verdict, "two ranks", folder / "two", folder / "one")
+
+
+def check_resistance(verdict, programs, folder):
+    steps = run(verdict, programs, folder, "resistance",
+                ["Fluid/Surfaces/outlet/capacitance=0"], words=["--steps", 20])
+    expected = [P_D + (R_P + R_D) * flow for flow in steps["inflow_inlet_mm3_per_ms"]]
+    error = worst(steps["pressure_outlet_kPa"], expected)
+    verdict.claim(error < 1e-9, f"without capacitance the pressure is p_d + (R_p + R_d) Q to {error:.1e}")
+
+
+def same_file(verdict, what, one, other):
+    rows = [table(path) for path in (one, other)]
+    for columns in rows:
+        columns.pop("seconds")
+    verdict.claim(rows[0] == rows[1], f"{what}: every digit of {one.name} is the same")
+
+
+def check_restart(verdict, programs, folder):
+    run(verdict, programs, folder, "straight", EXACT, words=["--steps", 12])
+    run(verdict, programs, folder, "broken", EXACT, words=["--steps", 7])
+    verdict.claim(max(checkpoints(folder / "broken")) == 7, "the broken run has a checkpoint")
+    shutil.copytree(folder / "broken", folder / "more-ranks")
+    run(verdict, programs, folder, "broken", EXACT, words=["--steps", 12, "--restart"])
+    same_file(verdict, "restart", folder / "broken" / "steps.csv", folder / "straight" / "steps.csv")
+    run(verdict, programs, folder, "more-ranks", EXACT, 2, ["--steps", 12, "--restart"])
+    same_steps(verdict, "restart on two ranks", folder / "more-ranks", folder / "straight")
+
+
+def behind_the_vessel(case, path):
+    """The case of a coupled problem with a windkessel at its outlet."""
+    tree = ElementTree.parse(case)
+    root = tree.getroot()
+    mesh = entry(entry(root, "Mesh"), "file")
+    mesh.set("value", str((case.parent / mesh.get("value")).resolve()))
+    outlet = entry(entry(entry(root, "Fluid"), "Surfaces"), "outlet")
+    for child in list(outlet):
+        outlet.remove(child)
+    values = {"proximal resistance": 0.3, "capacitance": 2.0, "distal resistance": 2.0,
+              "initial pressure": 0.3, "backflow stabilisation": 0.2}
+    ElementTree.SubElement(outlet, "Parameter", name="condition", type="string", value="windkessel")
+    for name, value in values.items():
+        ElementTree.SubElement(outlet, "Parameter", name=name, type="double", value=str(value))
+    tree.write(path)
+    return values
+
+
+def check_coupled(verdict, programs, folder):
+    values = behind_the_vessel(ROOT / "xml" / "pulse-tiny.xml", folder / "coupled.xml")
+    for name, ranks, words in (("coupled", 1, ["--steps", 12]), ("coupled-2", 2, ["--steps", 12]),
+                               ("again", 1, ["--steps", 8]), ("again", 1, ["--steps", 12, "--restart"])):
+        done = Run(command(programs / "tunica-fsi", ["coupled.xml", "--output", name, *words], ranks),
+                   folder)
+        if not verdict.claim(done.status == 0, f"{name}: ends with 0 ({done.seconds:.1f} s)"):
+            print(done.out[-2000:] + done.err)
+    steps = table(folder / "coupled" / "steps.csv")
+    verdict.claim(max(steps["coupling_iterations"]) <= 20,
+                  f"coupling iterations {[int(n) for n in steps['coupling_iterations']]}")
+    p, worst_error = values["initial pressure"], 0.0
+    c_rate = values["capacitance"] / 0.125
+    for flow, found in zip(steps["inflow_outlet_mm3_per_ms"], steps["stored_pressure_outlet_kPa"]):
+        p = (c_rate * p - flow) / (c_rate + 1.0 / values["distal resistance"])
+        worst_error = max(worst_error, abs(p - found))
+    largest = max(abs(value) for value in steps["pressure_outlet_kPa"])
+    verdict.claim(largest > 1e-3 and worst_error < 1e-9 * largest,
+                  f"the stored pressure is that of the flow to {worst_error:.1e} of {largest:.3f} kPa")
+    same_steps(verdict, "coupled on two ranks", folder / "coupled-2", folder / "coupled")
+    same_steps(verdict, "coupled, restarted", folder / "again", folder / "coupled")
+
+
+def check_solvers(verdict, programs, folder):
+    behind_the_vessel(ROOT / "xml" / "solvers-tiny.xml", folder / "solvers.xml")
+    done = Run(command(programs / "tunica-solvers",
+                       ["solvers.xml", "--output", "solvers", "--export", "systems",
+                        "--set", "Solvers/field=fluid", "--set", "Solvers/newton step=1"]), folder)
+    verdict.claim(done.status == 0, f"tunica-solvers: ends with 0 ({done.seconds:.1f} s)")
+    rows = table(folder / "solvers" / "solvers.csv")
+    solved = [d for d, text in zip(rows["difference"], rows["verdict"]) if text == "converged"]
+    verdict.claim(len(solved) >= 3 and max(solved) < 1e-4,
+                  f"{len(solved)} settings find the same solution, {max(solved):.1e} apart")
+    system = folder / "systems" / "fluid-newton-1"
+    state = json.loads((system / "state.json").read_text())
+    verdict.claim("W VT" in state.get("low rank", ""), "the exported system tells of its part of low rank")
+    sizes = [(system / f"{name}.mtx").read_text().split("\n") for name in ("W", "V", "rhs")]
+    heads = [next(line for line in lines if not line.startswith("%")).split() for lines in sizes]
+    verdict.claim(heads[0] == heads[1] == heads[2] and heads[0][1] == "1",
+                  f"W and V have a column as long as the right-hand side: {heads}")
+
+
+def main(programs, scratch):
+    verdict, folder = Verdict(), fresh(scratch)
+    check_pressures(verdict, programs, folder)
+    check_resistance(verdict, programs, folder)
+    check_restart(verdict, programs, folder)
+    check_coupled(verdict, programs, folder)
+    check_solvers(verdict, programs, folder)
+    return verdict.status()
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]))
