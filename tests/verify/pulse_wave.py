@@ -145,9 +145,10 @@ def main(programs, scratch):
     speed = pulse_speed(time, first, last)
     compare(verdict, "pulse, Moens and Korteweg:", speed, thin_speed(), 0.10)
     compare(verdict, "pulse, thick wall:", speed, thick_speed(), 0.03)
+    # On half as many elements again in both directions they are 1.1, 1.0 and 0.8 % too fast.
     for frequency in (0.2, 0.3, 0.4):
         compare(verdict, f"phase at {frequency} rad/ms:",
-                phase_speed(time, first, last, frequency), wave_speed(frequency), 0.03)
+                phase_speed(time, first, last, frequency), wave_speed(frequency), 0.04)
     return verdict.status()
 
 

@@ -96,7 +96,7 @@ Teuchos::ParameterList options(const Newmark& scheme, const std::string& method)
           sublist("Surfaces", sublist("boundary", entry("condition", "string", "clamped"))) +
           sublist("Newmark",
                   entry("beta", "double", scheme.beta) + entry("gamma", "double", scheme.gamma)) +
-          entry("stabilisation", "string", "paper") +
+          entry("time scheme", "string", "newmark") + entry("stabilisation", "string", "paper") +
           entry("stabilisation modulus factor", "double", "4") +
           sublist("Newton", entry("relative increment", "double", "1e-11")) +
           sublist("Linear Solver", entry("method", "string", method)));

@@ -126,6 +126,7 @@ TEUCHOS_UNIT_TEST(surface_forces, forces_and_change_of_momentum_balance) {
       verify::resolved(
           problems::fluid_table(),
           entry("density", "double", "1") + entry("viscosity", "double", "0.1") +
+              entry("time scheme", "string", "implicit euler") +
               sublist("Surfaces",
                       sublist("inlet", end("0.04")) + sublist("outlet", end("0")) +
                           sublist("interface", entry("condition", "string", "no slip"))) +
@@ -142,6 +143,7 @@ TEUCHOS_UNIT_TEST(surface_forces, forces_and_change_of_momentum_balance) {
       fluid.begin_step(clock);
       TEST_ASSERT(fluid.solve().is_converged);
       const auto u = fields::ghosted_vectors(field, fluid.state()[0]);
+      fluid.end_step();
       const auto found = fluid.observe_surfaces(fields::bounding_surfaces(field));
       Vec3 change{};
       for (std::size_t e = 0; e < field.tets.size(); ++e) {

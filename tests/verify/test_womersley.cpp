@@ -34,6 +34,7 @@ Teuchos::ParameterList options(int steps, int periods) {
   return verify::resolved(
       problems::fluid_table(),
       entry("density", "double", "1") + entry("viscosity", "double", "0.05") +
+          entry("time scheme", "string", "implicit euler") +
           sublist("Surfaces",
                   sublist("inlet",
                           entry("condition", "string", "pressure") +

@@ -13,13 +13,14 @@ namespace tunica::discretisation {
 
 // The energies and powers of fluid and wall close the balance of a coupled run,
 //
-//   d/dt (K_f + K_w + E) = P_t + P_k − P_μ − P_β − P_τ
+//   d/dt (K_f + K_w + E) = P_t + P_k − P_μ − P_β − P_τ − P_w
 //
 //   K_f  fluid_kinetic_energy  ½ρ ∫ |u|² dV      P_t  traction_power        ∫ t·u da
 //   K_w  wall_kinetic_energy   ½ρ ∫ |v|² dV      P_k  kinetic_inflow        −½ρ ∫ |u|² c·n da
 //   E    elastic_energy                          P_μ  viscous_power         ∫ 2μ ε:ε dV
 //        + volumetric_energy                     P_β  backflow_power        −βρ ∫ (c·n)₋ |u|² da
 //   c    u − w                                   P_τ  stabilisation_power   SUPG and PSPG
+//                                                P_w  wall_stabilisation_power   PSPG of the wall
 //
 // up to what the time schemes and the wall's stabilisation take out, which vanish with Δt.
 // P_τ does not vanish with Δt: smaller τ lets the pressure oscillate more at the moving wall

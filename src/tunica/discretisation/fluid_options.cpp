@@ -13,9 +13,10 @@ void add_fluid_keys(params::Table& table) {
       .number("density", std::nullopt, params::positive(), "mg/mm^3", "density")
       .number("viscosity", std::nullopt, params::positive(), "kPa ms",
               "dynamic viscosity; 0.035 Poise are 3.5e-6 kPa s = 3.5e-3 kPa ms")
-      .choice("stabilisation", "inertial", {"inertial", "dynamic"},
-              "subscales of SUPG and PSPG: without inertia of their own, the time step in their "
-              "parameter only, or time-dependent, which keep the pressure as the time step shrinks")
+      .choice(
+          "stabilisation", "dynamic", {"dynamic", "inertial"},
+          "subscales of SUPG and PSPG: time-dependent, which keep the pressure as the time step "
+          "shrinks, or without inertia of their own, the time step in their parameter only")
       .number("stabilisation viscous factor", 4.0, params::positive(), "1",
               "c of the viscous part c nu/h^2 in the SUPG and PSPG parameter; 12 is more accurate "
               "in slow viscous flow at large time steps, where 4 blurs the pressure")

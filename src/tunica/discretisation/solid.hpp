@@ -61,6 +61,8 @@ private:
   void set_layer_boundaries();
   void set_coefficients();
   void set_inertia_history();
+  /// Its subscale has inertia, where subscales have.
+  bool is_nearly_incompressible(std::size_t element) const;
   /// On one surface and this rank; displacement: its integral over the undeformed surface.
   struct SurfaceSums {
     double area, undeformed_area;

@@ -72,10 +72,11 @@ void add_solid_keys(params::Table& table) {
               "with inertia, or a sequence of equilibria");
   stepping::add_wall_scheme_keys(table);
   table
-      .choice("stabilisation", "inertial", {"inertial", "dynamic", "paper"},
-              "PSPG parameter: 1/(4 mu/h^2 + rho/(beta dt^2)) without or with time-dependent "
-              "subscales, which keep the pressure as the time step shrinks, or the paper's "
-              "h^2/(4 mu), which ignores inertia")
+      .choice(
+          "stabilisation", "dynamic", {"dynamic", "inertial", "paper"},
+          "subscales of PSPG: time-dependent, which keep the pressure as the time step shrinks; "
+          "without inertia of their own, it stands in the parameter 1/(4 mu/h^2 + "
+          "rho/(beta dt^2)) only; or with the paper's h^2/(4 mu), which ignores it")
       .number("stabilisation modulus factor", 1.0, params::positive(), "1",
               "multiplies the modulus mu of the PSPG parameter")
       .number("stabilisation at layers", 0.03, params::Range{0.0, 1.0, true, false}, "1",
@@ -89,7 +90,8 @@ SolidOptions solid_options(const Teuchos::ParameterList& list) {
     options.layers.push_back(layer_of(name, layer));
   });
   const auto& stabilisation = list.get<std::string>("stabilisation");
-  options.has_dynamic_subscales = stabilisation == "dynamic";
+  options.has_dynamic_subscales =
+      stabilisation == "dynamic" && list.get<std::string>("analysis") == "dynamic";
   options.has_inertia_in_tau = stabilisation != "paper";
   options.modulus_factor = list.get<double>("stabilisation modulus factor");
   options.layer_factor = list.get<double>("stabilisation at layers");

@@ -1,5 +1,7 @@
 #include "tunica/kernels/energy.hpp"
 
+#include "tunica/kernels/deformation.hpp"
+
 namespace tunica::kernels {
 
 double squared_norm(double volume, const std::array<double, 4>& v) {
@@ -24,6 +26,14 @@ double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u, double v
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) squares += 0.25 * (G[i][j] + G[j][i]) * (G[i][j] + G[j][i]);
   return 2.0 * viscosity * T.volume * squares;
+}
+
+double subscale_power(const Tet4& T, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,
+                      const Vec3& velocity) {
+  Vec3 gradient{0, 0, 0};
+  for (int a = 0; a < 4; ++a) gradient += p[a] * T.grad_N[a];
+  const Mat3 J_F_inv_T = transpose(adjugate(deformation_gradient(T, d)));
+  return -T.volume * dot(J_F_inv_T * gradient, velocity);
 }
 
 }  // namespace tunica::kernels

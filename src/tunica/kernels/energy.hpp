@@ -10,4 +10,9 @@ double squared_norm(double volume, const std::array<double, 4>& v);
 /// ∫ 2μ ε(u):ε(u) dV, the power that the viscosity μ [kPa ms] turns into heat [kPa mm³/ms].
 double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u, double viscosity);
 
+/// Power that a wall's pressure does on its subscale, −∫ J F⁻ᵀ∇p · v' dV, v' the subscale's
+/// velocity [kPa mm³/ms]. It takes the element for rigid while the subscale moves.
+double subscale_power(const Tet4& T, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,
+                      const Vec3& velocity);
+
 }  // namespace tunica::kernels

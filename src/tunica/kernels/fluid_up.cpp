@@ -33,9 +33,8 @@ namespace tunica::kernels {
 //   B2[a][b]  = −V/4 ∇N_b − τ V [(1/(4Δt) + s̄_b) ∇N_a + Gᵀ∇N_a/4]
 //   −C[a][b]  = −(τ/ρ) V ∇N_a·∇N_b
 //
-// Source: [LY1] eq:weakns, written without the inlet term (surface_tri3.hpp); [CPG07] for the
-// subscales in time: R. Codina, J. Principe, O. Guasch, S. Badia, Comput. Methods Appl. Mech.
-// Engrg. 196 (2007) 2413.
+// Source: [LY1] eq:weakns, written without the inlet term (surface_tri3.hpp); [CPGB07] for the
+// subscales in time.
 // Deviation: [LY1] names SUPG/PSPG without its terms; these are the residual-based ones of P1,
 // where the viscous part of the strong residual vanishes.
 

@@ -11,8 +11,7 @@ namespace tunica::stepping {
 ///
 /// With equal steps Δt_e = 2Δt/3 and x̃ = (4xⁿ⁻¹ − xⁿ⁻²)/3. The first step is Euler's: ω = 0.
 /// Second order where the solution is smooth, and no less stable than Euler's up to ω = 1 + √2.
-/// Source: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I,
-/// section III.5.
+/// Source: [HNW] section III.5.
 class Bdf2 final : public TimeScheme {
 public:
   /// order: of the highest derivative that is asked for, 1 or 2.

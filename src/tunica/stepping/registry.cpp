@@ -11,9 +11,9 @@ namespace tunica::stepping {
 
 const std::vector<SchemeEntry>& schemes() {
   static const std::vector<SchemeEntry> all = {
-      newmark_scheme(),         // "newmark"
-      implicit_euler_scheme(),  // "implicit euler"
       bdf2_scheme(),            // "bdf2"
+      implicit_euler_scheme(),  // "implicit euler"
+      newmark_scheme(),         // "newmark"
   };
   return all;
 }

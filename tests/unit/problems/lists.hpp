@@ -80,4 +80,13 @@ inline double observed(const discretisation::Observables& all, const std::string
   return std::nan("");
 }
 
+/// Brings a problem into the saved state of another, with all parts that belong to it, as a restart
+/// does. Returns what could not be used.
+inline std::string take_over(fields::Restartable& from, fields::Restartable& to) {
+  std::string remarks = to.restore(from.save());
+  for (const auto& [name, part] : from.inner_parts())
+    remarks += to.inner_parts().at(name)->restore(part->save());
+  return remarks;
+}
+
 }  // namespace tunica::test
