@@ -4,7 +4,6 @@
 
 #include "tunica/app/checkpoints.hpp"
 #include "tunica/app/field_output.hpp"
-#include "tunica/app/probes.hpp"
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
@@ -19,7 +18,6 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   // 1. The fluid, from where it goes on after a restart, and what is written of it.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   stepping::Clock clock(list.sublist("Time"));
-  const app::Probes probes(list.sublist("Probes"), &*domain.fluid, nullptr);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, nullptr);
   const CommPtr comm = domain.fluid->comm;
   const app::Checkpoints checkpoints(output, {{"fluid", &fluid}}, comm);
@@ -34,7 +32,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     if (report.is_converged) fluid.end_step();
     log.newton({clock.step(), clock.time(), 0}, "fluid", report);
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "fluid"),
-             app::joined({fluid.observe(), probes.observe(&fluid, nullptr),
+             app::joined({fluid.observe(), domain.probes.observe(&fluid, nullptr),
                           surfaces.observe(&fluid, nullptr)}));
     if (!report.is_converged) return app::failure(clock, "the fluid", report);
     if (fields.is_due(clock)) fields.write(clock, {{"fluid", app::fluid_arrays(fluid, {}), {}}});

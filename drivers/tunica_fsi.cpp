@@ -5,7 +5,6 @@
 
 #include "tunica/app/checkpoints.hpp"
 #include "tunica/app/field_output.hpp"
-#include "tunica/app/probes.hpp"
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
@@ -38,7 +37,6 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
 
   // 3. From where it goes on after a restart; what is written, and when.
   const CommPtr comm = domain.fluid->comm;
-  const app::Probes probes(list.sublist("Probes"), &*domain.fluid, &*domain.wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, &*domain.wall);
   const app::Checkpoints checkpoints(
       output, {{"fluid", &fluid}, {"wall", &wall}, {"mesh motion", &motion}, {"coupling", &scheme}},
@@ -56,7 +54,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
           log.coupling({clock.step(), clock.time(), k}, iteration);
         });
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report, scheme.fields()),
-             app::joined({wall.observe(), fluid.observe(), probes.observe(&fluid, &wall),
+             app::joined({wall.observe(), fluid.observe(), domain.probes.observe(&fluid, &wall),
                           surfaces.observe(&fluid, &wall)}));
     if (!report.is_accepted) return Outcome::failure(report.reason);
     if (!report.is_converged) log.warn(report.reason);

@@ -4,7 +4,6 @@
 
 #include "tunica/app/checkpoints.hpp"
 #include "tunica/app/field_output.hpp"
-#include "tunica/app/probes.hpp"
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
@@ -19,7 +18,6 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   // 1. The wall, from where it goes on after a restart, and what is written of it.
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
   stepping::Clock clock(list.sublist("Time"));
-  const app::Probes probes(list.sublist("Probes"), nullptr, &*domain.wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), nullptr, &*domain.wall);
   const CommPtr comm = domain.wall->comm;
   const app::Checkpoints checkpoints(output, {{"wall", &wall}}, comm);
@@ -34,7 +32,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     if (report.is_converged) wall.end_step();
     log.newton({clock.step(), clock.time(), 0}, "wall", report);
     log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "wall"),
-             app::joined({wall.observe(), probes.observe(nullptr, &wall),
+             app::joined({wall.observe(), domain.probes.observe(nullptr, &wall),
                           surfaces.observe(nullptr, &wall)}));
     if (!report.is_converged) return app::failure(clock, "the wall", report);
     if (fields.is_due(clock))

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "tunica/app/probes.hpp"
 #include "tunica/app/surface_report.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
@@ -143,11 +142,10 @@ std::vector<bool> marks(const std::vector<int>& regions, std::size_t count) {
   return is_marked;
 }
 
-/// They must lie in their fields.
-void check_probes(const Teuchos::ParameterList& list, const Domain& domain) {
+Probes probes_of(const Teuchos::ParameterList& list, const Domain& domain) {
   const auto pointer = [](const auto& mesh) { return mesh ? &*mesh : nullptr; };
   try {
-    Probes(list.sublist("Probes"), pointer(domain.fluid), pointer(domain.wall));
+    return Probes(list.sublist("Probes"), pointer(domain.fluid), pointer(domain.wall));
   } catch (const Error& error) {
     throw Error(list.sublist("Mesh").get<std::string>("file") + ": " + error.what());
   }
@@ -177,7 +175,7 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
     domain.interface_surfaces.push_back(mesh::surface_index(shares.mesh, name));
   if (domain.fluid && domain.wall)
     domain.interface.emplace(*domain.fluid, *domain.wall, domain.interface_surfaces);
-  check_probes(list, domain);
+  domain.probes = probes_of(list, domain);
   return domain;
 }
 

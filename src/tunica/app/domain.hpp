@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "tunica/app/probes.hpp"
 #include "tunica/fields/field_mesh.hpp"
 #include "tunica/fields/interface_transfer.hpp"
 
@@ -14,11 +15,12 @@ struct Domain {
   std::optional<fields::InterfaceTransfer> interface;
   std::string fingerprint;              ///< of the mesh
   std::vector<int> interface_surfaces;  ///< indices into FieldMesh::surfaces
+  Probes probes;
 };
 
 /// Reads and checks the mesh against the case (names of regions and surfaces, conforming
-/// interface, number of ranks), partitions it and builds the fields. Throws Error on all ranks
-/// alike. Collective.
+/// interface, number of ranks, probes within their fields), partitions it and builds the fields.
+/// Throws Error on all ranks alike. Collective.
 Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm);
 
 }  // namespace tunica::app

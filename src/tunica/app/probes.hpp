@@ -11,6 +11,7 @@ params::Table probe_table(bool has_fluid, bool has_wall);
 /// Values at given points of the undeformed mesh, interpolated between the vertices.
 class Probes {
 public:
+  Probes() = default;
   /// list: the resolved "Probes" list; a field that the case lacks is null. Throws Error on all
   /// ranks alike where a point lies outside its field. Collective.
   Probes(const Teuchos::ParameterList& list, const fields::FieldMesh* fluid,

@@ -126,12 +126,6 @@ std::string SurfaceTerms::name_of_state(int surface) const {
   return conditions_[surface]->kind() + " at " + conditions_[surface]->surface;
 }
 
-bool SurfaceTerms::has_state() const {
-  for (std::size_t k = 0; k < terms_.size(); ++k)
-    if (!state_of(static_cast<int>(k)).empty()) return true;
-  return false;
-}
-
 void SurfaceTerms::save(fields::State& state) const {
   for (int k = 0; k < static_cast<int>(terms_.size()); ++k)
     if (const std::vector<double> values = state_of(k); !values.empty())

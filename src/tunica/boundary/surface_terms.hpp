@@ -42,7 +42,6 @@ public:
   void follow(const stepping::TimeScheme& scheme);
   void begin_step();
   void end_step(const Surroundings& s);
-  bool has_state() const;
   /// As numbers of the state, by condition and surface.
   void save(fields::State& state) const;
   /// Returns a sentence about each condition that the state does not know, which begins anew.

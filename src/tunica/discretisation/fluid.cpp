@@ -8,25 +8,24 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/discretisation/inverted_element.hpp"
-#include "tunica/discretisation/nodal_history.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
 #include "tunica/stepping/registry.hpp"
 
 namespace tunica::discretisation {
 
 Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
-    : MixedField(mesh, {{"velocity", 3}, {"pressure", 1}},
-                 boundary::conditions_of(list.sublist("Surfaces")), boundary::fluid_conditions()),
-      options_(fluid_options(list)), scheme_(stepping::make_fluid_scheme(list)),
-      velocities_(scheme_->remembers(), mesh.n_nodes()), position_(mesh.x) {
+    : MixedField(mesh, {{{"velocity", 3}, {"pressure", 1}},
+                        boundary::conditions_of(list.sublist("Surfaces")),
+                        boundary::fluid_conditions(),
+                        stepping::make_fluid_scheme(list),
+                        fluid_options(list).has_dynamic_subscales}),
+      options_(fluid_options(list)), position_(mesh.x) {
   for (auto* field : {&local_.u, &local_.u_old, &local_.w, &local_.f})
     field->assign(mesh.n_nodes(), Vec3{});
   local_.p.resize(mesh.n_nodes());
   elements_.coefficients = {options_.density, options_.viscosity, 0.0, options_.viscous_factor,
                             options_.has_dynamic_subscales};
-  if (options_.has_dynamic_subscales) subscales_ = std::make_unique<Subscales>(*scheme_, mesh);
   elements_.geometry = assembly::geometry_of(mesh, mesh.x);
-  surfaces_.follow(*scheme_);
   // Without an open surface the pressure is known up to a constant: pin it at the node with the
   // smallest vertex, the same on any ranks.
   is_closed_ = open_surfaces().empty();
@@ -49,34 +48,13 @@ std::vector<int> Fluid::open_surfaces() const {
   return surfaces;
 }
 
-void Fluid::start_from(const algebra::BlockVector& x) {
-  velocities_.value() = fields::ghosted_vectors(*mesh_, x[0]);
-}
-
 void Fluid::begin_step(const stepping::Clock& clock) {
   time_ = scheme_->load_time(clock);
   scheme_->begin_step(clock);
   elements_.coefficients.inv_dt = scheme_->rate();
-  for (int a = 0; a < mesh_->n_nodes(); ++a) local_.u_old[a] = scheme_->past(velocities_, a);
+  local_.u_old = scheme_->pasts(history_);
+  if (subscales_) local_.subscale = scheme_->pasts(subscales_->history());
   surfaces_.begin_step();
-  if (!subscales_) return;
-  local_.subscale.resize(mesh_->tets.size());
-  for (std::size_t e = 0; e < mesh_->tets.size(); ++e)
-    local_.subscale[e] = scheme_->past(subscales_->history(), static_cast<int>(e));
-}
-
-void Fluid::end_step(const algebra::BlockVector& x) {
-  read(x);
-  if (subscales_) subscales_->accept(assembly::fluid_subscales(*mesh_, elements_, local_));
-  scheme_->accept(local_.u, velocities_);
-  end_step_on_surfaces(x);
-}
-
-void Fluid::save_history(fields::State& state) const { save_parts(velocities_, *mesh_, state); }
-
-void Fluid::restore_history(const fields::State& state, const algebra::BlockVector& x) {
-  restore_parts(state, *mesh_, velocities_);
-  start_from(x);
 }
 
 Outcome Fluid::set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_past) {
@@ -99,6 +77,10 @@ boundary::Surroundings Fluid::surroundings() const {
   return {
       mesh_,     &mesh_->x,        &position_, &local_.u,
       &local_.w, options_.density, time_,      boundary_velocity_ ? &boundary_velocity_ : nullptr};
+}
+
+std::vector<Vec3> Fluid::subscale_values() const {
+  return assembly::fluid_subscales(*mesh_, elements_, local_);
 }
 
 double Fluid::outflow(const fields::Face& face, const std::vector<Vec3>& u) const {

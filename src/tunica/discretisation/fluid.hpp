@@ -8,8 +8,6 @@
 #include "tunica/discretisation/fluid_options.hpp"
 #include "tunica/discretisation/mixed_field.hpp"
 #include "tunica/discretisation/observable.hpp"
-#include "tunica/discretisation/subscales.hpp"
-#include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::discretisation {
 
@@ -21,8 +19,6 @@ public:
   Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
   ~Fluid() override;
 
-  /// Takes x for the state at the start, instead of rest.
-  void start_from(const algebra::BlockVector& x);
   void begin_step(const stepping::Clock& clock);
   /// Moves the mesh to the displacement d of all local nodes; the mesh velocity and the velocity
   /// on the interface are those that the time scheme sees between d_past, its past of the mesh's
@@ -32,9 +28,6 @@ public:
   void prescribe(algebra::BlockVector& x);
   /// Shifts the pressure of an enclosed fluid, which is known up to a constant, to a mean of zero.
   void fix_pressure_level(algebra::BlockVector& x) const;
-
-  /// Accepts x as the state of the new time.
-  void end_step(const algebra::BlockVector& x);
 
   /// Consistent nodal forces [mN] on what bounds the fluid: minus the momentum residual at x, on
   /// owned nodes. Meaningful where the velocity is prescribed.
@@ -50,15 +43,6 @@ public:
   std::vector<int> open_surfaces() const;
   const std::vector<Vec3>& positions() const { return position_; }  ///< current, local nodes
   const assembly::FluidElements& elements() const { return elements_; }
-  /// That of the mesh and of the interface, too.
-  const stepping::TimeScheme& time_scheme() const { return *scheme_; }
-  /// None where they have no inertia.
-  Subscales* subscales() { return subscales_.get(); }
-
-  /// What the time scheme remembers beside x.
-  void save_history(fields::State& state) const;
-  /// x: of the state. Collective.
-  void restore_history(const fields::State& state, const algebra::BlockVector& x);
 
   Observables observe(const algebra::BlockVector& x) const;
   /// Area, pressure and forces of the surfaces (indices into FieldMesh::surfaces), and the inflow
@@ -71,6 +55,7 @@ public:
 
 private:
   boundary::Surroundings surroundings() const override;
+  std::vector<Vec3> subscale_values() const override;
   /// Volume of fluid that leaves through the face [mm³/ms]; u on local nodes.
   double outflow(const fields::Face& face, const std::vector<Vec3>& u) const;
   void check_closed_flow(const algebra::BlockVector& x) const;
@@ -91,9 +76,6 @@ private:
   void observe_open_surfaces(const assembly::FluidFields& state, Observables& found) const;
 
   FluidOptions options_;
-  std::unique_ptr<stepping::TimeScheme> scheme_;
-  stepping::History velocities_;
-  std::unique_ptr<Subscales> subscales_;
   assembly::FluidElements elements_;
   boundary::VectorField body_force_, boundary_velocity_;
 

@@ -22,8 +22,9 @@ namespace tunica::discretisation {
 //   c    u − w                                   P_τ  stabilisation_power   SUPG and PSPG
 //                                                P_w  wall_stabilisation_power   PSPG of the wall
 //
-// up to what the time schemes and the wall's stabilisation take out, which vanish with Δt.
-// P_τ does not vanish with Δt: smaller τ lets the pressure oscillate more at the moving wall
+// up to what the time schemes take out, and the wall's stabilisation without inertia, which both
+// vanish with Δt. P_τ does not vanish with Δt: smaller τ lets the pressure oscillate more at the
+// moving wall
 // ([BGL07]), see tests/verify/energy_balance.py. Surface integrals are over what the fluid may pass
 // under a given traction, also where a windkessel gives it; the power of prescribed velocities, and
 // of loads on the wall, is left out.

@@ -1,15 +1,18 @@
 #include "tunica/discretisation/mixed_field.hpp"
 
 #include "tunica/assembly/mass_norm.hpp"
+#include "tunica/discretisation/nodal_history.hpp"
 
 namespace tunica::discretisation {
 
-MixedField::MixedField(const fields::FieldMesh& mesh, const fields::NodalBlocks& blocks,
-                       const std::vector<boundary::Condition>& conditions,
-                       const std::vector<boundary::ConditionEntry>& registry)
-    : mesh_(&mesh), surfaces_(conditions, registry, mesh), fixed_(mesh.n_nodes(), 0),
-      K_(mesh, blocks), R_(mesh) {
+MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
+    : mesh_(&mesh), scheme_(std::move(parts.scheme)),
+      history_(scheme_->remembers(), mesh.n_nodes()),
+      surfaces_(parts.conditions, parts.registry, mesh), fixed_(mesh.n_nodes(), 0),
+      K_(mesh, parts.blocks), R_(mesh) {
+  if (parts.has_dynamic_subscales) subscales_ = std::make_unique<Subscales>(*scheme_, mesh);
   surfaces_.constrain(fixed_);
+  surfaces_.follow(*scheme_);
   if (surfaces_.rank() > 0) K_.make_low_rank(surfaces_.rank());
 }
 
@@ -31,10 +34,26 @@ void MixedField::assemble_jacobian(const algebra::BlockVector& x) {
   throughput_.seconds += watch.seconds();
 }
 
-void MixedField::end_step_on_surfaces(const algebra::BlockVector& x) {
-  if (!surfaces_.has_state()) return;
+void MixedField::start_from(const algebra::BlockVector& x) {
+  history_.value() = fields::ghosted_vectors(*mesh_, x[0]);
+}
+
+void MixedField::end_step(const algebra::BlockVector& x) {
   read(x);
+  if (subscales_) subscales_->accept(subscale_values());
+  scheme_->accept(*surroundings().u, history_);
   surfaces_.end_step(surroundings());
+}
+
+void MixedField::save_history(fields::State& state) const {
+  save_parts(history_, *mesh_, state);
+  surfaces_.save(state);
+}
+
+std::string MixedField::restore_history(const fields::State& state, const algebra::BlockVector& x) {
+  restore_parts(state, *mesh_, history_);
+  start_from(x);
+  return surfaces_.restore(state);
 }
 
 double MixedField::mass_norm(const algebra::BlockVector& dx) const {

@@ -3,11 +3,13 @@
 #include "tunica/base/timer.hpp"
 #include "tunica/boundary/surface_terms.hpp"
 #include "tunica/discretisation/discretisation.hpp"
+#include "tunica/discretisation/subscales.hpp"
 
 namespace tunica::discretisation {
 
 /// What fluid and wall have in common: a vector and a scalar at each node, whose residual and
-/// Jacobian are summed over elements and faces.
+/// Jacobian are summed over elements and faces, and what is remembered of them from step to step:
+/// by the time scheme of the vector, by subscales and by surfaces.
 class MixedField : public Discretisation {
 public:
   const fields::FieldMesh& mesh() const { return *mesh_; }
@@ -22,15 +24,30 @@ public:
   const fields::BlockOperator& jacobian() const override { return K_; }
   double mass_norm(const algebra::BlockVector& dx) const override;
 
-  /// What the surfaces remember from step to step, see boundary::SurfaceTerms.
-  void save_surfaces(fields::State& state) const { surfaces_.save(state); }
-  std::string restore_surfaces(const fields::State& state) { return surfaces_.restore(state); }
+  const stepping::TimeScheme& time_scheme() const { return *scheme_; }
+  /// None where they have no inertia.
+  Subscales* subscales() { return subscales_.get(); }
+  /// Takes x for the state at the start, instead of rest. Collective.
+  void start_from(const algebra::BlockVector& x);
+  /// Accepts x as the state of the new time. Collective.
+  void end_step(const algebra::BlockVector& x);
+  /// What is remembered beside x and the subscales.
+  void save_history(fields::State& state) const;
+  /// x: of the state. Returns a sentence about what the state does not know and begins anew.
+  /// Collective.
+  std::string restore_history(const fields::State& state, const algebra::BlockVector& x);
 
 protected:
+  /// What a field is made of.
+  struct Parts {
+    fields::NodalBlocks blocks;
+    std::vector<boundary::Condition> conditions;
+    const std::vector<boundary::ConditionEntry>& registry;
+    std::unique_ptr<stepping::TimeScheme> scheme;
+    bool has_dynamic_subscales;
+  };
   /// mesh must outlive the object. Collective.
-  MixedField(const fields::FieldMesh& mesh, const fields::NodalBlocks& blocks,
-             const std::vector<boundary::Condition>& conditions,
-             const std::vector<boundary::ConditionEntry>& registry);
+  MixedField(const fields::FieldMesh& mesh, Parts parts);
 
   /// Takes the values at x to owned and ghost nodes. Collective.
   virtual void read(const algebra::BlockVector& x) = 0;
@@ -40,12 +57,15 @@ protected:
   virtual void assemble(assembly::BlockAssembler* K) = 0;
   /// What the terms of the surfaces see, of the values read.
   virtual boundary::Surroundings surroundings() const = 0;
-  /// Moves the states of the surfaces on to x, which is accepted. Collective.
-  void end_step_on_surfaces(const algebra::BlockVector& x);
+  /// The subscales that belong to the values read, per local element.
+  virtual std::vector<Vec3> subscale_values() const = 0;
   /// The elements on which masses are taken.
   virtual const std::vector<kernels::Tet4>& geometry() const = 0;
 
   const fields::FieldMesh* mesh_;
+  std::unique_ptr<stepping::TimeScheme> scheme_;
+  stepping::History history_;  ///< of the vector
+  std::unique_ptr<Subscales> subscales_;
   boundary::SurfaceTerms surfaces_;
   assembly::Constraints fixed_;  ///< per local node
   fields::BlockOperator K_;

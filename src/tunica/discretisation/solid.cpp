@@ -5,25 +5,24 @@
 #include "tunica/assembly/mass_norm.hpp"
 #include "tunica/discretisation/inverted_element.hpp"
 #include "tunica/discretisation/layer_boundary.hpp"
-#include "tunica/discretisation/nodal_history.hpp"
 #include "tunica/stepping/registry.hpp"
 
 namespace tunica::discretisation {
 
 Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
              std::vector<materials::Frame> frames)
-    : MixedField(mesh, {{"displacement", 3}, {"pressure", 1}},
-                 boundary::conditions_of(list.sublist("Surfaces")), boundary::wall_conditions()),
-      options_(solid_options(list)), scheme_(stepping::make_wall_scheme(list)),
-      history_(scheme_->remembers(), mesh.n_nodes()), nodal_force_(mesh.n_owned) {
+    : MixedField(mesh, {{{"displacement", 3}, {"pressure", 1}},
+                        boundary::conditions_of(list.sublist("Surfaces")),
+                        boundary::wall_conditions(),
+                        stepping::make_wall_scheme(list),
+                        solid_options(list).has_dynamic_subscales}),
+      options_(solid_options(list)), nodal_force_(mesh.n_owned) {
   local_.r.assign(mesh.n_nodes(), Vec3{});
   local_.d.resize(mesh.n_nodes());
   local_.p.resize(mesh.n_nodes());
   set_elements();
   set_layer_boundaries();
-  if (options_.has_dynamic_subscales) subscales_ = std::make_unique<Subscales>(*scheme_, mesh);
   elements_.frames = std::move(frames);
-  surfaces_.follow(*scheme_);
 }
 
 Solid::~Solid() = default;
@@ -98,24 +97,14 @@ void Solid::begin_step(const stepping::Clock& clock) {
   surfaces_.begin_step();
 }
 
-void Solid::end_step(const algebra::BlockVector& x) {
-  read(x);
-  if (subscales_) subscales_->accept(assembly::solid_subscales(*mesh_, elements_, local_));
-  scheme_->accept(local_.d, history_);
-  end_step_on_surfaces(x);
+std::vector<Vec3> Solid::subscale_values() const {
+  return assembly::solid_subscales(*mesh_, elements_, local_);
 }
 
 void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const {
   assembly::NodalResidual load(*mesh_);
   load.u = force;
   load.store(*mesh_, fixed_, b);
-}
-
-void Solid::save_history(fields::State& state) const { save_parts(history_, *mesh_, state); }
-
-void Solid::restore_history(const fields::State& state, const algebra::BlockVector& x) {
-  restore_parts(state, *mesh_, history_);
-  history_.value() = fields::ghosted_vectors(*mesh_, x[0]);
 }
 
 void Solid::read(const algebra::BlockVector& x) {

@@ -6,9 +6,6 @@
 #include "tunica/discretisation/mixed_field.hpp"
 #include "tunica/discretisation/observable.hpp"
 #include "tunica/discretisation/solid_options.hpp"
-#include "tunica/discretisation/subscales.hpp"
-#include "tunica/fields/state.hpp"
-#include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::discretisation {
 
@@ -27,8 +24,6 @@ public:
   void set_nodal_force(const std::vector<Vec3>& force) { nodal_force_ = force; }
   /// The right-hand side of these forces [mN] on owned nodes.
   void load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const;
-  /// Accepts x as the state of the new time.
-  void end_step(const algebra::BlockVector& x);
 
   /// Body force per mass at the undeformed position [mm/ms²], none by default; for verification.
   void set_body_force(boundary::VectorField f) { body_force_ = std::move(f); }
@@ -36,18 +31,11 @@ public:
   /// Of owned and ghost nodes, of the last accepted step [mm/ms].
   const std::vector<Vec3>& velocity() const { return history_[0]; }
   const assembly::SolidElements& elements() const { return elements_; }
-  /// None where they have no inertia.
-  Subscales* subscales() { return subscales_.get(); }
 
   Observables observe(const algebra::BlockVector& x) const;
   /// Area of the surfaces (indices into FieldMesh::surfaces), displacement of those that are not
   /// clamped and forces on those that hold the wall, at the end of a step.
   Observables observe_surfaces(const algebra::BlockVector& x, const std::vector<int>& surfaces);
-
-  /// What the time scheme remembers beside x.
-  void save_history(fields::State& state) const;
-  /// x: of the state. Collective.
-  void restore_history(const fields::State& state, const algebra::BlockVector& x);
 
   // Discretisation
   std::string refusal() const override;
@@ -74,6 +62,7 @@ private:
   boundary::Surroundings surroundings() const override {
     return {mesh_, &mesh_->x, &mesh_->x, &local_.d, nullptr, 0.0, time_};
   }
+  std::vector<Vec3> subscale_values() const override;
   void read(const algebra::BlockVector& x) override;
   bool is_admissible() override;
   void assemble(assembly::BlockAssembler* K) override;
@@ -85,9 +74,6 @@ private:
   std::vector<char> is_at_layer_;  ///< per element: it touches another material
   assembly::SolidElements elements_;
 
-  std::unique_ptr<stepping::TimeScheme> scheme_;
-  stepping::History history_;  ///< of the displacement
-  std::unique_ptr<Subscales> subscales_;
   double unit_inertia_ = -1.0;   ///< of the coefficients: the scheme's for unit density
   assembly::SolidFields local_;  ///< ghosted copy of the point of evaluation
   std::vector<Vec3> nodal_force_;

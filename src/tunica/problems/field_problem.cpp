@@ -44,7 +44,7 @@ fields::State FieldProblem::save() const {
     const algebra::Block& block = (*space())[b];
     state.arrays[block.name] = fields::rows_of(x_[b], block.components);
   }
-  field_->save_surfaces(state);
+  field_->save_history(state);
   return state;
 }
 
@@ -53,7 +53,12 @@ std::string FieldProblem::restore(const fields::State& state) {
     const algebra::Block& block = (*space())[b];
     fields::assign_rows(state.array(block.name, block.components), x_[b]);
   }
-  return field_->restore_surfaces(state);
+  return field_->restore_history(state, x_);
+}
+
+std::map<std::string, fields::Restartable*> FieldProblem::inner_parts() {
+  if (field_->subscales() == nullptr) return {};
+  return {{"subscales", field_->subscales()}};
 }
 
 nonlinear::NewtonReport FieldProblem::find_state() {

@@ -28,9 +28,14 @@ public:
   using SolveWatch = std::function<void(const algebra::BlockVector& b)>;
   void watch_solves(SolveWatch watch);
 
-  // Restartable: the state by the names of its blocks, and what surfaces remember
+  const stepping::TimeScheme& time_scheme() const { return field_->time_scheme(); }
+  /// Accepts the present state as that of the new time.
+  void end_step() { field_->end_step(x_); }
+
+  // Restartable: the state by the names of its blocks, and what is remembered from step to step
   fields::State save() const override;
   std::string restore(const fields::State& state) override;
+  std::map<std::string, fields::Restartable*> inner_parts() override;
 
   // NonlinearProblem
   const algebra::BlockSpacePtr& space() const override { return field_->space(); }

@@ -24,23 +24,6 @@ void FluidProblem::set_initial_velocity(const std::function<Vec3(const Vec3& x)>
   fluid_->start_from(x_);
 }
 
-fields::State FluidProblem::save() const {
-  fields::State state = FieldProblem::save();
-  fluid_->save_history(state);
-  return state;
-}
-
-std::string FluidProblem::restore(const fields::State& state) {
-  const std::string remark = FieldProblem::restore(state);
-  fluid_->restore_history(state, x_);
-  return remark;
-}
-
-std::map<std::string, fields::Restartable*> FluidProblem::inner_parts() {
-  if (fluid_->subscales() == nullptr) return {};
-  return {{"subscales", fluid_->subscales()}};
-}
-
 params::Table fluid_solver_table() { return linear::linear_solver_table({"multigrid"}); }
 
 params::Table fluid_table() {

@@ -19,8 +19,6 @@ public:
   /// solve() does by itself.
   void prepare() { fluid_->prescribe(x_); }
   nonlinear::NewtonReport solve();
-  /// Accepts the present state as that of the new time.
-  void end_step() { fluid_->end_step(x_); }
 
   /// discretisation::Fluid::reaction() of the last solve.
   std::vector<Vec3> reaction() { return fluid_->reaction(x_); }
@@ -33,13 +31,6 @@ public:
   }
   void set_initial_velocity(const std::function<Vec3(const Vec3& x)>& u);
 
-  // Restartable
-  fields::State save() const override;
-  std::string restore(const fields::State& state) override;
-  std::map<std::string, fields::Restartable*> inner_parts() override;
-
-  /// That of the mesh and of the interface, too.
-  const stepping::TimeScheme& time_scheme() const { return fluid_->time_scheme(); }
   double density() const { return fluid_->density(); }
   std::vector<int> open_surfaces() const { return fluid_->open_surfaces(); }
   const std::vector<Vec3>& positions() const { return fluid_->positions(); }

@@ -30,12 +30,6 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement) {
   return Outcome::success();
 }
 
-std::vector<Vec3> MeshMotion::past_displacement() const {
-  std::vector<Vec3> past(d_.size());
-  for (int a = 0; a < mesh_->n_nodes(); ++a) past[a] = scheme_->past(history_, a);
-  return past;
-}
-
 fields::State MeshMotion::save() const {
   fields::State state = fields::state_on(*mesh_);
   state.arrays["displacement"] = fields::rows_of(d_, mesh_->n_owned);

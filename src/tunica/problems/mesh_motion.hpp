@@ -21,7 +21,7 @@ public:
   /// Of the last step.
   const std::vector<Vec3>& old_displacement() const { return history_.value(); }
   /// The time scheme's past of the displacement in the present step.
-  std::vector<Vec3> past_displacement() const;
+  std::vector<Vec3> past_displacement() const { return scheme_->pasts(history_); }
   void end_step() { scheme_->accept(d_, history_); }
 
   // Restartable

@@ -40,23 +40,6 @@ Result<std::vector<Vec3>> SolidProblem::solve_linearised(const stepping::Clock& 
   }
 }
 
-fields::State SolidProblem::save() const {
-  fields::State state = FieldProblem::save();
-  wall_->save_history(state);
-  return state;
-}
-
-std::string SolidProblem::restore(const fields::State& state) {
-  const std::string remark = FieldProblem::restore(state);
-  wall_->restore_history(state, x_);
-  return remark;
-}
-
-std::map<std::string, fields::Restartable*> SolidProblem::inner_parts() {
-  if (wall_->subscales() == nullptr) return {};
-  return {{"subscales", wall_->subscales()}};
-}
-
 std::vector<Vec3> SolidProblem::displacement() const {
   return fields::owned_vectors(mesh(), x_[0]);
 }

@@ -15,8 +15,6 @@ public:
   void set_nodal_force(const std::vector<Vec3>& force) { wall_->set_nodal_force(force); }
   /// Solves the step for the present loads, started from the present state.
   nonlinear::NewtonReport solve() { return find_state(); }
-  /// Accepts the present state as that of the new time.
-  void end_step() { wall_->end_step(x_); }
 
   /// What nodal forces [mN] on the owned nodes displace the owned nodes by within one time step
   /// [mm], linearised at the present state. Fails, and says why, where the linear solver does.
@@ -34,11 +32,6 @@ public:
   discretisation::Observables observe_surfaces(const std::vector<int>& surfaces) {
     return wall_->observe_surfaces(x_, surfaces);
   }
-
-  // Restartable
-  fields::State save() const override;
-  std::string restore(const fields::State& state) override;
-  std::map<std::string, fields::Restartable*> inner_parts() override;
 
 private:
   SolidProblem(std::unique_ptr<discretisation::Solid> wall, const Teuchos::ParameterList& list);

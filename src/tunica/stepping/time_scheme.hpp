@@ -62,6 +62,7 @@ public:
 
   virtual double rate() const = 0;
   virtual Vec3 past(const History& history, int place) const = 0;
+  std::vector<Vec3> pasts(const History& history) const;  ///< of all places
 
   virtual double inertia(double density) const = 0;
   virtual Vec3 inertia_load(const History& history, int place) const = 0;
