@@ -93,7 +93,7 @@ void solid_jacobian(benchmark::State& state, const char* name) {
 
 void fluid_residual(benchmark::State& state) {
   run(state, [](int e) {
-    const double tau = fluid_tau(elements().T[e], elements().fluid[e], fluid_constants);
+    const double tau = fluid_tau(elements().T[e], elements().fluid[e].u[0], fluid_constants);
     benchmark::DoNotOptimize(
         fluid_up_residual(elements().T[e], elements().fluid[e], fluid_constants, tau));
   });
@@ -103,7 +103,7 @@ void fluid_jacobian(benchmark::State& state) {
   MixedResidual R;
   MixedJacobian K;
   run(state, [&](int e) {
-    const double tau = fluid_tau(elements().T[e], elements().fluid[e], fluid_constants);
+    const double tau = fluid_tau(elements().T[e], elements().fluid[e].u[0], fluid_constants);
     fluid_up_jacobian(elements().T[e], elements().fluid[e], fluid_constants, tau, R, K);
     benchmark::DoNotOptimize(R);
     benchmark::DoNotOptimize(K);

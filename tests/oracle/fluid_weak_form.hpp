@@ -10,10 +10,11 @@ struct FluidWeakForm {
   double density, viscosity, inv_dt, tau;
   std::array<Vec<double>, 4> u_old, w, f;
   Vec<double> subscale;  ///< of the past
+  Vec<double> viscous;   ///< div 2με
 
   /// All sixteen rows of
   ///   (ρ(∂u + c·∇u − f), v) + 2μ (ε(u), ε(v)) − (p, div v) − (q, div u)
-  ///   + τ (c·∇v − ∇q/ρ, ρ(∂u + c·∇u − f) + ∇p − ρ ũ'/Δt),   c = u − w.
+  ///   + τ (c·∇v − ∇q/ρ, ρ(∂u + c·∇u − f) + ∇p − ρ ũ'/Δt − div 2με),   c = u − w.
   template <class S>
   std::array<S, 16> residual(const std::array<S, 16>& x) const {
     std::array<Vec<S>, 4> u;
@@ -37,7 +38,7 @@ struct FluidWeakForm {
         S convection = 0.0;
         for (int j = 0; j < 3; ++j) convection += (u_q[j] - w_q[j]) * grad_u[i][j];
         inertia[i] = density * ((u_q[i] - u_old_q[i]) * inv_dt + convection - f_q[i]);
-        strong[i] = inertia[i] + grad_p[i] - density * subscale[i] * inv_dt;
+        strong[i] = inertia[i] + grad_p[i] - density * subscale[i] * inv_dt - viscous[i];
       }
       for (int a = 0; a < 4; ++a) {
         S stream = 0.0;  // c·∇N_a

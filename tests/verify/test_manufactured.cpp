@@ -9,11 +9,11 @@
 // Implicit Euler is exact for a flow that is linear in t, so no error of time remains. The
 // pressure of an enclosed fluid is known up to a constant.
 //
-// The stabilisation's residual lacks the viscous part −μΔu, which linear elements do not see. A
-// harmonic flow has none: the scheme is consistent and shows its orders on coarse meshes. In
-// general PSPG adds τμΔu/ρ to the flux, up to h²/4 Δu: second order, but larger than the error
-// of interpolation, and not second order at all while τ is Δt/2 or h/(2|u|) instead of
-// h²/(4ν). With Δt ~ h² below h²/(2ν), τ is Δt/2 on all meshes.
+// The viscous part −μΔu of the stabilisation's residual, which linear elements do not see, is
+// recovered from the strain rates around each vertex. A harmonic flow has none, and shows what the
+// recovery disturbs. Left out in general, PSPG adds τμΔu/ρ to the flux, up to h²/4 Δu: second
+// order, but larger than the error of interpolation, and not second order at all while τ is Δt/2
+// or h/(2|u|) instead of h²/(4ν). With Δt ~ h² below h²/(2ν), τ is Δt/2 on all meshes.
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -78,13 +78,13 @@ void compare(const FlowErrors& last, const FlowErrors& e, double factor, Teuchos
   out << "velocity " << e.u << ", pressure " << e.p << "\n";
   if (last.u == 0.0) return;
   TEST_COMPARE(verify::order(last.u, e.u, factor), >=, 1.9);
-  TEST_COMPARE(verify::order(last.p, e.p, factor), >=, 1.0);
+  TEST_COMPARE(verify::order(last.p, e.p, factor), >=, 1.5);
 }
 
-TEUCHOS_UNIT_TEST(manufactured_flow, harmonic_flow_converges_at_second_and_first_order) {
+TEUCHOS_UNIT_TEST(manufactured_flow, harmonic_flow_converges_at_second_order) {
   FlowErrors last{};
   int n_old = 1;
-  for (const int n : {4, 8, 12}) {
+  for (const int n : {6, 9, 12}) {
     const FlowErrors error = errors_on_cube(Kind::harmonic, n, stepping::Clock(0.5, 2));
     compare(last, error, double(n) / n_old, out, success);
     last = error;
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(manufactured_flow, harmonic_flow_converges_at_second_and_first
   TEST_COMPARE(last.u, <, 5e-3);
 }
 
-TEUCHOS_UNIT_TEST(manufactured_flow, general_flow_converges_at_second_and_first_order) {
+TEUCHOS_UNIT_TEST(manufactured_flow, general_flow_converges_at_second_order) {
   FlowErrors last{};
   int n_old = 1;
   for (const int n : {6, 9, 12}) {

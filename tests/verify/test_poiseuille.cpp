@@ -6,8 +6,9 @@
 //   Q = π R⁴ G / (8 μ),   G = −dp/dz
 //
 // The mesh makes two errors. Chords and linear elements obstruct the flow: ∫ u_z dA is too
-// small. And PSPG conserves the flux of u + (τ/ρ) G e_z, τ = ρ h²/(4μ), not that of u, so more
-// passes the open ends than the sections between them: by 2 h²/R² of Q.
+// small. And PSPG conserves the flux of u − (τ/ρ) r, r = ∇p − div 2με, not that of u. Where r
+// lacks its viscous part, it is −G e_z, and with τ = ρ h²/(4μ) more passes the open ends than the
+// sections between them: by 2 h²/R² of Q.
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -23,13 +24,14 @@ using verify::sublist;
 
 constexpr double R = 1.43, length = 6.0 * R, viscosity = 0.1, pressure = 0.04;
 
-Teuchos::ParameterList options(const std::string& viscous_factor) {
+Teuchos::ParameterList options(const std::string& residual, const std::string& viscous_factor) {
   const auto end = [](const std::string& p) {
     return entry("condition", "string", "pressure") + entry("pressure", "double", p);
   };
   return verify::resolved(
       problems::fluid_table(),
       entry("density", "double", "1") + entry("viscosity", "double", "0.1") +
+          entry("stabilisation residual", "string", residual) +
           entry("stabilisation viscous factor", "double", viscous_factor) +
           sublist("Surfaces", sublist("inlet", end("0.04")) + sublist("outlet", end("0")) +
                                   sublist("interface", entry("condition", "string", "no slip"))) +
@@ -70,16 +72,20 @@ double developed_flow(const problems::FluidProblem& fluid) {
 struct Flow {
   double inflow;     ///< through the inlet, in parts of π R⁴ G / (8μ)
   double developed;  ///< ∫ u_z dA of the middle sections, likewise
-  double predicted;  ///< 2 h²/R², the part of the inflow that bypasses the sections
+  double predicted;  ///< 2 h²/R², the part of the inflow that bypasses the sections without the
+                     ///< viscous residual
   double leak;       ///< (inflow + outflow) / inflow
   double change;     ///< of the inflow in the last time step, relative
+
+  double bypass() const { return inflow - developed; }
 };
 
-Flow flow_on(int n, const std::string& viscous_factor = "4") {
+Flow flow_on(int n, const std::string& residual = "viscous",
+             const std::string& viscous_factor = "4") {
   const fields::FieldMesh field = verify::lumen(R, length, n);
-  problems::FluidProblem fluid(options(viscous_factor), field);
+  problems::FluidProblem fluid(options(residual, viscous_factor), field);
   double Q = 0.0, last = 0.0;
-  for (stepping::Clock clock(1e4, 4); !clock.is_done(); clock.advance()) {
+  for (stepping::Clock clock(1e4, 12); !clock.is_done(); clock.advance()) {
     fluid.begin_step(clock);
     const nonlinear::NewtonReport report = fluid.solve();
     TUNICA_CHECK(report.is_converged, report.reason);
@@ -104,23 +110,27 @@ TEUCHOS_UNIT_TEST(poiseuille, flow_rate_converges_to_the_exact_one_at_second_ord
   for (const int n : {1, 2, 4}) {
     const Flow flow = flow_on(n);
     out << "n " << n << ": inflow " << flow.inflow << ", developed flow " << flow.developed
-        << ", predicted difference " << flow.predicted << "\n";
+        << ", predicted bypass " << flow.predicted << "\n";
     TEST_COMPARE(std::abs(flow.leak), <, 1e-9);
-    TEST_COMPARE(std::abs(flow.change), <, 1e-6);
+    // The viscous residual is that of the past, to which each step comes closer by a factor.
+    TEST_COMPARE(std::abs(flow.change), <, 2e-4);
+    TEST_COMPARE(flow.bypass(), <, 0.4 * flow.predicted);
     if (n > 1)
       TEST_COMPARE(verify::order(std::abs(last.inflow - 1.0), std::abs(flow.inflow - 1.0)), >=,
                    1.9);
     last = flow;
   }
-  TEST_COMPARE(std::abs(last.inflow - 1.0), <, 0.12);
+  TEST_COMPARE(std::abs(last.inflow - 1.0), <, 0.02);
   TEST_COMPARE(std::abs(last.developed - 1.0), <, 0.03);
-  TEST_FLOATING_EQUALITY(last.inflow - last.developed, last.predicted, 0.1);
 }
 
-TEUCHOS_UNIT_TEST(poiseuille, less_viscous_stabilisation_gives_a_better_flow_rate) {
-  const Flow usual = flow_on(2), weaker = flow_on(2, "12");
-  TEST_COMPARE(std::abs(weaker.inflow - 1.0), <, 0.5 * std::abs(usual.inflow - 1.0));
-  TEST_FLOATING_EQUALITY(weaker.inflow - weaker.developed, usual.predicted / 3.0, 0.2);
+TEUCHOS_UNIT_TEST(poiseuille, without_the_viscous_residual_the_flow_bypasses_as_predicted) {
+  for (const int n : {2, 4}) {
+    const Flow flow = flow_on(n, "linear");
+    TEST_FLOATING_EQUALITY(flow.bypass(), flow.predicted, 0.1);
+  }
+  const Flow weaker = flow_on(2, "linear", "12");
+  TEST_FLOATING_EQUALITY(weaker.bypass(), weaker.predicted / 3.0, 0.2);
 }
 
 }  // namespace

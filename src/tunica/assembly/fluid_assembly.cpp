@@ -8,8 +8,13 @@ namespace {
 
 kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh, std::size_t e) {
   const std::array<int, 4>& nodes = mesh.tets[e];
-  return {gather(s.u, nodes), gather(s.p, nodes), gather(s.u_old, nodes),
-          gather(s.w, nodes), gather(s.f, nodes), s.subscale.empty() ? Vec3{} : s.subscale[e]};
+  return {gather(s.u, nodes),
+          gather(s.p, nodes),
+          gather(s.u_old, nodes),
+          gather(s.w, nodes),
+          gather(s.f, nodes),
+          s.subscale.empty() ? Vec3{} : s.subscale[e],
+          s.viscous.empty() ? Vec3{} : s.viscous[e]};
 }
 
 }  // namespace
@@ -32,11 +37,13 @@ void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements
 }
 
 std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElements& elements,
-                               const FluidFields& state) {
+                               const std::vector<Vec3>& u, const std::vector<Vec3>& w) {
   std::vector<double> tau(mesh.tets.size());
-  for (std::size_t e = 0; e < tau.size(); ++e)
-    tau[e] =
-        kernels::fluid_tau(elements.geometry[e], state_of(state, mesh, e), elements.coefficients);
+  for (std::size_t e = 0; e < tau.size(); ++e) {
+    Vec3 c{};
+    for (const int a : mesh.tets[e]) c += 0.25 * (u[a] - w[a]);
+    tau[e] = kernels::fluid_tau(elements.geometry[e], c, elements.coefficients);
+  }
   return tau;
 }
 

@@ -19,15 +19,16 @@ struct FluidFields {
   std::vector<Vec3> w;
   std::vector<Vec3> f;
   std::vector<Vec3> subscale = {};  ///< ũ' per element; empty where subscales have no inertia
+  std::vector<Vec3> viscous = {};   ///< q per element; empty where it is left out
 };
 
 /// Adds the element residuals, and the Jacobians where K is not null.
 void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements,
                     const FluidFields& state, NodalResidual& R, BlockAssembler* K);
 
-/// The stabilisation parameters for u_old and w of the state.
+/// The stabilisation parameters where the nodes flow with u and the mesh moves with w.
 std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElements& elements,
-                               const FluidFields& state);
+                               const std::vector<Vec3>& u, const std::vector<Vec3>& w);
 
 /// The subscales u' of the new time, per element [mm/ms].
 std::vector<Vec3> fluid_subscales(const fields::FieldMesh& mesh, const FluidElements& elements,

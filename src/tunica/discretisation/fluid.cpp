@@ -5,6 +5,7 @@
 
 #include "tunica/assembly/gather.hpp"
 #include "tunica/assembly/mass_norm.hpp"
+#include "tunica/assembly/viscous_residual.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/discretisation/inverted_element.hpp"
@@ -53,6 +54,7 @@ void Fluid::begin_step(const stepping::Clock& clock) {
   scheme_->begin_step(clock);
   elements_.coefficients.inv_dt = scheme_->rate();
   local_.u_old = scheme_->pasts(history_);
+  predicted_ = scheme_->predictions(history_);
   if (subscales_) local_.subscale = scheme_->pasts(subscales_->history());
   surfaces_.begin_step();
 }
@@ -113,7 +115,11 @@ void Fluid::check_closed_flow(const algebra::BlockVector& x) const {
 void Fluid::prescribe(algebra::BlockVector& x) {
   surfaces_.impose(surroundings(), x[0]);
   if (is_closed_) check_closed_flow(x);
-  elements_.tau = assembly::fluid_taus(*mesh_, elements_, local_);
+  elements_.tau = assembly::fluid_taus(
+      *mesh_, elements_, options_.has_predicted_tau ? predicted_ : local_.u_old, local_.w);
+  if (options_.has_viscous_residual)
+    local_.viscous =
+        assembly::viscous_forces(*mesh_, elements_.geometry, options_.viscosity, predicted_);
   if (body_force_)
     for (int a = 0; a < mesh_->n_nodes(); ++a) local_.f[a] = body_force_(position_[a], time_);
 }

@@ -80,6 +80,7 @@ private:
   boundary::VectorField body_force_, boundary_velocity_;
 
   std::vector<Vec3> position_;
+  std::vector<Vec3> predicted_;  ///< velocity expected at the new time, local nodes
   assembly::FluidFields local_;  ///< ghosted copies; u and p at the point of evaluation
   bool is_closed_ = false;       ///< no surface lets the fluid out
   double time_ = 0.0;

@@ -17,9 +17,15 @@ void add_fluid_keys(params::Table& table) {
           "stabilisation", "dynamic", {"dynamic", "inertial"},
           "subscales of SUPG and PSPG: time-dependent, which keep the pressure as the time step "
           "shrinks, or without inertia of their own, the time step in their parameter only")
+      .choice("stabilisation residual", "viscous", {"viscous", "linear"},
+              "what drives the subscales: the residual with its viscous part, recovered from the "
+              "strains around each vertex, or only what linear elements have of it themselves")
+      .choice("stabilisation velocity", "predicted", {"predicted", "past"},
+              "the velocity in the SUPG and PSPG parameter: extrapolated to the new time, or that "
+              "of the past from which the time scheme starts its step")
       .number("stabilisation viscous factor", 4.0, params::positive(), "1",
-              "c of the viscous part c nu/h^2 in the SUPG and PSPG parameter; 12 is more accurate "
-              "in slow viscous flow at large time steps, where 4 blurs the pressure")
+              "c of the viscous part c nu/h^2 in the SUPG and PSPG parameter; with the linear "
+              "residual 12 is more accurate in slow viscous flow, where 4 blurs the pressure")
       .entries("Surfaces",
                boundary::condition_table("One surface of the fluid. Surfaces that are not listed "
                                          "let the fluid out freely.",
@@ -38,6 +44,8 @@ FluidOptions fluid_options(const Teuchos::ParameterList& list) {
   options.density = list.get<double>("density");
   options.viscosity = list.get<double>("viscosity");
   options.has_dynamic_subscales = list.get<std::string>("stabilisation") == "dynamic";
+  options.has_viscous_residual = list.get<std::string>("stabilisation residual") == "viscous";
+  options.has_predicted_tau = list.get<std::string>("stabilisation velocity") == "predicted";
   options.viscous_factor = list.get<double>("stabilisation viscous factor");
   return options;
 }

@@ -7,18 +7,18 @@ namespace tunica::kernels {
 //   R_u[a] = ∫ N_a m + 2μ ε(u)∇N_a − p ∇N_a dV + τ ∫ s_a (m + h) dV
 //   R_p[a] = −∫ N_a div u dV − (τ/ρ) ∫ ∇N_a·(m + h) dV
 //   m      = ρ ((u − u_old)/Δt + G c − f),   c = u − w,   s_a = c·∇N_a
-//   h      = ∇p − ρ ũ'/Δt
+//   h      = ∇p − ρ ũ'/Δt − q
 //
 //   u, u_old  velocity, that of the last step   mm/ms    ρ  density     mg/mm³
 //   w         mesh velocity                     mm/ms    μ  viscosity   kPa ms
 //   p         pressure                          kPa      τ  SUPG/PSPG   ms
 //   G         Σ_a u_a ⊗ ∇N_a = ∇u, constant     1/ms     f  body force  mm/ms²
-//   ũ'        subscale of the past, constant    mm/ms
+//   ũ'        subscale of the past, constant    mm/ms    q  div 2με     kPa/mm
 //
 // The subscale u' is what the mesh does not resolve of the velocity, a vector per element driven
 // by the mean residual, with inertia of its own where it is time-dependent:
 //
-//   ρ (u' − ũ')/Δt + ρ u'/τ_s = −(m̄ + ∇p),   hence   u' = −(τ/ρ) (m̄ + h),   1/τ = 1/Δt + 1/τ_s
+//   ρ (u' − ũ')/Δt + ρ u'/τ_s = −(m̄ + ∇p − q),   hence   u' = −(τ/ρ) (m̄ + h),   1/τ = 1/Δt + 1/τ_s
 //
 // Without inertia ũ' = 0 and Δt stands in τ only. It is linear in u', so that it needs no unknown.
 // Its inertia in the momentum rows is left out.
@@ -36,7 +36,8 @@ namespace tunica::kernels {
 // Source: [LY1] eq:weakns, written without the inlet term (surface_tri3.hpp); [CPGB07] for the
 // subscales in time.
 // Deviation: [LY1] names SUPG/PSPG without its terms; these are the residual-based ones of P1,
-// where the viscous part of the strong residual vanishes.
+// where the viscous part of the strong residual vanishes, so that q is zero or reconstructed from
+// the neighbours of the element (assembly/viscous_residual.hpp) and known beforehand.
 
 namespace {
 
@@ -52,7 +53,7 @@ struct Point {
 Point evaluate(const Tet4& T, const FluidState& s, const FluidCoefficients& c) {
   Point x;
   x.G = {};
-  x.h = -c.density * c.inv_dt * s.subscale;
+  x.h = -c.density * c.inv_dt * s.subscale - s.viscous;
   for (int a = 0; a < 4; ++a)
     for (int j = 0; j < 3; ++j) {
       x.h[j] += s.p[a] * T.grad_N[a][j];
@@ -150,10 +151,8 @@ void pressure_blocks(const Tet4& T, const FluidCoefficients& c, double tau, cons
 
 }  // namespace
 
-double fluid_tau(const Tet4& T, const FluidState& s, const FluidCoefficients& c) {
+double fluid_tau(const Tet4& T, const Vec3& velocity, const FluidCoefficients& c) {
   const double inv_h = 1.0 / element_length(T.volume);
-  Vec3 velocity{0, 0, 0};
-  for (int a = 0; a < 4; ++a) velocity += 0.25 * (s.u_old[a] - s.w[a]);
   const double diffusive = c.viscous_factor * c.viscosity / c.density * inv_h * inv_h;
   const double convective2 = 4.0 * dot(velocity, velocity) * inv_h * inv_h;
   if (c.has_dynamic_subscales)
@@ -188,7 +187,7 @@ void fluid_up_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficien
 double fluid_stabilisation_power(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
                                  double tau) {
   const Point x = evaluate(T, s, c);
-  const Vec3 grad_p = x.h + c.density * c.inv_dt * s.subscale;
+  const Vec3 grad_p = x.h + c.density * c.inv_dt * s.subscale + s.viscous;
   Vec3 q_sum{0, 0, 0}, r_sum{0, 0, 0};
   double products = 0.0;
   for (int k = 0; k < 4; ++k) {

@@ -11,6 +11,7 @@ struct FluidState {
   std::array<Vec3, 4> w;      ///< mesh velocity [mm/ms]
   std::array<Vec3, 4> f;      ///< body force per mass [mm/ms²], zero but for tests
   Vec3 subscale{};            ///< ũ', velocity of the past that the mesh does not resolve [mm/ms]
+  Vec3 viscous{};             ///< q = div 2με, which linear velocities do not have [kPa/mm]
 };
 
 struct FluidCoefficients {
@@ -21,11 +22,11 @@ struct FluidCoefficients {
   bool has_dynamic_subscales = false;  ///< subscales have inertia, see fluid_tau()
 };
 
-/// SUPG/PSPG parameter τ [ms], c = u_old − w at the centroid, so that it is constant in a Newton
-/// solve:
+/// SUPG/PSPG parameter τ [ms]; velocity: |c| at the centroid, known beforehand, so that τ is
+/// constant in a Newton solve:
 ///   τ = ((2/Δt)² + (2|c|/h)² + (c_ν ν/h²)²)^(−1/2)       subscales without inertia
 ///   τ = (1/Δt + ((2|c|/h)² + (c_ν ν/h²)²)^(1/2))^(−1)    time-dependent subscales
-double fluid_tau(const Tet4& T, const FluidState& s, const FluidCoefficients& c);
+double fluid_tau(const Tet4& T, const Vec3& velocity, const FluidCoefficients& c);
 
 /// Residual of the P1–P1 SUPG/PSPG fluid; see fluid_up.cpp for the equations.
 MixedResidual fluid_up_residual(const Tet4& T, const FluidState& s, const FluidCoefficients& c,

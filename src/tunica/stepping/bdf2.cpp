@@ -23,6 +23,11 @@ Vec3 Bdf2::past(const History& history, int place) const {
   return extrapolated(history.value()[place], history[order_ - 1][place]);
 }
 
+Vec3 Bdf2::prediction(const History& history, int place) const {
+  const Vec3& last = history.value()[place];
+  return last + ratio() * (last - history[order_ - 1][place]);
+}
+
 Vec3 Bdf2::inertia_load(const History& history, int place) const {
   // r = x̃/Δt_e² + v̂/Δt_e
   return rate() * (rate() * past(history, place) +

@@ -20,6 +20,8 @@ public:
   std::vector<std::string> remembers() const override;
   double rate() const override { return (1.0 + 2.0 * ratio()) / (1.0 + ratio()) / step_size(); }
   Vec3 past(const History& history, int place) const override;
+  /// (1 + ω) xⁿ⁻¹ − ω xⁿ⁻².
+  Vec3 prediction(const History& history, int place) const override;
   double inertia(double density) const override { return density * rate() * rate(); }
   Vec3 inertia_load(const History& history, int place) const override;
   void accept(const std::vector<Vec3>& x, History& history) const override;

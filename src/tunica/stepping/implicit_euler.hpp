@@ -16,6 +16,7 @@ public:
   std::vector<std::string> remembers() const override;
   double rate() const override { return 1.0 / step_size(); }
   Vec3 past(const History& history, int node) const override { return history.value()[node]; }
+  Vec3 prediction(const History& history, int node) const override { return history.value()[node]; }
   double inertia(double density) const override { return density / (step_size() * step_size()); }
   Vec3 inertia_load(const History& history, int node) const override;
   void accept(const std::vector<Vec3>& x, History& history) const override;

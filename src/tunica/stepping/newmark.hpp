@@ -19,6 +19,10 @@ public:
   /// v = γ/(βΔt) (d − x̃).
   double rate() const override { return gamma_ / (beta_ * step_size()); }
   Vec3 past(const History& history, int node) const override;
+  /// dⁿ⁻¹ + Δt vⁿ⁻¹.
+  Vec3 prediction(const History& history, int node) const override {
+    return history.value()[node] + step_size() * history[0][node];
+  }
   double inertia(double density) const override {
     return density / (beta_ * step_size() * step_size());
   }

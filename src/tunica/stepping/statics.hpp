@@ -9,6 +9,7 @@ public:
   std::vector<std::string> remembers() const override { return {"velocity"}; }
   double rate() const override { return 0.0; }
   Vec3 past(const History& history, int node) const override { return history.value()[node]; }
+  Vec3 prediction(const History& history, int node) const override { return history.value()[node]; }
   double inertia(double) const override { return 0.0; }
   Vec3 inertia_load(const History&, int) const override { return {}; }
   void accept(const std::vector<Vec3>& x, History& history) const override { history.value() = x; }

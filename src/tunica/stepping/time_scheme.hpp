@@ -63,6 +63,9 @@ public:
   virtual double rate() const = 0;
   virtual Vec3 past(const History& history, int place) const = 0;
   std::vector<Vec3> pasts(const History& history) const;  ///< of all places
+  /// What the values before let expect at the new time, to the order of the scheme.
+  virtual Vec3 prediction(const History& history, int place) const = 0;
+  std::vector<Vec3> predictions(const History& history) const;  ///< of all places
 
   virtual double inertia(double density) const = 0;
   virtual Vec3 inertia_load(const History& history, int place) const = 0;

@@ -65,6 +65,7 @@ public:
   Vec3 past(const stepping::History& h, int node) const override {
     return 1.0 / 3.0 * (4.0 * h.value()[node] - h[0][node]);
   }
+  Vec3 prediction(const stepping::History& h, int node) const override { return past(h, node); }
   double inertia(double) const override { return 0.0; }
   Vec3 inertia_load(const stepping::History&, int) const override { return {}; }
   void accept(const std::vector<Vec3>& x, stepping::History& h) const override {

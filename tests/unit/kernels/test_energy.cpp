@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(Energy, stabilisation_power_is_that_of_the_residual) {
   for (int trial = 0; trial < 5; ++trial) {
     const kernels::Tet4 T = kernels::make_tet4(samples.tetrahedron());
     const kernels::FluidState s = random_state(samples);
-    const double tau = fluid_tau(T, s, c);
+    const double tau = fluid_tau(T, samples.vector(2.0), c);
     const auto with = fluid_up_residual(T, s, c, tau), without = fluid_up_residual(T, s, c, 0.0);
     double power = 0.0;
     for (int a = 0; a < 4; ++a)

@@ -80,6 +80,25 @@ TEUCHOS_UNIT_TEST(time_scheme, every_one_of_the_registry_converges_on_an_oscilla
   }
 }
 
+TEUCHOS_UNIT_TEST(time_scheme, predictions_are_of_its_order) {
+  // x = 1 + 2t seen at 0.1 and 0.6, expected at 0.9
+  const auto x = [](double t) { return 1.0 + 2.0 * t; };
+  for (const stepping::SchemeEntry& entry : stepping::schemes()) {
+    const auto scheme = stepping::make_wall_scheme(wall_list(entry.name, "dynamic"));
+    History history(scheme->remembers(), 1);
+    history.value()[0] = {x(0.6), 0, 0};
+    for (std::size_t k = 0; k < history.names().size(); ++k) {
+      if (history.names()[k] == "velocity") history[static_cast<int>(k)][0] = {2, 0, 0};
+      if (history.names()[k] == "previous") history[static_cast<int>(k)][0] = {x(0.1), 0, 0};
+    }
+    scheme->set_step_size(0.3, 0.5);
+    const double expected = entry.name == "implicit euler" ? x(0.6) : x(0.9);
+    TEST_FLOATING_EQUALITY(scheme->predictions(history)[0][0], expected, 1e-14);
+    scheme->set_step_size(0.3);  // of a first step only the start is known, and its rate
+    if (entry.name == "bdf2") TEST_EQUALITY(scheme->predictions(history)[0][0], x(0.6));
+  }
+}
+
 TEUCHOS_UNIT_TEST(bdf2, is_exact_for_parabolas_at_any_steps) {
   // x = 3 + 2t − t² and its rates, from two exact values at uneven steps
   const auto x = [](double t) { return 3.0 + 2.0 * t - t * t; };
