@@ -1,6 +1,7 @@
 /// tunica-mesh: make, inspect, refine, convert and partition meshes. Runs on one rank.
 ///
 ///   tunica-mesh tube tube.h5 --around 20 --axial 62
+///   tunica-mesh block block.h5 --patch-x 4 --patch-y 4
 ///   tunica-mesh info tube.h5 --interface interface
 ///   tunica-mesh COMMAND --help
 #include <cstdio>

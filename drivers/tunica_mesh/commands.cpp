@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/mesh/block.hpp"
 #include "tunica/mesh/gmsh.hpp"
 #include "tunica/mesh/info.hpp"
 #include "tunica/mesh/partition.hpp"
@@ -43,6 +44,17 @@ void make_tube(const Arguments& arguments) {
   tube.with_wall = arguments.flag("wall");
   tube.with_layer_surface = arguments.flag("layer-surface");
   const Mesh result = mesh::make_tube(tube);
+  mesh::write(result, arguments.file(0));
+  report(result, arguments.file(0));
+}
+
+void make_block(const Arguments& arguments) {
+  mesh::Block block;
+  block.size = {arguments.number("x"), arguments.number("y"), arguments.number("z")};
+  block.cells = {arguments.integer("cells-x"), arguments.integer("cells-y"),
+                 arguments.integer("cells-z")};
+  block.patch = {arguments.integer("patch-x"), arguments.integer("patch-y")};
+  const Mesh result = mesh::make_block(block);
   mesh::write(result, arguments.file(0));
   report(result, arguments.file(0));
 }
@@ -114,12 +126,24 @@ std::vector<Arguments::Option> tube_options() {
           {"layer-surface", "on", "on or off: triangles between media and adventitia"}};
 }
 
+std::vector<Arguments::Option> block_options() {
+  return {{"x", "1", "length along x, mm"},
+          {"y", "1", "length along y, mm"},
+          {"z", "1", "length along z, mm"},
+          {"cells-x", "8", "cells along x, of six tetrahedra each"},
+          {"cells-y", "8", "cells along y"},
+          {"cells-z", "8", "cells along z"},
+          {"patch-x", "0", "cells along x of the surface \"patch\", a corner of the top; 0: none"},
+          {"patch-y", "0", "cells along y of it"}};
+}
+
 }  // namespace
 
 const std::vector<Subcommand>& subcommands() {
   static const std::vector<Subcommand> all{
       {{"tube", {"OUT"}, "Makes a tube of lumen, media and adventitia.", tube_options()},
        make_tube},
+      {{"block", {"OUT"}, "Makes a block along the axes.", block_options()}, make_block},
       {{"info",
         {"MESH"},
         "Shows counts, volumes, areas and quality of a mesh; checks the interface if it is named.",

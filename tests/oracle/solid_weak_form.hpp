@@ -12,11 +12,13 @@ struct SolidWeakForm {
   double alpha, inv_kappa, tau;
   std::array<Vec<double>, 4> r;
   Vec<double> subscale_r;
+  double tau_v = 0.0;
 
-  /// Π = ∫ α/2 |d|² − r·d + Ψ'(C) − p (J − 1) − p²/(2κ) dV.
+  /// Π = ∫ α/2 |d|² − r·d + Ψ'(C) − p (J − 1) − p²/(2κ) + τ_v/2 (J − 1 + p̄/κ)² dV.
   template <class S>
   S potential(const std::array<S, 16>& x) const {
     const std::array<Vec<S>, 4> d = displacement(x);
+    const S p_mean = 0.25 * (x[12] + x[13] + x[14] + x[15]);
     S total = 0.0;
     for (const TetPoint& q : tet_rule()) {
       const Mat<S> F = deformation(d);
@@ -25,6 +27,8 @@ struct SolidWeakForm {
       S p = 0.0;
       for (int a = 0; a < 4; ++a) p += q.N[a] * x[12 + a];
       S density = energy(gram(F)) - p * (determinant(F) - 1.0) - 0.5 * inv_kappa * p * p;
+      const S theta = determinant(F) - 1.0 + inv_kappa * p_mean;
+      density += 0.5 * tau_v * theta * theta;
       for (int i = 0; i < 3; ++i) density += (0.5 * alpha * d_q[i] - r_q[i]) * d_q[i];
       total += q.weight * T.volume * density;
     }

@@ -13,6 +13,7 @@
 #include "fluid_on_cube.hpp"
 #include "tunica/assembly/gather.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
+#include "tunica/mesh/validate.hpp"
 
 namespace {
 

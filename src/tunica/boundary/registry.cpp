@@ -44,14 +44,20 @@ params::Table condition_table(const std::string& sentence,
   std::vector<params::Table::Case> cases;
   for (const ConditionEntry& entry : entries) cases.push_back({entry.name, entry.table});
   params::Table table(sentence);
-  table.variant("condition", std::nullopt, cases, "what happens on the surface");
+  table.variant("condition", std::nullopt, cases, "what happens on the surface")
+      .text("surface", "",
+            "surface of the mesh; empty: the one that the list is named after. With it several "
+            "conditions hold on one surface, a load and components that are held");
   return table;
 }
 
 std::vector<Condition> conditions_of(const Teuchos::ParameterList& surfaces) {
   std::vector<Condition> conditions;
-  for (auto it = surfaces.begin(); it != surfaces.end(); ++it)
-    conditions.push_back({surfaces.name(it), surfaces.sublist(surfaces.name(it))});
+  for (auto it = surfaces.begin(); it != surfaces.end(); ++it) {
+    const Teuchos::ParameterList& list = surfaces.sublist(surfaces.name(it));
+    const auto& surface = list.get<std::string>("surface");
+    conditions.push_back({surface.empty() ? surfaces.name(it) : surface, list});
+  }
   return conditions;
 }
 

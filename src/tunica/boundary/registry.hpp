@@ -10,7 +10,7 @@ namespace tunica::boundary {
 std::vector<ConditionEntry> fluid_conditions();
 std::vector<ConditionEntry> wall_conditions();
 
-/// What a case says of one surface.
+/// What a case says of one surface; it may say several things of the same one.
 struct Condition {
   std::string surface;
   Teuchos::ParameterList list;  ///< resolved

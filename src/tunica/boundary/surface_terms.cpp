@@ -9,7 +9,7 @@ namespace tunica::boundary {
 SurfaceTerms::SurfaceTerms(const std::vector<Condition>& conditions,
                            const std::vector<ConditionEntry>& registry,
                            const fields::FieldMesh& mesh)
-    : mesh_(&mesh), kept_(conditions), conditions_(mesh.surfaces.size(), nullptr),
+    : mesh_(&mesh), kept_(conditions), conditions_(mesh.surfaces.size()),
       terms_(mesh.surfaces.size()) {
   for (const Condition& condition : kept_) {
     const int surface = mesh.surface_index(condition.surface);
@@ -17,11 +17,18 @@ SurfaceTerms::SurfaceTerms(const std::vector<Condition>& conditions,
     const std::string kind = condition.kind();
     const auto entry = std::find_if(registry.begin(), registry.end(),
                                     [&](const ConditionEntry& e) { return e.name == kind; });
-    conditions_[surface] = &condition;
-    terms_[surface] = entry->make(condition.list, mesh, surface);
-    for (const auto& term : terms_[surface])
+    conditions_[surface].push_back(&condition);
+    for (auto& term : entry->make(condition.list, mesh, surface)) {
       highest_precedence_ = std::max(highest_precedence_, term->precedence());
+      terms_[surface].push_back(std::move(term));
+    }
   }
+}
+
+bool SurfaceTerms::has_condition(int surface, const std::string& kind) const {
+  const auto& all = conditions_[surface];
+  return std::any_of(all.begin(), all.end(),
+                     [&kind](const Condition* each) { return each->kind() == kind; });
 }
 
 bool SurfaceTerms::is_natural(int surface) const {
@@ -123,7 +130,10 @@ std::vector<double> SurfaceTerms::state_of(int surface) const {
 }
 
 std::string SurfaceTerms::name_of_state(int surface) const {
-  return conditions_[surface]->kind() + " at " + conditions_[surface]->surface;
+  std::string kinds;
+  for (const Condition* each : conditions_[surface])
+    kinds += (kinds.empty() ? "" : " and ") + each->kind();
+  return kinds + " at " + mesh_->surfaces[surface];
 }
 
 void SurfaceTerms::save(fields::State& state) const {

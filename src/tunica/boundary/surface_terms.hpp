@@ -11,15 +11,14 @@ public:
   SurfaceTerms(const std::vector<Condition>& conditions,
                const std::vector<ConditionEntry>& registry, const fields::FieldMesh& mesh);
 
-  /// The condition of a surface; null where the case names none.
-  const Condition* condition(int surface) const { return conditions_[surface]; }
+  /// True where the case says anything of the surface, or this.
+  bool has_condition(int surface) const { return !conditions_[surface].empty(); }
+  bool has_condition(int surface, const std::string& kind) const;
   /// True where no term of the surface prescribes anything.
   bool is_natural(int surface) const;
   /// True where a term of the surface prescribes the component of the vector unknown.
   bool prescribes(int surface, int component) const;
-  bool is_interface(int surface) const {
-    return conditions_[surface] != nullptr && conditions_[surface]->kind() == interface_condition;
-  }
+  bool is_interface(int surface) const { return has_condition(surface, interface_condition); }
 
   /// Adds the bits of the components that the terms prescribe, for each local node.
   void constrain(assembly::Constraints& fixed) const;
@@ -54,8 +53,8 @@ private:
 
   const fields::FieldMesh* mesh_;
   std::vector<Condition> kept_;
-  std::vector<const Condition*> conditions_;  ///< per surface
-  std::vector<Terms> terms_;                  ///< per surface
+  std::vector<std::vector<const Condition*>> conditions_;  ///< per surface
+  std::vector<Terms> terms_;                               ///< per surface
   int highest_precedence_ = 0;
 };
 

@@ -78,16 +78,16 @@ Observables Fluid::observe(const algebra::BlockVector& x) const {
   state.p = fields::ghosted_scalars(*mesh_, x[1]);
   Observables found;
   for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s) {
-    const boundary::Condition* condition = surfaces_.condition(static_cast<int>(s));
-    if (condition == nullptr || condition->kind() == boundary::interface_condition ||
-        condition->kind() == "no slip")
+    const int surface = static_cast<int>(s);
+    if (!surfaces_.has_condition(surface) || surfaces_.is_interface(surface) ||
+        surfaces_.has_condition(surface, "no slip"))
       continue;
     double inflow = 0.0;
     for (const fields::Face& face : mesh_->faces) {
-      if (face.surface != static_cast<int>(s) || !face.is_owned) continue;
+      if (face.surface != surface || !face.is_owned) continue;
       inflow -= outflow(face, state.u);
     }
-    found.push_back({"inflow_" + condition->surface + "_mm3_per_ms", global_sum(comm, inflow)});
+    found.push_back({"inflow_" + mesh_->surfaces[s] + "_mm3_per_ms", global_sum(comm, inflow)});
   }
   double low = 1e300, high = -1e300, speed = 0.0;
   for (int a = 0; a < mesh_->n_owned; ++a) {
@@ -181,8 +181,7 @@ Observables Fluid::observe_surfaces(const algebra::BlockVector& x,
   for (const int s : surfaces) {
     const std::string& name = mesh_->surfaces[s];
     const Vec3 of_pressure{sum[3], sum[4], sum[5]}, total{sum[6], sum[7], sum[8]};
-    if (surfaces_.condition(s) == nullptr)
-      found.push_back({"inflow_" + name + "_mm3_per_ms", sum[2]});
+    if (!surfaces_.has_condition(s)) found.push_back({"inflow_" + name + "_mm3_per_ms", sum[2]});
     found.push_back({"area_" + name + "_mm2", sum[0]});
     found.push_back({"mean_pressure_" + name + "_kPa", sum[1] / sum[0]});
     add_vector("pressure_force_" + name, "mN", of_pressure, found);

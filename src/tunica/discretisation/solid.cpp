@@ -55,14 +55,15 @@ void Solid::set_coefficients() {
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
     const Layer& layer = options_.layers[layer_of_region_[mesh_->region[e]]];
     const double h = kernels::element_length(elements_.geometry[e].volume);
-    const double stiffness =
-        4.0 * options_.modulus_factor * elements_.law[e]->stabilisation_modulus() / (h * h);
+    const double modulus = elements_.law[e]->stabilisation_modulus();
+    const double stiffness = 4.0 * options_.modulus_factor * modulus / (h * h);
     const double alpha = scheme_->inertia(layer.density);
     double tau = 1.0 / (stiffness + (options_.has_inertia_in_tau ? alpha : 0.0));
     // The pressure jumps between materials. PSPG takes the jump, spread over an element, for a
     // gradient out of balance and answers with a change of volume, see verify/test_inflation.cpp.
     if (is_at_layer_[e]) tau *= options_.layer_factor;
-    elements_.coefficients[e] = {alpha, 1.0 / layer.bulk_modulus, tau};
+    elements_.coefficients[e] = {alpha, 1.0 / layer.bulk_modulus, tau,
+                                 options_.volumetric_factor * modulus};
   }
 }
 

@@ -81,7 +81,12 @@ void add_solid_keys(params::Table& table) {
               "multiplies the modulus mu of the PSPG parameter")
       .number("stabilisation at layers", 0.03, params::Range{0.0, 1.0, true, false}, "1",
               "multiplies the PSPG parameter of elements that touch another material, where the "
-              "pressure jumps; 1 as in the paper");
+              "pressure jumps; 1 as in the paper")
+      .number(
+          "volumetric stabilisation", 0.0, params::non_negative(), "1",
+          "in parts of the modulus mu, how much of its pressure an element has for itself where "
+          "it does not keep its volume. Large deformations under pressures of the size of mu "
+          "and more need about 1; with much more the elements lock");
 }
 
 SolidOptions solid_options(const Teuchos::ParameterList& list) {
@@ -95,6 +100,7 @@ SolidOptions solid_options(const Teuchos::ParameterList& list) {
   options.has_inertia_in_tau = stabilisation != "paper";
   options.modulus_factor = list.get<double>("stabilisation modulus factor");
   options.layer_factor = list.get<double>("stabilisation at layers");
+  options.volumetric_factor = list.get<double>("volumetric stabilisation");
   return options;
 }
 

@@ -27,6 +27,7 @@ struct SolidOptions {
   bool has_inertia_in_tau;     ///< τ = 1/(4μ_l/h² + α) instead of the paper's h²/(4μ_l)
   double modulus_factor;       ///< multiplies μ_l in τ
   double layer_factor;         ///< multiplies τ at the boundary of two materials
+  double volumetric_factor;    ///< τ_v of the volumetric subscale in parts of μ_l
 
   std::vector<std::string> regions() const;
 };

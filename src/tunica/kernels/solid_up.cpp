@@ -7,8 +7,8 @@ namespace tunica::kernels {
 
 // The P1–P1 mixed solid with PSPG on one tetrahedron of the reference configuration.
 //
-//   R_u[a] = ∫ N_a (α d − r) + P ∇N_a dV,               P = F S' − p J F⁻ᵀ
-//   R_p[a] = −∫ N_a (J − 1 + p/κ) dV − τ ∫ s·g_a dV,    s = α d − r − r' + J F⁻ᵀ∇p
+//   R_u[a] = ∫ N_a (α d − r) + P ∇N_a dV,               P = F S' − (p + p') J F⁻ᵀ
+//   R_p[a] = −∫ N_a (J − 1 + (p + p')/κ) dV − τ ∫ s·g_a dV,    s = α d − r − r' + J F⁻ᵀ∇p
 //
 //   F    I + Σ_a d_a ⊗ ∇N_a, constant        1        J   det F, positive          1
 //   S'   law.stress, isochoric PK2           kPa      κ   bulk modulus             kPa
@@ -21,18 +21,30 @@ namespace tunica::kernels {
 //
 //   α d' − r' + (4μ/h²) d' = −mean(α d − r + J F⁻ᵀ∇p),   hence   d' = −τ s̄
 //
+// The volumetric subscale p' is what the mesh does not resolve of the pressure, a number per
+// element:
+//
+//   p' = −τ_v θ,   θ = J − 1 + p̄/κ,     the derivative of   V τ_v/2 θ²
+//
+// The nodal pressures hold the volume of patches only, and elements of a patch may trade theirs:
+// where p varies over a patch by more than μ that lowers the energy. τ_v of the size of μ ends it
+// and does not lock, see verify/test_block.cpp.
+//
 // Every integral is exact: the integrands are at most quadratic on the element.
 // The Jacobian is exact, with the derivative of the PSPG term:
 //
-//   A[a][b]     = α M_ab I + V [(∇N_a·S'∇N_b) I + B_aᵀ D B_b] − p̄ J V (g_a⊗g_b − g_b⊗g_a)
-//   B1ᵀ[a][b]   = −V J/4 g_a
-//   B2[a][b]    = −V J/4 g_b − τ V [α/4 g_a + J (g_p·g_a) g_b − J (g_a·g_b) g_p − (s̄·g_b) g_a]
-//   −C[a][b]    = −M_ab/κ − τ V J g_a·g_b
+//   A[a][b]     = α M_ab I + V [(∇N_a·S'∇N_b) I + B_aᵀ D B_b]
+//                 − (p̄ + p') J V (g_a⊗g_b − g_b⊗g_a) + τ_v J² V g_a⊗g_b
+//   B1ᵀ[a][b]   = −V J/4 (1 − τ_v/κ) g_a
+//   B2[a][b]    = −V J/4 (1 − τ_v/κ) g_b
+//                 − τ V [α/4 g_a + J (g_p·g_a) g_b − J (g_a·g_b) g_p − (s̄·g_b) g_a]
+//   −C[a][b]    = −M_ab/κ + τ_v V/(16 κ²) − τ V J g_a·g_b
 //
 //   M_ab  V/20 (1 + δ_ab)       g_p  F⁻ᵀ∇p       B_b  dE/dd_b in Voigt's order
 //   D     dS'/dE                bar  mean of the four nodal values
+//   τ_v   of the volumetric subscale, kPa
 //
-// Source: [LY1] eq:weakelas, eq:stelas.
+// Source: [LY1] eq:weakelas, eq:stelas; ours: p'.
 // Deviation: [LY1] prints τ without inertia; τ is an argument here, problems/ chooses.
 
 namespace {
@@ -42,10 +54,11 @@ struct Point {
   Sym3 C;
   double J;
   double p_mean;
-  Vec3 g[4];  ///< F⁻ᵀ∇N_a
-  Vec3 g_p;   ///< F⁻ᵀ∇p
-  Vec3 q[4];  ///< α d_a − r_a
-  Vec3 s;     ///< mean of q + J g_p − r'
+  double p_sub;  ///< p'
+  Vec3 g[4];     ///< F⁻ᵀ∇N_a
+  Vec3 g_p;      ///< F⁻ᵀ∇p
+  Vec3 q[4];     ///< α d_a − r_a
+  Vec3 s;        ///< mean of q + J g_p − r'
 };
 
 Point evaluate(const Tet4& T, const SolidState& s, const SolidCoefficients& c) {
@@ -68,6 +81,7 @@ Point evaluate(const Tet4& T, const SolidState& s, const SolidCoefficients& c) {
     }
   }
   x.p_mean = 0.25 * (s.p[0] + s.p[1] + s.p[2] + s.p[3]);
+  x.p_sub = -c.tau_v * (x.J - 1.0 + c.inv_kappa * x.p_mean);
   for (int i = 0; i < 3; ++i) x.s[i] = 0.25 * q_sum[i] - s.subscale_r[i] + x.J * x.g_p[i];
   return x;
 }
@@ -76,14 +90,14 @@ void residual_at(const Tet4& T, const SolidState& s, const SolidCoefficients& c,
                  const Sym3& S, MixedResidual& R) {
   const double V = T.volume;
   const double m = V / 20.0;
-  const double pJV = x.p_mean * x.J * V;
+  const double pJV = (x.p_mean + x.p_sub) * x.J * V;
   const Vec3 q_sum = x.q[0] + x.q[1] + x.q[2] + x.q[3];
   for (int a = 0; a < 4; ++a) {
     const Vec3 FSN = x.F * apply(S, T.grad_N[a]);
     for (int i = 0; i < 3; ++i)
       R.u[a][i] = m * (q_sum[i] + x.q[a][i]) + V * FSN[i] - pJV * x.g[a][i];
-    R.p[a] = -0.25 * V * (x.J - 1.0) - c.inv_kappa * m * (4.0 * x.p_mean + s.p[a]) -
-             c.tau * V * dot(x.s, x.g[a]);
+    R.p[a] = -0.25 * V * (x.J - 1.0 + c.inv_kappa * x.p_sub) -
+             c.inv_kappa * m * (4.0 * x.p_mean + s.p[a]) - c.tau * V * dot(x.s, x.g[a]);
   }
 }
 
@@ -122,9 +136,10 @@ void material_tangent(double V, const double B[6][9], const Sym3Map& D, double H
 /// The stiffness depends on the vertices through F alone, hence its rows and columns add up
 /// to zero over the vertices: three are computed, the fourth follows. Mass comes on top.
 void stiffness_block(const Tet4& T, const Point& x, const materials::StressTangent& law,
-                     double alpha, double A[4][4][3][3]) {
+                     const SolidCoefficients& c, double A[4][4][3][3]) {
   const double V = T.volume;
-  const double pJV = x.p_mean * x.J * V;
+  const double pJV = (x.p_mean + x.p_sub) * x.J * V;
+  const double volumetric = c.tau_v * x.J * x.J * V;
   double B[6][9];
   double H[9][9];
   strain_operator(T, x.F, B);
@@ -136,7 +151,8 @@ void stiffness_block(const Tet4& T, const Point& x, const materials::StressTange
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
           const double value = H[3 * a + i][3 * b + j] + (i == j ? geometric : 0.0) -
-                               pJV * (x.g[a][i] * x.g[b][j] - x.g[b][i] * x.g[a][j]);
+                               pJV * (x.g[a][i] * x.g[b][j] - x.g[b][i] * x.g[a][j]) +
+                               volumetric * x.g[a][i] * x.g[b][j];
           A[a][b][i][j] = value;
           A[b][a][j][i] = value;
         }
@@ -152,7 +168,7 @@ void stiffness_block(const Tet4& T, const Point& x, const materials::StressTange
     }
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) A[3][3][i][j] = -(A[0][3][i][j] + A[1][3][i][j] + A[2][3][i][j]);
-  const double m = alpha * V / 20.0;
+  const double m = c.alpha * V / 20.0;
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b)
       for (int i = 0; i < 3; ++i) A[a][b][i][i] += a == b ? 2.0 * m : m;
@@ -164,18 +180,20 @@ void pressure_blocks(const Tet4& T, const Point& x, const SolidCoefficients& c, 
   const double tau_VJ = tau_V * x.J;
   const double quarter_VJ = 0.25 * V * x.J;
   const double m = c.inv_kappa * V / 20.0;
+  const double coupling = quarter_VJ * (1.0 - c.tau_v * c.inv_kappa);
+  const double volumetric = c.tau_v * V * (0.25 * c.inv_kappa) * (0.25 * c.inv_kappa);
   double sg[4];
   double pg[4];
   for (int a = 0; a < 4; ++a) {
     sg[a] = tau_V * (0.25 * c.alpha - dot(x.s, x.g[a]));
-    pg[a] = quarter_VJ + tau_VJ * dot(x.g_p, x.g[a]);
+    pg[a] = coupling + tau_VJ * dot(x.g_p, x.g[a]);
   }
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b) {
       const double gg = tau_VJ * dot(x.g[a], x.g[b]);
-      K.mC[a][b] = -(a == b ? 2.0 * m : m) - gg;
+      K.mC[a][b] = -(a == b ? 2.0 * m : m) + volumetric - gg;
       for (int j = 0; j < 3; ++j) {
-        K.B1T[a][b][j] = -quarter_VJ * x.g[a][j];
+        K.B1T[a][b][j] = -coupling * x.g[a][j];
         K.B2[a][b][j] = gg * x.g_p[j] - pg[a] * x.g[b][j] - sg[b] * x.g[a][j];
       }
     }
@@ -206,7 +224,7 @@ void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::Hype
   const Point x = evaluate(T, s, c);
   const materials::StressTangent response = law.response(x.C, frame);
   residual_at(T, s, c, x, response.S, R);
-  stiffness_block(T, x, response, c.alpha, K.A);
+  stiffness_block(T, x, response, c, K.A);
   pressure_blocks(T, x, c, K);
 }
 

@@ -17,6 +17,7 @@ struct SolidCoefficients {
   double alpha;      ///< ρ/(βΔt²), zero in statics [kPa/mm²]
   double inv_kappa;  ///< 1/κ, zero for the incompressible limit [1/kPa]
   double tau;        ///< PSPG parameter [mm²/kPa]
+  double tau_v = 0;  ///< of the volumetric subscale [kPa]
 };
 
 /// det F of the element; positive unless it is inverted.

@@ -1,4 +1,5 @@
 #pragma once
+#include <sstream>
 #include <string>
 
 #include "tunica/base/tensor.hpp"
@@ -6,8 +7,15 @@
 namespace tunica::mesh {
 
 /// Short decimal form for messages: six digits.
-std::string show(double value);
+inline std::string show(double value) {
+  std::ostringstream stream;
+  stream << value;
+  return stream.str();
+}
+
 /// "(1.43, 0, 3.2)".
-std::string show(const Vec3& point);
+inline std::string show(const Vec3& point) {
+  return "(" + show(point[0]) + ", " + show(point[1]) + ", " + show(point[2]) + ")";
+}
 
 }  // namespace tunica::mesh

@@ -137,6 +137,28 @@ TEUCHOS_UNIT_TEST(surface_terms, a_term_of_ones_own_adds_to_residual_and_jacobia
   TEST_COMPARE(test::relative_difference(Kx, F), <, 1e-14);  // it is linear
 }
 
+TEUCHOS_UNIT_TEST(surface_terms, several_conditions_hold_on_one_surface) {
+  const SmallTube tube;
+  const int outlet = tube.surface("outlet");
+  Teuchos::ParameterList surfaces;
+  surfaces.sublist("outlet").setParameters(condition("outlet", "springs").list);
+  surfaces.sublist("plug").setParameters(condition("plug", "velocity").list);
+  surfaces.sublist("plug").set("surface", "outlet");
+  const auto conditions = boundary::conditions_of(surfaces);
+  TEST_EQUALITY(conditions[1].surface, "outlet");
+  const SurfaceTerms both(conditions, with_springs(), tube.fluid);
+  TEST_ASSERT(both.prescribes(outlet, 0) && !both.is_natural(outlet));
+  TEST_ASSERT(both.has_condition(outlet, "springs") && both.has_condition(outlet, "velocity"));
+  TEST_ASSERT(!both.has_condition(tube.surface("inlet")));
+
+  const SurfaceTerms one({conditions[0]}, with_springs(), tube.fluid);
+  const auto x = test::scattered(tube.fluid, 1);
+  const std::vector<Vec3> u = fields::ghosted_vectors(tube.fluid, x[0]), w(u.size());
+  const boundary::Surroundings s{&tube.fluid, &tube.fluid.x, &tube.fluid.x, &u, &w, 1.0, 0.0};
+  TEST_COMPARE(norm(one.load(s, outlet)), >, 0.0);
+  TEST_EQUALITY(norm(one.load(s, outlet) - both.load(s, outlet)), 0.0);
+}
+
 TEUCHOS_UNIT_TEST(surface_terms, a_term_of_a_whole_surface_has_an_exact_jacobian_and_a_state) {
   const SmallTube tube;
   SurfaceTerms terms({condition("outlet", "memory"), condition("inlet", "memory")}, with_springs(),

@@ -16,9 +16,11 @@ using oracle::Deviation;
 using oracle::Samples;
 
 constexpr double alpha = 122.9, inv_kappa = 1e-5, tau = 2e-3;
-const SolidCoefficients all_terms{alpha, inv_kappa, tau};
+constexpr double tau_v = 4.0;
+const SolidCoefficients all_terms{alpha, inv_kappa, tau, tau_v};
 const SolidCoefficients variants[] = {
-    all_terms, {0.0, inv_kappa, tau}, {alpha, 0.0, tau}, {0.0, 0.0, tau}, {alpha, inv_kappa, 0.0}};
+    all_terms,         {alpha, inv_kappa, tau}, {0.0, inv_kappa, tau}, {0.0, 0.0, tau},
+    {alpha, 0.0, tau}, {alpha, inv_kappa, 0.0}, {0.0, 0.3, tau, 2.0}};
 const materials::MooneyRivlin law(3.0, 0.3);
 
 struct Case {
@@ -37,7 +39,7 @@ struct Case {
 
   template <class Energy>
   oracle::SolidWeakForm<Energy> weak_form(const Energy& energy, const SolidCoefficients& c) const {
-    return {oracle::Element(x), energy, c.alpha, c.inv_kappa, c.tau, s.r, s.subscale_r};
+    return {oracle::Element(x), energy, c.alpha, c.inv_kappa, c.tau, s.r, s.subscale_r, c.tau_v};
   }
   auto weak_form(const SolidCoefficients& c) const {
     return weak_form(oracle::MooneyRivlinEnergy{3.0, 0.3}, c);
@@ -58,7 +60,7 @@ TEUCHOS_UNIT_TEST(SolidUp, residual_without_pspg_is_gradient_of_potential) {
   Samples samples(11);
   for (int trial = 0; trial < 5; ++trial) {
     const Case test(samples);
-    const SolidCoefficients c{alpha, inv_kappa, 0.0};
+    const SolidCoefficients c{alpha, 0.2, 0.0, tau_v};
     const auto Pi = test.weak_form(c).potential(test.unknowns<oracle::First<16>>());
     const kernels::MixedResidual R = solid_up_residual(test.T, test.s, law, c);
     Deviation of_u, of_p;
@@ -77,7 +79,7 @@ TEUCHOS_UNIT_TEST(SolidUp, pspg_rows_are_those_of_the_weak_form) {
     const Case test(samples);
     const auto rows = test.weak_form(all_terms).pspg(test.unknowns<double>());
     const auto with = solid_up_residual(test.T, test.s, law, all_terms);
-    const auto without = solid_up_residual(test.T, test.s, law, {alpha, inv_kappa, 0.0});
+    const auto without = solid_up_residual(test.T, test.s, law, {alpha, inv_kappa, 0.0, tau_v});
     Deviation of_p;
     for (int a = 0; a < 4; ++a) {
       of_p.add(with.p[a] - without.p[a], rows[a]);
