@@ -17,26 +17,32 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
               app::RunOutput& output) {
   // 1. The fluid, from where it goes on after a restart, and what is written of it.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
-  stepping::Clock clock(list.sublist("Time"));
+  app::TimeMarch march(list, {{"fluid", &fluid}}, output);
+  march.judge(fluid);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, nullptr);
   const CommPtr comm = domain.fluid->comm;
-  const app::Checkpoints checkpoints(output, {{"fluid", &fluid}}, comm);
-  checkpoints.begin(clock);
-  app::RunLog log(output, comm->getRank() == 0, clock.steps(), {"fluid"}, {});
+  const app::Checkpoints checkpoints(output, march, comm);
+  checkpoints.begin();
+  app::RunLog log(output, comm->getRank() == 0, {"fluid"}, {});
   app::FieldSeries fields(output, {app::grid_of(*domain.fluid, "fluid")}, comm);
 
   // 2. March.
-  for (; !clock.is_done(); clock.advance()) {
+  const auto solve = [&](const stepping::Clock& clock, int attempt) {
     fluid.begin_step(clock);
     const nonlinear::NewtonReport report = fluid.solve();
     if (report.is_converged) fluid.end_step();
-    log.newton({clock.step(), clock.time(), 0}, "fluid", report);
-    log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "fluid"),
+    log.newton({clock.step(), clock.time(), 0, attempt}, "fluid", report);
+    return app::summary_of(report, "fluid", clock);
+  };
+  while (!march.is_done()) {
+    const app::StepSummary step = march.make_step(solve, log);
+    const stepping::Clock& clock = march.clock();
+    log.step(clock, step,
              app::joined({fluid.observe(), domain.probes.observe(&fluid, nullptr),
                           surfaces.observe(&fluid, nullptr)}));
-    if (!report.is_converged) return app::failure(clock, "the fluid", report);
+    if (!step.is_accepted) return Outcome::failure(step.reason);
     if (fields.is_due(clock)) fields.write(clock, {{"fluid", app::fluid_arrays(fluid, {}), {}}});
-    checkpoints.write_if_due(clock);
+    checkpoints.write_if_due();
   }
   app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);
   return Outcome::success();

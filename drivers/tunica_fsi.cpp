@@ -31,35 +31,42 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
                               fluid.time_scheme());
 
   // 2. Couple them.
-  stepping::Clock clock(list.sublist("Time"));
   coupling::DirichletNeumann scheme(list.sublist("Coupling"), *domain.interface, fluid, wall,
                                     motion);
 
   // 3. From where it goes on after a restart; what is written, and when.
   const CommPtr comm = domain.fluid->comm;
+  app::TimeMarch march(
+      list, {{"fluid", &fluid}, {"wall", &wall}, {"mesh motion", &motion}, {"coupling", &scheme}},
+      output);
+  march.judge(fluid);
+  march.judge(wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, &*domain.wall);
-  const app::Checkpoints checkpoints(
-      output, {{"fluid", &fluid}, {"wall", &wall}, {"mesh motion", &motion}, {"coupling", &scheme}},
-      comm);
-  checkpoints.begin(clock);
-  app::RunLog log(output, comm->getRank() == 0, clock.steps(), scheme.fields(), scheme.stages());
+  const app::Checkpoints checkpoints(output, march, comm);
+  checkpoints.begin();
+  app::RunLog log(output, comm->getRank() == 0, scheme.fields(), scheme.stages());
   app::FieldSeries fields(
       output, {app::grid_of(*domain.fluid, "fluid"), app::grid_of(*domain.wall, "wall")}, comm);
 
   // 4. March.
-  for (; !clock.is_done(); clock.advance()) {
-    if (const Outcome prepared = scheme.prepare(clock); prepared.is_failure()) return prepared;
+  const auto solve = [&](const stepping::Clock& clock, int attempt) {
+    const Outcome prepared = scheme.prepare(clock);
+    if (prepared.is_failure()) return app::summary_of(prepared, scheme.fields());
     const coupling::Report report =
         scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
-          log.coupling({clock.step(), clock.time(), k}, iteration);
+          log.coupling({clock.step(), clock.time(), k, attempt}, iteration);
         });
-    log.step({clock.step(), clock.time(), 0}, app::summary_of(report, scheme.fields()),
+    return app::summary_of(report, scheme.fields());
+  };
+  while (!march.is_done()) {
+    const app::StepSummary step = march.make_step(solve, log);
+    const stepping::Clock& clock = march.clock();
+    log.step(clock, step,
              app::joined({wall.observe(), fluid.observe(), domain.probes.observe(&fluid, &wall),
                           surfaces.observe(&fluid, &wall)}));
-    if (!report.is_accepted) return Outcome::failure(report.reason);
-    if (!report.is_converged) log.warn(report.reason);
+    if (!step.is_accepted) return Outcome::failure(step.reason);
     if (fields.is_due(clock)) fields.write(clock, both_fields(fluid, motion, wall));
-    checkpoints.write_if_due(clock);
+    checkpoints.write_if_due();
   }
 
   // 5. Report.

@@ -17,27 +17,33 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
               app::RunOutput& output) {
   // 1. The wall, from where it goes on after a restart, and what is written of it.
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
-  stepping::Clock clock(list.sublist("Time"));
+  app::TimeMarch march(list, {{"wall", &wall}}, output);
+  march.judge(wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), nullptr, &*domain.wall);
   const CommPtr comm = domain.wall->comm;
-  const app::Checkpoints checkpoints(output, {{"wall", &wall}}, comm);
-  checkpoints.begin(clock);
-  app::RunLog log(output, comm->getRank() == 0, clock.steps(), {"wall"}, {});
+  const app::Checkpoints checkpoints(output, march, comm);
+  checkpoints.begin();
+  app::RunLog log(output, comm->getRank() == 0, {"wall"}, {});
   app::FieldSeries fields(output, {app::grid_of(*domain.wall, "wall")}, comm);
 
   // 2. March; in statics each step is an equilibrium.
-  for (; !clock.is_done(); clock.advance()) {
+  const auto solve = [&](const stepping::Clock& clock, int attempt) {
     wall.begin_step(clock);
     const nonlinear::NewtonReport report = wall.solve();
     if (report.is_converged) wall.end_step();
-    log.newton({clock.step(), clock.time(), 0}, "wall", report);
-    log.step({clock.step(), clock.time(), 0}, app::summary_of(report, "wall"),
+    log.newton({clock.step(), clock.time(), 0, attempt}, "wall", report);
+    return app::summary_of(report, "wall", clock);
+  };
+  while (!march.is_done()) {
+    const app::StepSummary step = march.make_step(solve, log);
+    const stepping::Clock& clock = march.clock();
+    log.step(clock, step,
              app::joined({wall.observe(), domain.probes.observe(nullptr, &wall),
                           surfaces.observe(nullptr, &wall)}));
-    if (!report.is_converged) return app::failure(clock, "the wall", report);
+    if (!step.is_accepted) return Outcome::failure(step.reason);
     if (fields.is_due(clock))
       fields.write(clock, {{"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});
-    checkpoints.write_if_due(clock);
+    checkpoints.write_if_due();
   }
   app::record_assembly(output.record, "wall", wall.jacobian_throughput(), *comm);
   return Outcome::success();

@@ -40,7 +40,7 @@ Outcome march_to_wanted(app::SystemCapture& capture, coupling::Scheme& scheme,
           if (is_solved && capture.is_complete(clock.step(), k)) throw Complete();
           capture.enter(clock.step(), k + 1);
         });
-    log.step({clock.step(), clock.time(), 0}, app::summary_of(report, scheme.fields()), {});
+    log.step(clock, app::summary_of(report, scheme.fields()), {});
     if (!report.is_accepted) return Outcome::failure(report.reason);
   }
   return Outcome::success();
@@ -71,7 +71,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   capture.watch("wall", wall);
 
   // 3. March as far as needed.
-  app::RunLog log(output, comm->getRank() == 0, clock.steps(), scheme.fields(), scheme.stages());
+  app::RunLog log(output, comm->getRank() == 0, scheme.fields(), scheme.stages());
   Outcome outcome = Outcome::success();
   try {
     outcome = march_to_wanted(capture, scheme, clock, log);

@@ -19,7 +19,8 @@ STYLE = {
     "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False, "axes.spines.right": False,
     "legend.frameon": False, "lines.linewidth": 1.8, "lines.markersize": 5,
 }
-BOOKKEEPING = ("step", "time", "converged", "coupling_iterations", "interface_residual", "seconds")
+BOOKKEEPING = ("step", "time", "converged", "coupling_iterations", "interface_residual", "step_size", "rejected",
+               "error_estimate", "seconds")
 
 
 @dataclass

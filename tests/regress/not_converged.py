@@ -13,8 +13,8 @@ from runs import ROOT, Run, Verdict, command, fresh, table
 CASE = ROOT / "xml" / "pulse-tiny.xml"
 
 
-def run_case(programs, folder, output, settings, steps=2):
-    words = [CASE, "--steps", steps, "--output", output, "--set", "Output/fields every=0"]
+def run_case(programs, folder, output, settings, steps=2, more=()):
+    words = [CASE, "--steps", steps, "--output", output, *more, "--set", "Output/fields every=0"]
     for setting in settings:
         words += ["--set", setting]
     return Run(command(programs / "tunica-fsi", words), folder), folder / output
@@ -43,13 +43,18 @@ def accepts(verdict, programs, folder):
     slow = ["Coupling/preconditioner=none", "Coupling/first factor=0.05"]
     run, results = run_case(programs, folder, "accept", slow + [
         "Coupling/max iterations=17", "Coupling/when not converged=accept"])
-    verdict.claim(run.status == 0, f"accept: exit status {run.status} is 0")
+    verdict.claim(run.status == 4, f"accept: exit status {run.status} is 4")
     verdict.claim((run.out + run.err).count("NOT CONVERGED") == 1,
                   "accept: the log warns of the first step")
     steps = table(results / "steps.csv")
     verdict.claim(steps["converged"] == [0.0, 1.0], "accept: steps.csv has both, the first marked")
-    verdict.claim(json.loads((results / "run.json").read_text())["status"] == "done",
-                  "accept: run.json says done")
+    record = json.loads((results / "run.json").read_text())
+    verdict.claim(record["status"] == "done" and record["steps"]["accepted unconverged"] == 1 and
+                  "1 step was accepted without convergence" in record["message"] and
+                  record["message"] in run.err,
+                  f"accept: run.json says \"{record['status']}\" and counts, the log as well")
+    run, _ = run_case(programs, folder, "accept", slow + ["Coupling/max iterations=30"], 3, ["--restart"])
+    verdict.claim(run.status == 4, "accept: a restart does not forget it")
 
 
 def newton_fails(verdict, programs, folder):

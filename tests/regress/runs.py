@@ -102,6 +102,21 @@ def entry(parent, name):
     return found[0]
 
 
+def parameter(name, value):
+    kind = {str: "string", int: "int", float: "double"}.get(type(value), "Array(double)")
+    if isinstance(value, (list, tuple)):
+        kind = "Array(double)" if isinstance(value[0], float) else "Array(string)"
+        value = "{" + ",".join(map(str, value)) + "}"
+    return f'<Parameter name="{name}" type="{kind}" value="{value}"/>'
+
+
+def xml(entries):
+    """A case from nested dictionaries: parameter lists."""
+    return "".join(f'<ParameterList name="{name}">{xml(value)}</ParameterList>'
+                   if isinstance(value, dict) else parameter(name, value)
+                   for name, value in entries.items())
+
+
 def write_case(case, path, settings):
     """A case of tunica-solvers with the wanted settings only: field -> names."""
     tree = ElementTree.parse(case)

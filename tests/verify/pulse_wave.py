@@ -23,7 +23,7 @@ import math
 import pathlib
 import sys
 
-from runs import Run, Verdict, command, fresh, table
+from runs import Run, Verdict, command, fresh, table, xml
 
 R, H, LENGTH = 1.0, 0.1, 18.0  # mm
 MU, KAPPA = 5.0, 50.0  # kPa
@@ -34,21 +34,6 @@ STATIONS = (3.0, 6.0, 9.0)  # mm; what the outlet throws back arrives after the 
 TUBE = ["--radius", R, "--media", H, "--media-layers", 1, "--adventitia-layers", 0, "--length",
         LENGTH, "--around", 16, "--rings", 2, "--ring-grading", 0.2, "--axial", 36,
         "--layer-surface", "off"]
-
-
-def parameter(name, value):
-    kind = {str: "string", int: "int", float: "double"}.get(type(value), "Array(double)")
-    if isinstance(value, (list, tuple)):
-        kind = "Array(double)" if isinstance(value[0], float) else "Array(string)"
-        value = "{" + ",".join(map(str, value)) + "}"
-    return f'<Parameter name="{name}" type="{kind}" value="{value}"/>'
-
-
-def xml(entries):
-    """Nested dictionaries as parameter lists."""
-    return "".join(f'<ParameterList name="{name}">{xml(value)}</ParameterList>'
-                   if isinstance(value, dict) else parameter(name, value)
-                   for name, value in entries.items())
 
 
 def case():

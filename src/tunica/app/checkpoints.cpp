@@ -9,26 +9,20 @@
 
 namespace tunica::app {
 
-Checkpoints::Checkpoints(RunOutput& output, const Parts& parts, const CommPtr& comm)
-    : output_(&output), comm_(comm) {
-  for (const auto& [name, part] : parts) {
-    parts_.emplace_back(name, part);
-    for (const auto& [inner, its_part] : part->inner_parts())
-      parts_.emplace_back(name + " " + inner, its_part);
-  }
-}
+Checkpoints::Checkpoints(RunOutput& output, TimeMarch& march, const CommPtr& comm)
+    : output_(&output), march_(&march), comm_(comm) {}
 
-void Checkpoints::begin(stepping::Clock& clock) const {
+void Checkpoints::begin() const {
   const auto& restart = output_->restart;
   if (restart) restore(restart->file);
-  clock.resume_after(output_->steps_done());
+  if (restart) march_->restore(restart->head.control);
   if (comm_->getRank() == 0)
     output::prune_checkpoints(output_->folder.path(), output_->steps_done(),
                               restart ? output::kept_checkpoints : 0);
 }
 
 void Checkpoints::restore(const std::string& file) const {
-  for (const auto& [name, part] : parts_) {
+  for (const auto& [name, part] : march_->parts()) {
     const std::vector<int> vertices = part->save().vertices;
     fields::State state;
     on_all(*comm_, [&, &n = name] { state = output::CheckpointFile(file).read(n, vertices); });
@@ -37,16 +31,18 @@ void Checkpoints::restore(const std::string& file) const {
   }
 }
 
-void Checkpoints::write_if_due(const stepping::Clock& clock) const {
+void Checkpoints::write_if_due() const {
+  const stepping::Clock& clock = march_->clock();
   const int every = output_->checkpoint_every;
-  if (every == 0 || (clock.step() % every != 0 && clock.step() != clock.steps())) return;
+  if (every == 0 || (!clock.is_every(every) && !clock.is_last())) return;
   const Stopwatch writing;
   fault_point("checkpoint");
   const double before = output_->restart ? output_->restart->head.seconds : 0.0;
-  const output::CheckpointHead head{output_->fingerprint, clock.step(), clock.time(),
-                                    clock.step_size(), before + run_.seconds()};
+  const output::CheckpointHead head{
+      output_->fingerprint,    clock.step(),  clock.time(), march_->fixed_step(),
+      before + run_.seconds(), march_->save()};
   output::States states;
-  for (const auto& [name, part] : parts_) states.emplace_back(name, part->save());
+  for (const auto& [name, part] : march_->parts()) states.emplace_back(name, part->save());
   const std::string& folder = output_->folder.path();
   output::write_checkpoint(output::checkpoint_path(folder, clock.step()), head, states, comm_);
   if (comm_->getRank() == 0)

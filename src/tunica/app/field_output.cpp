@@ -84,14 +84,15 @@ std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall) 
 FieldSeries::FieldSeries(const RunOutput& output, const std::vector<output::Grid>& grids,
                          const CommPtr& comm)
     : every_(output.fields_every) {
-  if (every_ == 0) return;
+  if (every_ == 0 && !output.has_asked_times) return;
   writer_.emplace(output.folder.path(), grids, comm, output.steps_done());
   if (comm->getRank() == 0 && !writer_->remark().empty())
     std::cerr << "warning: " << writer_->remark() << std::endl;
 }
 
 bool FieldSeries::is_due(const stepping::Clock& clock) const {
-  return every_ > 0 && (clock.step() % every_ == 0 || clock.step() == clock.steps());
+  return writer_ &&
+         (clock.is_asked_for() || (every_ > 0 && (clock.is_every(every_) || clock.is_last())));
 }
 
 void FieldSeries::write(const stepping::Clock& clock, const std::vector<GridFields>& fields) {

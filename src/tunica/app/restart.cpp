@@ -7,6 +7,7 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/output/checkpoint_series.hpp"
+#include "tunica/stepping/step_control.hpp"
 
 namespace tunica::app {
 
@@ -51,7 +52,15 @@ void check_fit(const output::CheckpointFile& file, const std::string& path,
                "--restart: " + path + " belongs to another mesh than " +
                    list.sublist("Mesh").get<std::string>("file") +
                    ". A run goes on with the mesh it began with.");
-  const double step_size = list.sublist("Time").get<double>("step size");
+  const stepping::StepControlOptions steps = stepping::step_control_options(list.sublist("Time"));
+  TUNICA_CHECK(!file.head().control.empty(),
+               "--restart: " + path + " lacks what the step control needs to go on.");
+  const bool was_adaptive = file.head().step_size == 0.0;
+  TUNICA_CHECK(steps.is_adaptive == was_adaptive,
+               "--restart: " + path + " was made with " + (was_adaptive ? "adaptive" : "fixed") +
+                   " steps. A run goes on with the \"step control\" it began with.");
+  if (was_adaptive) return;
+  const double step_size = steps.first_step;
   std::ostringstream sizes;
   sizes.precision(17);
   sizes << "Time: \"step size\" is " << step_size << " ms, but " << path << " was made with "

@@ -1,10 +1,12 @@
 #include "tunica/app/run.hpp"
 
+#include <Teuchos_Array.hpp>
 #include <iostream>
 
 #include "tunica/app/exit_status.hpp"
 #include "tunica/app/guard.hpp"
 #include "tunica/app/results_folder.hpp"
+#include "tunica/app/time_march.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/session.hpp"
@@ -58,6 +60,13 @@ void record_sizes(const Domain& domain, output::RunRecord& record) {
   if (domain.interface) record.set("sizes", "interface vertices", domain.interface->n_total());
 }
 
+/// Empty where there are none.
+std::string about_unconverged(int steps) {
+  if (steps == 0) return "";
+  return std::to_string(steps) + (steps == 1 ? " step was" : " steps were") +
+         " accepted without convergence; steps.csv marks them.";
+}
+
 /// The work and what is written about it.
 int conclude(const Program& program, RunOutput& output, const Comm& comm,
              const std::function<Outcome()>& work) {
@@ -68,24 +77,32 @@ int conclude(const Program& program, RunOutput& output, const Comm& comm,
   if (output.restart)
     output.record.add_time("march from the first step",
                            output.restart->head.seconds + marching.seconds());
+  const std::string message =
+      outcome.is_success() ? about_unconverged(output.unconverged_steps) : outcome.reason();
   output.record.finish(
-      outcome.is_success() ? output::RunStatus::done : output::RunStatus::not_converged,
-      outcome.reason());
+      outcome.is_success() ? output::RunStatus::done : output::RunStatus::not_converged, message);
   if (comm.getRank() == 0) {
-    if (outcome.is_failure()) std::cerr << program.name << ": " << outcome.reason() << std::endl;
+    if (!message.empty()) std::cerr << program.name << ": " << message << std::endl;
     std::cout << "results in " << output.folder.path() << std::endl;
   }
-  return outcome.is_success() ? exit_done : exit_not_converged;
+  if (outcome.is_failure()) return exit_not_converged;
+  return message.empty() ? exit_done : exit_unconverged_steps;
 }
 
 /// True, and says so, if the run has made all its steps before.
-bool is_over(const output::CheckpointHead& head, const Teuchos::ParameterList& time,
+bool is_over(const output::CheckpointHead& head, const Teuchos::ParameterList& list,
              const Comm& comm) {
-  const int steps = time.get<int>("steps");
-  if (head.step < steps) return false;
+  stepping::StepControl control = step_control(list);
+  control.restore(head.control);
+  if (!control.is_done()) return false;
+  const int steps = list.sublist("Time").get<int>("steps");
+  std::ostringstream made;
+  made << head.step;
+  if (steps > 0) made << " of " << steps;
   if (comm.getRank() == 0)
-    std::cout << "nothing to do: the run has made " << head.step << " of " << steps
-              << " steps. More with --steps." << std::endl;
+    std::cout << "nothing to do: the run has made " << made.str() << " steps, to " << head.time
+              << " ms. More with " << (control.is_adaptive() ? "a later \"end time\"" : "--steps")
+              << "." << std::endl;
   return true;
 }
 
@@ -99,6 +116,12 @@ int every(const Teuchos::ParameterList& list, const std::string& key) {
   return output.isParameter(key) ? output.get<int>(key) : 0;
 }
 
+bool has_asked_times_in(const Teuchos::ParameterList& output) {
+  return output.isParameter("fields at") &&
+         (output.get<Teuchos::Array<double>>("fields at").size() > 0 ||
+          output.get<double>("fields interval") > 0.0);
+}
+
 int solve(const Program& program, const CommandLine& command, const March& march,
           const CommPtr& comm) {
   const Stopwatch set_up;
@@ -108,7 +131,7 @@ int solve(const Program& program, const CommandLine& command, const March& march
   describe_domain(domain, *comm);
   std::optional<Restart> restart;
   if (command.restart) restart = find_restart(list, domain);
-  if (restart && is_over(restart->head, list.sublist("Time"), *comm)) return exit_done;
+  if (restart && is_over(restart->head, list, *comm)) return exit_done;
   if (command.dry_run) return exit_done;
   linear::check_direct_solver(comm);
   RunOutput output(program, command, list, comm, restart);
@@ -139,7 +162,7 @@ RunOutput::RunOutput(const Program& program, const CommandLine& command,
     : folder(folder_of(list), comm),
       record(folder.file("run.json"), program.name, TUNICA_VERSION, comm),
       fields_every(every(list, "fields every")), checkpoint_every(every(list, "checkpoint every")),
-      restart(std::move(from)) {
+      has_asked_times(has_asked_times_in(list.sublist("Output"))), restart(std::move(from)) {
   if (restart) record.take_over(steps_done());
   record.set("case", "file", command.case_file);
   on_root_or_fault(*comm, [&] {

@@ -32,8 +32,10 @@ struct RunOutput {
   output::RunFolder folder;
   output::RunRecord record;
   int fields_every, checkpoint_every;
+  bool has_asked_times;            ///< the case wants fields at times
   std::optional<Restart> restart;  ///< from where the run goes on
   std::string fingerprint{};       ///< of the mesh
+  int unconverged_steps = 0;       ///< that were accepted
 };
 
 /// The work of a run; a failure is one to converge.

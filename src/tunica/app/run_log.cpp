@@ -20,8 +20,8 @@ void append(std::vector<std::string>& columns, const std::vector<std::string>& n
 
 std::vector<std::string> coupling_columns(const std::vector<std::string>& fields,
                                           const std::vector<std::string>& stages) {
-  std::vector<std::string> columns{"step",       "time",   "iteration", "interface_residual",
-                                   "relaxation", "columns"};
+  std::vector<std::string> columns{
+      "step", "time", "attempt", "iteration", "interface_residual", "relaxation", "columns"};
   append(columns, fields, "_newton");
   append(columns, fields, "_linear");
   append(columns, stages, "_seconds");
@@ -30,20 +30,20 @@ std::vector<std::string> coupling_columns(const std::vector<std::string>& fields
 
 }  // namespace
 
-RunLog::RunLog(const RunOutput& output, bool is_root, int steps,
-               const std::vector<std::string>& fields, const std::vector<std::string>& stages)
-    : steps_file_(output.folder.file("steps.csv")), is_root_(is_root), steps_(steps),
+RunLog::RunLog(const RunOutput& output, bool is_root, const std::vector<std::string>& fields,
+               const std::vector<std::string>& stages)
+    : steps_file_(output.folder.file("steps.csv")), is_root_(is_root),
       steps_done_(output.steps_done()),
       coupling_(output.folder.file("coupling.csv"), coupling_columns(fields, stages), is_root,
                 output.steps_done()),
       newton_(output.folder.file("newton.csv"),
-              {"step", "coupling_iteration", "field", "iteration", "increment",
+              {"step", "attempt", "coupling_iteration", "field", "iteration", "increment",
                "relative_increment", "residual", "exponent", "step_length", "linear_tolerance",
                "linear_residual", "linear_iterations"},
               is_root, output.steps_done()),
       linear_(output.folder.file("linear.csv"),
-              {"step", "coupling_iteration", "field", "newton_iteration", "method", "iterations",
-               "tolerance", "recurrence_residual", "true_residual", "setup_seconds",
+              {"step", "attempt", "coupling_iteration", "field", "newton_iteration", "method",
+               "iterations", "tolerance", "recurrence_residual", "true_residual", "setup_seconds",
                "solve_seconds", "converged"},
               is_root, output.steps_done()) {}
 
@@ -53,18 +53,19 @@ void RunLog::newton(const IterationIndex& index, const std::string& field,
     const nonlinear::NewtonStep& s = report.steps[k];
     const auto iteration = static_cast<long long>(k) + 1;
     const linear::SolveReport& l = s.linear;
-    newton_.row({index.step, index.coupling_iteration, field, iteration, s.increment,
+    newton_.row({index.step, index.attempt, index.coupling_iteration, field, iteration, s.increment,
                  s.relative_increment, s.residual, s.exponent, s.step_length, l.tolerance,
                  l.true_residual, l.iterations});
-    linear_.row({index.step, index.coupling_iteration, field, iteration, l.method, l.iterations,
-                 l.tolerance, l.recurrence_residual, l.true_residual, l.setup_seconds,
+    linear_.row({index.step, index.attempt, index.coupling_iteration, field, iteration, l.method,
+                 l.iterations, l.tolerance, l.recurrence_residual, l.true_residual, l.setup_seconds,
                  l.solve_seconds, l.is_converged});
   }
 }
 
 void RunLog::coupling(const IterationIndex& index, const coupling::Iteration& iteration) {
-  std::vector<io::Cell> row{index.step,         index.time,           index.coupling_iteration,
-                            iteration.residual, iteration.relaxation, iteration.columns};
+  std::vector<io::Cell> row{
+      index.step,         index.time,           index.attempt,    index.coupling_iteration,
+      iteration.residual, iteration.relaxation, iteration.columns};
   for (const coupling::FieldSolve& solve : iteration.solves)
     row.emplace_back(static_cast<long long>(solve.report.steps.size()));
   for (const coupling::FieldSolve& solve : iteration.solves)
@@ -77,8 +78,10 @@ void RunLog::coupling(const IterationIndex& index, const coupling::Iteration& it
 
 void RunLog::open_steps(const StepSummary& summary,
                         const discretisation::Observables& observables) {
-  std::vector<std::string> columns{"step", "time", "converged", "coupling_iterations",
-                                   "interface_residual"};
+  std::vector<std::string> columns{
+      "step",      "time",    "converged", "coupling_iterations", "interface_residual",
+      "step_size", "rejected"};
+  if (summary.error) columns.emplace_back("error_estimate");
   for (const StepSummary::Solves& field : summary.fields)
     columns.push_back(field.field + "_newton");
   for (const StepSummary::Solves& field : summary.fields)
@@ -88,16 +91,22 @@ void RunLog::open_steps(const StepSummary& summary,
   steps_table_ = std::make_unique<io::CsvTable>(steps_file_, columns, is_root_, steps_done_);
 }
 
+void RunLog::note(const std::string& text) const {
+  if (is_root_) std::printf("%s\n", text.c_str());
+}
+
 void RunLog::warn(const std::string& text) const {
   if (is_root_) std::fprintf(stderr, "warning: %s\n", text.c_str());
 }
 
-void RunLog::step(const IterationIndex& index, const StepSummary& s,
+void RunLog::step(const stepping::Clock& clock, const StepSummary& s,
                   const discretisation::Observables& observables) {
   if (!steps_table_) open_steps(s, observables);
   const double now = run_.seconds();
-  std::vector<io::Cell> row{index.step, index.time, s.is_converged, s.coupling_iterations,
-                            s.interface_residual};
+  std::vector<io::Cell> row{
+      clock.step(),         clock.time(),      s.is_converged, s.coupling_iterations,
+      s.interface_residual, clock.step_size(), s.rejected};
+  if (s.error) row.emplace_back(*s.error);
   for (const StepSummary::Solves& field : s.fields) row.emplace_back(field.newton);
   for (const StepSummary::Solves& field : s.fields) row.emplace_back(field.linear);
   row.emplace_back(now - last_);
@@ -105,27 +114,33 @@ void RunLog::step(const IterationIndex& index, const StepSummary& s,
   steps_table_->row(row);
   seconds_.push_front(now - last_);
   last_ = now;
-  print(index, s);
+  print(clock, s);
+  if (s.is_accepted && !s.is_converged) warn(s.reason);
 }
 
-std::string RunLog::time_left(int steps) const {
+std::string RunLog::time_left(double steps) const {
   // The first step of a program sets up its solvers and tells little of the others.
   const std::size_t known = std::min<std::size_t>(seconds_.size() - 1, 5);
-  if (known == 0 || steps == 0) return "";
+  if (known == 0 || steps < 0.5) return "";
   const double sum = std::accumulate(seconds_.begin(), seconds_.begin() + known, 0.0);
   return ", about " + rough_duration(sum / static_cast<double>(known) * steps) + " left";
 }
 
-void RunLog::print(const IterationIndex& index, const StepSummary& s) const {
+void RunLog::print(const stepping::Clock& clock, const StepSummary& s) const {
   if (!is_root_) return;
-  std::printf("step %d/%d  t %g ms", index.step, steps_, index.time);
+  std::printf("step %d", clock.step());
+  if (clock.steps() > 0 && clock.count() == clock.step())
+    std::printf("/%d  t %g ms", clock.steps(), clock.time());
+  else
+    std::printf("  t %g/%g ms, %+.2g", clock.time(), clock.end(), clock.step_size());
   if (s.coupling_iterations > 0) std::printf("  coupling %d", s.coupling_iterations);
   if (s.coupling_iterations > 0 && std::isfinite(s.interface_residual))
     std::printf(" (|r| %.1e mm)", s.interface_residual);
   for (const StepSummary::Solves& field : s.fields)
     if (field.newton > 0)
       std::printf("  %s %d Newton %d linear", field.field.c_str(), field.newton, field.linear);
-  std::printf("  %.2f s%s%s\n", seconds_.front(), time_left(steps_ - index.step).c_str(),
+  std::printf("  %.2f s%s%s\n", seconds_.front(),
+              time_left((clock.end() - clock.time()) / clock.step_size()).c_str(),
               s.is_converged ? "" : "  NOT CONVERGED");
   std::fflush(stdout);
 }
@@ -143,6 +158,8 @@ std::string rough_duration(double seconds) {
 StepSummary summary_of(const coupling::Report& report, const std::vector<std::string>& fields) {
   StepSummary summary;
   summary.is_converged = report.is_converged;
+  summary.is_accepted = report.is_accepted;
+  summary.reason = report.reason;
   summary.coupling_iterations = static_cast<int>(report.iterations.size());
   if (!report.iterations.empty()) summary.interface_residual = report.iterations.back().residual;
   for (const std::string& field : fields)
@@ -150,19 +167,24 @@ StepSummary summary_of(const coupling::Report& report, const std::vector<std::st
   return summary;
 }
 
-StepSummary summary_of(const nonlinear::NewtonReport& report, const std::string& field) {
+StepSummary summary_of(const nonlinear::NewtonReport& report, const std::string& field,
+                       const stepping::Clock& clock) {
   StepSummary summary;
-  summary.is_converged = report.is_converged;
+  summary.is_converged = summary.is_accepted = report.is_converged;
+  std::ostringstream reason;
+  reason << "time " << clock.time() << " ms: Newton's method of the " << field << ": "
+         << report.reason;
+  if (!report.is_converged) summary.reason = reason.str();
   summary.fields.push_back(
       {field, static_cast<int>(report.steps.size()), report.linear_iterations()});
   return summary;
 }
 
-Outcome failure(const stepping::Clock& clock, const std::string& field,
-                const nonlinear::NewtonReport& report) {
-  std::ostringstream text;
-  text << "time " << clock.time() << " ms: Newton's method of " << field << ": " << report.reason;
-  return Outcome::failure(text.str());
+StepSummary summary_of(const Outcome& failure, const std::vector<std::string>& fields) {
+  StepSummary summary;
+  summary.reason = failure.reason();
+  for (const std::string& field : fields) summary.fields.push_back({field});
+  return summary;
 }
 
 discretisation::Observables joined(const std::vector<discretisation::Observables>& parts) {

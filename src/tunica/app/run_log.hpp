@@ -14,11 +14,18 @@ struct IterationIndex {
   int step;
   double time;
   int coupling_iteration;  ///< 0 where there is no coupling
+  int attempt = 1;         ///< of the step
 };
 
-/// Totals of one time step.
+/// What became of one time step, and its totals.
 struct StepSummary {
   bool is_converged = false;
+  bool is_accepted = false;  ///< converged, or not and accepted as the case says
+  std::string reason;        ///< why not converged
+  int rejected = 0;          ///< attempts before
+  /// Estimated error over what is permitted; not a number where a step did not converge, nothing
+  /// where nobody estimates it.
+  std::optional<double> error;
   int coupling_iterations = 0;
   double interface_residual = 0.0;
 
@@ -35,26 +42,27 @@ class RunLog {
 public:
   /// fields: those that the run solves for by Newton's method; stages: the parts of a coupling
   /// iteration that are timed. A run that goes on keeps the rows of the steps before.
-  RunLog(const RunOutput& output, bool is_root, int steps, const std::vector<std::string>& fields,
+  RunLog(const RunOutput& output, bool is_root, const std::vector<std::string>& fields,
          const std::vector<std::string>& stages);
 
   void newton(const IterationIndex& index, const std::string& field,
               const nonlinear::NewtonReport& report);
   void coupling(const IterationIndex& index, const coupling::Iteration& iteration);
-  /// A line on the screen for what the run goes on in spite of.
+  /// A line on the screen for what the run does, and for what it goes on in spite of.
+  void note(const std::string& text) const;
   void warn(const std::string& text) const;
-  void step(const IterationIndex& index, const StepSummary& summary,
+  void step(const stepping::Clock& clock, const StepSummary& summary,
             const discretisation::Observables& observables);
 
 private:
   void open_steps(const StepSummary& summary, const discretisation::Observables& observables);
   /// ", about 12 min left" for so many steps to come, from the mean of the last ones.
-  std::string time_left(int steps) const;
-  void print(const IterationIndex& index, const StepSummary& summary) const;
+  std::string time_left(double steps) const;
+  void print(const stepping::Clock& clock, const StepSummary& summary) const;
 
   std::string steps_file_;
   bool is_root_;
-  int steps_, steps_done_;
+  int steps_done_;
   std::unique_ptr<io::CsvTable> steps_table_;
   io::CsvTable coupling_, newton_, linear_;
   Stopwatch run_;
@@ -67,10 +75,10 @@ std::string rough_duration(double seconds);
 
 StepSummary summary_of(const coupling::Report& report, const std::vector<std::string>& fields);
 /// Of a field that is solved alone.
-StepSummary summary_of(const nonlinear::NewtonReport& report, const std::string& field);
-/// Why a run of one field ends early.
-Outcome failure(const stepping::Clock& clock, const std::string& field,
-                const nonlinear::NewtonReport& report);
+StepSummary summary_of(const nonlinear::NewtonReport& report, const std::string& field,
+                       const stepping::Clock& clock);
+/// Of a step that could not even begin.
+StepSummary summary_of(const Outcome& failure, const std::vector<std::string>& fields);
 
 /// All observables in one list.
 discretisation::Observables joined(const std::vector<discretisation::Observables>& parts);

@@ -42,11 +42,10 @@ void Windkessel::observe_whole(const Surroundings& s, std::map<std::string, doub
 void Windkessel::follow(const stepping::TimeScheme& scheme) {
   scheme_ = &scheme;
   history_.emplace(scheme.remembers(), 1);
+  history_->value()[0][0] = initial_pressure_;
 }
 
 void Windkessel::begin_step() {
-  if (!has_begun_) scheme_->accept({{initial_pressure_, 0.0, 0.0}}, *history_);
-  has_begun_ = true;
   const double theta = scheme_->rate() * distal_ * capacitance_;
   slope_ = distal_ / (1.0 + theta);
   known_ = (theta * scheme_->past(*history_, 0)[0] + distal_pressure_) / (1.0 + theta);
@@ -68,7 +67,6 @@ void Windkessel::restore(const std::vector<double>& state) {
   history_->value()[0][0] = state[0];
   for (std::size_t k = 1; k < state.size(); ++k)
     (*history_)[static_cast<int>(k) - 1][0][0] = state[k];
-  has_begun_ = true;
 }
 
 ConditionEntry windkessel_condition() {

@@ -53,8 +53,7 @@ private:
 
   const stepping::TimeScheme* scheme_ = nullptr;
   std::optional<stepping::History> history_;  ///< of p_c as the first component of a node
-  bool has_begun_ = false;
-  double known_, slope_ = 0.0;  ///< p_c = known + slope Q
+  double known_, slope_ = 0.0;                ///< p_c = known + slope Q
 };
 
 /// "windkessel" of a fluid, with backflow stabilisation.

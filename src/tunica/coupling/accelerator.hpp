@@ -29,6 +29,9 @@ public:
   virtual InterfaceVector next(const InterfaceVector& d, const InterfaceVector& residual) = 0;
   virtual void end_step() = 0;
 
+  /// Drops what earlier steps have left: they say little about the next.
+  virtual void forget() {}
+
   /// Adds to a state what the next steps need of the earlier ones, and takes it back.
   virtual void save(fields::State&) const {}
   virtual void restore(const fields::State&) {}

@@ -54,12 +54,12 @@ InterfaceVector DirichletNeumann::wall_displacement() const {
   return interface_->from_wall(wall_->displacement());
 }
 
-InterfaceVector DirichletNeumann::predict() const {
+InterfaceVector DirichletNeumann::predict(const stepping::Clock& clock) const {
   const int order = std::min<int>(options_.predictor_order, static_cast<int>(history_.size()) - 1);
-  static const double weights[3][3] = {{1, 0, 0}, {2, -1, 0}, {3, -3, 1}};
+  const std::array<double, 3> weights = stepping::extrapolation(order, clock.step_sizes());
   InterfaceVector d(history_.front().size(), 0.0);
   for (int k = 0; k <= order; ++k)
-    for (std::size_t i = 0; i < d.size(); ++i) d[i] += weights[order][k] * history_[k][i];
+    for (std::size_t i = 0; i < d.size(); ++i) d[i] += weights[k] * history_[k][i];
   return d;
 }
 
@@ -172,8 +172,12 @@ Report DirichletNeumann::solve_step(const stepping::Clock& clock, const Watch& w
   TUNICA_ASSERT(preconditioner_ || !added_mass_, "prepare() comes before each step");
   fluid_->begin_step(clock);
   wall_->begin_step(clock);
+  // The answer of fluid and wall depends on the step; much more on one of another size.
+  const stepping::StepSizes& sizes = clock.step_sizes();
+  const bool is_of_other_size = sizes.now > 3.0 * sizes.last || 3.0 * sizes.now < sizes.last;
+  if (is_of_other_size) accelerator_->forget();
   accelerator_->begin_step();
-  InterfaceVector d = predict(), answer, reached = history_.front();
+  InterfaceVector d = predict(clock), answer, reached = history_.front();
   int n_failed = 0;  // in a row
   for (int k = 1; k <= options_.max_iterations && !report.is_converged; ++k) {
     Iteration& iteration = report.iterations.emplace_back(new_iteration());

@@ -45,7 +45,7 @@ public:
   std::string restore(const fields::State& state) override;
 
 private:
-  InterfaceVector predict() const;
+  InterfaceVector predict(const stepping::Clock& clock) const;
   /// Runs the three problems for d; the answer is the wall's. Fails where one of them does.
   Outcome evaluate(const InterfaceVector& d, Iteration& iteration, InterfaceVector& answer);
   Outcome move_and_flow(const InterfaceVector& d, Iteration& iteration);

@@ -64,7 +64,9 @@ void IqnIls::bound(const InterfaceVector& d, double most, InterfaceVector& next_
   for (std::size_t i = 0; i < d.size(); ++i) next_d[i] = d[i] + part * update[i];
 }
 
-void IqnIls::end_step() { forget_old_steps(); }
+void IqnIls::end_step() { keep_steps(reused_steps_); }
+
+void IqnIls::forget() { keep_steps(0); }
 
 void IqnIls::save(fields::State& state) const {
   state.numbers["columns of steps"] = {columns_of_step_.begin(), columns_of_step_.end()};
@@ -78,11 +80,11 @@ void IqnIls::restore(const fields::State& state) {
   const int columns = 3 * std::accumulate(columns_of_step_.begin(), columns_of_step_.end(), 0);
   V_ = unpacked(state.array("V", columns));
   W_ = unpacked(state.array("W", columns));
-  forget_old_steps();  // the case may reuse fewer than before
+  keep_steps(reused_steps_);  // the case may reuse fewer than before
 }
 
-void IqnIls::forget_old_steps() {
-  while (static_cast<int>(columns_of_step_.size()) > reused_steps_) {
+void IqnIls::keep_steps(int most) {
+  while (static_cast<int>(columns_of_step_.size()) > most) {
     for (int j = 0; j < columns_of_step_.back(); ++j) {
       V_.pop_back();
       W_.pop_back();

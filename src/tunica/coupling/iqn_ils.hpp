@@ -26,6 +26,7 @@ public:
   void begin_step() override;
   InterfaceVector next(const InterfaceVector& d, const InterfaceVector& residual) override;
   void end_step() override;
+  void forget() override;
   void save(fields::State& state) const override;
   void restore(const fields::State& state) override;
   double relaxation() const override { return relaxation_; }
@@ -36,7 +37,7 @@ private:
   /// Cuts the update from d to next_d to this length.
   void bound(const InterfaceVector& d, double most, InterfaceVector& next_d);
   void remember(const InterfaceVector& answer, const InterfaceVector& residual);
-  void forget_old_steps();
+  void keep_steps(int most);
 
   CommPtr comm_;
   double first_factor_, filter_, update_growth_;

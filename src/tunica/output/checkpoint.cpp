@@ -66,6 +66,10 @@ CheckpointFile::CheckpointFile(const std::string& path) : path_(path) {
   for (std::size_t i = 0; i < sums.size(); ++i) arrays_[array_names[i]] = {columns[i], sums[i]};
   head_ = {text("run/mesh"), static_cast<int>(number("run/step")), number("run/time"),
            number("run/step size"), number("run/seconds")};
+  const std::string control = "run/" + std::string(control_prefix);
+  for (const auto& [name, values] : numbers_)
+    if (name.compare(0, control.size(), control) == 0)
+      head_.control[name.substr(control.size())] = values;
 }
 
 const std::string& CheckpointFile::text(const std::string& name) const {

@@ -13,9 +13,14 @@ namespace tunica::output {
 struct CheckpointHead {
   std::string mesh;                    ///< its fingerprint
   int step = 0;                        ///< accepted last, counted from 1
-  double time = 0.0, step_size = 0.0;  ///< [ms]
+  double time = 0.0, step_size = 0.0;  ///< [ms]; a size of zero: steps of any size
   double seconds = 0.0;                ///< spent on the steps up to here
+  /// What the step control needs to go on, by name.
+  std::map<std::string, std::vector<double>> control{};
 };
+
+/// Under which the numbers of the control stand among those of the part "run".
+constexpr const char* control_prefix = "control ";
 
 /// The states of a run's parts ("fluid", "coupling"), by name.
 using States = std::vector<std::pair<std::string, fields::State>>;

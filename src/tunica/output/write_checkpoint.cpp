@@ -33,6 +33,7 @@ fields::State state_of(const CheckpointHead& head) {
   run.numbers["time"] = {head.time};
   run.numbers["step size"] = {head.step_size};
   run.numbers["seconds"] = {head.seconds};
+  for (const auto& [name, values] : head.control) run.numbers[control_prefix + name] = values;
   return run;
 }
 

@@ -1,5 +1,7 @@
 #include "tunica/stepping/bdf2.hpp"
 
+#include "tunica/stepping/implicit_euler.hpp"
+
 namespace tunica::stepping {
 
 namespace {
@@ -44,6 +46,14 @@ void Bdf2::accept(const std::vector<Vec3>& x, History& history) const {
     history[order_ - 1][k] = history.value()[k];
   }
   history.value() = x;
+}
+
+ErrorFormula Bdf2::value_error(const StepSizes& sizes) const {
+  if (ratio() == 0.0) return ImplicitEuler(order_).value_error(sizes);
+  const double h = sizes.now, two = h + sizes.last;
+  const double three = two + (sizes.before > 0.0 ? sizes.before : sizes.last);
+  // C = (h² (h + h₁)²/(6 (2h + h₁))) / (h (h + h₁)(h + h₁ + h₂)/6)
+  return {2, h * two / ((h + two) * three)};
 }
 
 SchemeEntry bdf2_scheme() {

@@ -34,6 +34,28 @@ void Newmark::accept(const std::vector<Vec3>& x, History& history) const {
   history.value() = x;
 }
 
+namespace {
+
+/// c h³ times the third derivative, of which x − xᵖ has h (h + h₁)(h + h₁ + h₂)/6.
+ErrorFormula of_third_derivative(double c, const StepSizes& sizes) {
+  const double h = sizes.now, h1 = sizes.last > 0.0 ? sizes.last : h;
+  const double h2 = sizes.before > 0.0 ? sizes.before : h1;
+  return {2, 6.0 * c * h * h / ((h + h1) * (h + h1 + h2))};
+}
+
+}  // namespace
+
+ErrorFormula Newmark::value_error(const StepSizes& sizes) const {
+  return of_third_derivative(1.0 / 6.0 - beta_, sizes);
+}
+
+ErrorFormula Newmark::velocity_error(const StepSizes& sizes) const {
+  if (order() == 2) return of_third_derivative(-1.0 / 12.0, sizes);
+  // (½ − γ) h² of the second derivative, of which v − vᵖ has h (h + h₁)/2
+  const double h = sizes.now, h1 = sizes.last > 0.0 ? sizes.last : h;
+  return {1, (1.0 - 2.0 * gamma_) * h / (h + h1)};
+}
+
 SchemeEntry newmark_scheme() {
   params::Table table("Newmark's time integration of the wall.");
   table

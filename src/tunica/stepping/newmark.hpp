@@ -28,6 +28,10 @@ public:
   }
   Vec3 inertia_load(const History& history, int node) const override;
   void accept(const std::vector<Vec3>& x, History& history) const override;
+  int order() const override { return gamma_ == 0.5 ? 2 : 1; }
+  /// A step loses (1/6 − β) Δt³ ȧ in d, and in v (½ − γ) Δt² ȧ or, with γ = ½, −Δt³ ä/12.
+  ErrorFormula value_error(const StepSizes& sizes) const override;
+  ErrorFormula velocity_error(const StepSizes& sizes) const override;
 
 private:
   /// vⁿ⁻¹/(βΔt) + (1 − 2β)/(2β) aⁿ⁻¹.

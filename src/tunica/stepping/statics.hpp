@@ -13,6 +13,9 @@ public:
   double inertia(double) const override { return 0.0; }
   Vec3 inertia_load(const History&, int) const override { return {}; }
   void accept(const std::vector<Vec3>& x, History& history) const override { history.value() = x; }
+  int order() const override { return 1; }
+  /// None: an equilibrium knows no other.
+  ErrorFormula value_error(const StepSizes&) const override { return {0, 0.0}; }
 };
 
 }  // namespace tunica::stepping

@@ -3,6 +3,7 @@
 #include <Teuchos_Array.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -61,6 +62,10 @@ void check_samples(const Teuchos::ParameterList& options, const std::string& pat
   }
 }
 
+bool is_amplitude(const Teuchos::ParameterList& list) {
+  return list.isParameter("kind") && list.isParameter("interpolation");
+}
+
 }  // namespace
 
 TimeFunction::TimeFunction(const Teuchos::ParameterList& options) {
@@ -72,8 +77,7 @@ TimeFunction::TimeFunction(const Teuchos::ParameterList& options) {
 }
 
 void inline_files(Teuchos::ParameterList& list) {
-  const bool is_amplitude = list.isParameter("kind") && list.isParameter("interpolation");
-  if (is_amplitude && list.get<std::string>("kind") == "file") {
+  if (is_amplitude(list) && list.get<std::string>("kind") == "file") {
     const Samples samples = read_samples(list.get<std::string>("file"));
     list.set("kind", "table");
     list.set("times", Teuchos::Array<double>(samples.times));
@@ -97,6 +101,33 @@ double TimeFunction::operator()(double time) const {
   const std::size_t i = std::upper_bound(times_.begin(), times_.end(), time) - times_.begin();
   const double s = (time - times_[i - 1]) / (times_[i] - times_[i - 1]);
   return (1.0 - s) * values_[i - 1] + s * values_[i];
+}
+
+std::vector<double> TimeFunction::kinks() const {
+  std::vector<double> found;
+  double slope = 0.0;  // before the first time
+  for (std::size_t i = 0; i < times_.size(); ++i) {
+    const bool is_end = i + 1 == times_.size();
+    const double next = is_end ? 0.0 : (values_[i + 1] - values_[i]) / (times_[i + 1] - times_[i]);
+    const bool jumps = i > 0 && values_[i] != values_[i - 1];
+    // Slopes that round-off alone tells apart are no kink.
+    const double difference = std::abs(next - slope);
+    const bool bends = difference > 1e-9 * std::max(std::abs(next), std::abs(slope));
+    if (has_steps_ ? jumps : bends) found.push_back(times_[i]);
+    slope = next;
+  }
+  return found;
+}
+
+std::vector<double> kinks(const Teuchos::ParameterList& list) {
+  std::vector<double> all;
+  if (is_amplitude(list)) all = TimeFunction(list).kinks();
+  for (auto it = list.begin(); it != list.end(); ++it) {
+    if (!list.isSublist(list.name(it))) continue;
+    const std::vector<double> inner = kinks(list.sublist(list.name(it)));
+    all.insert(all.end(), inner.begin(), inner.end());
+  }
+  return all;
 }
 
 params::Table time_function_table() {

@@ -15,6 +15,8 @@ public:
   explicit TimeFunction(const Teuchos::ParameterList& options);
 
   double operator()(double time) const;
+  /// Where it jumps or its slope does.
+  std::vector<double> kinks() const;
 
 private:
   std::vector<double> times_;
@@ -23,6 +25,9 @@ private:
 };
 
 params::Table time_function_table();
+
+/// The times at which an amplitude of the list, or below it, is not smooth [ms].
+std::vector<double> kinks(const Teuchos::ParameterList& list);
 
 /// Replaces the files of all amplitudes in the list and below it by their samples, so that one
 /// rank alone reads them and the list stands alone.

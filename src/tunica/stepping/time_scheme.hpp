@@ -30,6 +30,18 @@ private:
   std::vector<std::vector<Vec3>> parts_;
 };
 
+/// How the local error of a step follows from how far its value lies from those before:
+///
+///   x(tⁿ) − xⁿ ≈ C (xⁿ − xᵖ),   xᵖ at tⁿ of the polynomial of degree q through the last q + 1
+///
+/// It falls as Δt^(q+1). C holds where the values lie on a smooth curve, as they do once a scheme
+/// is on its way: a step loses c Δt^(q+1) times the derivative of order q + 1 of that curve, and
+/// x − xᵖ is the same derivative times the distances of tⁿ from the q + 1 times over (q + 1)!.
+struct ErrorFormula {
+  int degree;       ///< q
+  double constant;  ///< C
+};
+
 /// What the new value x of a quantity makes of its time derivatives in an implicit step:
 ///
 ///   ẋ = c (x − x̃)          first derivative,    x̃ from the history
@@ -72,6 +84,12 @@ public:
 
   /// Takes x for the value at the new time, and brings the other parts there.
   virtual void accept(const std::vector<Vec3>& x, History& history) const = 0;
+
+  /// What it loses over a given time falls as Δt to this power.
+  virtual int order() const = 0;
+  /// Of the present step, in x and in the ẋ of an equation of second order.
+  virtual ErrorFormula value_error(const StepSizes& sizes) const = 0;
+  virtual ErrorFormula velocity_error(const StepSizes& sizes) const { return value_error(sizes); }
 
 private:
   double dt_ = 0.0, previous_dt_ = 0.0;

@@ -72,6 +72,8 @@ public:
     h[0] = h.value();
     h.value() = x;
   }
+  int order() const override { return 2; }
+  stepping::ErrorFormula value_error(const stepping::StepSizes&) const override { return {0, 0.0}; }
 };
 
 TEUCHOS_UNIT_TEST(windkessel, without_capacitance_it_is_a_resistance) {

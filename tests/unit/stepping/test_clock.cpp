@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/base/error.hpp"
-#include "tunica/stepping/clock.hpp"
+#include "tunica/stepping/step_control.hpp"
 
 namespace {
 

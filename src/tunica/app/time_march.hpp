@@ -1,0 +1,77 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tunica/app/run_log.hpp"
+#include "tunica/problems/step_error.hpp"
+#include "tunica/stepping/step_control.hpp"
+
+namespace tunica::app {
+
+/// What must be there again when a step is repeated, or a run goes on: parts by name.
+using Parts = std::vector<std::pair<std::string, fields::Restartable*>>;
+
+/// The step control of a resolved case, which knows when its loads have kinks.
+stepping::StepControl step_control(const Teuchos::ParameterList& list);
+
+/// Takes a run from step to step. A step that fails, or is not accurate enough, is undone, cut and
+/// repeated: every part goes back to where the step began, as in a run that is restarted there.
+class TimeMarch {
+public:
+  /// list: the resolved case. The parts, which must outlive the object, are all that a step changes
+  /// and the next ones need.
+  TimeMarch(const Teuchos::ParameterList& list, const Parts& parts, RunOutput& output);
+
+  /// The accuracy of a field counts where steps are adaptive. Before begin().
+  void judge(problems::FluidProblem& fluid);
+  void judge(problems::SolidProblem& wall);
+
+  /// All that a run needs to go on: the parts, theirs, and what the accuracy is judged by.
+  Parts parts() const;
+  /// What the control needs to go on behind clock(), and back.
+  using Numbers = std::map<std::string, std::vector<double>>;
+  Numbers save() const;
+  void restore(const Numbers& numbers);
+
+  /// Size of fixed steps [ms]; zero where they are adaptive.
+  double fixed_step() const { return control_.fixed_step(); }
+  bool is_done() const { return control_.is_done(); }
+  /// The step made last; before the first, the first.
+  const stepping::Clock& clock() const { return made_; }
+  /// Tries the clock's step, and accepts it where that can be done: the attempts of a step count
+  /// from 1. Collective.
+  using Solve = std::function<StepSummary(const stepping::Clock& clock, int attempt)>;
+
+  /// Makes the next step. Where it is not accepted, the march is over. The record of the run counts
+  /// what was repeated, or accepted in spite of something. Collective.
+  StepSummary make_step(const Solve& solve, RunLog& log);
+
+private:
+  bool is_to_repeat(StepSummary& step, const RunLog& log);
+  bool is_too_inaccurate(StepSummary& step, const RunLog& log);
+  void accept(const StepSummary& step);
+  void tell_repeat(const RunLog& log, const std::string& reason) const;
+  std::vector<fields::State> save_parts() const;
+  void restore_parts(const std::vector<fields::State>& states) const;
+
+  /// Steps and attempts so far, those of the run that goes on among them.
+  struct Counts {
+    int failed = 0, inaccurate = 0;           ///< attempts that were repeated
+    int unconverged = 0, over_tolerance = 0;  ///< steps that were accepted in spite of it
+  };
+
+  RunOutput* output_;
+  Parts parts_;  ///< with their parts
+  stepping::StepControl control_;
+  stepping::Clock made_;
+  std::optional<problems::StepTolerance> tolerance_;  ///< of adaptive steps
+  std::vector<std::pair<std::string, std::unique_ptr<problems::StepError>>> errors_;
+  double eta_ = 0.0;  ///< of the present step, see stepping::StepControl
+  Counts counts_;
+};
+
+}  // namespace tunica::app

@@ -1,0 +1,229 @@
+#include "tunica/stepping/step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tunica/base/error.hpp"
+
+namespace tunica::stepping {
+
+StepControl::StepControl(const StepControlOptions& options, std::vector<double> kinks,
+                         std::vector<double> asked_for)
+    : options_(options), kinks_(options.is_adaptive ? std::move(kinks) : std::vector<double>()),
+      asked_for_(std::move(asked_for)), clock_(options.first_step, options.most_steps, options.end),
+      wanted_(options.first_step) {
+  std::sort(kinks_.begin(), kinks_.end());
+  std::sort(asked_for_.begin(), asked_for_.end());
+  plan();
+}
+
+// Times nearer than this are one.
+double StepControl::slack() const { return 1e-9 * options_.first_step + 1e-14 * options_.end; }
+
+bool StepControl::is_at(const std::vector<double>& times, double time) const {
+  const auto next = std::lower_bound(times.begin(), times.end(), time - slack());
+  return next != times.end() && *next <= time + slack();
+}
+
+bool StepControl::is_done() const {
+  return start_ >= options_.end - slack() ||
+         (options_.is_adaptive && options_.most_steps > 0 && clock_.step() > options_.most_steps);
+}
+
+double StepControl::next_target() const {
+  double target = options_.end;
+  if (!options_.is_adaptive) target = (whole_steps_ + 1) * options_.first_step;
+  for (const auto* times : {&kinks_, &asked_for_}) {
+    const auto next = std::upper_bound(times->begin(), times->end(), start_ + slack());
+    if (next != times->end()) target = std::min(target, *next);
+  }
+  return target;
+}
+
+void StepControl::plan() {
+  const double whole = (whole_steps_ + 1) * options_.first_step;
+  double target = next_target();
+  if (!options_.is_adaptive && target > whole - slack()) target = whole;
+  const double way = target - start_;
+  const bool hits = way <= wanted_ * (1.0 + 1e-9);
+  const double size = way < 2.0 * wanted_ ? 0.5 * way : wanted_;
+  Clock::Plan next{start_ + size, size, 0, false, false, begins_anew_};
+  if (hits) {
+    const bool is_whole =
+        !options_.is_adaptive && target == whole && start_ == whole_steps_ * options_.first_step;
+    next.time = target;
+    next.step_size = is_whole ? options_.first_step : way;
+    next.is_asked_for = is_at(asked_for_, target);
+    next.is_last = target >= options_.end - slack();
+    if (!options_.is_adaptive && target == whole) next.count = whole_steps_ + 1;
+  }
+  if (options_.is_adaptive) {
+    next.count = clock_.step();
+    next.is_last = next.is_last || clock_.step() == options_.most_steps;
+  }
+  clock_.set_step(next);
+}
+
+bool StepControl::replace(double size) {
+  wanted_ = size;
+  is_repeated_ = true;
+  plan();
+  return true;
+}
+
+bool StepControl::cut() {
+  const double size = options_.cut * clock_.step_size();
+  if (cuts_ >= options_.cuts || size < options_.smallest) return false;
+  ++cuts_;
+  return replace(size);
+}
+
+bool StepControl::shorten(double eta) {
+  const double size = clock_.step_size();
+  if (size <= options_.smallest) return false;
+  // At a jump the error falls slower than its order promises: two attempts tell how it does.
+  double power = 1.0;
+  if (rejected_.size > 0.0) power = std::log(rejected_.eta / eta) / std::log(rejected_.size / size);
+  rejected_ = {size, eta};
+  power = power > 0.0 ? std::clamp(power, 0.2, 1.0) : 1.0;
+  const double factor = std::isfinite(eta) ? options_.safety * std::pow(eta, -1.0 / power) : 0.0;
+  return replace(std::max(options_.smallest, size * std::clamp(factor, options_.largest_cut, 0.9)));
+}
+
+void StepControl::advance(double eta) {
+  const double size = clock_.step_size();
+  if (options_.is_adaptive) {
+    double factor = options_.largest_growth;
+    if (eta > 0.0 && last_eta_ > 0.0 && !is_repeated_)
+      factor = options_.safety *
+               std::pow(eta, -options_.integral_gain - options_.proportional_gain) *
+               std::pow(last_eta_, options_.proportional_gain);
+    else if (eta > 0.0)
+      factor = options_.safety / eta;
+    factor = std::clamp(factor, options_.largest_cut, is_repeated_ ? 1.0 : options_.largest_growth);
+    // A step that was shortened to hit a time tells nothing against the size that was wanted.
+    const double most = options_.largest_growth * size;
+    wanted_ = factor < 1.0 ? factor * size : std::max(factor * size, std::min(wanted_, most));
+    wanted_ = std::clamp(wanted_, options_.smallest, options_.largest);
+  } else {
+    wanted_ = std::min(options_.first_step, wanted_ / options_.cut);
+  }
+  last_eta_ = eta;
+  if (clock_.count() > 0) whole_steps_ = clock_.count();
+  start_ = clock_.time();
+  begins_anew_ = is_at(kinks_, start_);
+  if (begins_anew_) last_eta_ = 0.0;
+  cuts_ = 0;
+  is_repeated_ = false;
+  rejected_ = {};
+  clock_.advance();
+  plan();
+}
+
+std::map<std::string, std::vector<double>> StepControl::save() const {
+  const StepSizes& sizes = clock_.step_sizes();
+  return {{"start", {start_}},
+          {"steps", {static_cast<double>(clock_.step() - 1), static_cast<double>(whole_steps_)}},
+          {"sizes", {wanted_, sizes.last, sizes.before}},
+          {"last eta", {last_eta_}}};
+}
+
+void StepControl::restore(const std::map<std::string, std::vector<double>>& state) {
+  start_ = state.at("start").at(0);
+  whole_steps_ = static_cast<int>(state.at("steps").at(1));
+  wanted_ = state.at("sizes").at(0);
+  last_eta_ = state.at("last eta").at(0);
+  clock_.resume_after(static_cast<int>(state.at("steps").at(0)), state.at("sizes").at(1),
+                      state.at("sizes").at(2));
+  begins_anew_ = is_at(kinks_, start_);
+  plan();
+}
+
+StepControlOptions step_control_options(const Teuchos::ParameterList& time) {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  StepControlOptions options{};
+  options.is_adaptive = time.get<std::string>("step control") == "adaptive";
+  options.first_step = time.get<double>("step size");
+  options.cuts = time.get<int>("cuts");
+  options.cut = 0.5;
+  options.largest = any;
+  const int steps = time.get<int>("steps");
+  options.most_steps = steps;
+  if (!options.is_adaptive) {
+    options.end = steps * options.first_step;
+    return options;
+  }
+  options.end = time.get<double>("end time");
+  options.smallest = time.get<double>("smallest step");
+  if (const double largest = time.get<double>("largest step"); largest > 0.0)
+    options.largest = largest;
+  options.largest_cut = time.get<double>("largest cut");
+  options.largest_growth = time.get<double>("largest growth");
+  options.safety = time.get<double>("safety");
+  options.integral_gain = time.get<double>("integral gain");
+  options.proportional_gain = time.get<double>("proportional gain");
+  return options;
+}
+
+namespace {
+
+params::Table adaptive_table() {
+  const params::Range below_one{0.0, 1.0, true, true};
+  params::Table table("steps as long as the error estimate permits");
+  table.number("end time", std::nullopt, params::positive(), "ms", "end of the run")
+      .integer("steps", 0, params::non_negative(), "end after so many steps, if not before; 0: any")
+      .number("tolerance", 0.01, below_one, "1",
+              "error that may add up while the solution changes by its own size, relative to the "
+              "largest displacement and velocity so far")
+      .number("displacement scale", 0.01, params::positive(), "mm",
+              "smaller displacements (root mean square over the wall) are judged as if they were "
+              "of this size")
+      .number("velocity scale", 0.1, params::positive(), "mm/ms",
+              "smaller velocities of fluid and wall are judged as if they were of this size")
+      .number("smallest step", 1e-6, params::positive(), "ms",
+              "a step of this size is accepted with a warning, whatever its error; only a step "
+              "that hits a time is shorter")
+      .number("largest step", 0.0, params::non_negative(), "ms", "upper bound; 0: none")
+      .number("largest growth", 2.0, params::Range{1.0, 2.4, true, false}, "1",
+              "a step is at most so many times as long as the one before; BDF2 bears 1 + sqrt(2)")
+      .number("largest cut", 0.1, below_one, "1",
+              "and at least this times as long, also where it is repeated")
+      .number("safety", 0.9, params::Range{0.0, 1.0, true, false}, "1",
+              "part of the predicted step that is taken")
+      .number("integral gain", 0.6, params::Range{0.0, 1.0, true, false}, "1",
+              "how much the last error says about the next step")
+      .number("proportional gain", 0.2, params::between(0.0, 1.0), "1",
+              "how much the change of the error does")
+      .flag("hit kinks", true,
+            "steps end where the amplitude of a load has a kink or a jump, and the time scheme "
+            "begins anew there; without it the error estimate must find them")
+      .integer("cuts", 10, params::between(0, 30),
+               "how often in a row a step that fails is halved and repeated");
+  table.check([](const Teuchos::ParameterList& list, const std::string& path) {
+    const double largest = list.get<double>("largest step");
+    TUNICA_CHECK(list.get<double>("smallest step") <= list.get<double>("step size"),
+                 path + ": \"smallest step\" exceeds \"step size\", which is the first step.");
+    TUNICA_CHECK(largest == 0.0 || list.get<double>("step size") <= largest,
+                 path + ": \"step size\", which is the first step, exceeds \"largest step\".");
+  });
+  return table;
+}
+
+}  // namespace
+
+params::Table time_table() {
+  params::Table fixed("equidistant steps");
+  fixed.integer("steps", std::nullopt, params::between(1, 1e9), "number of time steps")
+      .integer("cuts", 0, params::between(0, 20),
+               "how often in a row a step that fails is halved and repeated; the steps then return "
+               "to their size; 0: the run ends");
+  params::Table table("Time steps.");
+  table
+      .number("step size", std::nullopt, params::positive(), "ms",
+              "time step; of adaptive steps the first one")
+      .variant("step control", "fixed", {{"fixed", fixed}, {"adaptive", adaptive_table()}},
+               "how long the steps are");
+  return table;
+}
+
+}  // namespace tunica::stepping

@@ -1,0 +1,88 @@
+"""Steps that fail are cut and repeated as if the short ones had been chosen at once; adaptive steps
+go on after a restart; both in a coupled run.
+
+Usage: step_control.py FOLDER_OF_PROGRAMS SCRATCH
+"""
+import json
+import pathlib
+import sys
+
+from runs import ROOT, Run, Verdict, command, fresh, table
+
+CASE = ROOT / "xml" / "pulse-tiny.xml"
+# A preconditioner that is kept from one matrix to the next would remember what was given up.
+EXACT = ["Output/fields every=0"] + [f"{field}/Linear Solver/refresh factor=0"
+                                     for field in ("Fluid", "Wall")]
+# The second step of this size takes 26 iterations, halves of it 14.
+HARD = ["Time/step size=0.5", "Fluid/Surfaces/inlet/traction={0, 0, 4}",
+        "Coupling/max iterations=20"]
+ADAPTIVE = ["Time/step control=adaptive", "Time/end time=0.2", "Time/tolerance=0.05"]
+
+
+def run_case(programs, folder, output, settings, more=()):
+    words = [CASE, "--output", output, *more]
+    for setting in EXACT + settings:
+        words += ["--set", setting]
+    return Run(command(programs / "tunica-fsi", words), folder), folder / output
+
+
+def same(verdict, name, one, other, but=("seconds",)):
+    """Two histories agree to the last digit."""
+    one, other = table(one / "steps.csv"), table(other / "steps.csv")
+    differing = [column for column in one
+                 if column not in but and one[column] != other.get(column)]
+    verdict.claim(one.keys() == other.keys() and not differing,
+                  f"{name}: {len(one['step'])} steps agree to the last digit {differing[:5]}")
+
+
+def cuts(verdict, programs, folder):
+    run, _ = run_case(programs, folder, "uncut", HARD, ["--steps", 2])
+    verdict.claim(run.status == 2 and "time 1 ms: the interface residual is" in run.err,
+                  f"uncut: the second step fails, exit status {run.status} is 2")
+    run, results = run_case(programs, folder, "cut", HARD + ["Time/cuts=2"], ["--steps", 2])
+    verdict.claim(run.status == 0, f"cut: exit status {run.status} is 0")
+    verdict.claim("step 2 is repeated with 0.25 ms: time 1 ms: the interface residual" in run.out,
+                  "cut: the log says what is repeated, with what and why")
+    rows = table(results / "steps.csv")
+    verdict.claim(rows["time"] == [0.5, 0.75, 1.0] and rows["rejected"] == [0.0, 1.0, 0.0] and
+                  rows["step_size"] == [0.5, 0.25, 0.25], "cut: steps.csv shows where")
+    counts = json.loads((results / "run.json").read_text())["steps"]
+    verdict.claim(counts["accepted"] == 3 and counts["failed and repeated"] == 1,
+                  f"cut: run.json counts {counts}")
+    coupling = table(results / "coupling.csv")
+    attempts = {(step, attempt) for step, attempt in zip(coupling["step"], coupling["attempt"])}
+    verdict.claim(attempts == {(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (3.0, 1.0)},
+                  "cut: coupling.csv has both attempts")
+    _, chosen = run_case(programs, folder, "chosen", HARD + ["Output/fields at={0.75}"],
+                         ["--steps", 2])
+    same(verdict, "cut", results, chosen, ("seconds", "rejected"))
+
+
+def goes_on(verdict, programs, folder):
+    run, straight = run_case(programs, folder, "straight", ADAPTIVE, ["--steps", 9])
+    verdict.claim(run.status == 0, f"straight: exit status {run.status} is 0")
+    rows = table(straight / "steps.csv")
+    verdict.claim(rows["rejected"][0] > 0 and max(rows["error_estimate"]) <= 1.0 and
+                  rows["step_size"][-1] > 3 * rows["step_size"][0],
+                  f"straight: steps grow from {rows['step_size'][0]:.4f} to "
+                  f"{rows['step_size'][-1]:.4f} ms within the tolerance")
+    run_case(programs, folder, "broken", ADAPTIVE, ["--steps", 5])
+    run, broken = run_case(programs, folder, "broken", ADAPTIVE, ["--steps", 9, "--restart"])
+    verdict.claim(run.status == 0 and "restart after step 5" in run.out,
+                  "broken: goes on after its fifth step")
+    same(verdict, "broken", broken, straight)
+    run, _ = run_case(programs, folder, "broken", [], ["--steps", 20, "--restart"])
+    verdict.claim(run.status == 1 and "was made with adaptive steps" in run.err,
+                  "broken: does not go on with fixed steps")
+
+
+def main(programs, scratch):
+    verdict = Verdict()
+    folder = fresh(scratch)
+    for part in (cuts, goes_on):
+        part(verdict, programs, folder)
+    return verdict.status()
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])))
