@@ -11,9 +11,9 @@
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
-#include "tunica/app/solver_table.hpp"
-#include "tunica/app/system_capture.hpp"
-#include "tunica/app/system_export.hpp"
+#include "tunica/compare/solver_table.hpp"
+#include "tunica/compare/system_capture.hpp"
+#include "tunica/compare/system_export.hpp"
 #include "tunica/coupling/dirichlet_neumann.hpp"
 #include "tunica/io/matrix_market.hpp"
 #include "tunica/systems/read_system.hpp"
@@ -26,7 +26,7 @@ using namespace tunica;
 struct Complete {};
 
 /// Marches until the wanted coupling iteration is over. Not converging before it is a result.
-Outcome march_to_wanted(app::SystemCapture& capture, coupling::Scheme& scheme,
+Outcome march_to_wanted(compare::SystemCapture& capture, coupling::Scheme& scheme,
                         stepping::Clock clock, app::RunLog& log) {
   for (; !clock.is_done(); clock.advance()) {
     capture.enter(0, 0);  // what the coupling solves for itself is not asked for
@@ -61,9 +61,9 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   // 2. Every wanted system is written and goes through all settings before it is solved.
   const CommPtr comm = domain.fluid->comm;
   const Teuchos::ParameterList& solvers = list.sublist("Solvers");
-  const app::SystemExport files(solvers.get<std::string>("export folder"), output.record, comm);
-  app::SolverTable table(list, output, comm->getRank() == 0);
-  app::SystemCapture capture(solvers, [&](const app::LinearSystem& system) {
+  const compare::SystemExport files(solvers.get<std::string>("export folder"), output.record, comm);
+  compare::SolverTable table(list, output.folder, output.record, comm->getRank() == 0);
+  compare::SystemCapture capture(solvers, [&](const compare::LinearSystem& system) {
     files.write(system);
     files.write(system, table.run(system));
   });
@@ -96,14 +96,14 @@ std::function<Outcome(app::RunOutput&)> load_system(const Teuchos::ParameterList
               << system->K(1, 1)->getGlobalNumRows()
               << " scalar unknowns\nranks: " << comm->getSize() << std::endl;
   return [system, list, comm](app::RunOutput& output) {
-    app::SolverTable table(list, output, comm->getRank() == 0);
+    compare::SolverTable table(list, output.folder, output.record, comm->getRank() == 0);
     const auto best =
         table.run({"system", 0, 0, 0, &system->K, &system->b, &linear::no_operators()});
     table.print();
     if (!best) return Outcome::failure("no setting came nearer to the solution than zero");
     const algebra::BlockVector x = systems::in_file_order(*system, best->x);
     io::write_matrix_market(output.folder.file("solution.mtx"), {&x[0], &x[1]},
-                            app::note_on(*best));
+                            compare::note_on(*best));
     return Outcome::success();
   };
 }

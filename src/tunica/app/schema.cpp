@@ -1,11 +1,11 @@
 #include "tunica/app/schema.hpp"
 
 #include "tunica/app/probes.hpp"
-#include "tunica/app/solver_table.hpp"
 #include "tunica/app/surface_report.hpp"
-#include "tunica/app/system_capture.hpp"
-#include "tunica/app/system_export.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/compare/solver_table.hpp"
+#include "tunica/compare/system_capture.hpp"
+#include "tunica/compare/system_export.hpp"
 #include "tunica/coupling/dirichlet_neumann.hpp"
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/mesh_motion.hpp"
@@ -87,9 +87,9 @@ params::Table fluid_table() {
 
 params::Table solvers_table() {
   params::Table solvers("What tunica-solvers compares, and on which linear systems.");
-  add_capture_keys(solvers);
-  add_setting_keys(solvers);
-  add_export_keys(solvers);
+  compare::add_capture_keys(solvers);
+  compare::add_setting_keys(solvers);
+  compare::add_export_keys(solvers);
   params::Table table = fsi_table();
   table.sublist("Solvers", solvers).check(check_wish);
   return table;
@@ -97,7 +97,7 @@ params::Table solvers_table() {
 
 params::Table system_solvers_table() {
   params::Table solvers("What tunica-solvers compares.");
-  add_system_setting_keys(solvers);
+  compare::add_system_setting_keys(solvers);
   params::Table output("What a run leaves behind.");
   output.text("folder", "results", "folder of the results; --output overrides it");
   params::Table table("A linear system of another program.");

@@ -18,14 +18,18 @@ Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
     : MixedField(mesh, {{{"velocity", 3}, {"pressure", 1}},
                         boundary::conditions_of(list.sublist("Surfaces")),
                         boundary::fluid_conditions(),
-                        stepping::make_fluid_scheme(list),
-                        fluid_options(list).has_dynamic_subscales}),
+                        stepping::make_fluid_scheme(list)}),
       options_(fluid_options(list)), position_(mesh.x) {
   for (auto* field : {&local_.u, &local_.u_old, &local_.w, &local_.f})
     field->assign(mesh.n_nodes(), Vec3{});
   local_.p.resize(mesh.n_nodes());
   elements_.coefficients = {options_.density, options_.viscosity, 0.0, options_.viscous_factor,
                             options_.has_dynamic_subscales};
+  if (options_.has_dynamic_subscales)
+    subscales_ = remember("subscales",
+                          [this] { return assembly::fluid_subscales(*mesh_, elements_, local_); });
+  if (options_.has_viscous_residual)
+    viscous_ = remember("viscous force", [this] { return viscous_forces(); });
   elements_.geometry = assembly::geometry_of(mesh, mesh.x);
   // Without an open surface the pressure is known up to a constant: pin it at the node with the
   // smallest vertex, the same on any ranks.
@@ -49,6 +53,12 @@ std::vector<int> Fluid::open_surfaces() const {
   return surfaces;
 }
 
+void Fluid::start_from(const algebra::BlockVector& x) {
+  read(x);
+  history_.value() = local_.u;
+  if (viscous_) viscous_->start_from(viscous_forces());
+}
+
 void Fluid::begin_step(const stepping::Clock& clock) {
   time_ = scheme_->load_time(clock);
   scheme_->begin_step(clock);
@@ -56,6 +66,7 @@ void Fluid::begin_step(const stepping::Clock& clock) {
   local_.u_old = scheme_->pasts(history_);
   predicted_ = scheme_->predictions(history_);
   if (subscales_) local_.subscale = scheme_->pasts(subscales_->history());
+  if (viscous_) local_.viscous = scheme_->predictions(viscous_->history());
   surfaces_.begin_step();
 }
 
@@ -81,8 +92,8 @@ boundary::Surroundings Fluid::surroundings() const {
       &local_.w, options_.density, time_,      boundary_velocity_ ? &boundary_velocity_ : nullptr};
 }
 
-std::vector<Vec3> Fluid::subscale_values() const {
-  return assembly::fluid_subscales(*mesh_, elements_, local_);
+std::vector<Vec3> Fluid::viscous_forces() const {
+  return assembly::viscous_forces(*mesh_, elements_.geometry, options_.viscosity, local_.u);
 }
 
 double Fluid::outflow(const fields::Face& face, const std::vector<Vec3>& u) const {
@@ -117,9 +128,6 @@ void Fluid::prescribe(algebra::BlockVector& x) {
   if (is_closed_) check_closed_flow(x);
   elements_.tau = assembly::fluid_taus(
       *mesh_, elements_, options_.has_predicted_tau ? predicted_ : local_.u_old, local_.w);
-  if (options_.has_viscous_residual)
-    local_.viscous =
-        assembly::viscous_forces(*mesh_, elements_.geometry, options_.viscosity, predicted_);
   if (body_force_)
     for (int a = 0; a < mesh_->n_nodes(); ++a) local_.f[a] = body_force_(position_[a], time_);
 }

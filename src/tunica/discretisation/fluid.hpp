@@ -19,6 +19,8 @@ public:
   Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
   ~Fluid() override;
 
+  /// Takes x for the state at the start, instead of rest. Collective.
+  void start_from(const algebra::BlockVector& x);
   void begin_step(const stepping::Clock& clock);
   /// Moves the mesh to the displacement d of all local nodes; the mesh velocity and the velocity
   /// on the interface are those that the time scheme sees between d_past, its past of the mesh's
@@ -55,7 +57,8 @@ public:
 
 private:
   boundary::Surroundings surroundings() const override;
-  std::vector<Vec3> subscale_values() const override;
+  /// Of the values read, per local element.
+  std::vector<Vec3> viscous_forces() const;
   /// Volume of fluid that leaves through the face [mm³/ms]; u on local nodes.
   double outflow(const fields::Face& face, const std::vector<Vec3>& u) const;
   void check_closed_flow(const algebra::BlockVector& x) const;
@@ -80,9 +83,11 @@ private:
   boundary::VectorField body_force_, boundary_velocity_;
 
   std::vector<Vec3> position_;
-  std::vector<Vec3> predicted_;  ///< velocity expected at the new time, local nodes
-  assembly::FluidFields local_;  ///< ghosted copies; u and p at the point of evaluation
-  bool is_closed_ = false;       ///< no surface lets the fluid out
+  ElementHistory* subscales_ = nullptr;  ///< null where they have no inertia
+  ElementHistory* viscous_ = nullptr;    ///< of the viscous force; null where it is left out
+  std::vector<Vec3> predicted_;          ///< velocity expected at the new time, local nodes
+  assembly::FluidFields local_;          ///< ghosted copies; u and p at the point of evaluation
+  bool is_closed_ = false;               ///< no surface lets the fluid out
   double time_ = 0.0;
 };
 

@@ -10,7 +10,6 @@ MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
       history_(scheme_->remembers(), mesh.n_nodes()),
       surfaces_(parts.conditions, parts.registry, mesh), fixed_(mesh.n_nodes(), 0),
       K_(mesh, parts.blocks), R_(mesh) {
-  if (parts.has_dynamic_subscales) subscales_ = std::make_unique<Subscales>(*scheme_, mesh);
   surfaces_.constrain(fixed_);
   surfaces_.follow(*scheme_);
   if (surfaces_.rank() > 0) K_.make_low_rank(surfaces_.rank());
@@ -34,13 +33,22 @@ void MixedField::assemble_jacobian(const algebra::BlockVector& x) {
   throughput_.seconds += watch.seconds();
 }
 
-void MixedField::start_from(const algebra::BlockVector& x) {
-  history_.value() = fields::ghosted_vectors(*mesh_, x[0]);
+ElementHistory* MixedField::remember(const std::string& name, ElementValues values) {
+  on_elements_.push_back(
+      {name, std::move(values), std::make_unique<ElementHistory>(*scheme_, *mesh_)});
+  return on_elements_.back().history.get();
+}
+
+std::map<std::string, fields::Restartable*> MixedField::element_histories() {
+  std::map<std::string, fields::Restartable*> all;
+  for (const ElementQuantity& quantity : on_elements_)
+    all.emplace(quantity.name, quantity.history.get());
+  return all;
 }
 
 void MixedField::end_step(const algebra::BlockVector& x) {
   read(x);
-  if (subscales_) subscales_->accept(subscale_values());
+  for (const ElementQuantity& quantity : on_elements_) quantity.history->accept(quantity.values());
   scheme_->accept(*surroundings().u, history_);
   surfaces_.end_step(surroundings());
 }
@@ -52,7 +60,7 @@ void MixedField::save_history(fields::State& state) const {
 
 std::string MixedField::restore_history(const fields::State& state, const algebra::BlockVector& x) {
   restore_parts(state, *mesh_, history_);
-  start_from(x);
+  history_.value() = fields::ghosted_vectors(*mesh_, x[0]);
   return surfaces_.restore(state);
 }
 

@@ -1,15 +1,19 @@
 #pragma once
+#include <functional>
+#include <map>
+#include <memory>
+
 #include "tunica/assembly/block_assembler.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/boundary/surface_terms.hpp"
 #include "tunica/discretisation/discretisation.hpp"
-#include "tunica/discretisation/subscales.hpp"
+#include "tunica/discretisation/element_history.hpp"
 
 namespace tunica::discretisation {
 
 /// What fluid and wall have in common: a vector and a scalar at each node, whose residual and
 /// Jacobian are summed over elements and faces, and what is remembered of them from step to step:
-/// by the time scheme of the vector, by subscales and by surfaces.
+/// by the time scheme of the vector, on elements and by surfaces.
 class MixedField : public Discretisation {
 public:
   const fields::FieldMesh& mesh() const { return *mesh_; }
@@ -25,13 +29,11 @@ public:
   double mass_norm(const algebra::BlockVector& dx) const override;
 
   const stepping::TimeScheme& time_scheme() const { return *scheme_; }
-  /// None where they have no inertia.
-  Subscales* subscales() { return subscales_.get(); }
-  /// Takes x for the state at the start, instead of rest. Collective.
-  void start_from(const algebra::BlockVector& x);
+  /// What is remembered on elements, by name.
+  std::map<std::string, fields::Restartable*> element_histories();
   /// Accepts x as the state of the new time. Collective.
   void end_step(const algebra::BlockVector& x);
-  /// What is remembered beside x and the subscales.
+  /// What is remembered beside x, and not on elements.
   void save_history(fields::State& state) const;
   /// x: of the state. Returns a sentence about what the state does not know and begins anew.
   /// Collective.
@@ -44,7 +46,6 @@ protected:
     std::vector<boundary::Condition> conditions;
     const std::vector<boundary::ConditionEntry>& registry;
     std::unique_ptr<stepping::TimeScheme> scheme;
-    bool has_dynamic_subscales;
   };
   /// mesh must outlive the object. Collective.
   MixedField(const fields::FieldMesh& mesh, Parts parts);
@@ -57,21 +58,28 @@ protected:
   virtual void assemble(assembly::BlockAssembler* K) = 0;
   /// What the terms of the surfaces see, of the values read.
   virtual boundary::Surroundings surroundings() const = 0;
-  /// The subscales that belong to the values read, per local element.
-  virtual std::vector<Vec3> subscale_values() const = 0;
+  /// Remembers something per local element; values: gives what belongs to the values read.
+  using ElementValues = std::function<std::vector<Vec3>()>;
+  ElementHistory* remember(const std::string& name, ElementValues values);
   /// The elements on which masses are taken.
   virtual const std::vector<kernels::Tet4>& geometry() const = 0;
 
   const fields::FieldMesh* mesh_;
   std::unique_ptr<stepping::TimeScheme> scheme_;
   stepping::History history_;  ///< of the vector
-  std::unique_ptr<Subscales> subscales_;
   boundary::SurfaceTerms surfaces_;
   assembly::Constraints fixed_;  ///< per local node
   fields::BlockOperator K_;
   assembly::NodalResidual R_;
 
 private:
+  struct ElementQuantity {
+    std::string name;
+    ElementValues values;
+    std::unique_ptr<ElementHistory> history;
+  };
+
+  std::vector<ElementQuantity> on_elements_;
   Throughput throughput_;
 };
 

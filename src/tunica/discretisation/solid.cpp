@@ -14,14 +14,16 @@ Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
     : MixedField(mesh, {{{"displacement", 3}, {"pressure", 1}},
                         boundary::conditions_of(list.sublist("Surfaces")),
                         boundary::wall_conditions(),
-                        stepping::make_wall_scheme(list),
-                        solid_options(list).has_dynamic_subscales}),
+                        stepping::make_wall_scheme(list)}),
       options_(solid_options(list)), nodal_force_(mesh.n_owned) {
   local_.r.assign(mesh.n_nodes(), Vec3{});
   local_.d.resize(mesh.n_nodes());
   local_.p.resize(mesh.n_nodes());
   set_elements();
   set_layer_boundaries();
+  if (options_.has_dynamic_subscales)
+    subscales_ = remember("subscales",
+                          [this] { return assembly::solid_subscales(*mesh_, elements_, local_); });
   elements_.frames = std::move(frames);
 }
 
@@ -96,10 +98,6 @@ void Solid::begin_step(const stepping::Clock& clock) {
   }
   set_inertia_history();
   surfaces_.begin_step();
-}
-
-std::vector<Vec3> Solid::subscale_values() const {
-  return assembly::solid_subscales(*mesh_, elements_, local_);
 }
 
 void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const {

@@ -62,7 +62,6 @@ private:
   boundary::Surroundings surroundings() const override {
     return {mesh_, &mesh_->x, &mesh_->x, &local_.d, nullptr, 0.0, time_};
   }
-  std::vector<Vec3> subscale_values() const override;
   void read(const algebra::BlockVector& x) override;
   bool is_admissible() override;
   void assemble(assembly::BlockAssembler* K) override;
@@ -74,8 +73,9 @@ private:
   std::vector<char> is_at_layer_;  ///< per element: it touches another material
   assembly::SolidElements elements_;
 
-  double unit_inertia_ = -1.0;   ///< of the coefficients: the scheme's for unit density
-  assembly::SolidFields local_;  ///< ghosted copy of the point of evaluation
+  ElementHistory* subscales_ = nullptr;  ///< null where they have no inertia
+  double unit_inertia_ = -1.0;           ///< of the coefficients: the scheme's for unit density
+  assembly::SolidFields local_;          ///< ghosted copy of the point of evaluation
   std::vector<Vec3> nodal_force_;
   boundary::VectorField body_force_;
   double time_ = 0.0;

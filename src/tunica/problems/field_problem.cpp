@@ -57,8 +57,7 @@ std::string FieldProblem::restore(const fields::State& state) {
 }
 
 std::map<std::string, fields::Restartable*> FieldProblem::inner_parts() {
-  if (field_->subscales() == nullptr) return {};
-  return {{"subscales", field_->subscales()}};
+  return field_->element_histories();
 }
 
 nonlinear::NewtonReport FieldProblem::find_state() {

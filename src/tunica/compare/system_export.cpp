@@ -1,4 +1,4 @@
-#include "tunica/app/system_export.hpp"
+#include "tunica/compare/system_export.hpp"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/io/matrix_market.hpp"
 
-namespace tunica::app {
+namespace tunica::compare {
 
 namespace {
 
@@ -160,4 +160,4 @@ void SystemExport::write(const LinearSystem& system,
   io::write_matrix_market(file, vectors_of(solution->x), note_on(*solution));
 }
 
-}  // namespace tunica::app
+}  // namespace tunica::compare

@@ -5,7 +5,7 @@
 #include "tunica/fields/field_mesh.hpp"
 #include "tunica/linear/named_operators.hpp"
 
-namespace tunica::app {
+namespace tunica::compare {
 
 /// One linear system K x = b, and where in a run it stands. The objects referred to belong to the
 /// problem and change with the next Newton step.
@@ -25,4 +25,4 @@ struct LinearSystem {
   }
 };
 
-}  // namespace tunica::app
+}  // namespace tunica::compare

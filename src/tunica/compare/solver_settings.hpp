@@ -2,10 +2,10 @@
 #include <limits>
 #include <vector>
 
-#include "tunica/app/linear_system.hpp"
+#include "tunica/compare/linear_system.hpp"
 #include "tunica/linear/linear_solver.hpp"
 
-namespace tunica::app {
+namespace tunica::compare {
 
 /// One entry of the list of settings.
 struct SolverSetting {
@@ -41,4 +41,4 @@ SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, 
 /// |x − y| / |y|, the larger one of the two blocks.
 double relative_difference(const algebra::BlockVector& x, const algebra::BlockVector& y);
 
-}  // namespace tunica::app
+}  // namespace tunica::compare

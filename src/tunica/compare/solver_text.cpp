@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "tunica/app/solver_table.hpp"
+#include "tunica/compare/solver_table.hpp"
 
-namespace tunica::app {
+namespace tunica::compare {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::string text_of(const std::vector<SolverRow>& all, const std::string& field)
   return text;
 }
 
-}  // namespace tunica::app
+}  // namespace tunica::compare

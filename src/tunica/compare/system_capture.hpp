@@ -2,11 +2,11 @@
 #include <functional>
 #include <map>
 
-#include "tunica/app/linear_system.hpp"
+#include "tunica/compare/linear_system.hpp"
 #include "tunica/params/table.hpp"
 #include "tunica/problems/field_problem.hpp"
 
-namespace tunica::app {
+namespace tunica::compare {
 
 /// Adds the keys that say which linear systems of a coupled run are wanted.
 void add_capture_keys(params::Table& table);
@@ -46,4 +46,4 @@ private:
   std::map<std::string, int> newton_steps_;  ///< of the present coupling iteration, by field
 };
 
-}  // namespace tunica::app
+}  // namespace tunica::compare

@@ -1,8 +1,8 @@
-#include "tunica/discretisation/subscales.hpp"
+#include "tunica/discretisation/element_history.hpp"
 
 namespace tunica::discretisation {
 
-fields::State Subscales::save() const {
+fields::State ElementHistory::save() const {
   fields::State state = fields::element_state_on(*mesh_);
   state.arrays["value"] = fields::element_rows_of(history_.value(), *mesh_);
   int k = 0;
@@ -11,7 +11,7 @@ fields::State Subscales::save() const {
   return state;
 }
 
-std::string Subscales::restore(const fields::State& state) {
+std::string ElementHistory::restore(const fields::State& state) {
   history_.value() = fields::all_element_rows(state.array("value", 3), *mesh_);
   int k = 0;
   for (const std::string& name : history_.names())

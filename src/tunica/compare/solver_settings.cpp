@@ -1,4 +1,4 @@
-#include "tunica/app/solver_settings.hpp"
+#include "tunica/compare/solver_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
 
-namespace tunica::app {
+namespace tunica::compare {
 
 namespace {
 
@@ -82,4 +82,4 @@ double relative_difference(const algebra::BlockVector& x, const algebra::BlockVe
   return largest;
 }
 
-}  // namespace tunica::app
+}  // namespace tunica::compare

@@ -3,11 +3,12 @@
 #include <memory>
 #include <optional>
 
-#include "tunica/app/run.hpp"
-#include "tunica/app/solver_settings.hpp"
+#include "tunica/compare/solver_settings.hpp"
 #include "tunica/io/csv_table.hpp"
+#include "tunica/output/run_folder.hpp"
+#include "tunica/output/run_record.hpp"
 
-namespace tunica::app {
+namespace tunica::compare {
 
 /// Adds the settings of both fields and the tolerance.
 void add_setting_keys(params::Table& table);
@@ -34,7 +35,8 @@ public:
   /// list: the resolved case. A field without settings gets that of its own "Linear Solver"
   /// list, named "case", a system of another program the default. The record must outlive the
   /// table.
-  SolverTable(const Teuchos::ParameterList& list, const RunOutput& output, bool is_root);
+  SolverTable(const Teuchos::ParameterList& list, const output::RunFolder& folder,
+              const output::RunRecord& record, bool is_root);
 
   /// Adds a row for each setting of the system's field, and says so on the screen. Nothing where no
   /// setting gave a solution. Collective.
@@ -62,4 +64,4 @@ private:
 /// to those of the first setting.
 std::string text_of(const std::vector<SolverRow>& all, const std::string& field);
 
-}  // namespace tunica::app
+}  // namespace tunica::compare

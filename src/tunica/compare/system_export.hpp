@@ -1,8 +1,8 @@
 #pragma once
-#include "tunica/app/linear_system.hpp"
-#include "tunica/app/solver_table.hpp"
+#include "tunica/compare/linear_system.hpp"
+#include "tunica/compare/solver_table.hpp"
 
-namespace tunica::app {
+namespace tunica::compare {
 
 /// Adds the key of the folder.
 void add_export_keys(params::Table& table);
@@ -37,4 +37,4 @@ private:
   CommPtr comm_;
 };
 
-}  // namespace tunica::app
+}  // namespace tunica::compare

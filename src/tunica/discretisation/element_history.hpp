@@ -5,18 +5,20 @@
 
 namespace tunica::discretisation {
 
-/// What time-dependent subscales remember: a vector per local element, brought to each new time by
+/// What a field remembers on its elements: a vector per local element, brought to each new time by
 /// the time scheme of the field. A rank holds those of all its elements, shared ones too: each
-/// computes them from the same values. Zero at the start. The subscale is of the element: where
-/// the mesh moves, it goes along.
-class Subscales final : public fields::Restartable {
+/// computes them from the same values. Zero at the start. It is of the element: where the mesh
+/// moves, it goes along.
+class ElementHistory final : public fields::Restartable {
 public:
   /// mesh and scheme must outlive the object.
-  Subscales(const stepping::TimeScheme& scheme, const fields::FieldMesh& mesh)
+  ElementHistory(const stepping::TimeScheme& scheme, const fields::FieldMesh& mesh)
       : mesh_(&mesh), scheme_(&scheme),
         history_(scheme.remembers(), static_cast<int>(mesh.tets.size())) {}
 
   const stepping::History& history() const { return history_; }
+  /// Takes these values for those at the start.
+  void start_from(std::vector<Vec3> values) { history_.value() = std::move(values); }
   void accept(const std::vector<Vec3>& values) { scheme_->accept(values, history_); }
 
   // Restartable: rows are elements

@@ -1,4 +1,4 @@
-#include "tunica/app/solver_table.hpp"
+#include "tunica/compare/solver_table.hpp"
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/solid_problem.hpp"
 
-namespace tunica::app {
+namespace tunica::compare {
 
 namespace {
 
@@ -131,11 +131,12 @@ std::string note_on(const BestSolution& solution) {
   return text.str();
 }
 
-SolverTable::SolverTable(const Teuchos::ParameterList& list, const RunOutput& output, bool is_root)
+SolverTable::SolverTable(const Teuchos::ParameterList& list, const output::RunFolder& folder,
+                         const output::RunRecord& record, bool is_root)
     : settings_(all_settings(list)), tolerance_(list.sublist("Solvers").get<double>("tolerance")),
-      place_(place_of(list.sublist("Solvers"))), is_root_(is_root), record_(&output.record),
-      json_file_(output.folder.file("solvers.json")),
-      csv_(output.folder.file("solvers.csv"), columns(), is_root) {
+      place_(place_of(list.sublist("Solvers"))), is_root_(is_root), record_(&record),
+      json_file_(folder.file("solvers.json")),
+      csv_(folder.file("solvers.csv"), columns(), is_root) {
   save();  // so that it never tells of an earlier run
 }
 
@@ -192,4 +193,4 @@ void SolverTable::print() const {
   std::cout << std::flush;
 }
 
-}  // namespace tunica::app
+}  // namespace tunica::compare

@@ -1,8 +1,8 @@
-#include "tunica/app/system_capture.hpp"
+#include "tunica/compare/system_capture.hpp"
 
 #include <tuple>
 
-namespace tunica::app {
+namespace tunica::compare {
 
 void add_capture_keys(params::Table& table) {
   table.integer("step", 1, params::between(1, 1e9), "the time step whose Jacobians are taken")
@@ -53,4 +53,4 @@ bool SystemCapture::is_wanted(const std::string& field, int newton_step) const {
          (wanted_newton_step_ == 0 || wanted_newton_step_ == newton_step);
 }
 
-}  // namespace tunica::app
+}  // namespace tunica::compare
