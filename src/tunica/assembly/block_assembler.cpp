@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tunica/assembly/common_motion.hpp"
 #include "tunica/base/error.hpp"
 
 namespace tunica::assembly {
@@ -76,13 +77,18 @@ void NodalResidual::store(const fields::FieldMesh& mesh, const Constraints& fixe
   }
 }
 
-BlockAssembler::BlockAssembler(fields::BlockOperator& K, const Constraints& fixed)
-    : K_(&K), mesh_(&K.mesh()), graph_(&K.graph()), fixed_(&fixed), A_(open_values(*K(0, 0))),
-      B1T_(open_values(*K(0, 1))), B2_(open_values(*K(1, 0))), mC_(open_values(*K(1, 1))) {}
+BlockAssembler::BlockAssembler(fields::BlockOperator& K, const Constraints& fixed,
+                               CommonMotions* motions)
+    : K_(&K), mesh_(&K.mesh()), graph_(&K.graph()), fixed_(&fixed), motions_(motions),
+      A_(open_values(*K(0, 0))), B1T_(open_values(*K(0, 1))), B2_(open_values(*K(1, 0))),
+      mC_(open_values(*K(1, 1))) {
+  if (motions_ != nullptr) motions_->begin();
+}
 
 void BlockAssembler::finish() {
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) close_values(*(*K_)(i, j));
+  if (motions_ != nullptr) motions_->store(*fixed_, *K_);
 }
 
 void BlockAssembler::add(std::size_t e, const kernels::MixedJacobian& Ke) {
@@ -90,6 +96,7 @@ void BlockAssembler::add(std::size_t e, const kernels::MixedJacobian& Ke) {
   const std::array<std::uint8_t, 4> fixed{(*fixed_)[nodes[0]], (*fixed_)[nodes[1]],
                                           (*fixed_)[nodes[2]], (*fixed_)[nodes[3]]};
   if ((fixed[0] | fixed[1] | fixed[2] | fixed[3]) == 0) return scatter(e, Ke);
+  if (motions_ != nullptr) motions_->collect(nodes, Ke);
   kernels::MixedJacobian constrained = Ke;
   constrain(fixed, constrained);
   scatter(e, constrained);
@@ -127,6 +134,7 @@ void BlockAssembler::scatter(std::size_t e, const kernels::MixedJacobian& Ke) {
 }
 
 void BlockAssembler::add(const fields::Face& face, const kernels::SurfaceJacobian& Ke) {
+  if (motions_ != nullptr) motions_->collect(face, Ke);
   for (int a = 0; a < 3; ++a) {
     const int row = face.nodes[a];
     if (row >= mesh_->n_owned) continue;

@@ -8,6 +8,8 @@
 
 namespace tunica::assembly {
 
+class CommonMotions;
+
 /// Dirichlet dofs of the local nodes: bits 0, 1, 2 for the components of the vector unknown,
 /// bit 3 for the scalar one.
 using Constraints = std::vector<std::uint8_t>;
@@ -38,7 +40,9 @@ struct NodalResidual {
 /// vectors go to the operator's part of low rank, which has as many as are added.
 class BlockAssembler {
 public:
-  BlockAssembler(fields::BlockOperator& K, const Constraints& fixed);
+  /// motions: take what they need of the dropped rows and columns; may be null.
+  BlockAssembler(fields::BlockOperator& K, const Constraints& fixed,
+                 CommonMotions* motions = nullptr);
   void add(std::size_t e, const kernels::MixedJacobian& Ke);
   void add(const fields::Face& face, const kernels::SurfaceJacobian& Ke);
   /// s w vᵀ on the vector unknown, given on the owned nodes.
@@ -52,6 +56,7 @@ private:
   const fields::FieldMesh* mesh_;
   const fields::NodeGraph* graph_;
   const Constraints* fixed_;
+  CommonMotions* motions_;
   double *A_, *B1T_, *B2_, *mC_;
   int next_product_ = 0;
 };

@@ -25,6 +25,13 @@ struct Surroundings {
   const VectorField* velocity = nullptr;
 };
 
+/// A component of the vector unknown that the nodes of a surface have in common.
+struct CommonMotion {
+  int component;
+  bool has_force;                            ///< a force on them is given, not the component
+  std::function<double(double time)> value;  ///< of the component [mm], or of the force [mN]
+};
+
 /// What happens on one surface of a field. A term adds to residual and Jacobian, or prescribes
 /// components of the vector unknown, or both. A condition of a case may be made of several terms.
 ///
@@ -41,6 +48,10 @@ public:
   virtual Vec3 prescribed(const Surroundings&, int /*node*/) const { return {}; }
   /// Where surfaces meet, the value of the term with the higher one holds.
   virtual int precedence() const { return 0; }
+
+  /// Components that the surface's nodes have in common, as far as no other term prescribes them.
+  /// The term outlives what it returns.
+  virtual std::vector<CommonMotion> common_motions() const { return {}; }
 
   /// Adds the part of one face to the residual, and to the Jacobian where K is not null.
   virtual void add(const Surroundings&, const fields::Face&, assembly::NodalResidual&,

@@ -6,8 +6,6 @@
 
 namespace tunica::boundary {
 
-namespace {
-
 using Names = Teuchos::Array<std::string>;
 
 void check_components(const Teuchos::ParameterList& list, const std::string& path) {
@@ -19,7 +17,11 @@ void check_components(const Teuchos::ParameterList& list, const std::string& pat
                  path + ": \"components\" holds \"" + c + "\", expected x, y or z.");
 }
 
-}  // namespace
+std::vector<int> components_of(const Teuchos::ParameterList& list) {
+  std::vector<int> components;
+  for (const auto& c : list.get<Names>("components")) components.push_back(c[0] - 'x');
+  return components;
+}
 
 ConditionEntry clamped() {
   return {Field::wall, "clamped", params::Table("no displacement"),
@@ -34,9 +36,7 @@ ConditionEntry held() {
       .check(check_components);
   return {Field::wall, "held", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
-            std::vector<int> components;
-            for (const auto& c : list.get<Names>("components")) components.push_back(c[0] - 'x');
-            return terms(std::make_unique<Held>(components));
+            return terms(std::make_unique<Held>(components_of(list)));
           }};
 }
 

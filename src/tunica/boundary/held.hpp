@@ -13,6 +13,10 @@ private:
   std::vector<int> components_;
 };
 
+/// The "components" of a resolved list, as numbers; and the check of the key.
+std::vector<int> components_of(const Teuchos::ParameterList& list);
+void check_components(const Teuchos::ParameterList& list, const std::string& path);
+
 /// "clamped", "held" and "interface" of a wall; on the last the fluid's force comes from outside.
 ConditionEntry clamped();
 ConditionEntry held();

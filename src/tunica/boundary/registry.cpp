@@ -2,6 +2,7 @@
 
 #include "tunica/boundary/follower_pressure.hpp"
 #include "tunica/boundary/held.hpp"
+#include "tunica/boundary/moved.hpp"
 #include "tunica/boundary/prescribed_velocity.hpp"
 #include "tunica/boundary/traction.hpp"
 #include "tunica/boundary/windkessel.hpp"
@@ -20,6 +21,8 @@ const std::vector<ConditionEntry>& conditions() {
       moves_with_wall(),       // "interface" of a fluid
       clamped(),               // "clamped"
       held(),                  // "held"
+      moved(),                 // "moved"
+      moves_as_one(),          // "moves as one"
       dead_traction(),         // "traction" of a wall
       follower_pressure(),     // "pressure" of a wall
       loaded_by_fluid(),       // "interface" of a wall

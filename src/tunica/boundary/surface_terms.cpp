@@ -33,16 +33,25 @@ bool SurfaceTerms::has_condition(int surface, const std::string& kind) const {
 
 bool SurfaceTerms::is_natural(int surface) const {
   const Terms& terms = terms_[surface];
-  return std::all_of(terms.begin(), terms.end(),
-                     [](const auto& term) { return term->prescribed_components().empty(); });
+  return std::all_of(terms.begin(), terms.end(), [](const auto& term) {
+    return term->prescribed_components().empty() && term->common_motions().empty();
+  });
 }
 
 bool SurfaceTerms::prescribes(int surface, int component) const {
   const Terms& terms = terms_[surface];
   return std::any_of(terms.begin(), terms.end(), [component](const auto& term) {
-    const std::vector<int> components = term->prescribed_components();
+    std::vector<int> components = term->prescribed_components();
+    for (const CommonMotion& motion : term->common_motions())
+      components.push_back(motion.component);
     return std::find(components.begin(), components.end(), component) != components.end();
   });
+}
+
+bool SurfaceTerms::moves_as_one(int surface) const {
+  const Terms& terms = terms_[surface];
+  return std::any_of(terms.begin(), terms.end(),
+                     [](const auto& term) { return !term->common_motions().empty(); });
 }
 
 void SurfaceTerms::constrain(assembly::Constraints& fixed) const {
@@ -51,6 +60,15 @@ void SurfaceTerms::constrain(assembly::Constraints& fixed) const {
       for (const int i : term->prescribed_components())
         for (int a = 0; a < mesh_->n_nodes(); ++a)
           if (mesh_->is_on(a, static_cast<int>(s))) fixed[a] |= std::uint8_t(1U << i);
+}
+
+std::vector<std::pair<int, CommonMotion>> SurfaceTerms::common_motions() const {
+  std::vector<std::pair<int, CommonMotion>> all;
+  for (std::size_t s = 0; s < terms_.size(); ++s)
+    for (const auto& term : terms_[s])
+      for (const CommonMotion& motion : term->common_motions())
+        all.emplace_back(static_cast<int>(s), motion);
+  return all;
 }
 
 void SurfaceTerms::impose(const Surroundings& s, Vector& u) const {

@@ -14,14 +14,18 @@ public:
   /// True where the case says anything of the surface, or this.
   bool has_condition(int surface) const { return !conditions_[surface].empty(); }
   bool has_condition(int surface, const std::string& kind) const;
-  /// True where no term of the surface prescribes anything.
+  /// True where no term of the surface prescribes anything, or makes it move as one.
   bool is_natural(int surface) const;
-  /// True where a term of the surface prescribes the component of the vector unknown.
+  /// True where a term of the surface prescribes the component of the vector unknown, or makes it
+  /// move as one.
   bool prescribes(int surface, int component) const;
+  bool moves_as_one(int surface) const;
   bool is_interface(int surface) const { return has_condition(surface, interface_condition); }
 
   /// Adds the bits of the components that the terms prescribe, for each local node.
   void constrain(assembly::Constraints& fixed) const;
+  /// What moves as one, each with its surface.
+  std::vector<std::pair<int, CommonMotion>> common_motions() const;
   /// Gives the prescribed components of the vector unknown their values on owned nodes.
   void impose(const Surroundings& s, Vector& u) const;
 

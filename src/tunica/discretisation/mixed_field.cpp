@@ -1,6 +1,7 @@
 #include "tunica/discretisation/mixed_field.hpp"
 
 #include "tunica/assembly/mass_norm.hpp"
+#include "tunica/base/error.hpp"
 #include "tunica/discretisation/nodal_history.hpp"
 
 namespace tunica::discretisation {
@@ -9,10 +10,31 @@ MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
     : mesh_(&mesh), scheme_(std::move(parts.scheme)),
       history_(scheme_->remembers(), mesh.n_nodes()),
       surfaces_(parts.conditions, parts.registry, mesh), fixed_(mesh.n_nodes(), 0),
-      K_(mesh, parts.blocks), R_(mesh) {
+      K_(mesh, parts.blocks), R_(mesh), motion_(mesh) {
   surfaces_.constrain(fixed_);
   surfaces_.follow(*scheme_);
-  if (surfaces_.rank() > 0) K_.make_low_rank(surfaces_.rank());
+  tie_surfaces();
+  const int rank = surfaces_.rank() + motion_.rank();
+  if (rank > 0) K_.make_low_rank(rank);
+}
+
+void MixedField::tie_surfaces() {
+  std::vector<char> members(mesh_->n_nodes());
+  for (const auto& [surface, motion] : surfaces_.common_motions()) {
+    for (int a = 0; a < mesh_->n_nodes(); ++a) members[a] = mesh_->is_on(a, surface);
+    const int count = motion_.add(motion.component, motion.has_force, members, fixed_);
+    TUNICA_CHECK(count > 0, "Surfaces / " + mesh_->surfaces[surface] +
+                                ": it is to move as one along " + "xyz"[motion.component] +
+                                ", but other conditions prescribe that at all of its nodes.");
+    motions_.push_back(motion);
+  }
+}
+
+std::vector<double> MixedField::motion_values() const {
+  std::vector<double> values;
+  for (const boundary::CommonMotion& motion : motions_)
+    values.push_back(motion.value(surroundings().time));
+  return values;
 }
 
 bool MixedField::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
@@ -20,13 +42,14 @@ bool MixedField::residual(const algebra::BlockVector& x, algebra::BlockVector& F
   if (!is_admissible()) return false;
   assemble(nullptr);
   R_.store(*mesh_, fixed_, F);
+  motion_.store(R_, *surroundings().u, motion_values(), F);
   return true;
 }
 
 void MixedField::assemble_jacobian(const algebra::BlockVector& x) {
   read(x);
   const Stopwatch watch;
-  assembly::BlockAssembler assembler(K_, fixed_);
+  assembly::BlockAssembler assembler(K_, fixed_, motion_.is_empty() ? nullptr : &motion_);
   assemble(&assembler);
   assembler.finish();
   throughput_.items += static_cast<long long>(mesh_->tets.size());

@@ -3,7 +3,7 @@
 #include <map>
 #include <memory>
 
-#include "tunica/assembly/block_assembler.hpp"
+#include "tunica/assembly/common_motion.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/boundary/surface_terms.hpp"
 #include "tunica/discretisation/discretisation.hpp"
@@ -79,7 +79,13 @@ private:
     std::unique_ptr<ElementHistory> history;
   };
 
+  void tie_surfaces();
+  /// The displacements or forces of common motions at the present time.
+  std::vector<double> motion_values() const;
+
   std::vector<ElementQuantity> on_elements_;
+  std::vector<boundary::CommonMotion> motions_;
+  assembly::CommonMotions motion_;
   Throughput throughput_;
 };
 

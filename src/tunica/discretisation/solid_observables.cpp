@@ -115,7 +115,8 @@ Observables Solid::observe_surfaces(const algebra::BlockVector& x,
                                     const std::vector<int>& surfaces) {
   const auto holds = [this](int s) { return !surfaces_.is_natural(s); };
   const auto is_clamped = [this](int s) {
-    return surfaces_.prescribes(s, 0) && surfaces_.prescribes(s, 1) && surfaces_.prescribes(s, 2);
+    return surfaces_.prescribes(s, 0) && surfaces_.prescribes(s, 1) && surfaces_.prescribes(s, 2) &&
+           !surfaces_.moves_as_one(s);
   };
   std::vector<Vec3> force(mesh_->surfaces.size());
   if (std::any_of(surfaces.begin(), surfaces.end(), holds)) force = reaction_forces(x);
