@@ -32,6 +32,8 @@ public:
   /// The field must outlive the object and stand at its start.
   StepError(FluidProblem& fluid, const StepTolerance& tolerance);
   StepError(SolidProblem& wall, const StepTolerance& tolerance);
+  StepError(const StepError&) = delete;
+  StepError& operator=(const StepError&) = delete;
 
   struct Estimate {
     double ratio = 0.0;  ///< error over what is permitted

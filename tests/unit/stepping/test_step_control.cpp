@@ -106,6 +106,25 @@ TEUCHOS_UNIT_TEST(step_control, the_error_sets_the_next_step_within_bounds) {
   TEST_EQUALITY(control.clock().step_size(), 5.0);
 }
 
+TEUCHOS_UNIT_TEST(step_control, keys_set_the_controller) {
+  Teuchos::ParameterList list = adaptive_list(1.0, 1e6);
+  list.set("safety", 0.8).set("integral gain", 0.3).set("proportional gain", 0.4);
+  list.set("largest growth", 1.5).set("largest cut", 0.25).set("hit kinks", false).set("cuts", 1);
+  StepControl control = adaptive(list);
+  control.advance(0.7);
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 0.8 / 0.7, 1e-14);
+  control.advance(0.9);
+  TEST_FLOATING_EQUALITY(control.clock().step_size(),
+                         0.8 / 0.7 * 0.8 * std::pow(0.9, -0.7) * std::pow(0.7, 0.4), 1e-14);
+  const double before = control.clock().step_size();
+  control.advance(1e-6);
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 1.5 * before, 1e-14);
+  TEST_ASSERT(control.shorten(1e3));
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 0.25 * 1.5 * before, 1e-14);
+  TEST_ASSERT(control.cut());
+  TEST_ASSERT(!control.cut());
+}
+
 TEUCHOS_UNIT_TEST(step_control, a_step_that_is_too_long_is_shortened_down_to_the_smallest) {
   Teuchos::ParameterList list = adaptive_list(1.0, 1e6);
   list.set("smallest step", 0.1);
