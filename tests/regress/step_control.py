@@ -74,7 +74,7 @@ def goes_on(verdict, programs, folder):
                   "broken: goes on after its fifth step")
     same(verdict, "broken", broken, straight)
     run, _ = run_case(programs, folder, "broken", [], ["--steps", 20, "--restart"])
-    verdict.claim(run.status == 1 and "was made with adaptive steps" in run.err,
+    verdict.claim(run.status == 1 and 'was made with "step control" = "adaptive"' in run.err,
                   "broken: does not go on with fixed steps")
 
 

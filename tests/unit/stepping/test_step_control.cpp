@@ -171,6 +171,51 @@ TEUCHOS_UNIT_TEST(step_control, the_first_step_lies_within_the_bounds) {
   TEST_THROW(stepping::time_table().resolve(list, "Time", ""), Error);
 }
 
+Teuchos::ParameterList steady_list() {
+  Teuchos::ParameterList list;
+  list.set("step size", 2.0).set("step control", "steady").set("steps", 9).set("cuts", 2);
+  list.set("tolerance", 1e-4).set("infinite below", 0.1).set("load time", 3.0);
+  list.set("smallest growth", 1.25).set("largest growth", 8.0);
+  stepping::time_table().resolve(list, "Time", "");
+  return list;
+}
+
+TEUCHOS_UNIT_TEST(pseudo_time, steps_grow_as_the_rate_falls_and_become_infinite) {
+  StepControl control = adaptive(steady_list());
+  TEST_EQUALITY(control.clock().time(), 3.0);
+  control.advance(1e4);  // a change of one: the rate is 1/2
+  TEST_EQUALITY(control.clock().step_size(), 2.5);
+  control.advance(1e4 / 2.4);  // the rate is a sixth, a third of the one before
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 7.5, 1e-14);
+  control.advance(1e4 * 1.25 / 3.0);  // 1/18
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 22.5, 1e-13);
+  TEST_EQUALITY(control.clock().previous_step_size(), 0.0);
+  control.advance(900.0);
+  TEST_ASSERT(std::isinf(control.clock().step_size()));
+  control.advance(20.0);
+  TEST_ASSERT(!control.is_done());
+  control.advance(0.9);
+  TEST_ASSERT(control.is_done() && control.is_steady());
+}
+
+TEUCHOS_UNIT_TEST(pseudo_time, an_infinite_step_that_fails_makes_room_for_finite_ones) {
+  StepControl control = adaptive(steady_list());
+  control.advance(900.0);
+  TEST_ASSERT(std::isinf(control.clock().step_size()));
+  TEST_ASSERT(control.cut());
+  TEST_EQUALITY(control.clock().step_size(), 2.5);
+  TEST_ASSERT(control.cut());
+  TEST_EQUALITY(control.clock().step_size(), 0.625);
+  TEST_ASSERT(!control.cut());
+  control.advance(900.0);  // small enough before, not now; nor does a step grow that was cut
+  TEST_EQUALITY(control.clock().step_size(), 0.625);
+  StepControl other = adaptive(steady_list());
+  other.restore(control.save());
+  for (StepControl* each : {&control, &other}) each->advance(90.0);
+  TEST_ASSERT(std::isinf(control.clock().step_size()));
+  TEST_ASSERT(std::isinf(other.clock().step_size()));
+}
+
 TEUCHOS_UNIT_TEST(extrapolation, is_exact_for_polynomials_and_whole_for_equal_steps) {
   const stepping::StepSizes sizes{0.5, 0.2, 0.3};
   const double times[3] = {0.0, -0.2, -0.5};
