@@ -7,7 +7,6 @@
 
 #include "tunica/app/case.hpp"
 #include "tunica/app/domain.hpp"
-#include "tunica/app/exit_status.hpp"
 #include "tunica/app/guard.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/base/agreement.hpp"

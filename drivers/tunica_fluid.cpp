@@ -16,7 +16,7 @@ using namespace tunica;
 Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
               app::RunOutput& output) {
   // 1. The fluid, from where it goes on after a restart, and what is written of it.
-  problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
+  problems::FluidProblem fluid(app::fluid_list(list), *domain.fluid);
   app::TimeMarch march(list, {{"fluid", &fluid}}, output);
   march.judge(fluid);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, nullptr);
@@ -26,7 +26,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   app::RunLog log(output, comm->getRank() == 0, {"fluid"}, {});
   app::FieldSeries fields(output, {app::grid_of(*domain.fluid, "fluid")}, comm);
 
-  // 2. March.
+  // 2. March; to a steady flow in pseudo-time.
   const auto solve = [&](const stepping::Clock& clock, int attempt) {
     fluid.begin_step(clock);
     const nonlinear::NewtonReport report = fluid.solve();
@@ -45,7 +45,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     checkpoints.write_if_due();
   }
   app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);
-  return Outcome::success();
+  return march.outcome();
 }
 
 }  // namespace

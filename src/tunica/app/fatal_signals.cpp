@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "tunica/app/exit_status.hpp"
+#include "tunica/app/guard.hpp"
 #include "tunica/base/fault_point.hpp"
 
 namespace tunica::app {

@@ -9,7 +9,6 @@
 #include <thread>
 #include <vector>
 
-#include "tunica/app/exit_status.hpp"
 #include "tunica/app/fatal_signals.hpp"
 #include "tunica/base/attempt.hpp"
 #include "tunica/base/error.hpp"

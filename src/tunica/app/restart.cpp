@@ -55,11 +55,15 @@ void check_fit(const output::CheckpointFile& file, const std::string& path,
   const stepping::StepControlOptions steps = stepping::step_control_options(list.sublist("Time"));
   TUNICA_CHECK(!file.head().control.empty(),
                "--restart: " + path + " lacks what the step control needs to go on.");
-  const bool was_adaptive = file.head().step_size == 0.0;
-  TUNICA_CHECK(steps.is_adaptive == was_adaptive,
-               "--restart: " + path + " was made with " + (was_adaptive ? "adaptive" : "fixed") +
-                   " steps. A run goes on with the \"step control\" it began with.");
-  if (was_adaptive) return;
+  const auto& was = file.head().control;
+  const std::string kind = file.head().step_size > 0.0     ? "fixed"
+                           : was.at("pseudo-time").empty() ? "adaptive"
+                                                           : "steady";
+  const auto wanted = list.sublist("Time").get<std::string>("step control");
+  TUNICA_CHECK(kind == wanted, "--restart: " + path + " was made with \"step control\" = \"" +
+                                   kind + "\", not \"" + wanted +
+                                   "\". A run goes on with the one it began with.");
+  if (kind != "fixed") return;
   const double step_size = steps.first_step;
   std::ostringstream sizes;
   sizes.precision(17);

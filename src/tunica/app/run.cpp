@@ -3,7 +3,6 @@
 #include <Teuchos_Array.hpp>
 #include <iostream>
 
-#include "tunica/app/exit_status.hpp"
 #include "tunica/app/guard.hpp"
 #include "tunica/app/results_folder.hpp"
 #include "tunica/app/time_march.hpp"

@@ -1,5 +1,7 @@
 #include "tunica/app/schema.hpp"
 
+#include <Teuchos_Array.hpp>
+
 #include "tunica/app/probes.hpp"
 #include "tunica/app/surface_report.hpp"
 #include "tunica/base/error.hpp"
@@ -51,6 +53,20 @@ void check_wish(const Teuchos::ParameterList& list, const std::string&) {
   check("coupling iteration", "Coupling", "max iterations");
 }
 
+/// Walls are not sought in pseudo-time, which has no instants at which fields could be wanted.
+void check_steady(const Teuchos::ParameterList& list, const std::string&) {
+  if (list.sublist("Time").get<std::string>("step control") != "steady") return;
+  TUNICA_CHECK(
+      !list.isSublist("Wall"),
+      "Time: \"step control\" = \"steady\" is for a fluid alone, in tunica-fluid. A wall with "
+      "\"analysis\" = \"static\" is in equilibrium in each step.");
+  const Teuchos::ParameterList& output = list.sublist("Output");
+  TUNICA_CHECK(output.get<Teuchos::Array<double>>("fields at").size() == 0 &&
+                   output.get<double>("fields interval") == 0.0,
+               "Output: \"fields at\" and \"fields interval\" mean nothing on the way to a steady "
+               "flow; the last step is always written.");
+}
+
 /// Keys that every case has.
 params::Table common_table(const std::string& sentence, bool has_fluid, bool has_wall) {
   params::Table table(sentence);
@@ -58,7 +74,8 @@ params::Table common_table(const std::string& sentence, bool has_fluid, bool has
       .sublist("Time", stepping::time_table())
       .sublist("Output", output_table())
       .entries("Probes", probe_table(has_fluid, has_wall),
-               "points whose values become columns of steps.csv");
+               "points whose values become columns of steps.csv")
+      .check(check_steady);
   return table;
 }
 

@@ -36,14 +36,31 @@ stepping::StepControl step_control(const Teuchos::ParameterList& list) {
   const Teuchos::ParameterList& time = list.sublist("Time");
   const stepping::StepControlOptions options = stepping::step_control_options(time);
   const bool hits_kinks = options.is_adaptive && time.get<bool>("hit kinks");
-  return {options, hits_kinks ? stepping::kinks(list) : std::vector<double>(),
-          asked_for(list.sublist("Output"), options.end)};
+  return {
+      options, hits_kinks ? stepping::kinks(list) : std::vector<double>(),
+      options.pseudo_time ? std::vector<double>() : asked_for(list.sublist("Output"), options.end)};
+}
+
+Teuchos::ParameterList fluid_list(const Teuchos::ParameterList& list) {
+  Teuchos::ParameterList fluid(list.sublist("Fluid"));
+  const Teuchos::ParameterList& time = list.sublist("Time");
+  if (time.get<std::string>("step control") == "steady")
+    fluid.sublist("Newton").set("relative increment", time.get<double>("newton increment"));
+  return fluid;
 }
 
 TimeMarch::TimeMarch(const Teuchos::ParameterList& list, const Parts& parts, RunOutput& output)
     : output_(&output), parts_(with_their_parts(parts)), control_(step_control(list)),
       made_(control_.clock()) {
-  if (control_.is_adaptive()) tolerance_ = problems::step_tolerance(list.sublist("Time"));
+  if (control_.fixed_step() == 0.0) tolerance_ = problems::step_tolerance(list.sublist("Time"));
+}
+
+Outcome TimeMarch::outcome() const {
+  if (!control_.is_steady_sought() || control_.is_steady()) return Outcome::success();
+  std::ostringstream reason;
+  reason << "the flow is not steady after " << made_.step() << " steps: the last one, of "
+         << made_.step_size() << " ms, has changed it by " << eta_ << " times what is permitted";
+  return Outcome::failure(reason.str());
 }
 
 void TimeMarch::judge(problems::FluidProblem& fluid) {
@@ -103,7 +120,7 @@ bool TimeMarch::is_too_inaccurate(StepSummary& step, const RunLog& log) {
   }
   step.error = worst.ratio;
   eta_ = worst.eta;
-  if (eta_ <= 1.0) return false;
+  if (eta_ <= 1.0 || control_.is_steady_sought()) return false;
   std::ostringstream reason;
   reason << "time " << control_.clock().time() << " ms: the error estimate is " << worst.ratio
          << " times what is permitted";
@@ -117,8 +134,8 @@ bool TimeMarch::is_too_inaccurate(StepSummary& step, const RunLog& log) {
 }
 
 bool TimeMarch::is_to_repeat(StepSummary& step, const RunLog& log) {
-  eta_ = control_.is_adaptive() ? 1.0 : 0.0;  // nobody knows: no longer steps
-  if (control_.is_adaptive()) step.error = std::nan("");
+  eta_ = tolerance_ ? 1.0 : 0.0;  // nobody knows: no longer steps
+  if (tolerance_) step.error = std::nan("");
   if (step.is_converged) {
     const bool repeats = !errors_.empty() && is_too_inaccurate(step, log);
     counts_.inaccurate += repeats;
@@ -147,6 +164,9 @@ StepSummary TimeMarch::make_step(const Solve& solve, RunLog& log) {
     restore_parts(before);
   }
   if (step.is_accepted) accept(step);
+  if (control_.is_done())  // as one may know only now
+    made_.set_step({made_.time(), made_.step_size(), made_.count(), true, made_.is_asked_for(),
+                    made_.previous_step_size() == 0.0});
   const auto note = [&](const char* what, int count) { output_->record.set("steps", what, count); };
   note("accepted", control_.clock().step() - 1);
   note("accepted unconverged", counts_.unconverged);

@@ -18,6 +18,9 @@ using Parts = std::vector<std::pair<std::string, fields::Restartable*>>;
 /// The step control of a resolved case, which knows when its loads have kinks.
 stepping::StepControl step_control(const Teuchos::ParameterList& list);
 
+/// The "Fluid" list of a resolved case; on the way to a steady flow Newton's method stops earlier.
+Teuchos::ParameterList fluid_list(const Teuchos::ParameterList& list);
+
 /// Takes a run from step to step. A step that fails, or is not accurate enough, is undone, cut and
 /// repeated: every part goes back to where the step began, as in a run that is restarted there.
 class TimeMarch {
@@ -26,7 +29,8 @@ public:
   /// and the next ones need.
   TimeMarch(const Teuchos::ParameterList& list, const Parts& parts, RunOutput& output);
 
-  /// The accuracy of a field counts where steps are adaptive. Before begin().
+  /// The accuracy of a field counts where steps are adaptive, how much it changes where a steady
+  /// flow is sought. While it stands at its start.
   void judge(problems::FluidProblem& fluid);
   void judge(problems::SolidProblem& wall);
 
@@ -37,9 +41,11 @@ public:
   Numbers save() const;
   void restore(const Numbers& numbers);
 
-  /// Size of fixed steps [ms]; zero where they are adaptive.
+  /// Size of fixed steps [ms]; zero where they are of any.
   double fixed_step() const { return control_.fixed_step(); }
   bool is_done() const { return control_.is_done(); }
+  /// Success, or that no steady flow was found where one was sought; when all steps are made.
+  Outcome outcome() const;
   /// The step made last; before the first, the first.
   const stepping::Clock& clock() const { return made_; }
   /// Tries the clock's step, and accepts it where that can be done: the attempts of a step count
@@ -68,7 +74,7 @@ private:
   Parts parts_;  ///< with their parts
   stepping::StepControl control_;
   stepping::Clock made_;
-  std::optional<problems::StepTolerance> tolerance_;  ///< of adaptive steps
+  std::optional<problems::StepTolerance> tolerance_;  ///< of steps of any size
   std::vector<std::pair<std::string, std::unique_ptr<problems::StepError>>> errors_;
   double eta_ = 0.0;  ///< of the present step, see stepping::StepControl
   Counts counts_;

@@ -18,7 +18,7 @@ params::Table coupling_table() {
           "how often in a row an update is halved where a field cannot follow it, each time an "
           "iteration of its own; 0: the step fails at once")
       .choice("when not converged", "stop", {"stop", "accept"},
-              "stop with exit status 2, or accept the step with a warning and go on");
+              "stop with exit status 2, or accept the step with a warning, go on, and end with 4");
   params::Table added_mass("what the fluid's inertia takes back, foretold by a Laplace problem");
   added_mass.sublist("Added Mass Solver", linear::scalar_solver_table());
   table.variant("preconditioner", "added mass",

@@ -6,14 +6,17 @@
 namespace tunica::problems {
 
 StepTolerance step_tolerance(const Teuchos::ParameterList& time) {
-  return {time.get<double>("tolerance"), time.get<double>("displacement scale"),
-          time.get<double>("velocity scale")};
+  const bool is_steady_sought = time.get<std::string>("step control") == "steady";
+  return {time.get<double>("tolerance"),
+          is_steady_sought ? 0.0 : time.get<double>("displacement scale"),
+          time.get<double>("velocity scale"), is_steady_sought};
 }
 
 StepError::StepError(FieldProblem& field, const stepping::TimeScheme& scheme,
                      const StepTolerance& tolerance)
-    : field_(&field), scheme_(&scheme),
-      permitted_(std::pow(tolerance.tolerance, 1.0 + 1.0 / scheme.order())) {}
+    : field_(&field), scheme_(&scheme), is_steady_sought_(tolerance.is_steady_sought),
+      permitted_(
+          std::pow(tolerance.tolerance, is_steady_sought_ ? 1.0 : 1.0 + 1.0 / scheme.order())) {}
 
 StepError::StepError(FluidProblem& fluid, const StepTolerance& tolerance)
     : StepError(fluid, fluid.time_scheme(), tolerance) {
@@ -52,7 +55,8 @@ double StepError::norm_of(const Values& values) const {
 
 StepError::Estimate StepError::estimate(const Quantity& quantity,
                                         const stepping::StepSizes& sizes) const {
-  const stepping::ErrorFormula formula = quantity.formula(sizes);
+  const stepping::ErrorFormula formula =
+      is_steady_sought_ ? stepping::ErrorFormula{0, 1.0} : quantity.formula(sizes);
   const auto weights = stepping::extrapolation(formula.degree, sizes);
   const Values now = quantity.now();
   Values error(now);
@@ -60,7 +64,8 @@ StepError::Estimate StepError::estimate(const Quantity& quantity,
     for (int k = 0; k <= formula.degree; ++k) error[a] += -weights[k] * quantity.past[k][a];
     error[a] = formula.constant * error[a];  // C (x − xᵖ)
   }
-  const double scale = std::max({quantity.smallest_scale, quantity.largest, norm_of(now)});
+  const double largest = is_steady_sought_ ? 0.0 : quantity.largest;
+  const double scale = std::max({quantity.smallest_scale, largest, norm_of(now)});
   Estimate found;
   found.ratio = norm_of(error) / (permitted_ * scale);
   found.eta = std::pow(found.ratio, 1.0 / (formula.degree + 1));

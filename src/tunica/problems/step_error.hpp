@@ -14,8 +14,9 @@ struct StepTolerance {
   double tolerance;           ///< ε
   double displacement_scale;  ///< s of a displacement [mm]
   double velocity_scale;      ///< s of a velocity [mm/ms]
+  bool is_steady_sought;  ///< what counts is how much x changes: xᵖ = xⁿ⁻¹, C = 1, permitted is ε
 };
-/// From a resolved "Time" list of adaptive steps.
+/// From a resolved "Time" list of adaptive steps or of a steady flow.
 StepTolerance step_tolerance(const Teuchos::ParameterList& time);
 
 /// How accurate the steps of a field are.
@@ -32,6 +33,8 @@ public:
   /// The field must outlive the object and stand at its start.
   StepError(FluidProblem& fluid, const StepTolerance& tolerance);
   StepError(SolidProblem& wall, const StepTolerance& tolerance);
+  StepError(const StepError&) = delete;
+  StepError& operator=(const StepError&) = delete;
 
   struct Estimate {
     double ratio = 0.0;  ///< error over what is permitted
@@ -66,6 +69,7 @@ private:
 
   FieldProblem* field_;
   const stepping::TimeScheme* scheme_;
+  bool is_steady_sought_;
   double permitted_;  ///< ε^((p + 1)/p)
   std::vector<Quantity> quantities_;
 };

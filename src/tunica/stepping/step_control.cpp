@@ -26,6 +26,7 @@ bool StepControl::is_at(const std::vector<double>& times, double time) const {
 }
 
 bool StepControl::is_done() const {
+  if (is_steady_sought()) return is_steady() || clock_.step() > options_.most_steps;
   return start_ >= options_.end - slack() ||
          (options_.is_adaptive && options_.most_steps > 0 && clock_.step() > options_.most_steps);
 }
@@ -41,6 +42,12 @@ double StepControl::next_target() const {
 }
 
 void StepControl::plan() {
+  if (is_steady_sought()) {
+    const int step = clock_.step();
+    clock_.set_step({options_.end, options_.pseudo_time->size(), step, step == options_.most_steps,
+                     false, true});
+    return;
+  }
   const double whole = (whole_steps_ + 1) * options_.first_step;
   double target = next_target();
   if (!options_.is_adaptive && target > whole - slack()) target = whole;
@@ -72,6 +79,11 @@ bool StepControl::replace(double size) {
 }
 
 bool StepControl::cut() {
+  if (is_steady_sought()) {
+    const bool is_cut = options_.pseudo_time->cut();
+    plan();
+    return is_cut;
+  }
   const double size = options_.cut * clock_.step_size();
   if (cuts_ >= options_.cuts || size < options_.smallest) return false;
   ++cuts_;
@@ -90,7 +102,7 @@ bool StepControl::shorten(double eta) {
   return replace(std::max(options_.smallest, size * std::clamp(factor, options_.largest_cut, 0.9)));
 }
 
-void StepControl::advance(double eta) {
+void StepControl::choose_next_size(double eta) {
   const double size = clock_.step_size();
   if (options_.is_adaptive) {
     double factor = options_.largest_growth;
@@ -108,6 +120,13 @@ void StepControl::advance(double eta) {
   } else {
     wanted_ = std::min(options_.first_step, wanted_ / options_.cut);
   }
+}
+
+void StepControl::advance(double eta) {
+  if (is_steady_sought())
+    options_.pseudo_time->advance(eta);
+  else
+    choose_next_size(eta);
   last_eta_ = eta;
   if (clock_.count() > 0) whole_steps_ = clock_.count();
   start_ = clock_.time();
@@ -122,13 +141,16 @@ void StepControl::advance(double eta) {
 
 std::map<std::string, std::vector<double>> StepControl::save() const {
   const StepSizes& sizes = clock_.step_sizes();
-  return {{"start", {start_}},
-          {"steps", {static_cast<double>(clock_.step() - 1), static_cast<double>(whole_steps_)}},
-          {"sizes", {wanted_, sizes.last, sizes.before}},
-          {"last eta", {last_eta_}}};
+  return {
+      {"pseudo-time", is_steady_sought() ? options_.pseudo_time->save() : std::vector<double>{}},
+      {"start", {start_}},
+      {"steps", {static_cast<double>(clock_.step() - 1), static_cast<double>(whole_steps_)}},
+      {"sizes", {wanted_, sizes.last, sizes.before}},
+      {"last eta", {last_eta_}}};
 }
 
 void StepControl::restore(const std::map<std::string, std::vector<double>>& state) {
+  if (is_steady_sought()) options_.pseudo_time->restore(state.at("pseudo-time"));
   start_ = state.at("start").at(0);
   whole_steps_ = static_cast<int>(state.at("steps").at(1));
   wanted_ = state.at("sizes").at(0);
@@ -149,6 +171,11 @@ StepControlOptions step_control_options(const Teuchos::ParameterList& time) {
   options.largest = any;
   const int steps = time.get<int>("steps");
   options.most_steps = steps;
+  if (time.get<std::string>("step control") == "steady") {
+    options.end = time.get<double>("load time");
+    options.pseudo_time.emplace(time);
+    return options;
+  }
   if (!options.is_adaptive) {
     options.end = steps * options.first_step;
     return options;
@@ -220,9 +247,10 @@ params::Table time_table() {
   params::Table table("Time steps.");
   table
       .number("step size", std::nullopt, params::positive(), "ms",
-              "time step; of adaptive steps the first one")
-      .variant("step control", "fixed", {{"fixed", fixed}, {"adaptive", adaptive_table()}},
-               "how long the steps are");
+              "time step; of adaptive or pseudo-time steps the first one")
+      .variant("step control", "fixed",
+               {{"fixed", fixed}, {"adaptive", adaptive_table()}, {"steady", steady_table()}},
+               "how long the steps are; steady: a fluid alone, in pseudo-time");
   return table;
 }
 

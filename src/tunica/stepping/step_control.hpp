@@ -1,11 +1,13 @@
 #pragma once
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tunica/params/table.hpp"
 #include "tunica/stepping/clock.hpp"
+#include "tunica/stepping/pseudo_time.hpp"
 
 namespace tunica::stepping {
 
@@ -21,6 +23,7 @@ struct StepControlOptions {
   double largest_cut, largest_growth;
   double safety;
   double integral_gain, proportional_gain;
+  std::optional<PseudoTime> pseudo_time;  ///< of a steady flow, whose loads are those at `end`
 };
 StepControlOptions step_control_options(const Teuchos::ParameterList& time);
 
@@ -47,8 +50,13 @@ public:
   const Clock& clock() const { return clock_; }
   bool is_done() const;
   bool is_adaptive() const { return options_.is_adaptive; }
-  /// Size of fixed steps [ms]; zero where they are adaptive.
-  double fixed_step() const { return is_adaptive() ? 0.0 : options_.first_step; }
+  bool is_steady_sought() const { return options_.pseudo_time.has_value(); }
+  /// What was sought is found.
+  bool is_steady() const { return is_steady_sought() && options_.pseudo_time->is_steady(); }
+  /// Size of fixed steps [ms]; zero where they are of any.
+  double fixed_step() const {
+    return is_adaptive() || is_steady_sought() ? 0.0 : options_.first_step;
+  }
   /// A step that fails, or is not accurate enough, may be repeated.
   bool may_repeat() const { return is_adaptive() || options_.cuts > 0; }
 
@@ -56,7 +64,8 @@ public:
   bool cut();
   /// The present step is too long by eta > 1: shortens it. False where it is the smallest.
   bool shorten(double eta);
-  /// The present step is made, too long by eta (0: nobody knows). Plans the next.
+  /// The present step is made, too long by eta (0: nobody knows); towards a steady flow, eta is the
+  /// change over what is permitted. Plans the next.
   void advance(double eta = 0.0);
 
   /// What a run needs to go on, by name; and back.
@@ -66,6 +75,7 @@ public:
 private:
   bool replace(double size);
   void plan();
+  void choose_next_size(double eta);
   double next_target() const;
   bool is_at(const std::vector<double>& times, double time) const;
   double slack() const;

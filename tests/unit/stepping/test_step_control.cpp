@@ -106,6 +106,25 @@ TEUCHOS_UNIT_TEST(step_control, the_error_sets_the_next_step_within_bounds) {
   TEST_EQUALITY(control.clock().step_size(), 5.0);
 }
 
+TEUCHOS_UNIT_TEST(step_control, keys_set_the_controller) {
+  Teuchos::ParameterList list = adaptive_list(1.0, 1e6);
+  list.set("safety", 0.8).set("integral gain", 0.3).set("proportional gain", 0.4);
+  list.set("largest growth", 1.5).set("largest cut", 0.25).set("hit kinks", false).set("cuts", 1);
+  StepControl control = adaptive(list);
+  control.advance(0.7);
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 0.8 / 0.7, 1e-14);
+  control.advance(0.9);
+  TEST_FLOATING_EQUALITY(control.clock().step_size(),
+                         0.8 / 0.7 * 0.8 * std::pow(0.9, -0.7) * std::pow(0.7, 0.4), 1e-14);
+  const double before = control.clock().step_size();
+  control.advance(1e-6);
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 1.5 * before, 1e-14);
+  TEST_ASSERT(control.shorten(1e3));
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 0.25 * 1.5 * before, 1e-14);
+  TEST_ASSERT(control.cut());
+  TEST_ASSERT(!control.cut());
+}
+
 TEUCHOS_UNIT_TEST(step_control, a_step_that_is_too_long_is_shortened_down_to_the_smallest) {
   Teuchos::ParameterList list = adaptive_list(1.0, 1e6);
   list.set("smallest step", 0.1);
@@ -150,6 +169,51 @@ TEUCHOS_UNIT_TEST(step_control, the_first_step_lies_within_the_bounds) {
   TEST_THROW(stepping::time_table().resolve(list, "Time", ""), Error);
   list.set("largest step", 0.0).set("smallest step", 1.5);
   TEST_THROW(stepping::time_table().resolve(list, "Time", ""), Error);
+}
+
+Teuchos::ParameterList steady_list() {
+  Teuchos::ParameterList list;
+  list.set("step size", 2.0).set("step control", "steady").set("steps", 9).set("cuts", 2);
+  list.set("tolerance", 1e-4).set("infinite below", 0.1).set("load time", 3.0);
+  list.set("smallest growth", 1.25).set("largest growth", 8.0);
+  stepping::time_table().resolve(list, "Time", "");
+  return list;
+}
+
+TEUCHOS_UNIT_TEST(pseudo_time, steps_grow_as_the_rate_falls_and_become_infinite) {
+  StepControl control = adaptive(steady_list());
+  TEST_EQUALITY(control.clock().time(), 3.0);
+  control.advance(1e4);  // a change of one: the rate is 1/2
+  TEST_EQUALITY(control.clock().step_size(), 2.5);
+  control.advance(1e4 / 2.4);  // the rate is a sixth, a third of the one before
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 7.5, 1e-14);
+  control.advance(1e4 * 1.25 / 3.0);  // 1/18
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 22.5, 1e-13);
+  TEST_EQUALITY(control.clock().previous_step_size(), 0.0);
+  control.advance(900.0);
+  TEST_ASSERT(std::isinf(control.clock().step_size()));
+  control.advance(20.0);
+  TEST_ASSERT(!control.is_done());
+  control.advance(0.9);
+  TEST_ASSERT(control.is_done() && control.is_steady());
+}
+
+TEUCHOS_UNIT_TEST(pseudo_time, an_infinite_step_that_fails_makes_room_for_finite_ones) {
+  StepControl control = adaptive(steady_list());
+  control.advance(900.0);
+  TEST_ASSERT(std::isinf(control.clock().step_size()));
+  TEST_ASSERT(control.cut());
+  TEST_EQUALITY(control.clock().step_size(), 2.5);
+  TEST_ASSERT(control.cut());
+  TEST_EQUALITY(control.clock().step_size(), 0.625);
+  TEST_ASSERT(!control.cut());
+  control.advance(900.0);  // small enough before, not now; nor does a step grow that was cut
+  TEST_EQUALITY(control.clock().step_size(), 0.625);
+  StepControl other = adaptive(steady_list());
+  other.restore(control.save());
+  for (StepControl* each : {&control, &other}) each->advance(90.0);
+  TEST_ASSERT(std::isinf(control.clock().step_size()));
+  TEST_ASSERT(std::isinf(other.clock().step_size()));
 }
 
 TEUCHOS_UNIT_TEST(extrapolation, is_exact_for_polynomials_and_whole_for_equal_steps) {

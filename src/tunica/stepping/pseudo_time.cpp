@@ -1,0 +1,78 @@
+#include "tunica/stepping/pseudo_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tunica::stepping {
+
+PseudoTime::PseudoTime(const Teuchos::ParameterList& time)
+    : size_(time.get<double>("step size")), last_finite_(size_),
+      smallest_growth_(time.get<double>("smallest growth")),
+      largest_growth_(time.get<double>("largest growth")),
+      infinite_below_(time.get<double>("infinite below") / time.get<double>("tolerance")),
+      most_cuts_(time.get<int>("cuts")) {}
+
+bool PseudoTime::cut() {
+  if (cuts_ >= most_cuts_) return false;
+  ++cuts_;
+  if (std::isinf(size_)) {
+    size_ = last_finite_;
+    infinite_below_ *= 0.1;  // it was too early
+  } else {
+    size_ *= 0.25;
+  }
+  return true;
+}
+
+void PseudoTime::advance(double change) {
+  is_steady_ = std::isinf(size_) && change <= 1.0;
+  if (std::isinf(size_)) return;
+  const double rate = change / size_;
+  double growth = last_rate_ > 0.0 ? last_rate_ / rate : smallest_growth_;
+  growth = cuts_ > 0 ? 1.0 : std::clamp(growth, smallest_growth_, largest_growth_);
+  last_rate_ = rate;
+  last_finite_ = growth * size_;
+  size_ = change <= infinite_below_ ? std::numeric_limits<double>::infinity() : last_finite_;
+  cuts_ = 0;
+}
+
+std::vector<double> PseudoTime::save() const {
+  return {size_, last_finite_, infinite_below_, last_rate_, is_steady_ ? 1.0 : 0.0};
+}
+
+void PseudoTime::restore(const std::vector<double>& numbers) {
+  size_ = numbers.at(0);
+  last_finite_ = numbers.at(1);
+  infinite_below_ = numbers.at(2);
+  last_rate_ = numbers.at(3);
+  is_steady_ = numbers.at(4) != 0.0;
+}
+
+params::Table steady_table() {
+  const params::Range below_one{0.0, 1.0, true, true};
+  params::Table table("steps in pseudo-time to a steady flow");
+  table.integer("steps", 200, params::between(1, 1e9), "give up after so many")
+      .number("tolerance", 1e-8, below_one, "1",
+              "steady is what a step without time derivative changes by no more than this part of "
+              "the velocity (root mean square)")
+      .number("velocity scale", 1e-3, params::positive(), "mm/ms",
+              "smaller velocities are judged as if they were of this size")
+      .number("load time", 0.0, params::non_negative(), "ms",
+              "the instant whose loads act; pseudo-time does not move them")
+      .number("smallest growth", 1.5, params::Range{1.0, 100.0, true, false}, "1",
+              "a step is at least so many times as long as the one before, unless that was cut")
+      .number("largest growth", 10.0, params::Range{1.0, 1e6, true, false}, "1",
+              "and at most so many times; in between it grows as the rate of change falls")
+      .number("infinite below", 0.05, below_one, "1",
+              "once a step changes the velocity by less than this part, the next has no time "
+              "derivative")
+      .number("newton increment", 0.01, below_one, "1",
+              "relative increment at which Newton's method of a step stops, in the place of the "
+              "one of the fluid: the next step goes on")
+      .integer("cuts", 20, params::between(0, 50),
+               "how often in a row a step that fails is cut to a quarter and repeated");
+  return table;
+}
+
+}  // namespace tunica::stepping
