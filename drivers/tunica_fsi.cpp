@@ -46,7 +46,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, scheme.fields(), scheme.stages());
   app::FieldSeries fields(
-      output, {app::grid_of(*domain.fluid, "fluid"), app::grid_of(*domain.wall, "wall")}, comm);
+      output, {app::grid_of(*domain.fluid, "fluid"), app::grid_of(wall.scalar_mesh(), "wall")},
+      comm);
 
   // 4. March.
   const auto solve = [&](const stepping::Clock& clock, int attempt) {

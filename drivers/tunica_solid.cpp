@@ -24,7 +24,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   const app::Checkpoints checkpoints(output, march, comm);
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, {"wall"}, {});
-  app::FieldSeries fields(output, {app::grid_of(*domain.wall, "wall")}, comm);
+  app::FieldSeries fields(output, {app::grid_of(wall.scalar_mesh(), "wall")}, comm);
 
   // 2. March; in statics each step is an equilibrium.
   const auto solve = [&](const stepping::Clock& clock, int attempt) {

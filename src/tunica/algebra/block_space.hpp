@@ -11,6 +11,9 @@ namespace tunica::algebra {
 struct Nodes {
   Teuchos::RCP<const CrsMatrix> graph;  ///< a row per node, its neighbours and itself
   Teuchos::RCP<const Vector> order;     ///< in which nodes are picked; the same on any ranks
+  /// Of nodes that stand where those of the first block do: the number of that one. Null where
+  /// they are the same, or have nothing to do with each other.
+  Teuchos::RCP<const Vector> hosts{};
 };
 
 /// Unknowns of one kind: velocities, pressures.

@@ -27,13 +27,21 @@ output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name) {
   output::Grid grid;
   grid.name = name;
   grid.points_global = static_cast<long long>(mesh.node_map->getGlobalNumElements());
-  grid.first_point = mesh.n_owned > 0 ? mesh.node_map->getMinGlobalIndex() : 0;
+  // Points are numbered rank by rank; where the mesh is split its nodes are not.
+  const Map points(grid.points_global, mesh.n_owned, 0, mesh.comm);
+  grid.first_point = mesh.n_owned > 0 ? points.getMinGlobalIndex() : 0;
+  Vector numbers(mesh.node_map);
+  {
+    const auto view = numbers.getLocalViewHost(overwrite_all);
+    for (int a = 0; a < mesh.n_owned; ++a) view(a, 0) = static_cast<double>(grid.first_point + a);
+  }
+  const std::vector<double> number = fields::ghosted_scalars(mesh, numbers);
   grid.points.assign(mesh.x.begin(), mesh.x.begin() + mesh.n_owned);
   grid.vertex.assign(mesh.vertex.begin(), mesh.vertex.begin() + mesh.n_owned);
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
     auto& tet = grid.tets.emplace_back();
-    for (int a = 0; a < 4; ++a) tet[a] = mesh.ghosted_map->getGlobalElement(mesh.tets[e][a]);
+    for (int a = 0; a < 4; ++a) tet[a] = static_cast<long long>(number[mesh.tets[e][a]]);
     grid.tet_number.push_back(mesh.tet_number[e]);
     grid.region.push_back(mesh.region[e]);
     grid.partition.push_back(mesh.comm->getRank());
@@ -51,23 +59,31 @@ std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
 }
 
 std::vector<output::Array> wall_arrays(const problems::SolidProblem& wall) {
-  return {dof_array("displacement", 3, wall.state()[0]), dof_array("pressure", 1, wall.state()[1]),
-          vector_array("velocity", wall.velocity(), wall.mesh().n_owned)};
+  const int n_points = wall.scalar_mesh().n_owned;
+  const auto at_points = [&wall](const std::vector<Vec3>& nodal) {
+    if (wall.split() == nullptr) return nodal;
+    std::vector<Vec3> values;
+    for (int a = 0; a < wall.split()->n_owned; ++a) values.push_back(nodal[wall.split()->node[a]]);
+    return values;
+  };
+  return {vector_array("displacement", at_points(wall.displacement()), n_points),
+          dof_array("pressure", 1, wall.state()[1]),
+          vector_array("velocity", at_points(wall.velocity()), n_points)};
 }
 
 std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall) {
   const fields::FieldMesh& mesh = wall.mesh();
   const auto d = fields::ghosted_vectors(mesh, wall.state()[0]);
-  const auto p = fields::ghosted_scalars(mesh, wall.state()[1]);
+  const auto p = fields::ghosted_scalars(wall.scalar_mesh(), wall.state()[1]);
   output::Array stress{"cauchy_stress", 6, {}}, von_mises{"von_mises", 1, {}};
   output::Array around{"circumferential", 3, {}}, along{"axial", 3, {}};
   const bool has_frames = !wall.elements().frames.empty();
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
-    const auto& nodes = mesh.tets[e];
-    const Sym3 sigma = kernels::cauchy_stress(
-        wall.elements().geometry[e], assembly::gather(d, nodes), assembly::gather(p, nodes),
-        *wall.elements().law[e], wall.elements().frame(e));
+    const Sym3 sigma =
+        kernels::cauchy_stress(wall.elements().geometry[e], assembly::gather(d, mesh.tets[e]),
+                               assembly::gather(p, wall.scalar_mesh().tets[e]),
+                               *wall.elements().law[e], wall.elements().frame(e));
     stress.values.insert(stress.values.end(), sigma.begin(), sigma.end());
     von_mises.values.push_back(kernels::von_mises(sigma));
     if (!has_frames) continue;

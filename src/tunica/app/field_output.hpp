@@ -7,7 +7,9 @@
 
 namespace tunica::app {
 
-/// The share of a field's mesh that this rank writes.
+/// The share of a field's mesh that this rank writes. Of the wall that is the mesh of its
+/// pressures, in which vertices between layers are there once for each: values that jump can be
+/// seen to.
 output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name);
 
 /// Velocity, pressure and mesh displacement (of all local nodes; empty: rigid) at the nodes.

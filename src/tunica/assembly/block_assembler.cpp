@@ -53,11 +53,12 @@ void NodalResidual::set_zero() {
 
 void NodalResidual::add(const fields::FieldMesh& mesh, std::size_t e,
                         const kernels::MixedResidual& R) {
+  const auto& scalar_nodes = split_ != nullptr ? split_->tets[e] : mesh.tets[e];
   for (int a = 0; a < 4; ++a) {
     const int node = mesh.tets[e][a];
     if (node >= mesh.n_owned) continue;
     u[node] += R.u[a];
-    p[node] += R.p[a];
+    p[scalar_nodes[a]] += R.p[a];
   }
 }
 
@@ -71,15 +72,15 @@ void NodalResidual::store(const fields::FieldMesh& mesh, const Constraints& fixe
                           algebra::BlockVector& F) const {
   const auto fu = F[0].getLocalViewHost(overwrite_all);
   const auto fp = F[1].getLocalViewHost(overwrite_all);
-  for (int a = 0; a < mesh.n_owned; ++a) {
+  for (int a = 0; a < mesh.n_owned; ++a)
     for (int i = 0; i < 3; ++i) fu(3 * a + i, 0) = (fixed[a] >> i) & 1 ? 0.0 : u[a][i];
-    fp(a, 0) = fixed[a] & fixed_scalar ? 0.0 : p[a];
-  }
+  for (std::size_t a = 0; a < p.size(); ++a)
+    fp(a, 0) = fixed[split_ != nullptr ? split_->node[a] : a] & fixed_scalar ? 0.0 : p[a];
 }
 
 BlockAssembler::BlockAssembler(fields::BlockOperator& K, const Constraints& fixed,
                                CommonMotions* motions)
-    : K_(&K), mesh_(&K.mesh()), graph_(&K.graph()), fixed_(&fixed), motions_(motions),
+    : K_(&K), mesh_(&K.mesh()), scalar_mesh_(&K.mesh_of(1)), fixed_(&fixed), motions_(motions),
       A_(open_values(*K(0, 0))), B1T_(open_values(*K(0, 1))), B2_(open_values(*K(1, 0))),
       mC_(open_values(*K(1, 1))) {
   if (motions_ != nullptr) motions_->begin();
@@ -96,7 +97,7 @@ void BlockAssembler::add(std::size_t e, const kernels::MixedJacobian& Ke) {
   const std::array<std::uint8_t, 4> fixed{(*fixed_)[nodes[0]], (*fixed_)[nodes[1]],
                                           (*fixed_)[nodes[2]], (*fixed_)[nodes[3]]};
   if ((fixed[0] | fixed[1] | fixed[2] | fixed[3]) == 0) return scatter(e, Ke);
-  if (motions_ != nullptr) motions_->collect(nodes, Ke);
+  if (motions_ != nullptr) motions_->collect(e, Ke);
   kernels::MixedJacobian constrained = Ke;
   constrain(fixed, constrained);
   scatter(e, constrained);
@@ -111,36 +112,53 @@ void BlockAssembler::add(double s, const std::vector<Vec3>& w, const std::vector
   store_free(v, *fixed_, product.v[0]);
 }
 
+namespace {
+
+/// A node's row of a graph, and where an element has its columns there.
+struct Row {
+  std::size_t start, length;
+  const int* position;
+
+  Row(const fields::NodeGraph& graph, int node, std::size_t e, int a)
+      : start(graph.row_start[node]), length(graph.row_start[node + 1] - start),
+        position(graph.position[e].data() + 4 * a) {}
+};
+
+}  // namespace
+
 void BlockAssembler::scatter(std::size_t e, const kernels::MixedJacobian& Ke) {
-  const auto& nodes = mesh_->tets[e];
-  const auto& position = graph_->position[e];
+  const auto &nodes = mesh_->tets[e], &scalar_nodes = scalar_mesh_->tets[e];
+  const bool is_split = K_->split() != nullptr;  // else all four graphs are one
+  const fields::NodeGraph& graph = K_->graph(0, 0);
   for (int a = 0; a < 4; ++a) {
     if (nodes[a] >= mesh_->n_owned) continue;
-    const std::size_t start = graph_->row_start[nodes[a]];
-    const std::size_t length = graph_->row_start[nodes[a] + 1] - start;
+    const Row uu(graph, nodes[a], e, a);
+    const Row up = is_split ? Row(K_->graph(0, 1), nodes[a], e, a) : uu;
+    const Row pu = is_split ? Row(K_->graph(1, 0), scalar_nodes[a], e, a) : uu;
+    const Row pp = is_split ? Row(K_->graph(1, 1), scalar_nodes[a], e, a) : uu;
     for (int b = 0; b < 4; ++b) {
-      const std::size_t k = position[4 * a + b];
-      double* A = A_ + 9 * start + 3 * k;
-      double* B1T = B1T_ + 3 * start + k;
-      double* B2 = B2_ + 3 * start + 3 * k;
+      double* A = A_ + 9 * uu.start + 3 * uu.position[b];
+      double* B1T = B1T_ + 3 * up.start + up.position[b];
+      double* B2 = B2_ + 3 * pu.start + 3 * pu.position[b];
       for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) A[3 * length * i + j] += Ke.A[a][b][i][j];
-        B1T[length * i] += Ke.B1T[a][b][i];
+        for (int j = 0; j < 3; ++j) A[3 * uu.length * i + j] += Ke.A[a][b][i][j];
+        B1T[up.length * i] += Ke.B1T[a][b][i];
         B2[i] += Ke.B2[a][b][i];
       }
-      mC_[start + k] += Ke.mC[a][b];
+      mC_[pp.start + pp.position[b]] += Ke.mC[a][b];
     }
   }
 }
 
 void BlockAssembler::add(const fields::Face& face, const kernels::SurfaceJacobian& Ke) {
   if (motions_ != nullptr) motions_->collect(face, Ke);
+  const fields::NodeGraph& graph = K_->graph(0, 0);
   for (int a = 0; a < 3; ++a) {
     const int row = face.nodes[a];
     if (row >= mesh_->n_owned) continue;
-    const std::size_t start = graph_->row_start[row];
-    const std::size_t length = graph_->row_start[row + 1] - start;
-    const int* columns = graph_->columns.data() + start;
+    const std::size_t start = graph.row_start[row];
+    const std::size_t length = graph.row_start[row + 1] - start;
+    const int* columns = graph.columns.data() + start;
     for (int b = 0; b < 3; ++b) {
       const int column = face.nodes[b];
       const std::size_t k = std::lower_bound(columns, columns + length, column) - columns;

@@ -22,7 +22,9 @@ struct NodalResidual {
   std::vector<Vec3> u;
   std::vector<double> p;
 
-  explicit NodalResidual(const fields::FieldMesh& mesh) : u(mesh.n_owned), p(mesh.n_owned) {}
+  /// split: carries the scalars where it is not null. It must outlive the object.
+  explicit NodalResidual(const fields::FieldMesh& mesh, const fields::SplitMesh* split = nullptr)
+      : u(mesh.n_owned), p(split != nullptr ? split->n_owned : mesh.n_owned), split_(split) {}
   void set_zero();
   void add(const fields::FieldMesh& mesh, std::size_t e, const kernels::MixedResidual& R);
   void add(const fields::FieldMesh& mesh, const fields::Face& face,
@@ -30,6 +32,9 @@ struct NodalResidual {
   /// Copies into F with zeros in the constrained rows.
   void store(const fields::FieldMesh& mesh, const Constraints& fixed,
              algebra::BlockVector& F) const;
+
+private:
+  const fields::SplitMesh* split_;
 };
 
 /// Writes element Jacobians straight into the values of a BlockOperator's four matrices.
@@ -53,8 +58,7 @@ private:
   void scatter(std::size_t e, const kernels::MixedJacobian& Ke);
 
   fields::BlockOperator* K_;
-  const fields::FieldMesh* mesh_;
-  const fields::NodeGraph* graph_;
+  const fields::FieldMesh *mesh_, *scalar_mesh_;
   const Constraints* fixed_;
   CommonMotions* motions_;
   double *A_, *B1T_, *B2_, *mC_;

@@ -7,9 +7,10 @@
 
 namespace tunica::assembly {
 
-CommonMotions::CommonMotions(const fields::FieldMesh& mesh)
-    : mesh_(&mesh), motion_of_(3 * static_cast<std::size_t>(mesh.n_nodes()), -1),
-      is_touched_(mesh.n_nodes(), 0) {}
+CommonMotions::CommonMotions(const fields::FieldMesh& mesh, const fields::SplitMesh* split)
+    : mesh_(&mesh), scalar_mesh_(split != nullptr ? split : &mesh), split_(split),
+      motion_of_(3 * static_cast<std::size_t>(mesh.n_nodes()), -1), is_touched_(mesh.n_nodes(), 0) {
+}
 
 int CommonMotions::add(int component, bool has_force, const std::vector<char>& members,
                        Constraints& fixed) {
@@ -28,7 +29,7 @@ int CommonMotions::add(int component, bool has_force, const std::vector<char>& m
       all_agree(*mesh_->comm, is_alone),
       "a surface that moves as one along " + std::string(1, "xyz"[component]) +
           " shares nodes with another one that does. Name that component for one of them.");
-  const Values zero{std::vector<Vec3>(mesh_->n_owned), std::vector<double>(mesh_->n_owned)};
+  const Values zero{std::vector<Vec3>(mesh_->n_owned), std::vector<double>(scalar_mesh_->n_owned)};
   motions_.push_back({component, has_force, global_sum(*mesh_->comm, mine), zero, zero});
   return static_cast<int>(motions_.back().count);
 }
@@ -76,7 +77,8 @@ void CommonMotions::collect_vectors(const Nodes& nodes, const Jacobian& K) {
         }
 }
 
-void CommonMotions::collect(const std::array<int, 4>& nodes, const kernels::MixedJacobian& K) {
+void CommonMotions::collect(std::size_t e, const kernels::MixedJacobian& K) {
+  const auto &nodes = mesh_->tets[e], &scalar_nodes = scalar_mesh_->tets[e];
   if (std::none_of(nodes.begin(), nodes.end(), [this](int a) { return is_touched_[a]; })) return;
   collect_vectors(nodes, K);
   for (int a = 0; a < 4; ++a)
@@ -84,8 +86,9 @@ void CommonMotions::collect(const std::array<int, 4>& nodes, const kernels::Mixe
       for (int i = 0; i < 3; ++i) {
         const int from = motion_of(nodes[b], i), to = motion_of(nodes[a], i);
         if (from >= 0 && nodes[a] < mesh_->n_owned)
-          motions_[from].column.p[nodes[a]] += K.B2[a][b][i];
-        if (to >= 0 && nodes[b] < mesh_->n_owned) motions_[to].row.p[nodes[b]] += K.B1T[a][b][i];
+          motions_[from].column.p[scalar_nodes[a]] += K.B2[a][b][i];
+        if (to >= 0 && nodes[b] < mesh_->n_owned)
+          motions_[to].row.p[scalar_nodes[b]] += K.B1T[a][b][i];
       }
 }
 
@@ -119,7 +122,8 @@ void CommonMotions::store_first(int m, const Constraints& fixed, const Vector& d
       v(3 * a + i, 0) = is_member ? 1.0 / motions_[m].count : 0.0;
     }
   const auto w_p = product.w[1].getLocalViewHost(overwrite_all);
-  for (int a = 0; a < mesh_->n_owned; ++a) w_p(a, 0) = fixed[a] & fixed_scalar ? 0.0 : column.p[a];
+  for (int a = 0; a < scalar_mesh_->n_owned; ++a)
+    w_p(a, 0) = is_fixed_scalar(a, fixed) ? 0.0 : column.p[a];
   product.v[1].putScalar(0.0);
 }
 
@@ -142,8 +146,8 @@ void CommonMotions::store_second(int m, const Constraints& fixed,
     }
   product.w[1].putScalar(0.0);
   const auto v_p = product.v[1].getLocalViewHost(overwrite_all);
-  for (int a = 0; a < mesh_->n_owned; ++a)
-    v_p(a, 0) = !motion.has_force || fixed[a] & fixed_scalar ? 0.0 : motion.row.p[a];
+  for (int a = 0; a < scalar_mesh_->n_owned; ++a)
+    v_p(a, 0) = !motion.has_force || is_fixed_scalar(a, fixed) ? 0.0 : motion.row.p[a];
 }
 
 void CommonMotions::store(const Constraints& fixed, fields::BlockOperator& K) const {

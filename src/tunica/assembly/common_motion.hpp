@@ -21,7 +21,8 @@ namespace tunica::assembly {
 /// k/n (q − ū), k = 1 mN/mm.
 class CommonMotions {
 public:
-  explicit CommonMotions(const fields::FieldMesh& mesh);
+  /// split: carries the scalars where it is not null. The meshes must outlive the object.
+  explicit CommonMotions(const fields::FieldMesh& mesh, const fields::SplitMesh* split = nullptr);
 
   /// members: nodes, owned and ghosts. Those whose component is fixed already are left out, the
   /// others are fixed from now on; an Error where one belongs to another motion along the
@@ -40,7 +41,7 @@ public:
   /// A Jacobian begins; what its elements and faces hold of members, before it is dropped; and the
   /// last rank() products of K, whose blocks are complete. Collective.
   void begin();
-  void collect(const std::array<int, 4>& nodes, const kernels::MixedJacobian& K);
+  void collect(std::size_t e, const kernels::MixedJacobian& K);
   void collect(const fields::Face& face, const kernels::SurfaceJacobian& K);
   void store(const Constraints& fixed, fields::BlockOperator& K) const;
 
@@ -56,6 +57,9 @@ private:
     double count;        ///< n
     Values column, row;  ///< K e and Kᵀ e
   };
+  bool is_fixed_scalar(int node, const Constraints& fixed) const {
+    return fixed[split_ != nullptr ? split_->node[node] : node] & fixed_scalar;
+  }
   int motion_of(int node, int component) const { return motion_of_[3 * node + component]; }
   template <class Jacobian, class Nodes>
   void collect_vectors(const Nodes& nodes, const Jacobian& K);
@@ -66,7 +70,8 @@ private:
   void store_second(int m, const Constraints& fixed, const std::vector<double>& products,
                     algebra::RankOne& product) const;
 
-  const fields::FieldMesh* mesh_;
+  const fields::FieldMesh *mesh_, *scalar_mesh_;
+  const fields::SplitMesh* split_;
   std::vector<Motion> motions_;
   std::vector<int> motion_of_;    ///< per local node and component; -1: none
   std::vector<char> is_touched_;  ///< per local node: it has a member

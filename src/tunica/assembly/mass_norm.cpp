@@ -8,16 +8,16 @@
 
 namespace tunica::assembly {
 
-double mass_norm(const fields::FieldMesh& mesh, const std::vector<kernels::Tet4>& geometry,
-                 const algebra::BlockVector& x) {
+double mass_norm(const fields::FieldMesh& mesh, const fields::FieldMesh& scalar_mesh,
+                 const std::vector<kernels::Tet4>& geometry, const algebra::BlockVector& x) {
   const std::vector<Vec3> u = fields::ghosted_vectors(mesh, x[0]);
-  const std::vector<double> p = fields::ghosted_scalars(mesh, x[1]);
+  const std::vector<double> p = fields::ghosted_scalars(scalar_mesh, x[1]);
   double sum = 0.0;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
-    const auto& nodes = mesh.tets[e];
     const double V = geometry[e].volume;
-    sum += kernels::squared_norm(V, gather(p, nodes)) + kernels::squared_norm(V, gather(u, nodes));
+    sum += kernels::squared_norm(V, gather(p, scalar_mesh.tets[e])) +
+           kernels::squared_norm(V, gather(u, mesh.tets[e]));
   }
   return std::sqrt(global_sum(*mesh.comm, sum));
 }

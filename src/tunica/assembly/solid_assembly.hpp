@@ -10,7 +10,8 @@ struct SolidElements {
   std::vector<const materials::HyperelasticLaw*> law;
   std::vector<double> density;  ///< ρ [mg/mm³]
   std::vector<kernels::SolidCoefficients> coefficients;
-  std::vector<materials::Frame> frames;  ///< empty where no law has fibres
+  std::vector<materials::Frame> frames;      ///< empty where no law has fibres
+  const fields::SplitMesh* split = nullptr;  ///< carries the pressures where it is not null
 
   const materials::Frame& frame(std::size_t e) const {
     static constexpr materials::Frame none;
@@ -18,7 +19,7 @@ struct SolidElements {
   }
 };
 
-/// Nodal state of the wall on owned and ghost nodes.
+/// Nodal state of the wall on owned and ghost nodes; the pressures where they stand.
 struct SolidFields {
   std::vector<Vec3> d;
   std::vector<double> p;

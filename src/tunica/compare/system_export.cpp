@@ -38,9 +38,32 @@ MultiVector rigid_motions(const fields::FieldMesh& mesh) {
   return modes;
 }
 
-std::vector<const MultiVector*> vectors_of(const algebra::BlockVector& x) {
-  std::vector<const MultiVector*> vectors;
-  for (int b = 0; b < x.n_blocks(); ++b) vectors.push_back(&x[b]);
+/// The same rows in the order of their numbers, from rank to rank.
+Teuchos::RCP<const MultiVector> in_order(const Teuchos::RCP<const MultiVector>& x) {
+  const Map& rows = *x->getMap();
+  if (rows.isContiguous()) return x;
+  const Teuchos::RCP<const Map> ordered =
+      Teuchos::rcp(new Map(rows.getGlobalNumElements(), 0, rows.getComm()));
+  const auto result = Teuchos::rcp(new MultiVector(ordered, x->getNumVectors()));
+  result->doImport(*x, Import(x->getMap(), ordered), insert);
+  return result;
+}
+
+/// Writes the blocks one below the other.
+void write_blocks(const std::string& path, const std::vector<Teuchos::RCP<const MultiVector>>& x,
+                  const std::string& comment) {
+  std::vector<Teuchos::RCP<const MultiVector>> blocks;
+  std::vector<const MultiVector*> pointers;
+  for (const auto& block : x) {
+    blocks.push_back(in_order(block));
+    pointers.push_back(blocks.back().get());
+  }
+  io::write_matrix_market(path, pointers, comment);
+}
+
+std::vector<Teuchos::RCP<const MultiVector>> vectors_of(const algebra::BlockVector& x) {
+  std::vector<Teuchos::RCP<const MultiVector>> vectors;
+  for (int b = 0; b < x.n_blocks(); ++b) vectors.push_back(x.block(b));
   return vectors;
 }
 
@@ -48,9 +71,9 @@ std::vector<const MultiVector*> vectors_of(const algebra::BlockVector& x) {
 struct Columns {
   std::vector<MultiVector> blocks;
 
-  std::vector<const MultiVector*> all() const {
-    std::vector<const MultiVector*> pointers;
-    for (const MultiVector& block : blocks) pointers.push_back(&block);
+  std::vector<Teuchos::RCP<const MultiVector>> all() const {
+    std::vector<Teuchos::RCP<const MultiVector>> pointers;
+    for (const MultiVector& block : blocks) pointers.push_back(Teuchos::rcpFromRef(block));
     return pointers;
   }
 };
@@ -70,6 +93,11 @@ std::pair<Columns, Columns> columns_of(const algebra::LowRank& L,
   return {WS, V};
 }
 
+/// By scalar unknown; null where it is that of its node.
+Teuchos::RCP<const Vector> hosts_of(const LinearSystem& system) {
+  return (*system.K->space())[1].nodes.hosts;
+}
+
 std::string state_of(const LinearSystem& system, const output::RunRecord& record) {
   const Json run = Json::parse(record.text());
   const auto nodes = static_cast<long long>(system.mesh->node_map->getGlobalNumElements());
@@ -81,7 +109,9 @@ std::string state_of(const LinearSystem& system, const output::RunRecord& record
   out["step"] = system.step;
   out["coupling iteration"] = system.coupling_iteration;
   out["newton step"] = system.newton_step;
-  out["sizes"] = {{"nodes", nodes}, {"vector unknowns", 3 * nodes}, {"scalar unknowns", nodes}};
+  out["sizes"] = {{"nodes", nodes},
+                  {"vector unknowns", 3 * nodes},
+                  {"scalar unknowns", (*system.K->space())[1].map->getGlobalNumElements()}};
   out["operator"] = "K = [A B1T; B2 -C]; constrained rows and columns keep their diagonal only";
   if (system.K->low_rank())
     out["low rank"] =
@@ -90,6 +120,10 @@ std::string state_of(const LinearSystem& system, const output::RunRecord& record
   out["ordering"] =
       "vector unknown 3*node + i, scalar unknown node, both counted from 0; "
       "rhs and solution hold all vector unknowns, then all scalar ones";
+  if (!hosts_of(system).is_null())
+    out["pressures at layers"] =
+        "scalar unknowns beyond the nodes are further pressures of nodes between layers; "
+        "scalar_nodes.mtx has the node of each scalar unknown, from 0";
   out["meaning"] = "K x = rhs = residual of Newton's method; its full step is -x";
   out["units"] = {{"base", "mm, ms, mg"},
                   {"coordinates", "mm, undeformed mesh"},
@@ -126,7 +160,12 @@ void SystemExport::write(const LinearSystem& system) const {
   write_matrix_market(path(system, "B2.mtx"), *(*system.K)(1, 0), 1.0, "");
   write_matrix_market(path(system, "C.mtx"), *(*system.K)(1, 1), -1.0, "");
   write_low_rank(system);
-  write_matrix_market(path(system, "rhs.mtx"), vectors_of(*system.b), "");
+  write_blocks(path(system, "rhs.mtx"), vectors_of(*system.b), "");
+  const std::string scalar_nodes = path(system, "scalar_nodes.mtx");
+  if (!hosts_of(system).is_null())
+    write_blocks(scalar_nodes, {hosts_of(system)}, "");
+  else if (comm_->getRank() == 0)
+    std::remove(scalar_nodes.c_str());
   const MultiVector x = coordinates(*system.mesh), modes = rigid_motions(*system.mesh);
   write_matrix_market(path(system, "coordinates.mtx"), {&x}, "mm");
   write_matrix_market(path(system, "nullspace.mtx"), {&modes}, "");
@@ -145,8 +184,8 @@ void SystemExport::write_low_rank(const LinearSystem& system) const {
     return;
   }
   const auto columns = columns_of(*system.K->low_rank(), *system.K->space());
-  io::write_matrix_market(W, columns.first.all(), "");
-  io::write_matrix_market(V, columns.second.all(), "");
+  write_blocks(W, columns.first.all(), "");
+  write_blocks(V, columns.second.all(), "");
 }
 
 void SystemExport::write(const LinearSystem& system,
@@ -157,7 +196,7 @@ void SystemExport::write(const LinearSystem& system,
     if (comm_->getRank() == 0) std::remove(file.c_str());
     return;
   }
-  io::write_matrix_market(file, vectors_of(solution->x), note_on(*solution));
+  write_blocks(file, vectors_of(solution->x), note_on(*solution));
 }
 
 }  // namespace tunica::compare

@@ -4,6 +4,19 @@
 
 namespace tunica::discretisation {
 
+std::vector<int> material_of_regions(const std::vector<Layer>& layers,
+                                     const fields::FieldMesh& mesh) {
+  std::vector<int> materials(mesh.regions.size(), -1);
+  for (const Layer& layer : layers) {
+    const auto region = std::find(mesh.regions.begin(), mesh.regions.end(), layer.region);
+    const auto first = std::find_if(layers.begin(), layers.end(), [&layer](const Layer& other) {
+      return other.has_material_of(layer);
+    });
+    materials[region - mesh.regions.begin()] = static_cast<int>(first - layers.begin());
+  }
+  return materials;
+}
+
 // A ghost node's elements are not all here: its owner says whether it lies on a boundary.
 std::vector<char> at_layer_boundary(const fields::FieldMesh& mesh,
                                     const std::vector<int>& material) {

@@ -7,10 +7,10 @@
 namespace tunica::discretisation {
 
 MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
-    : mesh_(&mesh), scheme_(std::move(parts.scheme)),
+    : mesh_(&mesh), split_(std::move(parts.split)), scheme_(std::move(parts.scheme)),
       history_(scheme_->remembers(), mesh.n_nodes()),
       surfaces_(parts.conditions, parts.registry, mesh), fixed_(mesh.n_nodes(), 0),
-      K_(mesh, parts.blocks), R_(mesh), motion_(mesh) {
+      K_(mesh, parts.blocks, split_.get()), R_(mesh, split_.get()), motion_(mesh, split_.get()) {
   surfaces_.constrain(fixed_);
   surfaces_.follow(*scheme_);
   tie_surfaces();
@@ -88,7 +88,7 @@ std::string MixedField::restore_history(const fields::State& state, const algebr
 }
 
 double MixedField::mass_norm(const algebra::BlockVector& dx) const {
-  return assembly::mass_norm(*mesh_, geometry(), dx);
+  return assembly::mass_norm(*mesh_, scalar_mesh(), geometry(), dx);
 }
 
 }  // namespace tunica::discretisation

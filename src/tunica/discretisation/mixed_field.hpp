@@ -17,6 +17,10 @@ namespace tunica::discretisation {
 class MixedField : public Discretisation {
 public:
   const fields::FieldMesh& mesh() const { return *mesh_; }
+  /// Whose nodes carry the scalars: that of the field, but for scalars that jump.
+  const fields::FieldMesh& scalar_mesh() const { return K_.mesh_of(1); }
+  /// Null where they do not.
+  const fields::SplitMesh* split() const { return split_.get(); }
   const fields::NodeGraph& graph() const { return K_.graph(); }
   /// Elements of all Jacobians so far and the time they took on this rank.
   const Throughput& throughput() const { return throughput_; }
@@ -46,6 +50,7 @@ protected:
     std::vector<boundary::Condition> conditions;
     const std::vector<boundary::ConditionEntry>& registry;
     std::unique_ptr<stepping::TimeScheme> scheme;
+    std::unique_ptr<fields::SplitMesh> split = nullptr;  ///< where scalars jump
   };
   /// mesh must outlive the object. Collective.
   MixedField(const fields::FieldMesh& mesh, Parts parts);
@@ -65,6 +70,7 @@ protected:
   virtual const std::vector<kernels::Tet4>& geometry() const = 0;
 
   const fields::FieldMesh* mesh_;
+  std::unique_ptr<fields::SplitMesh> split_;
   std::unique_ptr<stepping::TimeScheme> scheme_;
   stepping::History history_;  ///< of the vector
   boundary::SurfaceTerms surfaces_;

@@ -9,18 +9,31 @@
 
 namespace tunica::discretisation {
 
+namespace {
+
+/// Null where no pressure jumps.
+std::unique_ptr<fields::SplitMesh> mesh_of_pressures(const SolidOptions& options,
+                                                     const fields::FieldMesh& mesh) {
+  if (!options.has_doubled_pressure) return nullptr;
+  return fields::split_mesh(mesh, material_of_regions(options.layers, mesh));
+}
+
+}  // namespace
+
 Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
              std::vector<materials::Frame> frames)
     : MixedField(mesh, {{{"displacement", 3}, {"pressure", 1}},
                         boundary::conditions_of(list.sublist("Surfaces")),
                         boundary::wall_conditions(),
-                        stepping::make_wall_scheme(list)}),
+                        stepping::make_wall_scheme(list),
+                        mesh_of_pressures(solid_options(list), mesh)}),
       options_(solid_options(list)), nodal_force_(mesh.n_owned) {
   local_.r.assign(mesh.n_nodes(), Vec3{});
   local_.d.resize(mesh.n_nodes());
-  local_.p.resize(mesh.n_nodes());
+  local_.p.resize(scalar_mesh().n_nodes());
   set_elements();
-  set_layer_boundaries();
+  if (!options_.has_doubled_pressure)
+    is_at_layer_ = at_layer_boundary(mesh, material_of_regions(options_.layers, mesh));
   if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::solid_subscales(*mesh_, elements_, local_); });
@@ -43,14 +56,7 @@ void Solid::set_elements() {
     elements_.density.push_back(options_.layers[layer_of_region_[region]].density);
   }
   elements_.coefficients.resize(mesh_->tets.size());
-}
-
-void Solid::set_layer_boundaries() {
-  std::vector<int> material(mesh_->regions.size(), -1);
-  for (std::size_t r = 0; r < material.size(); ++r)
-    for (int l = layer_of_region_[r]; l >= 0; --l)
-      if (options_.layers[l].has_material_of(options_.layers[layer_of_region_[r]])) material[r] = l;
-  is_at_layer_ = at_layer_boundary(*mesh_, material);
+  elements_.split = split();
 }
 
 void Solid::set_coefficients() {
@@ -61,9 +67,10 @@ void Solid::set_coefficients() {
     const double stiffness = 4.0 * options_.modulus_factor * modulus / (h * h);
     const double alpha = scheme_->inertia(layer.density);
     double tau = 1.0 / (stiffness + (options_.has_inertia_in_tau ? alpha : 0.0));
-    // The pressure jumps between materials. PSPG takes the jump, spread over an element, for a
-    // gradient out of balance and answers with a change of volume, see verify/test_inflation.cpp.
-    if (is_at_layer_[e]) tau *= options_.layer_factor;
+    // The pressure jumps between materials. Where it is continuous, PSPG takes the jump, spread
+    // over an element, for a gradient out of balance and answers with a change of volume, see
+    // verify/test_inflation.cpp.
+    if (!is_at_layer_.empty() && is_at_layer_[e]) tau *= options_.layer_factor;
     elements_.coefficients[e] = {alpha, 1.0 / layer.bulk_modulus, tau,
                                  options_.volumetric_factor * modulus};
   }
@@ -101,14 +108,14 @@ void Solid::begin_step(const stepping::Clock& clock) {
 }
 
 void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const {
-  assembly::NodalResidual load(*mesh_);
+  assembly::NodalResidual load(*mesh_, split());
   load.u = force;
   load.store(*mesh_, fixed_, b);
 }
 
 void Solid::read(const algebra::BlockVector& x) {
   local_.d = fields::ghosted_vectors(*mesh_, x[0]);
-  local_.p = fields::ghosted_scalars(*mesh_, x[1]);
+  local_.p = fields::ghosted_scalars(scalar_mesh(), x[1]);
 }
 
 bool Solid::is_admissible() {

@@ -46,7 +46,6 @@ public:
 
 private:
   void set_elements();
-  void set_layer_boundaries();
   void set_coefficients();
   void set_inertia_history();
   /// Its subscale has inertia, where subscales have.
@@ -70,7 +69,8 @@ private:
   SolidOptions options_;
   std::vector<std::unique_ptr<materials::HyperelasticLaw>> laws_;  ///< per layer
   std::vector<int> layer_of_region_;
-  std::vector<char> is_at_layer_;  ///< per element: it touches another material
+  std::vector<char> is_at_layer_;  ///< per element: it touches another material; empty where
+                                   ///< the pressure follows the jump
   assembly::SolidElements elements_;
 
   ElementHistory* subscales_ = nullptr;  ///< null where they have no inertia

@@ -32,18 +32,20 @@ struct Summary {
 Observables Solid::observe(const algebra::BlockVector& x) const {
   const Comm& comm = *mesh_->comm;
   const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, x[0]);
-  const std::vector<double> p = fields::ghosted_scalars(*mesh_, x[1]);
+  const std::vector<double> p = fields::ghosted_scalars(scalar_mesh(), x[1]);
   const int n_surfaces = static_cast<int>(mesh_->surfaces.size());
   bool has_interface = false;
   for (int k = 0; k < n_surfaces; ++k) has_interface |= surfaces_.is_interface(k);
   Summary s;
   for (int a = 0; a < mesh_->n_owned; ++a) {
     s.displacement = std::max(s.displacement, norm(d[a]));
-    s.low_pressure = std::min(s.low_pressure, p[a]);
-    s.high_pressure = std::max(s.high_pressure, p[a]);
     for (int k = 0; k < n_surfaces; ++k)
       if (surfaces_.is_interface(k) && mesh_->is_on(a, k))
         s.interface_displacement = std::max(s.interface_displacement, norm(d[a]));
+  }
+  for (int a = 0; a < scalar_mesh().n_owned; ++a) {
+    s.low_pressure = std::min(s.low_pressure, p[a]);
+    s.high_pressure = std::max(s.high_pressure, p[a]);
   }
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
     const auto de = assembly::gather(d, mesh_->tets[e]);
@@ -51,18 +53,17 @@ Observables Solid::observe(const algebra::BlockVector& x) const {
     s.low_J = std::min(s.low_J, J);
     s.high_J = std::max(s.high_J, J);
     if (!mesh_->is_owned[e]) continue;
+    const auto pe = assembly::gather(p, scalar_mesh().tets[e]);
     const double V = elements_.geometry[e].volume;
     const Sym3 C =
         kernels::right_cauchy_green(kernels::deformation_gradient(elements_.geometry[e], de));
     s.elastic += V * elements_.law[e]->energy(C, elements_.frame(e));
-    s.volumetric += 0.5 * elements_.coefficients[e].inv_kappa *
-                    kernels::squared_norm(V, assembly::gather(p, mesh_->tets[e]));
+    s.volumetric += 0.5 * elements_.coefficients[e].inv_kappa * kernels::squared_norm(V, pe);
     s.kinetic += 0.5 * elements_.density[e] *
                  kernels::squared_norm(V, assembly::gather(velocity(), mesh_->tets[e]));
     if (subscales_ && is_nearly_incompressible(e))
       s.stabilisation +=
-          kernels::subscale_power(elements_.geometry[e], de, assembly::gather(p, mesh_->tets[e]),
-                                  subscales_->history()[0][e]);
+          kernels::subscale_power(elements_.geometry[e], de, pe, subscales_->history()[0][e]);
   }
   Observables found{{"max_displacement_wall_mm", global_max(comm, s.displacement)},
                     {"min_det_F", global_min(comm, s.low_J)},

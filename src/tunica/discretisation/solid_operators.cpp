@@ -16,9 +16,9 @@ std::vector<std::string> Solid::operator_names() const { return {mass, bulk_mass
 // trials on a coarse mesh; here it is the law's own modulus c10 + c01, layer by layer.
 Teuchos::RCP<const CrsMatrix> Solid::assemble_operator(const std::string& name) const {
   if (name != mass && name != bulk_mass) return Teuchos::null;
-  const std::vector<char> none_fixed(mesh_->n_nodes(), 0);
+  const std::vector<char> none_fixed(scalar_mesh().n_nodes(), 0);
   return assembly::scalar_matrix(
-      *mesh_, K_.graph(),
+      scalar_mesh(), K_.graph(1, 1),
       [&](std::size_t e) {
         const double factor = name == bulk_mass ? elements_.coefficients[e].inv_kappa
                                                 : 2.0 / elements_.law[e]->stabilisation_modulus();

@@ -62,6 +62,10 @@ void add_layer_keys(params::Table& table) {
 }
 
 void add_solid_keys(params::Table& table) {
+  params::Table continuous;
+  continuous.number("stabilisation at layers", 0.03, params::Range{0.0, 1.0, true, false}, "1",
+                    "multiplies the PSPG parameter of elements that touch another material, which "
+                    "takes a jump of the pressure for a gradient; 1 as in the paper");
   table
       .entries("Surfaces",
                boundary::condition_table(
@@ -79,9 +83,10 @@ void add_solid_keys(params::Table& table) {
           "rho/(beta dt^2)) only; or with the paper's h^2/(4 mu), which ignores it")
       .number("stabilisation modulus factor", 1.0, params::positive(), "1",
               "multiplies the modulus mu of the PSPG parameter")
-      .number("stabilisation at layers", 0.03, params::Range{0.0, 1.0, true, false}, "1",
-              "multiplies the PSPG parameter of elements that touch another material, where the "
-              "pressure jumps; 1 as in the paper")
+      .variant("pressure at layers", "doubled",
+               {{"doubled", params::Table()}, {"continuous", continuous}},
+               "at vertices between layers of different material, where the pressure jumps: one "
+               "for each material, or a single one as in the paper, of first order")
       .number(
           "volumetric stabilisation", 0.0, params::non_negative(), "1",
           "in parts of the modulus mu, how much of its pressure an element has for itself where "
@@ -99,7 +104,9 @@ SolidOptions solid_options(const Teuchos::ParameterList& list) {
       stabilisation == "dynamic" && list.get<std::string>("analysis") == "dynamic";
   options.has_inertia_in_tau = stabilisation != "paper";
   options.modulus_factor = list.get<double>("stabilisation modulus factor");
-  options.layer_factor = list.get<double>("stabilisation at layers");
+  options.has_doubled_pressure = list.get<std::string>("pressure at layers") == "doubled";
+  options.layer_factor =
+      options.has_doubled_pressure ? 1.0 : list.get<double>("stabilisation at layers");
   options.volumetric_factor = list.get<double>("volumetric stabilisation");
   return options;
 }

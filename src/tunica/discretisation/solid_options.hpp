@@ -26,7 +26,8 @@ struct SolidOptions {
   bool has_dynamic_subscales;  ///< those of PSPG have inertia of their own
   bool has_inertia_in_tau;     ///< τ = 1/(4μ_l/h² + α) instead of the paper's h²/(4μ_l)
   double modulus_factor;       ///< multiplies μ_l in τ
-  double layer_factor;         ///< multiplies τ at the boundary of two materials
+  bool has_doubled_pressure;   ///< one for each material at a vertex
+  double layer_factor;         ///< else: multiplies τ at the boundary of two materials
   double volumetric_factor;    ///< τ_v of the volumetric subscale in parts of μ_l
 
   std::vector<std::string> regions() const;

@@ -4,11 +4,14 @@
 
 namespace tunica::fields {
 
-NodeGraph make_node_graph(const FieldMesh& mesh) {
-  std::vector<std::vector<int>> rows(mesh.n_owned);
-  for (const auto& tet : mesh.tets)
-    for (const int a : tet)
-      if (a < mesh.n_owned) rows[a].insert(rows[a].end(), tet.begin(), tet.end());
+NodeGraph make_node_graph(const FieldMesh& mesh) { return make_node_graph(mesh, mesh); }
+
+NodeGraph make_node_graph(const FieldMesh& row_mesh, const FieldMesh& column_mesh) {
+  std::vector<std::vector<int>> rows(row_mesh.n_owned);
+  for (std::size_t e = 0; e < row_mesh.tets.size(); ++e)
+    for (const int a : row_mesh.tets[e])
+      if (a < row_mesh.n_owned)
+        rows[a].insert(rows[a].end(), column_mesh.tets[e].begin(), column_mesh.tets[e].end());
   NodeGraph graph;
   graph.row_start.push_back(0);
   for (auto& row : rows) {
@@ -17,53 +20,56 @@ NodeGraph make_node_graph(const FieldMesh& mesh) {
     graph.columns.insert(graph.columns.end(), row.begin(), row.end());
     graph.row_start.push_back(graph.columns.size());
   }
-  for (const auto& tet : mesh.tets) {
+  for (std::size_t e = 0; e < row_mesh.tets.size(); ++e) {
     auto& position = graph.position.emplace_back();
     position.fill(-1);
     for (int a = 0; a < 4; ++a) {
-      if (tet[a] >= mesh.n_owned) continue;
-      const auto& row = rows[tet[a]];
-      for (int b = 0; b < 4; ++b)
-        position[4 * a + b] =
-            static_cast<int>(std::lower_bound(row.begin(), row.end(), tet[b]) - row.begin());
+      const int node = row_mesh.tets[e][a];
+      if (node >= row_mesh.n_owned) continue;
+      const auto& row = rows[node];
+      for (int b = 0; b < 4; ++b) {
+        const auto found = std::lower_bound(row.begin(), row.end(), column_mesh.tets[e][b]);
+        position[4 * a + b] = static_cast<int>(found - row.begin());
+      }
     }
   }
   return graph;
 }
 
-Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
-                                    int dofs_column) {
+namespace {
+
+/// The nodes of rows or columns and how many of them each has.
+struct Side {
+  const FieldMesh* mesh;
+  int dofs;
+
+  Teuchos::RCP<const Map> map() const { return dofs == 3 ? mesh->vector_map : mesh->node_map; }
+  Teuchos::RCP<const Map> ghosted_map() const {
+    return dofs == 3 ? mesh->ghosted_vector_map : mesh->ghosted_map;
+  }
+};
+
+Teuchos::RCP<CrsMatrix> matrix_between(const NodeGraph& graph, const Side& row,
+                                       const Side& column) {
   using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
   using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
   using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
   const std::size_t pairs = graph.columns.size();
-  RowStart row_start("row start", static_cast<std::size_t>(dofs_row) * mesh.n_owned + 1);
-  Columns columns("columns", pairs * dofs_row * dofs_column);
-  Values values("values", pairs * dofs_row * dofs_column);
+  const int n_rows = row.mesh->n_owned;
+  RowStart row_start("row start", static_cast<std::size_t>(row.dofs) * n_rows + 1);
+  Columns columns("columns", pairs * row.dofs * column.dofs);
+  Values values("values", pairs * row.dofs * column.dofs);
   std::size_t next = 0;
-  for (int a = 0; a < mesh.n_owned; ++a)
-    for (int i = 0; i < dofs_row; ++i) {
+  for (int a = 0; a < n_rows; ++a)
+    for (int i = 0; i < row.dofs; ++i) {
       for (std::size_t k = graph.row_start[a]; k < graph.row_start[a + 1]; ++k)
-        for (int j = 0; j < dofs_column; ++j) columns(next++) = dofs_column * graph.columns[k] + j;
-      row_start(dofs_row * a + i + 1) = next;
+        for (int j = 0; j < column.dofs; ++j) columns(next++) = column.dofs * graph.columns[k] + j;
+      row_start(row.dofs * a + i + 1) = next;
     }
-  const auto row_map = dofs_row == 3 ? mesh.vector_map : mesh.node_map;
-  const auto domain_map = dofs_column == 3 ? mesh.vector_map : mesh.node_map;
-  const auto column_map = dofs_column == 3 ? mesh.ghosted_vector_map : mesh.ghosted_map;
-  const auto matrix = Teuchos::rcp(new CrsMatrix(row_map, column_map, row_start, columns, values));
-  matrix->expertStaticFillComplete(domain_map, row_map);
+  const auto matrix =
+      Teuchos::rcp(new CrsMatrix(row.map(), column.ghosted_map(), row_start, columns, values));
+  matrix->expertStaticFillComplete(column.map(), row.map());
   return matrix;
-}
-
-namespace {
-
-algebra::BlockSpacePtr make_space(const FieldMesh& mesh, const NodalBlocks& blocks,
-                                  const algebra::Nodes& nodes) {
-  std::vector<algebra::Block> all;
-  for (const NodalBlock& block : blocks)
-    all.push_back({block.name, block.components == 3 ? mesh.vector_map : mesh.node_map,
-                   block.components, nodes});
-  return std::make_shared<const algebra::BlockSpace>(std::move(all));
 }
 
 /// Nodes are picked in the order of their vertices, whichever ranks own them.
@@ -74,28 +80,78 @@ Teuchos::RCP<const Vector> vertex_order(const FieldMesh& mesh) {
   return order;
 }
 
-}  // namespace
-
-algebra::BlockSpacePtr nodal_space(const FieldMesh& mesh, const NodalBlocks& blocks) {
-  return make_space(mesh, blocks, {});
+template <class SideOf>
+algebra::BlockSpacePtr space_of(const NodalBlocks& blocks, const SideOf& side_of,
+                                const algebra::Nodes& vectors, const algebra::Nodes& scalars) {
+  std::vector<algebra::Block> all;
+  for (const NodalBlock& block : blocks)
+    all.push_back({block.name, side_of(block).map(), block.components,
+                   block.components == 1 ? scalars : vectors});
+  return std::make_shared<const algebra::BlockSpace>(std::move(all));
 }
 
-BlockOperator::BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks)
-    : mesh_(&mesh), graph_(make_node_graph(mesh)) {
-  const int n = static_cast<int>(blocks.size());
+/// Where the vectors are that copies of a node belong to.
+Teuchos::RCP<const Vector> hosts_of(const FieldMesh& mesh, const SplitMesh& split) {
+  const auto hosts = Teuchos::rcp(new Vector(split.node_map));
+  const auto numbers = hosts->getLocalViewHost(overwrite_all);
+  for (int a = 0; a < split.n_owned; ++a)
+    numbers(a, 0) = static_cast<Scalar>(mesh.node_map->getGlobalElement(split.node[a]));
+  return hosts;
+}
+
+}  // namespace
+
+Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
+                                    int dofs_column) {
+  return matrix_between(graph, {&mesh, dofs_row}, {&mesh, dofs_column});
+}
+
+algebra::BlockSpacePtr nodal_space(const FieldMesh& mesh, const NodalBlocks& blocks) {
+  return space_of(blocks,
+                  [&mesh](const NodalBlock& block) {
+                    return Side{&mesh, block.components};
+                  },
+                  {}, {});
+}
+
+BlockOperator::BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks,
+                             const SplitMesh* split)
+    : mesh_(&mesh), split_(split) {
+  graphs_.fill(std::make_shared<const NodeGraph>(make_node_graph(mesh)));
+  const auto side_of = [&](const NodalBlock& block) -> Side {
+    return {split != nullptr && block.components == 1 ? split : &mesh, block.components};
+  };
+  if (split != nullptr) {
+    graphs_[1] = std::make_shared<const NodeGraph>(make_node_graph(mesh, *split));
+    graphs_[2] = std::make_shared<const NodeGraph>(make_node_graph(*split, mesh));
+    graphs_[3] = std::make_shared<const NodeGraph>(make_node_graph(*split));
+  }
   std::vector<Teuchos::RCP<CrsMatrix>> matrices;
   Teuchos::RCP<CrsMatrix> scalar;  // one row per node
   for (const NodalBlock& row : blocks)
     for (const NodalBlock& column : blocks) {
-      matrices.push_back(make_matrix(graph_, mesh, row.components, column.components));
-      if (row.components == 1 && column.components == 1 && scalar.is_null())
-        scalar = matrices.back();
+      const int kind = 2 * (row.components == 1) + (column.components == 1);
+      matrices.push_back(matrix_between(*graphs_[kind], side_of(row), side_of(column)));
+      if (kind == 3 && scalar.is_null()) scalar = matrices.back();
     }
-  if (scalar.is_null()) scalar = make_matrix(graph_, mesh, 1, 1);
-  algebra::BlockMatrix::operator=(
-      algebra::BlockMatrix(make_space(mesh, blocks, {scalar, vertex_order(mesh)})));
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) set(i, j, matrices[i * n + j]);
+  const bool is_shared = split == nullptr && !scalar.is_null();
+  const algebra::Nodes nodes{is_shared ? scalar : make_matrix(*graphs_[0], mesh, 1, 1),
+                             vertex_order(mesh)};
+  const algebra::Nodes copies =
+      split == nullptr ? nodes
+                       : algebra::Nodes{scalar, vertex_order(*split), hosts_of(mesh, *split)};
+  algebra::BlockMatrix::operator=(algebra::BlockMatrix(space_of(blocks, side_of, nodes, copies)));
+  for (int i = 0; i < n_blocks(); ++i)
+    for (int j = 0; j < n_blocks(); ++j) set(i, j, matrices[i * n_blocks() + j]);
+}
+
+const FieldMesh& BlockOperator::mesh_of(int block) const {
+  return split_ != nullptr && (*space())[block].components == 1 ? *split_ : *mesh_;
+}
+
+const NodeGraph& BlockOperator::graph(int row, int column) const {
+  const auto is_split = [this](int block) { return (*space())[block].components == 1 ? 1 : 0; };
+  return *graphs_[2 * is_split(row) + is_split(column)];
 }
 
 }  // namespace tunica::fields

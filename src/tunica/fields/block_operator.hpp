@@ -1,9 +1,11 @@
 #pragma once
+#include <array>
 #include <cstdint>
+#include <memory>
 
 #include "tunica/algebra/block_matrix.hpp"
 #include "tunica/base/types.hpp"
-#include "tunica/fields/field_mesh.hpp"
+#include "tunica/fields/split_mesh.hpp"
 
 namespace tunica::fields {
 
@@ -16,6 +18,8 @@ struct NodeGraph {
                                               ///< -1 where node a is not owned
 };
 NodeGraph make_node_graph(const FieldMesh& mesh);
+/// Rows and columns on different nodes of the same tetrahedra.
+NodeGraph make_node_graph(const FieldMesh& rows, const FieldMesh& columns);
 
 /// A kind of unknown at each node of a field.
 struct NodalBlock {
@@ -34,18 +38,26 @@ inline algebra::BlockVector zero_vector(const FieldMesh& mesh) {
   return algebra::BlockVector(nodal_space(mesh));
 }
 
-/// The Jacobian of a field: matrices between all its blocks on static graphs that share one node
-/// graph. Values are written in place by assembly/.
+/// The Jacobian of a field: matrices between all its blocks on static graphs, one for all that
+/// stand on the same nodes. Values are written in place by assembly/.
 class BlockOperator : public algebra::BlockMatrix {
 public:
-  explicit BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks = mixed_blocks);
+  /// split: carries the scalars where it is not null. The meshes must outlive the object.
+  explicit BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks = mixed_blocks,
+                         const SplitMesh* split = nullptr);
 
   const FieldMesh& mesh() const { return *mesh_; }
-  const NodeGraph& graph() const { return graph_; }
+  /// Null where the scalars stand on the nodes of the mesh.
+  const SplitMesh* split() const { return split_; }
+  const FieldMesh& mesh_of(int block) const;
+  /// That of the matrix between two blocks.
+  const NodeGraph& graph(int row = 0, int column = 0) const;
 
 private:
   const FieldMesh* mesh_;
-  NodeGraph graph_;
+  const SplitMesh* split_;
+  /// By whether rows and columns are on the split mesh; the same without one.
+  std::array<std::shared_ptr<const NodeGraph>, 4> graphs_;
 };
 
 /// A matrix with rows dofs_row*node + i and columns dofs_column*node + j on the node graph,

@@ -118,28 +118,26 @@ void add_faces(const mesh::Mesh& mesh, const mesh::Partition& partition,
   field.node_surfaces = NodeSurfaces(field.n_nodes(), std::move(on_surfaces));
 }
 
-Teuchos::RCP<const Map> map_of(const std::vector<long long>& numbers, int dofs, long long total,
-                               const CommPtr& comm) {
-  std::vector<long long> dof_numbers;
-  dof_numbers.reserve(numbers.size() * dofs);
-  for (const long long g : numbers)
-    for (int i = 0; i < dofs; ++i) dof_numbers.push_back(dofs * g + i);
+/// Numbers that ascend without gaps from rank to rank become a contiguous map, which needs no
+/// directory.
+Teuchos::RCP<const Map> map_of_dofs(const std::vector<GlobalOrdinal>& nodes, int dofs,
+                                    bool is_contiguous, const CommPtr& comm) {
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  if (total >= 0) return Teuchos::rcp(new Map(dofs * total, dof_numbers.size(), 0, comm));
-  return Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(dof_numbers), 0, comm));
+  if (is_contiguous) return Teuchos::rcp(new Map(unknown, dofs * nodes.size(), 0, comm));
+  std::vector<GlobalOrdinal> numbers;
+  numbers.reserve(nodes.size() * dofs);
+  for (const GlobalOrdinal g : nodes)
+    for (int i = 0; i < dofs; ++i) numbers.push_back(dofs * g + i);
+  return Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(numbers), 0, comm));
 }
 
-void add_maps(const Numbering& n, FieldMesh& field) {
-  std::vector<long long> numbers;
-  for (const int v : field.vertex) numbers.push_back(n.global[v]);
-  const std::vector<long long> owned(numbers.begin(), numbers.begin() + field.n_owned);
-  const long long total = n.first.back();
-  field.node_map = map_of(owned, 1, total, field.comm);
-  field.vector_map = map_of(owned, 3, total, field.comm);
-  field.ghosted_map = map_of(numbers, 1, -1, field.comm);
-  field.ghosted_vector_map = map_of(numbers, 3, -1, field.comm);
-  field.import = Teuchos::rcp(new Import(field.node_map, field.ghosted_map));
-  field.vector_import = Teuchos::rcp(new Import(field.vector_map, field.ghosted_vector_map));
+bool is_contiguous(const std::vector<GlobalOrdinal>& numbers, const Comm& comm) {
+  long long mine = static_cast<long long>(numbers.size()), up_to_here = 0;
+  Teuchos::scan(comm, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
+  bool is_mine = true;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    is_mine &= numbers[i] == up_to_here - mine + static_cast<GlobalOrdinal>(i);
+  return all_agree(comm, is_mine);
 }
 
 }  // namespace
@@ -154,6 +152,17 @@ NodeSurfaces::NodeSurfaces(int n_nodes, std::vector<std::pair<int, int>> pairs)
     surface_.push_back(surface);
   }
   for (int a = 0; a < n_nodes; ++a) first_[a + 1] += first_[a];
+}
+
+void set_maps(const std::vector<GlobalOrdinal>& numbers, FieldMesh& mesh) {
+  const std::vector<GlobalOrdinal> owned(numbers.begin(), numbers.begin() + mesh.n_owned);
+  const bool is_plain = is_contiguous(owned, *mesh.comm);
+  mesh.node_map = map_of_dofs(owned, 1, is_plain, mesh.comm);
+  mesh.vector_map = map_of_dofs(owned, 3, is_plain, mesh.comm);
+  mesh.ghosted_map = map_of_dofs(numbers, 1, false, mesh.comm);
+  mesh.ghosted_vector_map = map_of_dofs(numbers, 3, false, mesh.comm);
+  mesh.import = Teuchos::rcp(new Import(mesh.node_map, mesh.ghosted_map));
+  mesh.vector_import = Teuchos::rcp(new Import(mesh.vector_map, mesh.ghosted_vector_map));
 }
 
 FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partition,
@@ -188,7 +197,9 @@ FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partiti
     for (const int e : tets) mine.values.push_back(whole.values[e]);
   }
   add_faces(mesh, partition, is_in_field, local, field);
-  add_maps(n, field);
+  std::vector<GlobalOrdinal> numbers;
+  for (const int v : field.vertex) numbers.push_back(n.global[v]);
+  set_maps(numbers, field);
   return field;
 }
 

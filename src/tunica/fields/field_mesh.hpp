@@ -91,6 +91,9 @@ struct FieldMesh {
 FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partition,
                           const std::vector<int>& regions, const CommPtr& comm);
 
+/// Sets the maps of a mesh whose owned and ghost nodes have these numbers. Collective.
+void set_maps(const std::vector<GlobalOrdinal>& numbers, FieldMesh& mesh);
+
 /// The surfaces that bound the field, ascending. Collective.
 std::vector<int> bounding_surfaces(const FieldMesh& mesh);
 

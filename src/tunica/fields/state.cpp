@@ -1,7 +1,7 @@
 #include "tunica/fields/state.hpp"
 
 #include "tunica/base/error.hpp"
-#include "tunica/fields/field_mesh.hpp"
+#include "tunica/fields/split_mesh.hpp"
 
 namespace tunica::fields {
 
@@ -59,6 +59,22 @@ State::Array rows_of(const std::vector<Vec3>& values, int count) {
 void assign_rows(const State::Array& rows, Vector& v) {
   const auto view = v.getLocalViewHost(overwrite_all);
   for (std::size_t i = 0; i < rows.values.size(); ++i) view(i, 0) = rows.values[i];
+}
+
+State::Array rows_of(const Vector& v, const SplitMesh& split) {
+  const auto view = v.getLocalViewHost(read_only);
+  int n_vertices = 0;
+  for (int a = 0; a < split.n_owned; ++a) n_vertices += split.copy[a] == 0;
+  State::Array rows{split.n_copies, std::vector<double>(split.n_copies * n_vertices, 0.0)};
+  for (int a = 0; a < split.n_owned; ++a)
+    rows.values[split.n_copies * split.node[a] + split.copy[a]] = view(a, 0);
+  return rows;
+}
+
+void assign_rows(const State::Array& rows, const SplitMesh& split, Vector& v) {
+  const auto view = v.getLocalViewHost(overwrite_all);
+  for (int a = 0; a < split.n_owned; ++a)
+    view(a, 0) = rows.values[split.n_copies * split.node[a] + split.copy[a]];
 }
 
 std::vector<Vec3> ghosted_rows(const State::Array& rows, const FieldMesh& mesh) {

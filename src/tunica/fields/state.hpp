@@ -9,6 +9,7 @@
 namespace tunica::fields {
 
 struct FieldMesh;
+struct SplitMesh;
 
 /// What a part of a run keeps between time steps and needs to go on from there: words, numbers,
 /// and values at nodes or elements. They are named by their number in the mesh, so that another
@@ -57,6 +58,10 @@ State element_state_on(const FieldMesh& mesh);
 State::Array rows_of(const Vector& v, int columns);
 State::Array rows_of(const std::vector<Vec3>& values, int count);
 void assign_rows(const State::Array& rows, Vector& v);
+/// The same for a number at each node of a split mesh: a row holds those of a vertex, and zeros
+/// where it has fewer than others.
+State::Array rows_of(const Vector& v, const SplitMesh& split);
+void assign_rows(const State::Array& rows, const SplitMesh& split, Vector& v);
 /// On owned and ghost nodes. Collective.
 std::vector<Vec3> ghosted_rows(const State::Array& rows, const FieldMesh& mesh);
 

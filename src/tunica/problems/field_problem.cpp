@@ -42,7 +42,8 @@ fields::State FieldProblem::save() const {
   fields::State state = fields::state_on(mesh());
   for (int b = 0; b < x_.n_blocks(); ++b) {
     const algebra::Block& block = (*space())[b];
-    state.arrays[block.name] = fields::rows_of(x_[b], block.components);
+    state.arrays[block.name] = is_split(block) ? fields::rows_of(x_[b], *split())
+                                               : fields::rows_of(x_[b], block.components);
   }
   field_->save_history(state);
   return state;
@@ -51,7 +52,10 @@ fields::State FieldProblem::save() const {
 std::string FieldProblem::restore(const fields::State& state) {
   for (int b = 0; b < x_.n_blocks(); ++b) {
     const algebra::Block& block = (*space())[b];
-    fields::assign_rows(state.array(block.name, block.components), x_[b]);
+    if (is_split(block))
+      fields::assign_rows(state.array(block.name, split()->n_copies), *split(), x_[b]);
+    else
+      fields::assign_rows(state.array(block.name, block.components), x_[b]);
   }
   return field_->restore_history(state, x_);
 }

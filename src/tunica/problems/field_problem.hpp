@@ -17,6 +17,10 @@ public:
   ~FieldProblem() override;
 
   const fields::FieldMesh& mesh() const { return field_->mesh(); }
+  /// Whose nodes carry the scalars, see discretisation::MixedField.
+  const fields::FieldMesh& scalar_mesh() const { return field_->scalar_mesh(); }
+  /// Null where that is the mesh.
+  const fields::SplitMesh* split() const { return field_->split(); }
   const algebra::BlockVector& state() const { return x_; }
   /// The Jacobian assembled last, and the operators that belong to it.
   const fields::BlockOperator& last_jacobian() const { return field_->jacobian(); }
@@ -60,6 +64,11 @@ protected:
   algebra::BlockVector x_;
 
 private:
+  /// The block stands on the nodes of split().
+  bool is_split(const algebra::Block& block) const {
+    return split() != nullptr && block.components == 1;
+  }
+
   std::unique_ptr<discretisation::MixedField> field_;
   nonlinear::NewtonOptions newton_;
   std::unique_ptr<linear::LinearSolver> solver_;

@@ -1,4 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <memory>
 #include <set>
 
 #include "tunica/algebra/independent_set.hpp"
@@ -67,7 +68,7 @@ TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number
 }
 
 TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
-  for (const auto& [nodes, order] : graphs()) {
+  for (const auto& [nodes, order, hosts] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
     int n_neighbours_in_the_set = 0, n_without_a_neighbour = 0;
     for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap())) {
@@ -85,7 +86,7 @@ TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
 }
 
 TEUCHOS_UNIT_TEST(independent_set, ghosts_are_in_it_where_their_owner_says_so) {
-  for (const auto& [nodes, order] : graphs()) {
+  for (const auto& [nodes, order, hosts] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
     Vector own(nodes->getRowMap());
     for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap()))
@@ -99,7 +100,7 @@ TEUCHOS_UNIT_TEST(independent_set, ghosts_are_in_it_where_their_owner_says_so) {
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_in_the_set) {
-  for (const auto& [nodes, order] : graphs()) {
+  for (const auto& [nodes, order, hosts] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
     const auto P = NodalCoarsening(nodes, *order).prolongator(0);
     const auto fine_number = fine_numbers(*nodes, *P, is_coarse);
@@ -119,7 +120,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_i
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, levels_shrink_and_keep_constants_down_to_one_node) {
-  for (const auto& [nodes, order] : graphs()) {
+  for (const auto& [nodes, order, hosts] : graphs()) {
     NodalCoarsening coarsening(nodes, *order);
     TEST_EQUALITY(n_nodes(coarsening, 0), static_cast<long long>(nodes->getGlobalNumRows()));
     int level = 0;
@@ -172,6 +173,92 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, what_was_made_once_is_kept) {
   for (const int level : {1, 0}) {
     const auto first = coarsening.prolongator(level);
     TEST_EQUALITY(coarsening.prolongator(level).get(), first.get());
+  }
+}
+
+/// Two layers of a wall, whose pressures jump between them.
+struct SplitWall {
+  explicit SplitWall(const CommPtr& comm = test::world())
+      : tube(comm), split(fields::split_mesh(tube.wall, {0, 0, 1})),
+        K(tube.wall, fields::mixed_blocks, split.get()),
+        leader(std::make_shared<NodalCoarsening>(nodes(0).graph, *nodes(0).order)),
+        follower(nodes(1).graph, *nodes(1).order, *nodes(1).hosts, leader) {}
+
+  const algebra::Nodes& nodes(int block) const { return (*K.space())[block].nodes; }
+
+  SmallTube tube;
+  std::unique_ptr<fields::SplitMesh> split;
+  fields::BlockOperator K;
+  std::shared_ptr<NodalCoarsening> leader;
+  NodalCoarsening follower;
+};
+
+TEUCHOS_UNIT_TEST(nodal_coarsening, followers_stay_where_their_hosts_stay) {
+  SplitWall wall;
+  for (int level = 0; level < 2; ++level) {
+    const auto P = wall.follower.prolongator(level), host_P = wall.leader->prolongator(level);
+    const auto hosts = wall.follower.hosts(level)->getLocalViewHost(read_only);
+    const auto is_single = [](const std::map<GlobalOrdinal, Scalar>& row) {
+      return row.size() == 1 && row.begin()->second == 1.0;
+    };
+    std::set<GlobalOrdinal> coarse_hosts;
+    for (const int row : wall.leader->coarse_rows(level))
+      coarse_hosts.insert(host_P->getRowMap()->getGlobalElement(row));
+    std::set<int> coarse(wall.follower.coarse_rows(level).begin(),
+                         wall.follower.coarse_rows(level).end());
+    bool follows = true, keeps_numbers = true;
+    for (int i = 0; i < static_cast<int>(n_local_rows(*P)); ++i) {
+      const auto host = static_cast<GlobalOrdinal>(hosts(i, 0));
+      if (coarse_hosts.count(host) == 0) continue;
+      const GlobalOrdinal number = P->getRowMap()->getGlobalElement(i);
+      follows &= coarse.count(i) == 1 && is_single(row_of(*P, number));
+      if (number == host) keeps_numbers &= row_of(*P, number) == row_of(*host_P, host);
+    }
+    TEST_ASSERT(all_agree(*test::world(), follows));
+    TEST_ASSERT(all_agree(*test::world(), keeps_numbers));
+    for (const GlobalOrdinal row : global_numbers(*P->getRowMap()))
+      TEST_ASSERT(!row_of(*P, row).empty());
+  }
+}
+
+TEUCHOS_UNIT_TEST(nodal_coarsening, followers_in_different_parts_do_not_mix) {
+  SplitWall wall;
+  std::vector<double> part(wall.split->n_owned);
+  for (std::size_t e = 0; e < wall.split->tets.size(); ++e)
+    for (const int a : wall.split->tets[e])
+      if (a < wall.split->n_owned) part[a] = wall.split->region[e] == 2 ? 1.0 : 0.0;
+  Vector fine(wall.split->node_map);
+  for (int a = 0; a < wall.split->n_owned; ++a) fine.replaceLocalValue(a, part[a]);
+  for (int level = 0; level < 2; ++level) {
+    const auto P = wall.follower.prolongator(level);
+    Vector coarse(P->getDomainMap()), back(P->getRangeMap());
+    const std::vector<int>& rows = wall.follower.coarse_rows(level);
+    for (std::size_t c = 0; c < rows.size(); ++c)
+      coarse.replaceLocalValue(static_cast<int>(c), fine.getData()[rows[c]]);
+    P->apply(coarse, back);  // the part of a node is that of all it takes its mean from
+    back.update(-1.0, fine, 1.0);
+    TEST_COMPARE(back.normInf(), <, 1e-14);
+    fine = Vector(coarse, Teuchos::Copy);
+  }
+}
+
+TEUCHOS_UNIT_TEST(nodal_coarsening, followers_are_as_many_on_any_ranks) {
+  SplitWall many, one(test::alone());
+  for (int level = 0; level < 3; ++level)
+    TEST_EQUALITY(n_nodes(many.follower, level), n_nodes(one.follower, level));
+}
+
+TEUCHOS_UNIT_TEST(nodal_coarsening, followers_on_the_same_nodes_are_their_hosts) {
+  const auto nodes = grids.front().laplacian(test::world());
+  const algebra::Nodes own = test::nodes_of(nodes);
+  const auto leader = std::make_shared<NodalCoarsening>(nodes, *own.order);
+  NodalCoarsening follower(nodes, *own.order, *own.order, leader);  // numbers are the order
+  for (int level = 0; level < 2; ++level) {
+    const auto P = follower.prolongator(level), expected = leader->prolongator(level);
+    bool is_same = P->getDomainMap()->isSameAs(*expected->getDomainMap());
+    for (const GlobalOrdinal row : global_numbers(*P->getRowMap()))
+      is_same &= row_of(*P, row) == row_of(*expected, row);
+    TEST_ASSERT(all_agree(*test::world(), is_same));
   }
 }
 

@@ -52,14 +52,24 @@ inline algebra::BlockVector free_part(const fields::FieldMesh& mesh, algebra::Bl
   return x;
 }
 
+/// Numbers without pattern for all unknowns of a problem, as test::scattered() on its mesh.
+inline algebra::BlockVector scattered(const problems::FieldProblem& problem, int seed,
+                                      double size = 1.0) {
+  algebra::BlockVector x(problem.space());
+  x[0].assign(scattered(problem.mesh(), seed, size)[0]);
+  const auto p = x[1].getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (int a = 0; a < problem.scalar_mesh().n_owned; ++a)
+    p(a, 0) =
+        size * scatter(1000.0 * seed + 4.0 * problem.scalar_mesh().vertex[a] + 3 + 0.37 * seed);
+  return x;
+}
+
 /// |K v − (F(x + εv) − F(x − εv))/2ε| / |K v|
 template <class Problem>
 double jacobian_error(Problem& problem, const algebra::BlockVector& x,
                       const algebra::BlockVector& v, double epsilon) {
-  const fields::FieldMesh& mesh = problem.mesh();
-  algebra::BlockVector plus = fields::zero_vector(mesh), minus = fields::zero_vector(mesh),
-                       F = fields::zero_vector(mesh), quotient = fields::zero_vector(mesh),
-                       Kv = fields::zero_vector(mesh);
+  const algebra::BlockSpacePtr& space = problem.space();
+  algebra::BlockVector plus(space), minus(space), F(space), quotient(space), Kv(space);
   plus.assign(x);
   minus.assign(x);
   add(epsilon, v, plus);

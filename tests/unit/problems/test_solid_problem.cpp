@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tunica/assembly/gather.hpp"
+#include "tunica/base/error.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
 #include "tunica/problems/solid_problem.hpp"
 #include "unit/problems/lists.hpp"
@@ -59,9 +60,10 @@ TEUCHOS_UNIT_TEST(solid_problem, jacobian_with_fibres_is_the_derivative_of_the_r
   const std::vector<int> fixed{tube.surface("struct_in"), tube.surface("struct_out")};
   SolidProblem wall(resolved(artery()), tube.wall);
   wall.begin_step(stepping::Clock(0.125, 1));
-  const auto x = test::free_part(tube.wall, test::scattered(tube.wall, 1, 0.02), fixed);
+  TEST_ASSERT(wall.split() != nullptr);
+  const auto x = test::free_part(tube.wall, test::scattered(wall, 1, 0.02), fixed);
   for (int direction = 2; direction < 5; ++direction) {
-    const auto v = test::free_part(tube.wall, test::scattered(tube.wall, direction), fixed);
+    const auto v = test::free_part(tube.wall, test::scattered(wall, direction), fixed);
     TEST_COMPARE(test::jacobian_error(wall, x, v, 1e-7), <, 1e-6);
   }
 }
@@ -72,8 +74,8 @@ TEUCHOS_UNIT_TEST(solid_problem, fibres_out_of_all_bounds_are_refused) {
   list.sublist("Layers").sublist("media").set("k2", 1e9);
   SolidProblem wall(resolved(list), tube.wall);
   wall.begin_step(stepping::Clock(0.125, 1));
-  const auto x = test::scattered(tube.wall, 1, 0.02);
-  algebra::BlockVector F = fields::zero_vector(tube.wall);
+  const auto x = test::scattered(wall, 1, 0.02);
+  algebra::BlockVector F(wall.space());
   TEST_ASSERT(!wall.residual(x, F) || !std::isfinite(test::norm(F)));
 }
 
@@ -160,7 +162,8 @@ TEUCHOS_UNIT_TEST(solid_problem, layers_have_their_own_density_bulk_modulus_and_
   auto& layers = list.sublist("Layers");
   layers.sublist("media").set("density", 1.0).set("bulk modulus", 100.0);
   layers.sublist("adventitia").set("density", 2.0).set("c10", 6.0);
-  list.set("stabilisation at layers", 1.0).set("time scheme", std::string("newmark"));
+  list.set("pressure at layers", std::string("continuous")).set("stabilisation at layers", 1.0);
+  list.set("time scheme", std::string("newmark"));
   SolidProblem wall(resolved(list), tube.wall);
   wall.begin_step(stepping::Clock(0.5, 1));
   const auto& elements = wall.elements();
@@ -213,7 +216,7 @@ TEUCHOS_UNIT_TEST(solid_problem, stabilisation_is_weaker_where_materials_meet_on
     }
     return is_weak;
   };
-  list.set("stabilisation at layers", 0.2);
+  list.set("pressure at layers", std::string("continuous")).set("stabilisation at layers", 0.2);
   for (const char flag : weak(list)) TEST_ASSERT(!flag);  // the same material in both layers
   list.sublist("Layers").sublist("adventitia").set("c10", 0.3);
   const auto flags = weak(list);
@@ -260,31 +263,64 @@ TEUCHOS_UNIT_TEST(solid_problem, a_step_does_not_depend_on_the_ranks) {
       wall.solve();
       wall.end_step();
     }
-    return test::by_vertex(tube.wall, wall.state(), tube.mesh.vertices.size());
+    std::vector<double> found = test::by_vertex(tube.wall, wall.state(), tube.mesh.vertices.size());
+    std::vector<double> pressures(2 * tube.mesh.vertices.size(), 0.0);  // also between layers
+    const auto p = wall.state()[1].getLocalViewHost(read_only);
+    for (int a = 0; a < wall.scalar_mesh().n_owned; ++a)
+      pressures[wall.scalar_mesh().vertex[a]] = p(a, 0);
+    pressures = global_sum(*tube.wall.comm, pressures);
+    found.insert(found.end(), pressures.begin(), pressures.end());
+    return found;
   };
   for (const auto& list : {clamped(), artery()})
     TEST_COMPARE(test::largest_difference(solved(many, list), solved(one, list)), <, 1e-9);
 }
 
-TEUCHOS_UNIT_TEST(solid_problem, goes_on_from_a_saved_state) {
+TEUCHOS_UNIT_TEST(solid_problem, vertices_between_materials_have_a_pressure_for_each) {
   const SmallTube tube;
-  auto list = clamped();
-  test::condition(list, "interface", "pressure").set("pressure", 0.5);
-  SolidProblem wall(resolved(list), tube.wall), other(resolved(list), tube.wall);
-  stepping::Clock clock(0.125, 3);
-  const auto step = [&clock](SolidProblem& one) {
-    one.begin_step(clock);
-    const bool is_converged = one.solve().is_converged;
-    one.end_step();
-    return is_converged;
-  };
-  TEST_ASSERT(step(wall));
-  clock.advance();
-  TEST_EQUALITY(test::take_over(wall, other), "");
-  TEST_ASSERT(other.displacement() == wall.displacement());
-  TEST_ASSERT(step(wall) && step(other));
-  TEST_ASSERT(other.displacement() == wall.displacement());
-  TEST_ASSERT(other.velocity() == wall.velocity());
+  SolidProblem one(resolved(clamped()), tube.wall), two(resolved(artery()), tube.wall);
+  auto list = artery();
+  list.set("pressure at layers", std::string("continuous"));
+  SolidProblem continuous(resolved(list), tube.wall);
+  const auto unknowns = [](const SolidProblem& wall) { return wall.space()->n_unknowns(); };
+  TEST_EQUALITY(unknowns(one), unknowns(continuous));
+  TEST_EQUALITY(unknowns(two) - unknowns(one), 8 * 4);  // around, along
+  TEST_ASSERT(one.split() == nullptr && continuous.split() == nullptr);
+  for (int a = 0; a < two.split()->n_owned; ++a)
+    TEST_ASSERT(two.split()->copy[a] == 0 ||
+                std::abs(std::hypot(two.split()->x[a][0], two.split()->x[a][1]) - 1.69) < 1e-9);
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, goes_on_from_a_saved_state) {
+  for (auto list : {clamped(), artery()}) {
+    const SmallTube tube;
+    test::condition(list, "interface", "pressure").set("pressure", 0.5);
+    SolidProblem wall(resolved(list), tube.wall), other(resolved(list), tube.wall);
+    stepping::Clock clock(0.125, 3);
+    const auto step = [&clock](SolidProblem& one) {
+      one.begin_step(clock);
+      const bool is_converged = one.solve().is_converged;
+      one.end_step();
+      return is_converged;
+    };
+    TEST_ASSERT(step(wall));
+    clock.advance();
+    TEST_EQUALITY(test::take_over(wall, other), "");
+    TEST_ASSERT(other.displacement() == wall.displacement());
+    TEST_ASSERT(step(wall) && step(other));
+    TEST_ASSERT(other.displacement() == wall.displacement());
+    TEST_ASSERT(other.velocity() == wall.velocity());
+  }
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, does_not_go_on_with_another_number_of_pressures) {
+  const SmallTube tube;
+  auto list = artery();
+  SolidProblem two(resolved(list), tube.wall);
+  list.set("pressure at layers", std::string("continuous"));
+  SolidProblem one(resolved(list), tube.wall);
+  TEST_THROW(one.restore(two.save()), Error);
+  TEST_THROW(two.restore(one.save()), Error);
 }
 
 }  // namespace

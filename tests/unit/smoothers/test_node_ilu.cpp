@@ -1,6 +1,7 @@
 #include <Ifpack2_Factory.hpp>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
+#include <set>
 
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
@@ -193,6 +194,46 @@ TEUCHOS_UNIT_TEST(node_ilu, ranks_may_have_no_rows) {
   x.randomize();
   K.apply(x, b);
   TEST_COMPARE(largest_distance(from_zero(K, {}, no_limit, false, b), x), <, 1e-7);
+}
+
+// Elimination of node 0 couples 1 and 2, which only 3 reaches. Where 1 is host of 3, they have
+// their columns in common, and the factors are complete.
+
+TEUCHOS_UNIT_TEST(node_ilu, nodes_share_the_columns_of_their_host) {
+  const std::vector<std::set<GlobalOrdinal>> coupled{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+  const auto numbers = [](GlobalOrdinal node) {  // the last has a scalar only
+    std::vector<GlobalOrdinal> all;
+    for (GlobalOrdinal i = node == 3 ? 3 : 0; i < 4; ++i) all.push_back(4 * node + i);
+    return all;
+  };
+  std::vector<GlobalOrdinal> rows;
+  for (GlobalOrdinal node = 0; node < 4; ++node)
+    for (const GlobalOrdinal row : numbers(node)) rows.push_back(row);
+  CrsMatrix K(map_of(rows, test::alone()), 16);
+  for (const GlobalOrdinal row : rows)
+    for (const GlobalOrdinal node : coupled[row / 4])
+      for (const GlobalOrdinal column : numbers(node))
+        K.insertGlobalValues(
+            row, Teuchos::tuple<GlobalOrdinal>(column),
+            Teuchos::tuple(row == column ? 9.0 : test::scatter(16.0 * row + column)));
+  K.fillComplete();
+  const auto hosts = Teuchos::rcp(new Vector(map_of({0, 1, 2, 3}, test::alone())));
+  for (int node = 0; node < 4; ++node) hosts->replaceLocalValue(node, node == 3 ? 1 : node);
+  Vector x(K.getRowMap()), b(K.getRowMap()), found(K.getRowMap());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    x.replaceLocalValue(static_cast<int>(i), test::scatter(i));
+  K.apply(x, b);
+  for (const bool has_hosts : {true, false}) {
+    smoothers::NodeIluOptions options{0, false};
+    if (has_hosts) options.hosts = hosts;
+    const auto factors = smoothers::make_node_ilu(K, {}, options);
+    factors->refresh();
+    factors->smooth_from_zero(1.0, b, found);
+    if (has_hosts)
+      TEST_COMPARE(largest_distance(found, x), <, 1e-13)
+    else
+      TEST_COMPARE(largest_distance(found, x), >, 1e-4)
+  }
 }
 
 TEUCHOS_UNIT_TEST(nodal_ilu_smoother, does_what_its_list_says) {

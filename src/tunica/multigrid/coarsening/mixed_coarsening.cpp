@@ -83,7 +83,10 @@ MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space) : numbering_(
     for (int c = 0; c < b && static_cast<int>(nodes_.size()) == b; ++c)
       if (space[c].nodes.graph == nodes.graph) nodes_.push_back(nodes_[c]);
     if (static_cast<int>(nodes_.size()) == b)
-      nodes_.push_back(std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order));
+      nodes_.push_back(nodes.hosts.is_null()
+                           ? std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order)
+                           : std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order,
+                                                               *nodes.hosts, nodes_.front()));
     maps_[{0, b}] = space[b].map;
   }
   maps_[{0, all}] = numbering_.merged_map(space);
@@ -103,6 +106,13 @@ int MixedCoarsening::block_of(int level, const Map& rows) {
   throw std::runtime_error("NodalPFactory: no block has these " +
                            std::to_string(rows.getGlobalNumElements()) + " rows on level " +
                            std::to_string(level) + ".");
+}
+
+Teuchos::RCP<const Vector> MixedCoarsening::hosts(int level, const CrsMatrix& K) {
+  const Teuchos::RCP<const Vector> hosts = nodes_.back()->hosts(level);
+  if (hosts.is_null() || map(level, all)->getGlobalNumElements() != K.getGlobalNumRows())
+    return Teuchos::null;
+  return hosts;
 }
 
 void MixedCoarsening::check_mixed(int level, const CrsMatrix& K) {

@@ -9,7 +9,8 @@ namespace tunica::multigrid {
 
 /// Coarser and coarser levels for the blocks of a space, and for the merged matrix of all
 /// (DofLayout). Blocks on the same nodes keep them on each level: one pressure beside the
-/// components of its velocity. Depends on graphs alone, and is made level by level as asked for.
+/// components of its velocity. Those whose nodes have hosts follow the first block. Depends on
+/// graphs alone, and is made level by level as asked for.
 class MixedCoarsening {
 public:
   /// Every block names its nodes.
@@ -22,6 +23,11 @@ public:
   /// nodes has their component: those are left to the smoother. Throws std::runtime_error where
   /// none has as many. Collective where it is asked for the first time.
   Teuchos::RCP<const CrsMatrix> prolongator(int level, const Map& rows);
+
+  /// By node of scalars of K, the mixed matrix on this level: the number of the node whose vector
+  /// stands in the same place, -1 for none. Null where all blocks stand on the same nodes, or
+  /// another coarsening made the level. Collective.
+  Teuchos::RCP<const Vector> hosts(int level, const CrsMatrix& K);
 
   /// Throws std::runtime_error on all ranks where K on this level is one block, or its rows are not
   /// unknowns of a mixed matrix. Collective.

@@ -4,40 +4,81 @@
 
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/algebra/sparse_product.hpp"
+#include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::multigrid {
 
 namespace {
 
+constexpr double no_number = -1.0;
+
+/// Of hosts on the level of the nodes and on the next one. Without: none.
+struct Hosts {
+  Teuchos::RCP<const Vector> here, coarse;  ///< -1 where there is none
+  GlobalOrdinal n_coarse = 0;               ///< of all ranks
+};
+
 /// Numbers the nodes of the set rank by rank; the number at a ghost is that of its owner, and
 /// -1 outside the set.
 struct CoarseNumbers {
   Teuchos::RCP<const Map> map;
+  Teuchos::RCP<Vector> of_row;
   std::vector<int> rows;  ///< local, of the nodes in the set
   std::vector<GlobalOrdinal> of_column;
 
-  CoarseNumbers(const CrsMatrix& nodes, const std::vector<char>& is_coarse) {
+  CoarseNumbers(const CrsMatrix& nodes, const std::vector<char>& is_coarse, const Hosts& hosts)
+      : of_row(Teuchos::rcp(new Vector(nodes.getRowMap()))) {
     const Map& own_nodes = *nodes.getRowMap();
     for (int i = 0; i < static_cast<int>(n_local(own_nodes)); ++i)
       if (is_coarse[nodes.getColMap()->getLocalElement(own_nodes.getGlobalElement(i))])
         rows.push_back(i);
-    const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-    map = Teuchos::rcp(new Map(unknown, rows.size(), 0, own_nodes.getComm()));
-    Vector own(nodes.getRowMap());
-    own.putScalar(-1.0);
-    {
-      const auto view = own.getLocalViewHost(read_write);
-      for (std::size_t c = 0; c < rows.size(); ++c)
-        view(rows[c], 0) = static_cast<double>(map->getGlobalElement(static_cast<int>(c)));
-    }
-    const Vector all = algebra::on_columns(nodes, own);
+    of_row->putScalar(no_number);
+    number(own_nodes, hosts);
+    const Vector all = algebra::on_columns(nodes, *of_row);
     const auto view = all.getLocalViewHost(read_only);
     of_column.resize(view.extent(0));
     for (std::size_t c = 0; c < of_column.size(); ++c)
       of_column[c] = static_cast<GlobalOrdinal>(view(c, 0));
   }
+
+private:
+  void number(const Map& own_nodes, const Hosts& hosts) {
+    std::vector<GlobalOrdinal> numbers(rows.size(), -1);
+    std::size_t n_new = rows.size();
+    if (!hosts.here.is_null()) {
+      const auto here = hosts.here->getLocalViewHost(read_only);
+      const auto coarse = hosts.coarse->getLocalViewHost(read_only);
+      for (std::size_t c = 0; c < rows.size(); ++c)
+        if (static_cast<GlobalOrdinal>(here(rows[c], 0)) == own_nodes.getGlobalElement(rows[c]) &&
+            coarse(rows[c], 0) != no_number) {
+          numbers[c] = static_cast<GlobalOrdinal>(coarse(rows[c], 0));
+          --n_new;
+        }
+    }
+    const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+    const Map fresh(unknown, n_new, 0, own_nodes.getComm());
+    int next = 0;
+    for (GlobalOrdinal& number : numbers)
+      if (number < 0) number = hosts.n_coarse + fresh.getGlobalElement(next++);
+    map = Teuchos::rcp(new Map(fresh));
+    if (!hosts.here.is_null()) map = map_of(numbers, own_nodes.getComm());
+    const auto view = of_row->getLocalViewHost(read_write);
+    for (std::size_t c = 0; c < rows.size(); ++c)
+      view(rows[c], 0) = static_cast<double>(numbers[c]);
+  }
 };
+
+/// The order with the nodes first whose hosts stay.
+Vector hosts_first(const Vector& order, const Vector& coarse_hosts) {
+  Vector result(order, Teuchos::Copy);
+  const double beyond = 1.0 + 2.0 * order.normInf();
+  const auto coarse = coarse_hosts.getLocalViewHost(read_only);
+  const auto view = result.getLocalViewHost(read_write);
+  for (std::size_t i = 0; i < view.extent(0); ++i)
+    if (coarse(i, 0) != no_number) view(i, 0) -= beyond;
+  return result;
+}
 
 /// Nodes without neighbours, unless the graph has no others.
 void leave_out_single_nodes(const CrsMatrix& nodes, std::vector<char>& is_coarse) {
@@ -96,17 +137,52 @@ Teuchos::RCP<const Vector> at_rows(const Vector& values, const CoarseNumbers& co
 }  // namespace
 
 NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order)
-    : levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)), Teuchos::null, {}}} {}
+    : levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)), Teuchos::null}} {}
+
+NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order,
+                                 const Vector& hosts, std::shared_ptr<NodalCoarsening> leader)
+    : leader_(std::move(leader)), levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)),
+                                           Teuchos::rcp(new Vector(hosts, Teuchos::Copy))}} {}
+
+Vector NodalCoarsening::numbers_of_hosts(int level) {
+  const Vector& hosts = *levels_[level].hosts;
+  const Vector& numbers = *leader_->at(level).numbers;
+  Vector result(hosts.getMap());
+  const auto from = numbers.getLocalViewHost(read_only), host = hosts.getLocalViewHost(read_only);
+  const auto to = result.getLocalViewHost(overwrite_all);
+  for (std::size_t i = 0; i < to.extent(0); ++i)
+    to(i, 0) =
+        host(i, 0) == no_number
+            ? no_number
+            : from(numbers.getMap()->getLocalElement(static_cast<GlobalOrdinal>(host(i, 0))), 0);
+  return result;
+}
 
 void NodalCoarsening::coarsen() {
   Level& level = levels_.back();
-  std::vector<char> is_coarse = algebra::independent_set(*level.nodes, *level.order);
+  Hosts hosts;
+  Teuchos::RCP<const Vector> order = level.order;
+  if (leader_) {
+    const int here = static_cast<int>(levels_.size()) - 1;
+    const auto coarse = Teuchos::rcp(new Vector(numbers_of_hosts(here)));
+    const auto n_coarse = leader_->prolongator(here)->getDomainMap()->getGlobalNumElements();
+    hosts = {level.hosts, coarse, static_cast<GlobalOrdinal>(n_coarse)};
+    order = Teuchos::rcp(new Vector(hosts_first(*level.order, *coarse)));
+  }
+  std::vector<char> is_coarse = algebra::independent_set(*level.nodes, *order);
   leave_out_single_nodes(*level.nodes, is_coarse);
-  const CoarseNumbers coarse(*level.nodes, is_coarse);
+  const CoarseNumbers coarse(*level.nodes, is_coarse, hosts);
   level.P = averaging(*level.nodes, coarse);
+  level.numbers = coarse.of_row;
   level.coarse_rows = coarse.rows;
   const auto graph = coarse_graph(*level.nodes, *level.P);
-  levels_.push_back({graph, at_rows(*level.order, coarse), Teuchos::null, {}});
+  levels_.push_back({graph, at_rows(*level.order, coarse),
+                     leader_ ? at_rows(*hosts.coarse, coarse) : Teuchos::null});
+}
+
+Teuchos::RCP<const Vector> NodalCoarsening::hosts(int level) {
+  while (leader_ && static_cast<int>(levels_.size()) <= level) coarsen();
+  return leader_ ? levels_[level].hosts : Teuchos::null;
 }
 
 const NodalCoarsening::Level& NodalCoarsening::at(int level) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "tunica/base/types.hpp"
@@ -11,17 +12,29 @@ namespace tunica::multigrid {
 /// neighbours in it. Nodes without neighbours (fixed ones, in systems that keep only their
 /// diagonals) are left out of coarser levels. Depends on the graph and the order alone; made level
 /// by level as they are asked for.
+///
+/// Nodes that have hosts among those of another coarsening, as pressures that jump have their
+/// vertices, follow it: where the host stays in the next level they do, and others only join them.
+/// One with the number of its host keeps it so; the rest is numbered behind all hosts.
 class NodalCoarsening {
 public:
   /// nodes: square, with one row per node and an entry on the diagonal; its values are ignored.
   /// order: in which nodes are picked, a number per node, none twice. With numbers that do not hang
   /// on the ranks the coarse nodes do not either.
   NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order);
+  /// hosts: for each node the number of its host on the same rank, or -1. No two nodes with the
+  /// same host may be neighbours, and nodes only where their hosts are.
+  NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order,
+                  const Vector& hosts, std::shared_ptr<NodalCoarsening> leader);
 
   /// Interpolation from level + 1 to level (0 the finest). Its rows sum to one, but for
   /// nodes left out. Collective where it
   /// is asked for the first time.
   Teuchos::RCP<const CrsMatrix> prolongator(int level) { return at(level).P; }
+
+  /// The numbers of the hosts on this level, -1 for none; null without leader. Collective as
+  /// prolongator() is.
+  Teuchos::RCP<const Vector> hosts(int level);
 
   /// The local row on this level of each local node of the next. Collective as prolongator() is.
   const std::vector<int>& coarse_rows(int level) { return at(level).coarse_rows; }
@@ -30,13 +43,17 @@ private:
   struct Level {
     Teuchos::RCP<const CrsMatrix> nodes;
     Teuchos::RCP<const Vector> order;
-    Teuchos::RCP<const CrsMatrix> P;  ///< from the next level; null where it is not made yet
-    std::vector<int> coarse_rows;
+    Teuchos::RCP<const Vector> hosts;      ///< numbers on this level; null without leader
+    Teuchos::RCP<const CrsMatrix> P{};     ///< from the next level; null where it is not made yet
+    Teuchos::RCP<const Vector> numbers{};  ///< on the next level, -1 where it lacks the node
+    std::vector<int> coarse_rows{};
   };
 
   const Level& at(int level);
   void coarsen();
+  Vector numbers_of_hosts(int level);
 
+  std::shared_ptr<NodalCoarsening> leader_;
   std::deque<Level> levels_;
 };
 

@@ -11,15 +11,19 @@ public:
   void set_coarsening(const Teuchos::RCP<MixedCoarsening>& coarsening) { coarsening_ = coarsening; }
 
 protected:
+  /// Of the matrix at hand, see MixedCoarsening.
+  const Teuchos::RCP<const ::tunica::Vector>& hosts() const { return hosts_; }
   virtual void set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout& numbering) = 0;
 
 private:
   void set_up(int level, const Teuchos::RCP<::tunica::CrsMatrix>& K) final {
     coarsening_->check_mixed(level, *K);
+    hosts_ = coarsening_->hosts(level, *K);
     set_up(*K, coarsening_->numbering());
   }
 
   Teuchos::RCP<MixedCoarsening> coarsening_;
+  Teuchos::RCP<const ::tunica::Vector> hosts_;
 };
 
 }  // namespace tunica::multigrid

@@ -25,7 +25,8 @@ void NodalIluSmoother::check(const Teuchos::ParameterList& list) const {
 void NodalIluSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout& numbering) {
   const auto& list = GetParameterList();
   factors_ = smoothers::make_node_ilu(
-      K, numbering, {list.get<int>("fill"), list.get<std::string>("precision") == "single"});
+      K, numbering,
+      {list.get<int>("fill"), list.get<std::string>("precision") == "single", hosts()});
   factors_->refresh();
 }
 

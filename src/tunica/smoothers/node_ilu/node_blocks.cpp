@@ -1,15 +1,18 @@
 #include "tunica/smoothers/node_ilu/node_blocks.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::smoothers {
 
-NodeBlocks::NodeBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering)
+NodeBlocks::NodeBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering,
+                       const Teuchos::RCP<const Vector>& hosts)
     : K_(&K), width_(numbering.dofs()) {
   own_.matrix = &K;
+  if (!hosts.is_null()) find_followers(*hosts);
   number_nodes();
   if (K.getComm()->getSize() > 1) number_ghosts();
   rows_.resize(width_ * nodes_.size());
@@ -19,14 +22,45 @@ NodeBlocks::NodeBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering)
     rows_[ghost_places_[r]] = {&other_, static_cast<int>(r)};
   numbers_.resize(nodes_.size());
   for (const auto& [number, node] : nodes_) numbers_[node] = number;
+  group_.resize(nodes_.size());
+  for (std::size_t node = 0; node < group_.size(); ++node) group_[node] = static_cast<int>(node);
+  for (const auto& [host, others] : followers_)
+    if (const auto found = nodes_.find(host); found != nodes_.end())
+      for (const GlobalOrdinal other : others) group_[nodes_.at(other)] = found->second;
   find_blocks();
   nodes_ = Nodes();
+  followers_.clear();
+}
+
+/// Of the nodes in the columns of K, whose owners know them.
+void NodeBlocks::find_followers(const Vector& hosts) {
+  std::set<GlobalOrdinal> reached;
+  for (const GlobalOrdinal number : global_numbers(*K_->getColMap()))
+    reached.insert(number / width_);
+  const std::vector<GlobalOrdinal> wanted(reached.begin(), reached.end());
+  std::vector<int> owners(wanted.size());
+  hosts.getMap()->getRemoteIndexList(Teuchos::arrayViewFromVector(wanted),
+                                     Teuchos::arrayViewFromVector(owners));
+  std::vector<GlobalOrdinal> present;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (owners[i] >= 0) present.push_back(wanted[i]);
+  Vector of_present(map_of(present, K_->getComm()));
+  of_present.doImport(hosts, Import(hosts.getMap(), of_present.getMap()), insert);
+  const auto host = of_present.getLocalViewHost(read_only);
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    const auto number = static_cast<GlobalOrdinal>(host(i, 0));
+    if (number >= 0 && number != present[i]) followers_[number].push_back(present[i]);
+  }
 }
 
 int NodeBlocks::place(GlobalOrdinal number) {
   const int next = static_cast<int>(nodes_.size());
-  return width_ * nodes_.emplace(number / width_, next).first->second +
-         static_cast<int>(number % width_);
+  const auto [entry, is_new] = nodes_.emplace(number / width_, next);
+  const int node = entry->second;
+  if (const auto found = followers_.find(number / width_); is_new && found != followers_.end())
+    for (const GlobalOrdinal other : found->second)
+      nodes_.emplace(other, static_cast<int>(nodes_.size()));
+  return width_ * node + static_cast<int>(number % width_);
 }
 
 void NodeBlocks::number_nodes() {
@@ -66,24 +100,39 @@ void NodeBlocks::find_blocks() {
   own_.look();
   other_.look();
   block_of_node_.assign(numbers_.size(), -1);
-  const auto add = [&](int node) {
-    if (block_of_node_[node] >= 0) return;
-    block_of_node_[node] = 0;
-    graph_.columns.push_back(node);
-  };
+  std::vector<std::vector<int>> members(numbers_.size());  // of groups of more than one
+  for (int node = 0; node < static_cast<int>(numbers_.size()); ++node)
+    if (group_[node] != node) members[group_[node]].push_back(node);
   for (int node = 0; node < static_cast<int>(numbers_.size()); ++node) {
-    add(node);
-    for (int i = 0; i < width_; ++i) {
-      const auto& [source, local] = rows_[width_ * node + i];
-      if (source == nullptr) continue;
-      for (auto k = source->start[local]; k < source->start[local + 1]; ++k)
-        if (const int at = source->places[source->columns[k]]; at >= 0) add(at / width_);
+    const std::size_t first = graph_.start.back();
+    const int host = group_[node];
+    add_columns_of(host);
+    for (const int member : members[host]) add_columns_of(member);
+    for (std::size_t k = first, end = graph_.columns.size(); k < end; ++k) {
+      add_column(group_[graph_.columns[k]]);
+      for (const int member : members[group_[graph_.columns[k]]]) add_column(member);
     }
-    const auto first = graph_.columns.begin() + static_cast<std::ptrdiff_t>(graph_.start.back());
-    std::sort(first, graph_.columns.end());
-    std::for_each(first, graph_.columns.end(), [&](int column) { block_of_node_[column] = -1; });
+    const auto row = graph_.columns.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(row, graph_.columns.end());
+    std::for_each(row, graph_.columns.end(), [&](int column) { block_of_node_[column] = -1; });
     graph_.start.push_back(graph_.columns.size());
   }
+}
+
+void NodeBlocks::add_columns_of(int node) {
+  add_column(node);
+  for (int i = 0; i < width_; ++i) {
+    const auto& [source, local] = rows_[width_ * node + i];
+    if (source == nullptr) continue;
+    for (auto k = source->start[local]; k < source->start[local + 1]; ++k)
+      if (const int at = source->places[source->columns[k]]; at >= 0) add_column(at / width_);
+  }
+}
+
+void NodeBlocks::add_column(int node) {
+  if (block_of_node_[node] >= 0) return;
+  block_of_node_[node] = 0;
+  graph_.columns.push_back(node);
 }
 
 void NodeBlocks::Source::look() {

@@ -10,11 +10,14 @@ namespace tunica::smoothers {
 /// A mixed matrix as dense blocks of a node's rows and a node's columns, ordered for incomplete
 /// factors: the nodes of this rank, then those of other ranks that its rows reach, with their rows.
 /// Columns beyond those nodes are left out. Where a node lacks an unknown, its row and column are
-/// those of the unit matrix.
+/// those of the unit matrix. Nodes follow their hosts, and share their columns, so that factors
+/// without fill have all that the unknowns of both have.
 class NodeBlocks {
 public:
   /// K must outlive the blocks and keep its graph. Collective.
-  NodeBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering);
+  /// hosts: see NodeIluOptions.
+  NodeBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering,
+             const Teuchos::RCP<const Vector>& hosts);
   NodeBlocks(const NodeBlocks&) = delete;
   NodeBlocks& operator=(const NodeBlocks&) = delete;
 
@@ -57,15 +60,20 @@ private:
     int local = 0;
   };
 
+  void find_followers(const Vector& hosts);
   void number_nodes();
   void number_ghosts();
   void fetch_ghosts(const std::vector<GlobalOrdinal>& numbers);
   void find_blocks();
   int place(GlobalOrdinal number);
+  void add_columns_of(int node);
+  void add_column(int node);
 
   const CrsMatrix* K_;
   int width_, n_own_nodes_;
-  Nodes nodes_;                         ///< by their numbers, while they are found
+  Nodes nodes_;  ///< by their numbers, while they are found
+  std::unordered_map<GlobalOrdinal, std::vector<GlobalOrdinal>> followers_;  ///< of hosts, so long
+  std::vector<int> group_;              ///< of each node: the first that stands where it does
   std::vector<GlobalOrdinal> numbers_;  ///< of the nodes
   std::vector<int> place_of_row_, ghost_columns_, ghost_places_;
   Teuchos::RCP<CrsMatrix> ghosts_;  ///< rows of other ranks; null where it is alone
@@ -73,7 +81,7 @@ private:
   Source own_, other_;
   std::vector<Row> rows_;  ///< by place
   RowGraph graph_;
-  std::vector<int> block_of_node_;  ///< scratch: by the columns' nodes
+  std::vector<int> block_of_node_;  ///< scratch: by the columns' nodes; -1 between uses
 };
 
 }  // namespace tunica::smoothers

@@ -20,7 +20,7 @@ template <class Real>
 class Factors final : public NodeIlu {
 public:
   Factors(const CrsMatrix& K, const algebra::DofLayout& numbering, const NodeIluOptions& options)
-      : K_(&K), blocks_(K, numbering), slot_of_node_(blocks_.n_nodes(), -1) {
+      : K_(&K), blocks_(K, numbering, options.hosts), slot_of_node_(blocks_.n_nodes(), -1) {
     split(with_fill(blocks_.graph(), options.fill));
     lower_values_.resize(size() * lower_.columns.size());
     upper_values_.resize(size() * upper_.columns.size());

@@ -6,7 +6,8 @@
 namespace tunica::smoothers {
 
 /// Incomplete factors ILU(k) [Sa03, 10.3] of a mixed matrix, in blocks of a node's unknowns: fill
-/// is counted on the graph of the nodes, and the unknowns of one are eliminated exactly.
+/// is counted on the graph of the nodes, and the unknowns of one are eliminated exactly, together
+/// with those of the nodes it is host of.
 class NodeIlu {
 public:
   virtual ~NodeIlu() = default;
@@ -26,6 +27,9 @@ public:
 struct NodeIluOptions {
   int fill = 0;           ///< k
   bool is_single = true;  ///< keep the factors and the matrix in single precision
+  /// Of nodes that stand where others do, as further pressures of a vertex: the number of the other
+  /// one, by node; -1 or their own where they stand alone. Null: all do.
+  Teuchos::RCP<const Vector> hosts{};
 };
 
 /// K must outlive the factors, and keep its graph. Throws std::invalid_argument for more than

@@ -135,7 +135,8 @@ int velocities_per_node(const std::vector<char>& is_pressure) {
     is_nodal = (i % (velocities + 1) == velocities) == (is_pressure[i] != 0);
   if (!is_nodal && !is_pressure.empty())
     throw std::invalid_argument(
-        "Vanka: patches of nodes need rows of as many velocities and a pressure for each node.");
+        "Vanka: patches of nodes need rows of as many velocities and one pressure for each node; "
+        "where a node has several pressures, \"patch\" must be \"full\".");
   return static_cast<int>(velocities);
 }
 
