@@ -139,20 +139,20 @@ void stiffness_block(const Tet4& T, const Point& x, const materials::StressTange
                      const SolidCoefficients& c, double A[4][4][3][3]) {
   const double V = T.volume;
   const double pJV = (x.p_mean + x.p_sub) * x.J * V;
-  const double volumetric = c.tau_v * x.J * x.J * V;
+  const double outer = c.tau_v * x.J * x.J * V - pJV;  // of g_a⊗g_b
   double B[6][9];
   double H[9][9];
   strain_operator(T, x.F, B);
   material_tangent(V, B, law.D, H);
   for (int a = 0; a < 3; ++a) {
     const Vec3 SN = apply(law.S, T.grad_N[a]);
+    const Vec3 along = outer * x.g[a], across = pJV * x.g[a];
     for (int b = a; b < 3; ++b) {
       const double geometric = V * dot(SN, T.grad_N[b]);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-          const double value = H[3 * a + i][3 * b + j] + (i == j ? geometric : 0.0) -
-                               pJV * (x.g[a][i] * x.g[b][j] - x.g[b][i] * x.g[a][j]) +
-                               volumetric * x.g[a][i] * x.g[b][j];
+          const double value = H[3 * a + i][3 * b + j] + (i == j ? geometric : 0.0) +
+                               along[i] * x.g[b][j] + x.g[b][i] * across[j];
           A[a][b][i][j] = value;
           A[b][a][j][i] = value;
         }
