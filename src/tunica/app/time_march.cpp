@@ -164,9 +164,7 @@ StepSummary TimeMarch::make_step(const Solve& solve, RunLog& log) {
     restore_parts(before);
   }
   if (step.is_accepted) accept(step);
-  if (control_.is_done())  // as one may know only now
-    made_.set_step({made_.time(), made_.step_size(), made_.count(), true, made_.is_asked_for(),
-                    made_.previous_step_size() == 0.0});
+  if (control_.is_done()) made_.end_here();  // as one may know only now
   const auto note = [&](const char* what, int count) { output_->record.set("steps", what, count); };
   note("accepted", control_.clock().step() - 1);
   note("accepted unconverged", counts_.unconverged);

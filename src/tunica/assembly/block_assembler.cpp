@@ -53,7 +53,7 @@ void NodalResidual::set_zero() {
 
 void NodalResidual::add(const fields::FieldMesh& mesh, std::size_t e,
                         const kernels::MixedResidual& R) {
-  const auto& scalar_nodes = split_ != nullptr ? split_->tets[e] : mesh.tets[e];
+  const auto& scalar_nodes = fields::scalar_mesh(mesh, split_).tets[e];
   for (int a = 0; a < 4; ++a) {
     const int node = mesh.tets[e][a];
     if (node >= mesh.n_owned) continue;
@@ -75,7 +75,7 @@ void NodalResidual::store(const fields::FieldMesh& mesh, const Constraints& fixe
   for (int a = 0; a < mesh.n_owned; ++a)
     for (int i = 0; i < 3; ++i) fu(3 * a + i, 0) = (fixed[a] >> i) & 1 ? 0.0 : u[a][i];
   for (std::size_t a = 0; a < p.size(); ++a)
-    fp(a, 0) = fixed[split_ != nullptr ? split_->node[a] : a] & fixed_scalar ? 0.0 : p[a];
+    fp(a, 0) = fixed[fields::host_of(static_cast<int>(a), split_)] & fixed_scalar ? 0.0 : p[a];
 }
 
 BlockAssembler::BlockAssembler(fields::BlockOperator& K, const Constraints& fixed,

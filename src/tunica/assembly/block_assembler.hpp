@@ -24,7 +24,7 @@ struct NodalResidual {
 
   /// split: carries the scalars where it is not null. It must outlive the object.
   explicit NodalResidual(const fields::FieldMesh& mesh, const fields::SplitMesh* split = nullptr)
-      : u(mesh.n_owned), p(split != nullptr ? split->n_owned : mesh.n_owned), split_(split) {}
+      : u(mesh.n_owned), p(fields::scalar_mesh(mesh, split).n_owned), split_(split) {}
   void set_zero();
   void add(const fields::FieldMesh& mesh, std::size_t e, const kernels::MixedResidual& R);
   void add(const fields::FieldMesh& mesh, const fields::Face& face,

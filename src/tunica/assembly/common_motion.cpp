@@ -8,7 +8,7 @@
 namespace tunica::assembly {
 
 CommonMotions::CommonMotions(const fields::FieldMesh& mesh, const fields::SplitMesh* split)
-    : mesh_(&mesh), scalar_mesh_(split != nullptr ? split : &mesh), split_(split),
+    : mesh_(&mesh), scalar_mesh_(&fields::scalar_mesh(mesh, split)), split_(split),
       motion_of_(3 * static_cast<std::size_t>(mesh.n_nodes()), -1), is_touched_(mesh.n_nodes(), 0) {
 }
 

@@ -58,7 +58,7 @@ private:
     Values column, row;  ///< K e and Kᵀ e
   };
   bool is_fixed_scalar(int node, const Constraints& fixed) const {
-    return fixed[split_ != nullptr ? split_->node[node] : node] & fixed_scalar;
+    return fixed[fields::host_of(node, split_)] & fixed_scalar;
   }
   int motion_of(int node, int component) const { return motion_of_[3 * node + component]; }
   template <class Jacobian, class Nodes>

@@ -12,7 +12,7 @@ kernels::SolidState state_of(const SolidFields& s, const fields::FieldMesh& mesh
                              const SolidElements& elements, std::size_t e) {
   const std::array<int, 4>& nodes = mesh.tets[e];
   const double density = elements.density[e];
-  const auto& pressure_nodes = elements.split != nullptr ? elements.split->tets[e] : nodes;
+  const auto& pressure_nodes = fields::scalar_mesh(mesh, elements.split).tets[e];
   kernels::SolidState state{gather(s.d, nodes), gather(s.p, pressure_nodes), gather(s.r, nodes)};
   for (Vec3& r : state.r) r = density * r;
   if (!s.subscale_r.empty()) state.subscale_r = density * s.subscale_r[e];

@@ -1,6 +1,7 @@
 #include "tunica/assembly/viscous_residual.hpp"
 
 #include "tunica/assembly/gather.hpp"
+#include "tunica/kernels/deformation.hpp"
 
 namespace tunica::assembly {
 
@@ -8,10 +9,7 @@ namespace {
 
 /// ε of an element, in the order of Sym3.
 Sym3 strain_rate(const kernels::Tet4& T, const std::array<Vec3, 4>& u) {
-  Mat3 G{};
-  for (int a = 0; a < 4; ++a)
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) G[i][j] += u[a][i] * T.grad_N[a][j];
+  const Mat3 G = kernels::gradient(T, u);
   return {G[0][0],
           G[1][1],
           G[2][2],
@@ -47,12 +45,6 @@ std::vector<Sym3> nodal_strain_rates(const fields::FieldMesh& mesh,
   return sums;
 }
 
-/// ε n of a symmetric tensor.
-Vec3 product(const Sym3& E, const Vec3& n) {
-  return {E[0] * n[0] + E[3] * n[1] + E[5] * n[2], E[3] * n[0] + E[1] * n[1] + E[4] * n[2],
-          E[5] * n[0] + E[4] * n[1] + E[2] * n[2]};
-}
-
 }  // namespace
 
 std::vector<Vec3> viscous_forces(const fields::FieldMesh& mesh,
@@ -62,7 +54,7 @@ std::vector<Vec3> viscous_forces(const fields::FieldMesh& mesh,
   std::vector<Vec3> forces(mesh.tets.size(), Vec3{});
   for (std::size_t e = 0; e < forces.size(); ++e)
     for (int a = 0; a < 4; ++a)  // div 2με = 2μ Σ_a ε_a ∇N_a
-      forces[e] += 2.0 * viscosity * product(rates[mesh.tets[e][a]], geometry[e].grad_N[a]);
+      forces[e] += 2.0 * viscosity * kernels::apply(rates[mesh.tets[e][a]], geometry[e].grad_N[a]);
   return forces;
 }
 

@@ -64,7 +64,7 @@ void Fluid::begin_step(const stepping::Clock& clock) {
   scheme_->begin_step(clock);
   elements_.coefficients.inv_dt = scheme_->rate();
   local_.u_old = scheme_->pasts(history_);
-  predicted_ = scheme_->predictions(history_);
+  if (options_.has_predicted_tau) predicted_ = scheme_->predictions(history_);
   if (subscales_) local_.subscale = scheme_->pasts(subscales_->history());
   if (viscous_) local_.viscous = scheme_->predictions(viscous_->history());
   surfaces_.begin_step();

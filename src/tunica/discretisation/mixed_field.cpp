@@ -10,11 +10,12 @@ MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
     : mesh_(&mesh), split_(std::move(parts.split)), scheme_(std::move(parts.scheme)),
       history_(scheme_->remembers(), mesh.n_nodes()),
       surfaces_(parts.conditions, parts.registry, mesh), fixed_(mesh.n_nodes(), 0),
-      K_(mesh, parts.blocks, split_.get()), R_(mesh, split_.get()), motion_(mesh, split_.get()) {
+      K_(mesh, parts.blocks, split_.get()), R_(mesh, split_.get()),
+      common_motions_(mesh, split_.get()) {
   surfaces_.constrain(fixed_);
   surfaces_.follow(*scheme_);
   tie_surfaces();
-  const int rank = surfaces_.rank() + motion_.rank();
+  const int rank = surfaces_.rank() + common_motions_.rank();
   if (rank > 0) K_.make_low_rank(rank);
 }
 
@@ -22,17 +23,17 @@ void MixedField::tie_surfaces() {
   std::vector<char> members(mesh_->n_nodes());
   for (const auto& [surface, motion] : surfaces_.common_motions()) {
     for (int a = 0; a < mesh_->n_nodes(); ++a) members[a] = mesh_->is_on(a, surface);
-    const int count = motion_.add(motion.component, motion.has_force, members, fixed_);
+    const int count = common_motions_.add(motion.component, motion.has_force, members, fixed_);
     TUNICA_CHECK(count > 0, "Surfaces / " + mesh_->surfaces[surface] +
                                 ": it is to move as one along " + "xyz"[motion.component] +
                                 ", but other conditions prescribe that at all of its nodes.");
-    motions_.push_back(motion);
+    given_motions_.push_back(motion);
   }
 }
 
 std::vector<double> MixedField::motion_values() const {
   std::vector<double> values;
-  for (const boundary::CommonMotion& motion : motions_)
+  for (const boundary::CommonMotion& motion : given_motions_)
     values.push_back(motion.value(surroundings().time));
   return values;
 }
@@ -42,14 +43,15 @@ bool MixedField::residual(const algebra::BlockVector& x, algebra::BlockVector& F
   if (!is_admissible()) return false;
   assemble(nullptr);
   R_.store(*mesh_, fixed_, F);
-  motion_.store(R_, *surroundings().u, motion_values(), F);
+  common_motions_.store(R_, *surroundings().u, motion_values(), F);
   return true;
 }
 
 void MixedField::assemble_jacobian(const algebra::BlockVector& x) {
   read(x);
   const Stopwatch watch;
-  assembly::BlockAssembler assembler(K_, fixed_, motion_.is_empty() ? nullptr : &motion_);
+  assembly::BlockAssembler assembler(K_, fixed_,
+                                     common_motions_.is_empty() ? nullptr : &common_motions_);
   assemble(&assembler);
   assembler.finish();
   throughput_.items += static_cast<long long>(mesh_->tets.size());

@@ -90,8 +90,8 @@ private:
   std::vector<double> motion_values() const;
 
   std::vector<ElementQuantity> on_elements_;
-  std::vector<boundary::CommonMotion> motions_;
-  assembly::CommonMotions motion_;
+  std::vector<boundary::CommonMotion> given_motions_;
+  assembly::CommonMotions common_motions_;
   Throughput throughput_;
 };
 

@@ -16,8 +16,17 @@ struct SplitMesh : FieldMesh {
 };
 
 /// parts: of each region of the mesh, from 0; what it says of regions outside the field does not
-/// count. Vertex numbers of further copies lie beyond those of
-/// the mesh; none is there twice. Null where no vertex lies between parts. Collective.
+/// count. Vertex numbers of further copies lie beyond those of the mesh; none is there twice. Null
+/// where no vertex lies between parts. Collective.
 std::unique_ptr<SplitMesh> split_mesh(const FieldMesh& mesh, const std::vector<int>& parts);
+
+/// The mesh whose nodes carry the scalars of a field: split, where it is not null.
+inline const FieldMesh& scalar_mesh(const FieldMesh& mesh, const SplitMesh* split) {
+  return split != nullptr ? *split : mesh;
+}
+/// The node of the field's mesh where one of scalar_mesh() stands.
+inline int host_of(int node, const SplitMesh* split) {
+  return split != nullptr ? split->node[node] : node;
+}
 
 }  // namespace tunica::fields

@@ -18,10 +18,7 @@ double squared_norm(double volume, const std::array<Vec3, 4>& v) {
 }
 
 double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u, double viscosity) {
-  Mat3 G{};
-  for (int a = 0; a < 4; ++a)
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) G[i][j] += u[a][i] * T.grad_N[a][j];
+  const Mat3 G = gradient(T, u);
   double squares = 0.0;  // ε:ε = |G + Gᵀ|²/4
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) squares += 0.25 * (G[i][j] + G[j][i]) * (G[i][j] + G[j][i]);

@@ -17,6 +17,15 @@ Tet4 make_tet4(const std::array<Vec3, 4>& x);
 /// Element length h = (6√2 V)^(1/3), the edge of the regular tetrahedron of equal volume.
 double element_length(double volume);
 
+/// Σ_a u_a ⊗ ∇N_a, constant on the element.
+inline Mat3 gradient(const Tet4& T, const std::array<Vec3, 4>& u) {
+  Mat3 G{};
+  for (int a = 0; a < 4; ++a)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) G[i][j] += u[a][i] * T.grad_N[a][j];
+  return G;
+}
+
 /// Residual of a field with one vector and one scalar unknown per vertex.
 struct MixedResidual {
   std::array<Vec3, 4> u;    ///< momentum rows

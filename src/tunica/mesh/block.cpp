@@ -5,6 +5,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/mesh/faces.hpp"
+#include "tunica/mesh/raw_mesh.hpp"
 #include "tunica/mesh/text.hpp"
 #include "tunica/mesh/validate.hpp"
 
@@ -12,7 +13,7 @@ namespace tunica::mesh {
 
 namespace {
 
-constexpr int patch_surface = 6;  // behind the six sides
+constexpr int patch_id = 7;  // behind the six sides
 
 void check(const Block& block) {
   const char* axes[] = {"x", "y", "z"};
@@ -96,30 +97,29 @@ private:
     const auto& cells = block_.cells;
     if (lies(triangle, 2, cells[2], cells[2]) && lies(triangle, 0, 0, block_.patch[0]) &&
         lies(triangle, 1, 0, block_.patch[1]))
-      return patch_surface;
-    int surface = 0;
-    while (!lies(triangle, surface / 2, surface % 2 == 0 ? 0 : cells[surface / 2],
-                 surface % 2 == 0 ? 0 : cells[surface / 2]))
-      ++surface;
-    return surface;
+      return patch_id;
+    int side = 0;
+    while (!lies(triangle, side / 2, side % 2 == 0 ? 0 : cells[side / 2],
+                 side % 2 == 0 ? 0 : cells[side / 2]))
+      ++side;
+    return side + 1;
   }
 
   void add_surfaces() {
-    const std::vector<Tag> tags{{1, "x_low"}, {2, "x_high"}, {3, "y_low"}, {4, "y_high"},
-                                {5, "z_low"}, {6, "z_high"}, {7, "patch"}};
-    std::vector<int> position(tags.size(), -1);
     for (const Face& face : faces(mesh_)) {
       if (!face.is_boundary()) continue;
       mesh_.triangles.push_back(face.vertices);
       mesh_.triangle_surface.push_back(surface_of(face.vertices));
-      position[mesh_.triangle_surface.back()] = 0;
     }
-    for (std::size_t s = 0; s < tags.size(); ++s) {
-      if (position[s] < 0) continue;  // no patch, or nothing beside it
-      position[s] = static_cast<int>(mesh_.surfaces.size());
-      mesh_.surfaces.push_back(tags[s]);
-    }
-    for (int& surface : mesh_.triangle_surface) surface = position[surface];
+    // Without a patch, or without anything beside it, one of the names is not used.
+    mesh_.surfaces = number_tags({{1, "x_low"},
+                                  {2, "x_high"},
+                                  {3, "y_low"},
+                                  {4, "y_high"},
+                                  {5, "z_low"},
+                                  {6, "z_high"},
+                                  {patch_id, "patch"}},
+                                 "surface", mesh_.triangle_surface);
   }
 
   Block block_;

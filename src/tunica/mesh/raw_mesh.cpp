@@ -8,22 +8,22 @@
 #include "tunica/mesh/validate.hpp"
 
 namespace tunica::mesh {
-namespace {
 
-/// The tags in use, ascending, and per element the index of its tag.
-std::vector<Tag> number_tags(const std::vector<int>& tag, std::map<int, std::string> names,
-                             const std::string& kind, std::vector<int>& index) {
+std::vector<Tag> number_tags(std::map<int, std::string> names, const std::string& kind,
+                             std::vector<int>& numbers) {
   std::map<int, int> position;
-  for (const int id : tag) position[id] = 0;
+  for (const int id : numbers) position[id] = 0;
   std::vector<Tag> tags;
   for (auto& [id, at] : position) {
     at = static_cast<int>(tags.size());
     const std::string& name = names[id];
     tags.push_back({id, name.empty() ? kind + "-" + std::to_string(id) : name});
   }
-  for (const int id : tag) index.push_back(position[id]);
+  for (int& id : numbers) id = position[id];
   return tags;
 }
+
+namespace {
 
 void orient(Mesh& mesh, const RawMesh& raw) {
   const int n = static_cast<int>(mesh.tets.size());
@@ -82,12 +82,13 @@ Mesh finish(RawMesh raw) {
   mesh.vertices = std::move(raw.vertices);
   mesh.tets = std::move(raw.tets);
   mesh.tet_vectors = std::move(raw.tet_vectors);
-  mesh.regions = number_tags(raw.tet_tag, raw.region_names, "region", mesh.tet_region);
+  mesh.tet_region = std::move(raw.tet_tag);
+  mesh.regions = number_tags(raw.region_names, "region", mesh.tet_region);
   orient(mesh, raw);
   drop_untagged_triangles(raw, mesh);
   mesh.triangles = std::move(raw.triangles);
-  mesh.surfaces =
-      number_tags(raw.triangle_tag, raw.surface_names, "surface", mesh.triangle_surface);
+  mesh.triangle_surface = std::move(raw.triangle_tag);
+  mesh.surfaces = number_tags(raw.surface_names, "surface", mesh.triangle_surface);
   drop_unused_vertices(mesh);
   validate(mesh, raw.path);
   return mesh;

@@ -32,4 +32,9 @@ struct RawMesh {
 ///   without name is called "region-7" or "surface-11".
 Mesh finish(RawMesh raw);
 
+/// Replaces numbers by positions among those that are in use, ascending, and returns these as tags;
+/// one without name is called kind-number.
+std::vector<Tag> number_tags(std::map<int, std::string> names, const std::string& kind,
+                             std::vector<int>& numbers);
+
 }  // namespace tunica::mesh

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "tunica/base/error.hpp"
 #include "tunica/mesh/disc.hpp"
 #include "tunica/mesh/faces.hpp"
+#include "tunica/mesh/raw_mesh.hpp"
 #include "tunica/mesh/text.hpp"
 #include "tunica/mesh/validate.hpp"
 
@@ -134,27 +134,17 @@ private:
   }
 
   void name_tags() {
-    const std::vector<Tag> regions{
-        {fluid_id, "fluid"}, {media_id, "media"}, {adventitia_id, "adventitia"}};
-    const std::vector<Tag> surfaces{
-        {inlet_id, "inlet"},         {outlet_id, "outlet"},         {interface_id, "interface"},
-        {struct_in_id, "struct_in"}, {struct_out_id, "struct_out"}, {outer_id, "outer"},
-        {layer_id, "layer"}};
-    mesh_.regions = keep_used(regions, mesh_.tet_region);
-    mesh_.surfaces = keep_used(surfaces, mesh_.triangle_surface);
-  }
-
-  static std::vector<Tag> keep_used(const std::vector<Tag>& tags, std::vector<int>& numbers) {
-    std::map<int, int> position;
-    for (const int id : numbers) position[id] = -1;
-    std::vector<Tag> used;
-    for (const Tag& tag : tags) {
-      if (position.count(tag.id) == 0) continue;
-      position[tag.id] = static_cast<int>(used.size());
-      used.push_back(tag);
-    }
-    for (int& id : numbers) id = position[id];
-    return used;
+    mesh_.regions =
+        number_tags({{fluid_id, "fluid"}, {media_id, "media"}, {adventitia_id, "adventitia"}},
+                    "region", mesh_.tet_region);
+    mesh_.surfaces = number_tags({{inlet_id, "inlet"},
+                                  {outlet_id, "outlet"},
+                                  {interface_id, "interface"},
+                                  {struct_in_id, "struct_in"},
+                                  {struct_out_id, "struct_out"},
+                                  {outer_id, "outer"},
+                                  {layer_id, "layer"}},
+                                 "surface", mesh_.triangle_surface);
   }
 
   Disc disc_;

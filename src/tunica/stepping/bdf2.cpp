@@ -50,8 +50,8 @@ void Bdf2::accept(const std::vector<Vec3>& x, History& history) const {
 
 ErrorFormula Bdf2::value_error(const StepSizes& sizes) const {
   if (ratio() == 0.0) return ImplicitEuler(order_).value_error(sizes);
-  const double h = sizes.now, two = h + sizes.last;
-  const double three = two + (sizes.before > 0.0 ? sizes.before : sizes.last);
+  const auto [h, h1, h2] = without_gaps(sizes);
+  const double two = h + h1, three = two + h2;
   // C = (h² (h + h₁)²/(6 (2h + h₁))) / (h (h + h₁)(h + h₁ + h₂)/6)
   return {2, h * two / ((h + two) * three)};
 }

@@ -13,9 +13,14 @@ int steps_of(const Teuchos::ParameterList& options) {
 
 }  // namespace
 
-std::array<double, 3> extrapolation(int degree, StepSizes sizes) {
+StepSizes without_gaps(StepSizes sizes) {
   if (sizes.last == 0.0) sizes.last = sizes.now;
   if (sizes.before == 0.0) sizes.before = sizes.last;
+  return sizes;
+}
+
+std::array<double, 3> extrapolation(int degree, const StepSizes& some) {
+  const StepSizes sizes = without_gaps(some);
   // In units of the last step, so that equal steps give whole numbers: the values lie at 0, −1,
   // −1 − b, the new one at a.
   const double a = sizes.now / sizes.last, b = sizes.before / sizes.last;
@@ -46,11 +51,6 @@ void Clock::advance() {
   sizes_.before = sizes_.last;
   sizes_.last = sizes_.now;
   set_equidistant_step();
-}
-
-void Clock::resume_after(int steps_done) {
-  resume_after(steps_done, steps_done > 0 ? nominal_size_ : 0.0,
-               steps_done > 1 ? nominal_size_ : 0.0);
 }
 
 void Clock::resume_after(int steps_done, double last_size, double size_before) {

@@ -10,9 +10,12 @@ struct StepSizes {
   double now = 0.0, last = 0.0, before = 0.0;
 };
 
+/// Steps that are missing were as long as the next.
+StepSizes without_gaps(StepSizes sizes);
+
 /// Weights of xⁿ⁻¹, xⁿ⁻², xⁿ⁻³ in the value that the polynomial through the last degree + 1 of
-/// them, degree at most 2, has at the new time. Steps that are missing were as long as the next.
-std::array<double, 3> extrapolation(int degree, StepSizes sizes);
+/// them, degree at most 2, has at the new time.
+std::array<double, 3> extrapolation(int degree, const StepSizes& sizes);
 
 /// Where a run stands: the step being solved. Equidistant, t^n = n Δt, unless set_step() says
 /// otherwise.
@@ -26,8 +29,8 @@ public:
 
   bool is_done() const { return step_ >= steps_; }
   void advance();
-  /// Goes on behind so many equidistant steps that an earlier run has made.
-  void resume_after(int steps_done);
+  /// Goes on behind so many steps that an earlier run has made; the sizes of the last two.
+  void resume_after(int steps_done, double last_size, double size_before);
 
   /// The step being solved counts from 1; its time is the new one [ms].
   int step() const { return step_ + 1; }
@@ -54,8 +57,8 @@ public:
   };
   /// Replaces the present step, which is not yet made.
   void set_step(const Plan& plan);
-  /// The steps made so far, for a run that goes on.
-  void resume_after(int steps_done, double last_size, double size_before);
+  /// The present step is the last one after all.
+  void end_here() { is_last_ = true; }
 
 private:
   void set_equidistant_step();

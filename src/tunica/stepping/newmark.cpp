@@ -38,8 +38,7 @@ namespace {
 
 /// c h³ times the third derivative, of which x − xᵖ has h (h + h₁)(h + h₁ + h₂)/6.
 ErrorFormula of_third_derivative(double c, const StepSizes& sizes) {
-  const double h = sizes.now, h1 = sizes.last > 0.0 ? sizes.last : h;
-  const double h2 = sizes.before > 0.0 ? sizes.before : h1;
+  const auto [h, h1, h2] = without_gaps(sizes);
   return {2, 6.0 * c * h * h / ((h + h1) * (h + h1 + h2))};
 }
 
@@ -52,8 +51,8 @@ ErrorFormula Newmark::value_error(const StepSizes& sizes) const {
 ErrorFormula Newmark::velocity_error(const StepSizes& sizes) const {
   if (order() == 2) return of_third_derivative(-1.0 / 12.0, sizes);
   // (½ − γ) h² of the second derivative, of which v − vᵖ has h (h + h₁)/2
-  const double h = sizes.now, h1 = sizes.last > 0.0 ? sizes.last : h;
-  return {1, (1.0 - 2.0 * gamma_) * h / (h + h1)};
+  const StepSizes all = without_gaps(sizes);
+  return {1, (1.0 - 2.0 * gamma_) * all.now / (all.now + all.last)};
 }
 
 SchemeEntry newmark_scheme() {

@@ -11,7 +11,7 @@ StepControl::StepControl(const StepControlOptions& options, std::vector<double> 
                          std::vector<double> asked_for)
     : options_(options), kinks_(options.is_adaptive ? std::move(kinks) : std::vector<double>()),
       asked_for_(std::move(asked_for)), clock_(options.first_step, options.most_steps, options.end),
-      wanted_(options.first_step) {
+      wanted_(options.first_step), pseudo_time_(options.pseudo_time) {
   std::sort(kinks_.begin(), kinks_.end());
   std::sort(asked_for_.begin(), asked_for_.end());
   plan();
@@ -44,8 +44,8 @@ double StepControl::next_target() const {
 void StepControl::plan() {
   if (is_steady_sought()) {
     const int step = clock_.step();
-    clock_.set_step({options_.end, options_.pseudo_time->size(), step, step == options_.most_steps,
-                     false, true});
+    clock_.set_step(
+        {options_.end, pseudo_time_->size(), step, step == options_.most_steps, false, true});
     return;
   }
   const double whole = (whole_steps_ + 1) * options_.first_step;
@@ -71,23 +71,23 @@ void StepControl::plan() {
   clock_.set_step(next);
 }
 
-bool StepControl::replace(double size) {
+void StepControl::repeat_with(double size) {
   wanted_ = size;
   is_repeated_ = true;
   plan();
-  return true;
 }
 
 bool StepControl::cut() {
   if (is_steady_sought()) {
-    const bool is_cut = options_.pseudo_time->cut();
+    const bool is_cut = pseudo_time_->cut();
     plan();
     return is_cut;
   }
   const double size = options_.cut * clock_.step_size();
   if (cuts_ >= options_.cuts || size < options_.smallest) return false;
   ++cuts_;
-  return replace(size);
+  repeat_with(size);
+  return true;
 }
 
 bool StepControl::shorten(double eta) {
@@ -99,7 +99,8 @@ bool StepControl::shorten(double eta) {
   rejected_ = {size, eta};
   power = power > 0.0 ? std::clamp(power, 0.2, 1.0) : 1.0;
   const double factor = std::isfinite(eta) ? options_.safety * std::pow(eta, -1.0 / power) : 0.0;
-  return replace(std::max(options_.smallest, size * std::clamp(factor, options_.largest_cut, 0.9)));
+  repeat_with(std::max(options_.smallest, size * std::clamp(factor, options_.largest_cut, 0.9)));
+  return true;
 }
 
 void StepControl::choose_next_size(double eta) {
@@ -124,7 +125,7 @@ void StepControl::choose_next_size(double eta) {
 
 void StepControl::advance(double eta) {
   if (is_steady_sought())
-    options_.pseudo_time->advance(eta);
+    pseudo_time_->advance(eta);
   else
     choose_next_size(eta);
   last_eta_ = eta;
@@ -141,16 +142,15 @@ void StepControl::advance(double eta) {
 
 std::map<std::string, std::vector<double>> StepControl::save() const {
   const StepSizes& sizes = clock_.step_sizes();
-  return {
-      {"pseudo-time", is_steady_sought() ? options_.pseudo_time->save() : std::vector<double>{}},
-      {"start", {start_}},
-      {"steps", {static_cast<double>(clock_.step() - 1), static_cast<double>(whole_steps_)}},
-      {"sizes", {wanted_, sizes.last, sizes.before}},
-      {"last eta", {last_eta_}}};
+  return {{"pseudo-time", is_steady_sought() ? pseudo_time_->save() : std::vector<double>{}},
+          {"start", {start_}},
+          {"steps", {static_cast<double>(clock_.step() - 1), static_cast<double>(whole_steps_)}},
+          {"sizes", {wanted_, sizes.last, sizes.before}},
+          {"last eta", {last_eta_}}};
 }
 
 void StepControl::restore(const std::map<std::string, std::vector<double>>& state) {
-  if (is_steady_sought()) options_.pseudo_time->restore(state.at("pseudo-time"));
+  if (is_steady_sought()) pseudo_time_->restore(state.at("pseudo-time"));
   start_ = state.at("start").at(0);
   whole_steps_ = static_cast<int>(state.at("steps").at(1));
   wanted_ = state.at("sizes").at(0);

@@ -23,7 +23,7 @@ struct StepControlOptions {
   double largest_cut, largest_growth;
   double safety;
   double integral_gain, proportional_gain;
-  std::optional<PseudoTime> pseudo_time;  ///< of a steady flow, whose loads are those at `end`
+  std::optional<PseudoTime> pseudo_time;  ///< as it begins, to a flow under the loads at `end`
 };
 StepControlOptions step_control_options(const Teuchos::ParameterList& time);
 
@@ -50,9 +50,9 @@ public:
   const Clock& clock() const { return clock_; }
   bool is_done() const;
   bool is_adaptive() const { return options_.is_adaptive; }
-  bool is_steady_sought() const { return options_.pseudo_time.has_value(); }
+  bool is_steady_sought() const { return pseudo_time_.has_value(); }
   /// What was sought is found.
-  bool is_steady() const { return is_steady_sought() && options_.pseudo_time->is_steady(); }
+  bool is_steady() const { return is_steady_sought() && pseudo_time_->is_steady(); }
   /// Size of fixed steps [ms]; zero where they are of any.
   double fixed_step() const {
     return is_adaptive() || is_steady_sought() ? 0.0 : options_.first_step;
@@ -73,7 +73,7 @@ public:
   void restore(const std::map<std::string, std::vector<double>>& state);
 
 private:
-  bool replace(double size);
+  void repeat_with(double size);
   void plan();
   void choose_next_size(double eta);
   double next_target() const;
@@ -83,8 +83,9 @@ private:
   StepControlOptions options_;
   std::vector<double> kinks_, asked_for_;
   Clock clock_;
-  double start_ = 0.0;        ///< of the present step
-  double wanted_;             ///< size of the present step, were there no times to hit
+  double start_ = 0.0;  ///< of the present step
+  double wanted_;       ///< size of the present step, were there no times to hit
+  std::optional<PseudoTime> pseudo_time_;
   double last_eta_ = 0.0;     ///< of the step before; 0: unknown
   int whole_steps_ = 0;       ///< of fixed size, that are passed
   int cuts_ = 0;              ///< of the present step

@@ -3,6 +3,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/boundary/surface_geometry.hpp"
 #include "tunica/boundary/surface_terms.hpp"
+#include "tunica/stepping/bdf2.hpp"
 #include "tunica/stepping/implicit_euler.hpp"
 #include "unit/fields/small_tube.hpp"
 
@@ -57,25 +58,6 @@ struct Outlet {
   }
 };
 
-/// Of second order: ẋ = (3x − 4xⁿ⁻¹ + xⁿ⁻²)/2Δt.
-class TwoPasts final : public stepping::TimeScheme {
-public:
-  std::vector<std::string> remembers() const override { return {"before"}; }
-  double rate() const override { return 1.5 / step_size(); }
-  Vec3 past(const stepping::History& h, int node) const override {
-    return 1.0 / 3.0 * (4.0 * h.value()[node] - h[0][node]);
-  }
-  Vec3 prediction(const stepping::History& h, int node) const override { return past(h, node); }
-  double inertia(double) const override { return 0.0; }
-  Vec3 inertia_load(const stepping::History&, int) const override { return {}; }
-  void accept(const std::vector<Vec3>& x, stepping::History& h) const override {
-    h[0] = h.value();
-    h.value() = x;
-  }
-  int order() const override { return 2; }
-  stepping::ErrorFormula value_error(const stepping::StepSizes&) const override { return {0, 0.0}; }
-};
-
 TEUCHOS_UNIT_TEST(windkessel, without_capacitance_it_is_a_resistance) {
   Outlet outlet(resistances(2.0, 0.0, 16.0));
   stepping::ImplicitEuler scheme(1);
@@ -109,10 +91,10 @@ TEUCHOS_UNIT_TEST(windkessel, under_constant_flow_it_fills_as_implicit_euler_has
 
 TEUCHOS_UNIT_TEST(windkessel, any_time_scheme_moves_its_state) {
   Outlet outlet(resistances(0.0, 10.0, 16.0));
-  TwoPasts scheme;
+  stepping::Bdf2 scheme(1);
   outlet.terms.follow(scheme);
   const double dt = 8.0;
-  scheme.set_step_size(dt);
+  scheme.set_step_size(dt, dt);
   double p = 9.0, before = 0.0;  // the scheme knows no more of the time before the first step
   for (const double Q : {0.4, 0.1, 0.9, -0.3}) {
     outlet.terms.begin_step();
@@ -197,8 +179,8 @@ TEUCHOS_UNIT_TEST(windkessel, its_jacobian_is_one_product_and_exact) {
 
 TEUCHOS_UNIT_TEST(windkessel, a_saved_state_goes_on_as_if_nothing_had_happened) {
   Outlet first(resistances(2.0, 10.0, 16.0)), second(resistances(2.0, 10.0, 16.0));
-  TwoPasts scheme;
-  scheme.set_step_size(8.0);
+  stepping::Bdf2 scheme(1);
+  scheme.set_step_size(8.0, 8.0);
   first.terms.follow(scheme);
   second.terms.follow(scheme);
   for (const double Q : {0.4, 0.1}) {

@@ -25,10 +25,10 @@ TEUCHOS_UNIT_TEST(clock, a_loop_makes_as_many_steps_as_asked) {
 
 TEUCHOS_UNIT_TEST(clock, goes_on_behind_the_steps_of_an_earlier_run) {
   stepping::Clock clock(0.125, 7);
-  clock.resume_after(5);
+  clock.resume_after(5, 0.125, 0.125);
   TEST_EQUALITY(clock.step(), 6);
   TEST_EQUALITY(clock.time(), 0.75);
-  clock.resume_after(7);
+  clock.resume_after(7, 0.125, 0.125);
   TEST_ASSERT(clock.is_done());
 }
 
