@@ -9,7 +9,7 @@
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/app/surface_report.hpp"
-#include "tunica/coupling/dirichlet_neumann.hpp"
+#include "tunica/coupling/registry.hpp"
 
 namespace {
 
@@ -31,33 +31,35 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
                               fluid.time_scheme());
 
   // 2. Couple them.
-  coupling::DirichletNeumann scheme(list.sublist("Coupling"), *domain.interface, fluid, wall,
-                                    motion);
+  const std::unique_ptr<coupling::Scheme> scheme = coupling::make_scheme(
+      list.sublist("Coupling"),
+      {*domain.interface, fluid, wall, motion, domain.common ? &*domain.common : nullptr});
 
   // 3. From where it goes on after a restart; what is written, and when.
   const CommPtr comm = domain.fluid->comm;
   app::TimeMarch march(
-      list, {{"fluid", &fluid}, {"wall", &wall}, {"mesh motion", &motion}, {"coupling", &scheme}},
+      list,
+      {{"fluid", &fluid}, {"wall", &wall}, {"mesh motion", &motion}, {"coupling", scheme.get()}},
       output);
   march.judge(fluid);
   march.judge(wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, &*domain.wall);
   const app::Checkpoints checkpoints(output, march, comm);
   checkpoints.begin();
-  app::RunLog log(output, comm->getRank() == 0, scheme.fields(), scheme.stages());
+  app::RunLog log(output, comm->getRank() == 0, scheme->fields(), scheme->stages());
   app::FieldSeries fields(
       output, {app::grid_of(*domain.fluid, "fluid"), app::grid_of(wall.scalar_mesh(), "wall")},
       comm);
 
   // 4. March.
   const auto solve = [&](const stepping::Clock& clock, int attempt) {
-    const Outcome prepared = scheme.prepare(clock);
-    if (prepared.is_failure()) return app::summary_of(prepared, scheme.fields());
+    const Outcome prepared = scheme->prepare(clock);
+    if (prepared.is_failure()) return app::summary_of(prepared, scheme->fields());
     const coupling::Report report =
-        scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
+        scheme->solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
           log.coupling({clock.step(), clock.time(), k, attempt}, iteration);
         });
-    return app::summary_of(report, scheme.fields());
+    return app::summary_of(report, scheme->fields());
   };
   while (!march.is_done()) {
     const app::StepSummary step = march.make_step(solve, log);

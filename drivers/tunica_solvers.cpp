@@ -5,6 +5,7 @@
 //   tunica-solvers xml/system.xml
 //   mpirun -n 2 tunica-solvers xml/solvers-tiny.xml --export systems
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -14,7 +15,7 @@
 #include "tunica/compare/solver_table.hpp"
 #include "tunica/compare/system_capture.hpp"
 #include "tunica/compare/system_export.hpp"
-#include "tunica/coupling/dirichlet_neumann.hpp"
+#include "tunica/coupling/registry.hpp"
 #include "tunica/io/matrix_market.hpp"
 #include "tunica/systems/read_system.hpp"
 
@@ -36,7 +37,8 @@ Outcome march_to_wanted(compare::SystemCapture& capture, coupling::Scheme& schem
         scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
           log.coupling({clock.step(), clock.time(), k}, iteration);
           const bool is_solved =
-              iteration.solve("fluid").is_converged && iteration.solve("wall").is_converged;
+              std::all_of(iteration.solves.begin(), iteration.solves.end(),
+                          [](const auto& solve) { return solve.report.is_converged; });
           if (is_solved && capture.is_complete(clock.step(), k)) throw Complete();
           capture.enter(clock.step(), k + 1);
         });
@@ -54,27 +56,29 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid, domain.interface_surfaces,
                               fluid.time_scheme());
   Teuchos::ParameterList coupling(list.sublist("Coupling"));
-  coupling.set("halvings", 0);  // a system that cannot be solved is a result
+  const bool has_iterations = coupling.isParameter("max iterations");
+  if (has_iterations) coupling.set("halvings", 0);  // a system that cannot be solved is a result
   const stepping::Clock clock(list.sublist("Time"));
-  coupling::DirichletNeumann scheme(coupling, *domain.interface, fluid, wall, motion);
+  const std::unique_ptr<coupling::Scheme> scheme = coupling::make_scheme(
+      coupling,
+      {*domain.interface, fluid, wall, motion, domain.common ? &*domain.common : nullptr});
 
   // 2. Every wanted system is written and goes through all settings before it is solved.
   const CommPtr comm = domain.fluid->comm;
   const Teuchos::ParameterList& solvers = list.sublist("Solvers");
   const compare::SystemExport files(solvers.get<std::string>("export folder"), output.record, comm);
   compare::SolverTable table(list, output.folder, output.record, comm->getRank() == 0);
-  compare::SystemCapture capture(solvers, [&](const compare::LinearSystem& system) {
+  compare::SystemCapture capture(solvers, has_iterations, [&](const compare::LinearSystem& system) {
     files.write(system);
     files.write(system, table.run(system));
   });
-  capture.watch("fluid", fluid);
-  capture.watch("wall", wall);
+  for (const auto& [field, source] : scheme->systems()) capture.watch(field, *source);
 
   // 3. March as far as needed.
-  app::RunLog log(output, comm->getRank() == 0, scheme.fields(), scheme.stages());
+  app::RunLog log(output, comm->getRank() == 0, scheme->fields(), scheme->stages());
   Outcome outcome = Outcome::success();
   try {
-    outcome = march_to_wanted(capture, scheme, clock, log);
+    outcome = march_to_wanted(capture, *scheme, clock, log);
   } catch (const Complete&) {  // what was wanted is in the table
   }
 

@@ -73,7 +73,8 @@ def checkpoints(folder):
 
 
 EFFORT = ("seconds", "converged", "interface_residual", "coupling_iterations", "fluid_newton",
-          "wall_newton", "fluid_linear", "wall_linear")  # depends on what solvers remember
+          "wall_newton", "fluid_linear", "wall_linear", "system_newton",
+          "system_linear")  # depends on what solvers remember
 
 
 def same_steps(verdict, name, results, expected, tolerance=1e-6):

@@ -7,6 +7,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/fault_point.hpp"
 #include "tunica/boundary/registry.hpp"
+#include "tunica/coupling/registry.hpp"
 #include "tunica/discretisation/fluid_options.hpp"
 #include "tunica/discretisation/solid_options.hpp"
 #include "tunica/fields/broadcast_mesh.hpp"
@@ -171,6 +172,11 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
     domain.fluid = fields::make_field_mesh(shares.mesh, partition, shares.fluid, comm);
   if (!shares.wall.empty())
     domain.wall = fields::make_field_mesh(shares.mesh, partition, shares.wall, comm);
+  if (list.isSublist("Coupling") && coupling::needs_common_mesh(list.sublist("Coupling"))) {
+    std::vector<int> all(shares.fluid);
+    all.insert(all.end(), shares.wall.begin(), shares.wall.end());
+    domain.common = fields::make_field_mesh(shares.mesh, partition, all, comm);
+  }
   for (const std::string& name : requirements.interface)
     domain.interface_surfaces.push_back(mesh::surface_index(shares.mesh, name));
   if (domain.fluid && domain.wall)

@@ -12,6 +12,7 @@ namespace tunica::app {
 /// The calling rank's shares of the fields that a case has.
 struct Domain {
   std::optional<fields::FieldMesh> fluid, wall;
+  std::optional<fields::FieldMesh> common;  ///< of both, where the coupling needs it
   std::optional<fields::InterfaceTransfer> interface;
   std::string fingerprint;              ///< of the mesh
   std::vector<int> interface_surfaces;  ///< indices into FieldMesh::surfaces

@@ -8,7 +8,7 @@
 #include "tunica/compare/solver_table.hpp"
 #include "tunica/compare/system_capture.hpp"
 #include "tunica/compare/system_export.hpp"
-#include "tunica/coupling/dirichlet_neumann.hpp"
+#include "tunica/coupling/registry.hpp"
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/mesh_motion.hpp"
 #include "tunica/problems/solid_problem.hpp"
@@ -43,6 +43,7 @@ params::Table output_table() {
 /// The wanted step and iteration must come to pass.
 void check_wish(const Teuchos::ParameterList& list, const std::string&) {
   const auto check = [&](const char* key, const std::string& where, const char* limit) {
+    if (!list.sublist(where).isParameter(limit)) return;  // a monolithic scheme
     const int wanted = list.sublist("Solvers").get<int>(key);
     const int most = list.sublist(where).get<int>(limit);
     TUNICA_CHECK(wanted <= most || most == 0,

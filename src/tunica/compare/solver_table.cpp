@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "tunica/base/timer.hpp"
+#include "tunica/coupling/monolithic.hpp"
+#include "tunica/coupling/registry.hpp"
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/solid_problem.hpp"
@@ -82,17 +84,20 @@ std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,
   std::vector<SolverSetting> settings;
   for (auto it = entries.begin(); it != entries.end(); ++it)
     settings.push_back({entries.name(it), entries.sublist(entries.name(it))});
-  if (settings.empty() && !list.isSublist(field)) {
+  if (settings.empty() && list.isSublist("System")) {
     Teuchos::ParameterList fallback;
     foreign_solver_table().resolve(fallback, "", "");
     settings.push_back({"default", fallback});
   }
-  if (settings.empty()) settings.push_back({"case", list.sublist(field).sublist("Linear Solver")});
+  const std::string owner = field == "System" ? "Coupling" : field;
+  if (settings.empty()) settings.push_back({"case", list.sublist(owner).sublist("Linear Solver")});
   return settings;
 }
 
 std::map<std::string, std::vector<SolverSetting>> all_settings(const Teuchos::ParameterList& list) {
   if (list.isSublist("System")) return {{"system", settings_of(list, "Settings")}};
+  if (coupling::needs_common_mesh(list.sublist("Coupling")))
+    return {{"system", settings_of(list, "System")}};
   return {{"fluid", settings_of(list, "Fluid")}, {"wall", settings_of(list, "Wall")}};
 }
 
@@ -122,7 +127,9 @@ void add_system_setting_keys(params::Table& table) {
 void add_setting_keys(params::Table& table) {
   add_tolerance(table);
   table.entries("Fluid", problems::fluid_solver_table(), settings_sentence)
-      .entries("Wall", problems::solid_solver_table(), settings_sentence);
+      .entries("Wall", problems::solid_solver_table(), settings_sentence)
+      .entries("System", coupling::monolithic_solver_table(),
+               std::string("for a monolithic scheme: ") + settings_sentence);
 }
 
 std::string note_on(const BestSolution& solution) {

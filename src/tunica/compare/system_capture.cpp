@@ -7,19 +7,21 @@ namespace tunica::compare {
 void add_capture_keys(params::Table& table) {
   table.integer("step", 1, params::between(1, 1e9), "the time step whose Jacobians are taken")
       .integer("coupling iteration", 2, params::between(1, 1e5),
-               "the coupling iteration of that step; the run ends with it")
+               "the coupling iteration of that step; the run ends with it; a monolithic scheme has "
+               "one")
       .integer("newton step", 0, params::between(0, 1000),
                "the Newton step of that iteration; 0 takes all")
-      .choice("field", "both", {"fluid", "wall", "both"}, "whose Jacobians");
+      .choice("field", "both", {"fluid", "wall", "both"},
+              "whose Jacobians; a monolithic scheme has those of the whole");
 }
 
-SystemCapture::SystemCapture(const Teuchos::ParameterList& solvers, Show show)
+SystemCapture::SystemCapture(const Teuchos::ParameterList& solvers, bool has_iterations, Show show)
     : wanted_step_(solvers.get<int>("step")),
-      wanted_iteration_(solvers.get<int>("coupling iteration")),
+      wanted_iteration_(has_iterations ? solvers.get<int>("coupling iteration") : 1),
       wanted_newton_step_(solvers.get<int>("newton step")),
       wanted_field_(solvers.get<std::string>("field")), show_(std::move(show)) {}
 
-void SystemCapture::watch(const std::string& field, problems::FieldProblem& problem) {
+void SystemCapture::watch(const std::string& field, problems::SystemSource& problem) {
   problem.watch_solves([this, field, &problem](const algebra::BlockVector& b) {
     const int newton_step = ++newton_steps_[field];
     if (!is_wanted(field, newton_step)) return;
@@ -48,8 +50,8 @@ std::string SystemCapture::wish() const {
 }
 
 bool SystemCapture::is_wanted(const std::string& field, int newton_step) const {
-  return (wanted_field_ == "both" || wanted_field_ == field) && step_ == wanted_step_ &&
-         iteration_ == wanted_iteration_ &&
+  return (wanted_field_ == "both" || wanted_field_ == field || field == "system") &&
+         step_ == wanted_step_ && iteration_ == wanted_iteration_ &&
          (wanted_newton_step_ == 0 || wanted_newton_step_ == newton_step);
 }
 

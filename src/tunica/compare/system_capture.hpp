@@ -4,7 +4,7 @@
 
 #include "tunica/compare/linear_system.hpp"
 #include "tunica/params/table.hpp"
-#include "tunica/problems/field_problem.hpp"
+#include "tunica/problems/watched_solver.hpp"
 
 namespace tunica::compare {
 
@@ -17,14 +17,15 @@ class SystemCapture {
 public:
   using Show = std::function<void(const LinearSystem&)>;
 
-  /// solvers: the resolved "Solvers" list.
-  SystemCapture(const Teuchos::ParameterList& solvers, Show show);
+  /// solvers: the resolved "Solvers" list; has_iterations: a step may have several coupling
+  /// iterations.
+  SystemCapture(const Teuchos::ParameterList& solvers, bool has_iterations, Show show);
 
   SystemCapture(const SystemCapture&) = delete;
   SystemCapture& operator=(const SystemCapture&) = delete;
 
-  /// field: "fluid" or "wall". The problem solves nothing once the capture is gone.
-  void watch(const std::string& field, problems::FieldProblem& problem);
+  /// field: "fluid", "wall" or "system". The problem solves nothing once the capture is gone.
+  void watch(const std::string& field, problems::SystemSource& problem);
 
   /// What the solves from now on belong to; both counted from 1.
   void enter(int step, int coupling_iteration);

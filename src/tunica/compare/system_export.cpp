@@ -101,7 +101,7 @@ Teuchos::RCP<const Vector> hosts_of(const LinearSystem& system) {
 std::string state_of(const LinearSystem& system, const output::RunRecord& record) {
   const Json run = Json::parse(record.text());
   const auto nodes = static_cast<long long>(system.mesh->node_map->getGlobalNumElements());
-  const bool is_fluid = system.field == "fluid";
+  const bool is_wall = system.field == "wall";
   Json out;
   for (const char* section : {"program", "case", "ranks", "versions"})
     out[section] = run.at(section);
@@ -121,16 +121,17 @@ std::string state_of(const LinearSystem& system, const output::RunRecord& record
       "vector unknown 3*node + i, scalar unknown node, both counted from 0; "
       "rhs and solution hold all vector unknowns, then all scalar ones";
   if (!hosts_of(system).is_null())
-    out["pressures at layers"] =
-        "scalar unknowns beyond the nodes are further pressures of nodes between layers; "
+    out["further pressures"] =
+        "scalar unknowns beyond the nodes are further pressures of nodes between layers, or "
+        "between fluid and wall; "
         "scalar_nodes.mtx has the node of each scalar unknown, from 0";
   out["meaning"] = "K x = rhs = residual of Newton's method; its full step is -x";
   out["units"] = {{"base", "mm, ms, mg"},
                   {"coordinates", "mm, undeformed mesh"},
-                  {"vector unknowns", is_fluid ? "mm/ms" : "mm"},
+                  {"vector unknowns", is_wall ? "mm" : "mm/ms"},
                   {"scalar unknowns", "kPa"},
                   {"vector rows of rhs", "mN"},
-                  {"scalar rows of rhs", is_fluid ? "mm^3/ms" : "mm^3"}};
+                  {"scalar rows of rhs", is_wall ? "mm^3" : "mm^3/ms"}};
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

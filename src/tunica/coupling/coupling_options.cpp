@@ -2,8 +2,8 @@
 
 namespace tunica::coupling {
 
-params::Table coupling_table() {
-  params::Table table("Dirichlet-Neumann coupling of fluid and wall.");
+params::Table dirichlet_neumann_table() {
+  params::Table table("Mesh motion, fluid and wall one after the other, until they agree.");
   table
       .number("tolerance", 1e-8, params::positive(), "mm",
               "stop at |r|/sqrt(n) below this, r the interface residual, n its vertices")

@@ -18,7 +18,7 @@ struct CouplingOptions {
   int halvings;              ///< of an update that a field cannot follow, in a row
   bool accepts_unconverged;  ///< go on with a warning where a step does not converge
 };
-params::Table coupling_table();
+params::Table dirichlet_neumann_table();
 CouplingOptions coupling_options(const Teuchos::ParameterList& list);
 
 /// Dirichlet–Neumann coupling ([LY1] section 5.1): mesh motion and fluid for a given interface
@@ -35,6 +35,9 @@ public:
   // Scheme
   std::vector<std::string> fields() const override { return {"fluid", "wall"}; }
   std::vector<std::string> stages() const override { return {"motion", "fluid", "wall", "update"}; }
+  std::vector<std::pair<std::string, problems::SystemSource*>> systems() override {
+    return {{"fluid", fluid_}, {"wall", wall_}};
+  }
   /// Makes the preconditioner from fluid and wall as they lie; keeps that of an earlier step where
   /// the wall cannot be solved. Fails where there is none.
   Outcome prepare(const stepping::Clock& clock) override;

@@ -8,6 +8,7 @@
 #include "tunica/base/outcome.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/nonlinear/newton.hpp"
+#include "tunica/problems/watched_solver.hpp"
 #include "tunica/stepping/clock.hpp"
 
 namespace tunica::coupling {
@@ -59,6 +60,9 @@ public:
   /// Names of the fields that it solves for by Newton's method, and of the stages that it times.
   virtual std::vector<std::string> fields() const = 0;
   virtual std::vector<std::string> stages() const = 0;
+
+  /// Whose linear systems it has solved: by the names of fields().
+  virtual std::vector<std::pair<std::string, problems::SystemSource*>> systems() = 0;
 
   /// Sets up for the clock's present step, before it is solved. Fails, and says why, where that
   /// cannot be done. Collective.

@@ -126,6 +126,22 @@ void Fluid::check_closed_flow(const algebra::BlockVector& x) const {
 void Fluid::prescribe(algebra::BlockVector& x) {
   surfaces_.impose(surroundings(), x[0]);
   if (is_closed_) check_closed_flow(x);
+  fix_coefficients();
+}
+
+void Fluid::release_interface(const assembly::Constraints& fixed) {
+  for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s) {
+    const int surface = static_cast<int>(s);
+    if (!surfaces_.is_interface(surface)) continue;
+    for (int a = 0; a < mesh_->n_nodes(); ++a)
+      if (mesh_->is_on(a, surface)) fixed_[a] = fixed[a] & assembly::fixed_vector;
+  }
+  if (is_closed_)
+    for (std::uint8_t& bits : fixed_) bits &= ~assembly::fixed_scalar;
+  is_closed_ = false;
+}
+
+void Fluid::fix_coefficients() {
   elements_.tau = assembly::fluid_taus(
       *mesh_, elements_, options_.has_predicted_tau ? predicted_ : local_.u_old, local_.w);
   if (body_force_)

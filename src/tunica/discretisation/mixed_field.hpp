@@ -33,6 +33,8 @@ public:
   double mass_norm(const algebra::BlockVector& dx) const override;
 
   const stepping::TimeScheme& time_scheme() const { return *scheme_; }
+  /// What is prescribed, per local node.
+  const assembly::Constraints& constraints() const { return fixed_; }
   /// What is remembered on elements, by name.
   std::map<std::string, fields::Restartable*> element_histories();
   /// Accepts x as the state of the new time. Collective.

@@ -107,6 +107,13 @@ void Solid::begin_step(const stepping::Clock& clock) {
   surfaces_.begin_step();
 }
 
+std::vector<int> Solid::pressure_parts() const {
+  std::vector<int> parts = material_of_regions(options_.layers, *mesh_);
+  if (!options_.has_doubled_pressure)
+    for (int& part : parts) part = std::min(part, 0);
+  return parts;
+}
+
 void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const {
   assembly::NodalResidual load(*mesh_, split());
   load.u = force;

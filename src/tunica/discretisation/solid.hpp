@@ -28,6 +28,11 @@ public:
   /// Body force per mass at the undeformed position [mm/ms²], none by default; for verification.
   void set_body_force(boundary::VectorField f) { body_force_ = std::move(f); }
 
+  /// A number for each region of the mesh, from 0, the same where pressures are continuous from
+  /// one to the other; -1 outside the wall.
+  std::vector<int> pressure_parts() const;
+  bool moves_as_one(int surface) const { return surfaces_.moves_as_one(surface); }
+
   /// Of owned and ghost nodes, of the last accepted step [mm/ms].
   const std::vector<Vec3>& velocity() const { return history_[0]; }
   const assembly::SolidElements& elements() const { return elements_; }

@@ -13,17 +13,18 @@
 
 namespace tunica::nonlinear {
 
-params::Table newton_table() {
+params::Table newton_table(const NewtonDefaults& defaults) {
   params::Table next;
   next.number("safety", 30.0, params::positive(), "1",
               "s in s |F_k|/|F_{k-1}|, the part of an increment that is expected of the next one: "
               "residuals fall faster than errors");
-  params::Table table("Newton's method for one field.");
+  params::Table table("Newton's method.");
   table.integer("max iterations", 20, params::between(1, 1000), "cap on the Newton steps")
-      .number("relative increment", 1e-8, params::non_negative(), "1",
-              "stop when the mass norm of the increment has fallen to this part of the first one")
-      .number("absolute increment", 1e-9, params::non_negative(), "mixed",
-              "or when the mass norm of the increment is at most this; keeps round-off from "
+      .number("relative increment", defaults.relative_increment, params::non_negative(), "1",
+              "stop when the norm of the increment has fallen to this part of the first one")
+      .number("absolute increment", defaults.absolute_increment, params::non_negative(),
+              defaults.unit,
+              "or when the norm of the increment is at most this; keeps round-off from "
               "deciding in late coupling iterations, whose first increment is already tiny")
       .variant("stop at", "increment", {{"increment", params::Table()}, {"next increment", next}},
                "which increment those two look at: the one made, as in the paper, or the one that "

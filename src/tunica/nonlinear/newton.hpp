@@ -35,7 +35,13 @@ struct NewtonOptions {
   std::string line_search;    ///< "guarded", "full step", "backtrack", "polynomial"
   ForcingOptions forcing;
 };
-params::Table newton_table();
+/// Of the keys that say where it stops.
+struct NewtonDefaults {
+  double relative_increment = 1e-8;
+  double absolute_increment = 1e-9;
+  std::string unit = "mixed";  ///< of increments
+};
+params::Table newton_table(const NewtonDefaults& defaults = {});
 NewtonOptions newton_options(const Teuchos::ParameterList& list);
 
 struct NewtonStep {

@@ -2,62 +2,56 @@
 
 namespace tunica::problems {
 
-namespace {
-
-/// A solver that shows each right-hand side before it solves.
-class WatchedSolver final : public linear::LinearSolver {
-public:
-  WatchedSolver(std::unique_ptr<linear::LinearSolver> solver, FieldProblem::SolveWatch watch)
-      : solver_(std::move(solver)), watch_(std::move(watch)) {}
-
-  void matrix_changed() override { solver_->matrix_changed(); }
-  void prepare() override { solver_->prepare(); }
-  linear::SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
-                            double tolerance) override {
-    watch_(b);
-    return solver_->solve(b, x, tolerance);
-  }
-
-private:
-  std::unique_ptr<linear::LinearSolver> solver_;
-  FieldProblem::SolveWatch watch_;
-};
-
-}  // namespace
-
 FieldProblem::FieldProblem(std::unique_ptr<discretisation::MixedField> field,
                            const Teuchos::ParameterList& list)
     : x_(field->space()), field_(std::move(field)),
       newton_(nonlinear::newton_options(list.sublist("Newton"))),
-      solver_(
-          linear::make_linear_solver(list.sublist("Linear Solver"), field_->jacobian(), *field_)) {}
+      solver_list_(list.sublist("Linear Solver")) {}
 
 FieldProblem::~FieldProblem() = default;
 
+linear::LinearSolver& FieldProblem::linear_solver() {
+  if (!solver_) solver_ = linear::make_linear_solver(solver_list_, field_->jacobian(), *field_);
+  return *solver_;
+}
+
 void FieldProblem::watch_solves(SolveWatch watch) {
-  solver_ = std::make_unique<WatchedSolver>(std::move(solver_), std::move(watch));
+  linear_solver();
+  solver_ = watched(std::move(solver_), std::move(watch));
 }
 
 fields::State FieldProblem::save() const {
   fields::State state = fields::state_on(mesh());
-  for (int b = 0; b < x_.n_blocks(); ++b) {
-    const algebra::Block& block = (*space())[b];
-    state.arrays[block.name] = is_split(block) ? fields::rows_of(x_[b], *split())
-                                               : fields::rows_of(x_[b], block.components);
-  }
+  save_blocks(x_, "", state);
   field_->save_history(state);
   return state;
 }
 
 std::string FieldProblem::restore(const fields::State& state) {
-  for (int b = 0; b < x_.n_blocks(); ++b) {
-    const algebra::Block& block = (*space())[b];
-    if (is_split(block))
-      fields::assign_rows(state.array(block.name, split()->n_copies), *split(), x_[b]);
-    else
-      fields::assign_rows(state.array(block.name, block.components), x_[b]);
-  }
+  restore_blocks(state, "", x_);
   return field_->restore_history(state, x_);
+}
+
+void FieldProblem::save_blocks(const algebra::BlockVector& x, const std::string& suffix,
+                               fields::State& state) const {
+  for (int b = 0; b < x.n_blocks(); ++b) {
+    const algebra::Block& block = (*space())[b];
+    const bool is_split = split() != nullptr && block.components == 1;
+    state.arrays[block.name + suffix] =
+        is_split ? fields::rows_of(x[b], *split()) : fields::rows_of(x[b], block.components);
+  }
+}
+
+void FieldProblem::restore_blocks(const fields::State& state, const std::string& suffix,
+                                  algebra::BlockVector& x) const {
+  for (int b = 0; b < x.n_blocks(); ++b) {
+    const algebra::Block& block = (*space())[b];
+    const std::string name = block.name + suffix;
+    if (split() != nullptr && block.components == 1)
+      fields::assign_rows(state.array(name, split()->n_copies), *split(), x[b]);
+    else
+      fields::assign_rows(state.array(name, block.components), x[b]);
+  }
 }
 
 std::map<std::string, fields::Restartable*> FieldProblem::inner_parts() {
@@ -74,7 +68,7 @@ nonlinear::NewtonReport FieldProblem::find_state() {
 
 void FieldProblem::jacobian(const algebra::BlockVector& x) {
   field_->assemble_jacobian(x);
-  solver_->matrix_changed();
+  if (solver_) solver_->matrix_changed();
 }
 
 }  // namespace tunica::problems

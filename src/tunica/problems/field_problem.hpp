@@ -1,15 +1,17 @@
 #pragma once
-#include <functional>
 #include <memory>
 
 #include "tunica/discretisation/mixed_field.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/nonlinear/newton.hpp"
+#include "tunica/problems/watched_solver.hpp"
 
 namespace tunica::problems {
 
 /// One field alone: a discretisation with a state, Newton's method and a linear solver.
-class FieldProblem : public nonlinear::NonlinearProblem, public fields::Restartable {
+class FieldProblem : public nonlinear::NonlinearProblem,
+                     public SystemSource,
+                     public fields::Restartable {
 public:
   /// list: the resolved "Fluid" or "Wall" list, for its "Newton" and its "Linear Solver".
   FieldProblem(std::unique_ptr<discretisation::MixedField> field,
@@ -22,21 +24,29 @@ public:
   /// Null where that is the mesh.
   const fields::SplitMesh* split() const { return field_->split(); }
   const algebra::BlockVector& state() const { return x_; }
-  /// The Jacobian assembled last, and the operators that belong to it.
-  const fields::BlockOperator& last_jacobian() const { return field_->jacobian(); }
-  const linear::NamedOperators& operators() const { return *field_; }
+  /// Makes x the present state: what a coupled problem has found for all of its fields.
+  void take(const algebra::BlockVector& x) { x_.assign(x); }
+  /// What is prescribed, per local node.
+  const assembly::Constraints& constraints() const { return field_->constraints(); }
   const Throughput& jacobian_throughput() const { return field_->throughput(); }
 
-  /// Calls watch with the right-hand side before each linear solve. The Jacobian and the named
-  /// operators are then those of the system.
-  using SolveWatch = std::function<void(const algebra::BlockVector& b)>;
-  void watch_solves(SolveWatch watch);
+  // SystemSource
+  void watch_solves(SolveWatch watch) override;
+  const fields::BlockOperator& last_jacobian() const override { return field_->jacobian(); }
+  const linear::NamedOperators& operators() const override { return *field_; }
 
   const stepping::TimeScheme& time_scheme() const { return field_->time_scheme(); }
   /// Accepts the present state as that of the new time.
   void end_step() { field_->end_step(x_); }
 
-  // Restartable: the state by the names of its blocks, and what is remembered from step to step
+  /// Values of the field as arrays of a state on its mesh, by the names of its blocks and a suffix,
+  /// and back.
+  void save_blocks(const algebra::BlockVector& x, const std::string& suffix,
+                   fields::State& state) const;
+  void restore_blocks(const fields::State& state, const std::string& suffix,
+                      algebra::BlockVector& x) const;
+
+  // Restartable: the state, and what is remembered from step to step
   fields::State save() const override;
   std::string restore(const fields::State& state) override;
   std::map<std::string, fields::Restartable*> inner_parts() override;
@@ -50,7 +60,8 @@ public:
   void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const override {
     field_->jacobian().apply(x, y);
   }
-  linear::LinearSolver& linear_solver() override { return *solver_; }
+  /// Made when it is first asked for: a field that others solve for does without.
+  linear::LinearSolver& linear_solver() override;
   double increment_norm(const algebra::BlockVector& dx) override { return field_->mass_norm(dx); }
   std::string refusal() const override { return field_->refusal(); }
 
@@ -64,14 +75,10 @@ protected:
   algebra::BlockVector x_;
 
 private:
-  /// The block stands on the nodes of split().
-  bool is_split(const algebra::Block& block) const {
-    return split() != nullptr && block.components == 1;
-  }
-
   std::unique_ptr<discretisation::MixedField> field_;
   nonlinear::NewtonOptions newton_;
-  std::unique_ptr<linear::LinearSolver> solver_;
+  Teuchos::ParameterList solver_list_;
+  std::unique_ptr<linear::LinearSolver> solver_;  ///< null before it is asked for
 };
 
 }  // namespace tunica::problems

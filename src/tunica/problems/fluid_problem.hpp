@@ -17,7 +17,11 @@ public:
   }
   /// Imposes the prescribed velocities and fixes what stays constant in a Newton solve, which
   /// solve() does by itself.
-  void prepare() { fluid_->prescribe(x_); }
+  void prepare() { prescribe(x_); }
+  void prescribe(algebra::BlockVector& x) { fluid_->prescribe(x); }
+  /// Where the velocity on the interface is solved for: see discretisation::Fluid.
+  void release_interface(const assembly::Constraints& fixed) { fluid_->release_interface(fixed); }
+  void fix_coefficients() { fluid_->fix_coefficients(); }
   nonlinear::NewtonReport solve();
 
   /// discretisation::Fluid::reaction() of the last solve.

@@ -22,6 +22,8 @@ public:
   const std::vector<Vec3>& old_displacement() const { return history_.value(); }
   /// The time scheme's past of the displacement in the present step.
   std::vector<Vec3> past_displacement() const { return scheme_->pasts(history_); }
+  /// What the steps before let expect of the displacement at the present step's end.
+  std::vector<Vec3> predicted_displacement() const { return scheme_->predictions(history_); }
   void end_step() { scheme_->accept(d_, history_); }
 
   // Restartable

@@ -28,6 +28,10 @@ public:
   std::vector<Vec3> displacement() const;  ///< of owned nodes [mm]
   std::vector<Vec3> velocity() const;      ///< of owned nodes, of the last accepted step [mm/ms]
   const assembly::SolidElements& elements() const { return wall_->elements(); }
+  /// discretisation::Solid::pressure_parts().
+  std::vector<int> pressure_parts() const { return wall_->pressure_parts(); }
+  /// True where nodes of the surface move as one.
+  bool moves_as_one(int surface) const { return wall_->moves_as_one(surface); }
   discretisation::Observables observe() const { return wall_->observe(x_); }
   discretisation::Observables observe_surfaces(const std::vector<int>& surfaces) {
     return wall_->observe_surfaces(x_, surfaces);

@@ -2,7 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/base/error.hpp"
-#include "tunica/coupling/dirichlet_neumann.hpp"
+#include "tunica/coupling/registry.hpp"
 #include "unit/coupling/interface_vector.hpp"
 
 namespace {

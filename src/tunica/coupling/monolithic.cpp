@@ -1,0 +1,71 @@
+#include "tunica/coupling/monolithic.hpp"
+
+#include <sstream>
+
+#include "tunica/base/timer.hpp"
+
+namespace tunica::coupling {
+
+params::Table monolithic_solver_table() {
+  return linear::linear_solver_table(
+      {"multigrid", linear::default_block_preconditioner(6, 2), multigrid::mixed_cycle_list(3)});
+}
+
+params::Table monolithic_table() {
+  params::Table table("One Newton's method for fluid and wall together.");
+  table
+      .choice("geometry", "quasi", {"quasi", "extrapolated"},
+              "how the fluid's domain follows the wall: quasi, with it in each Newton step, though "
+              "the Jacobian does not know; extrapolated from earlier steps to the order of the "
+              "time scheme, and moved once the step is solved")
+      .integer("predictor order", 1, params::between(0, 2),
+               "first guess of a step: 0 the last state, 1 linear and 2 quadratic extrapolation in "
+               "time")
+      .sublist("Newton", nonlinear::newton_table({0.0, 1e-8, "mm"}))
+      .sublist("Linear Solver", monolithic_solver_table());
+  return table;
+}
+
+Monolithic::Monolithic(const Teuchos::ParameterList& list,
+                       const problems::CoupledProblem::Parts& parts)
+    : problem_(list, parts), fluid_(&parts.fluid), wall_(&parts.wall),
+      fluid_states_(parts.fluid, list.get<int>("predictor order")),
+      wall_states_(parts.wall, list.get<int>("predictor order")) {}
+
+Outcome Monolithic::find_state(const stepping::Clock& clock, Iteration& iteration) {
+  if (const Outcome begun = problem_.begin_step(clock); begun.is_failure()) return begun;
+  nonlinear::NewtonReport& newton = iteration.solve("system");
+  newton = problem_.solve(fluid_states_.extrapolated(clock.step_sizes()),
+                          wall_states_.extrapolated(clock.step_sizes()));
+  if (newton.steps.empty() && !newton.is_converged)  // the guess is no state at all
+    newton = problem_.solve(fluid_->state(), wall_->state());
+  if (!newton.steps.empty()) iteration.residual = newton.steps.back().increment;
+  return newton.is_converged ? problem_.accept() : Outcome::failure(newton.reason);
+}
+
+Report Monolithic::solve_step(const stepping::Clock& clock, const Watch& watch) {
+  const Stopwatch all;
+  Report report;
+  Iteration& iteration = report.iterations.emplace_back(new_iteration());
+  const Outcome found = find_state(clock, iteration);
+  report.is_converged = report.is_accepted = found.is_success();
+  if (found.is_success()) {
+    fluid_states_.accept();
+    wall_states_.accept();
+  } else {
+    std::ostringstream where;
+    where << "time " << clock.time() << " ms: Newton's method of the whole";
+    report.reason = found.at(where.str()).reason();
+  }
+  const problems::CoupledProblem::Seconds& seconds = problem_.seconds();
+  iteration.seconds("motion") = seconds.motion;
+  iteration.seconds("fluid") = seconds.fluid;
+  iteration.seconds("wall") = seconds.wall;
+  iteration.seconds("gather") = seconds.gather;
+  iteration.seconds("system") =
+      all.seconds() - seconds.motion - seconds.fluid - seconds.wall - seconds.gather;
+  watch(1, iteration);
+  return report;
+}
+
+}  // namespace tunica::coupling

@@ -1,0 +1,47 @@
+#pragma once
+#include "tunica/coupling/scheme.hpp"
+#include "tunica/problems/coupled_problem.hpp"
+#include "tunica/problems/state_history.hpp"
+
+namespace tunica::coupling {
+
+params::Table monolithic_table();
+/// The keys of its "Linear Solver". By default a multigrid cycle with incomplete factors in node
+/// blocks, as for the wall.
+params::Table monolithic_solver_table();
+
+/// One Newton's method for fluid and wall together (problems/coupled_problem.hpp), started from
+/// what the steps before let expect. A step is one coupling iteration, whose residual is the last
+/// Newton increment [mm].
+class Monolithic final : public Scheme {
+public:
+  /// list: the resolved "Coupling" list. The problems must outlive the object.
+  Monolithic(const Teuchos::ParameterList& list, const problems::CoupledProblem::Parts& parts);
+
+  // Scheme
+  std::vector<std::string> fields() const override { return {"system"}; }
+  std::vector<std::string> stages() const override {
+    return {"motion", "fluid", "wall", "gather", "system"};
+  }
+  std::vector<std::pair<std::string, problems::SystemSource*>> systems() override {
+    return {{"system", &problem_}};
+  }
+  Report solve_step(const stepping::Clock& clock, const Watch& watch) override;
+
+  // Restartable: the states that a step is guessed from belong to its parts
+  fields::State save() const override { return {}; }
+  std::string restore(const fields::State&) override { return ""; }
+  std::map<std::string, fields::Restartable*> inner_parts() override {
+    return {{"fluid states", &fluid_states_}, {"wall states", &wall_states_}};
+  }
+
+private:
+  Outcome find_state(const stepping::Clock& clock, Iteration& iteration);
+
+  problems::CoupledProblem problem_;
+  problems::FluidProblem* fluid_;
+  problems::SolidProblem* wall_;
+  problems::StateHistory fluid_states_, wall_states_;
+};
+
+}  // namespace tunica::coupling

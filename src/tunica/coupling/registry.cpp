@@ -1,0 +1,67 @@
+#include "tunica/coupling/registry.hpp"
+
+#include <stdexcept>
+
+#include "tunica/coupling/dirichlet_neumann.hpp"
+#include "tunica/coupling/monolithic.hpp"
+
+namespace tunica::coupling {
+
+namespace {
+
+/// A scheme, as XML names it.
+struct Entry {
+  std::string name;
+  bool needs_common_mesh;
+  params::Table (*table)();
+  std::unique_ptr<Scheme> (*make)(const Teuchos::ParameterList&, const CoupledFields&);
+};
+
+std::unique_ptr<Scheme> make_dirichlet_neumann(const Teuchos::ParameterList& list,
+                                               const CoupledFields& f) {
+  return std::make_unique<DirichletNeumann>(list, f.interface, f.fluid, f.wall, f.motion);
+}
+
+std::unique_ptr<Scheme> make_monolithic(const Teuchos::ParameterList& list,
+                                        const CoupledFields& f) {
+  return std::make_unique<Monolithic>(
+      list, problems::CoupledProblem::Parts{*f.mesh, f.interface, f.fluid, f.wall, f.motion});
+}
+
+/// Every scheme there is, in the order of the reference.
+const std::vector<Entry>& schemes() {
+  static const std::vector<Entry> all = {
+      {"dirichlet-neumann", false, dirichlet_neumann_table, make_dirichlet_neumann},
+      {"monolithic", true, monolithic_table, make_monolithic},
+  };
+  return all;
+}
+
+const Entry& scheme_of(const Teuchos::ParameterList& list) {
+  const auto& name = list.get<std::string>("scheme");
+  for (const Entry& entry : schemes())
+    if (entry.name == name) return entry;
+  throw std::logic_error("\"" + name + "\" is no coupling scheme");
+}
+
+}  // namespace
+
+params::Table coupling_table() {
+  std::vector<params::Table::Case> cases;
+  for (const Entry& entry : schemes()) cases.push_back({entry.name, entry.table()});
+  params::Table table("How fluid and wall are coupled.");
+  table.variant("scheme", "dirichlet-neumann", cases,
+                "the fields one after the other, or one system of all");
+  return table;
+}
+
+bool needs_common_mesh(const Teuchos::ParameterList& list) {
+  return scheme_of(list).needs_common_mesh;
+}
+
+std::unique_ptr<Scheme> make_scheme(const Teuchos::ParameterList& list,
+                                    const CoupledFields& fields) {
+  return scheme_of(list).make(list, fields);
+}
+
+}  // namespace tunica::coupling

@@ -1,0 +1,25 @@
+#pragma once
+#include <memory>
+
+#include "tunica/coupling/scheme.hpp"
+#include "tunica/problems/coupled_problem.hpp"
+
+namespace tunica::coupling {
+
+/// What a scheme couples, all of which must outlive it.
+struct CoupledFields {
+  const fields::InterfaceTransfer& interface;
+  problems::FluidProblem& fluid;
+  problems::SolidProblem& wall;
+  problems::MeshMotion& motion;
+  const fields::FieldMesh* mesh;  ///< of both; null unless needs_common_mesh()
+};
+
+/// Every scheme's keys: the "Coupling" list.
+params::Table coupling_table();
+/// The scheme of the resolved list solves for unknowns on the mesh of both fields.
+bool needs_common_mesh(const Teuchos::ParameterList& list);
+std::unique_ptr<Scheme> make_scheme(const Teuchos::ParameterList& list,
+                                    const CoupledFields& fields);
+
+}  // namespace tunica::coupling

@@ -1,0 +1,220 @@
+#include "tunica/problems/coupled_problem.hpp"
+
+#include <cmath>
+
+#include "tunica/base/error.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/fields/embed_field.hpp"
+
+namespace tunica::problems {
+
+namespace {
+
+/// Cut apart where pressures jump: at the interface, and where the wall has two.
+std::unique_ptr<fields::SplitMesh> mesh_of_pressures(const CoupledProblem::Parts& parts) {
+  std::vector<int> part = parts.wall.pressure_parts();
+  for (int& p : part) p += 1;  // the lumen comes first
+  return fields::split_mesh(parts.mesh, part);
+}
+
+/// The bits of owned interface nodes of the wall, at all nodes of the fluid.
+assembly::Constraints seen_by_fluid(const fields::InterfaceTransfer& interface,
+                                    const fields::FieldMesh& fluid,
+                                    const assembly::Constraints& wall) {
+  Vector owned(fluid.node_map);
+  {
+    const auto bits = owned.getLocalViewHost(read_write);
+    for (int k = 0; k < interface.n_owned(); ++k)
+      bits(interface.fluid_nodes[k], 0) = wall[interface.wall_nodes[k]];
+  }
+  const std::vector<double> all = fields::ghosted_scalars(fluid, owned);
+  return {all.begin(), all.end()};
+}
+
+}  // namespace
+
+CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& parts)
+    : mesh_(&parts.mesh), interface_(&parts.interface), fluid_(&parts.fluid), wall_(&parts.wall),
+      motion_(&parts.motion), is_extrapolated_(list.get<std::string>("geometry") == "extrapolated"),
+      split_(mesh_of_pressures(parts)),
+      K_(std::make_unique<fields::BlockOperator>(
+          parts.mesh, fields::NodalBlocks{{"velocity", 3}, {"pressure", 1}}, split_.get())),
+      newton_(nonlinear::newton_options(list.sublist("Newton"))), fluid_x_(fluid_->space()),
+      wall_x_(wall_->space()), fluid_F_(fluid_->space()), wall_F_(wall_->space()),
+      reference_(wall_->space()) {
+  tie_fields();
+  solver_ = linear::make_linear_solver(list.sublist("Linear Solver"), *K_, *this);
+}
+
+CoupledProblem::~CoupledProblem() = default;
+
+void CoupledProblem::tie_fields() {
+  for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s) {
+    bool meets = false;
+    for (const int a : interface_->wall_nodes)
+      meets = meets || wall_->mesh().is_on(a, static_cast<int>(s));
+    TUNICA_CHECK(!wall_->moves_as_one(static_cast<int>(s)) ||
+                     global_max(*mesh_->comm, meets ? 1.0 : 0.0) == 0.0,
+                 "Wall / Surfaces / " + mesh_->surfaces[s] +
+                     ": nodes of the interface cannot move as one where Coupling / scheme is "
+                     "\"monolithic\"; use \"dirichlet-neumann\", or \"clamped\" or \"held\".");
+  }
+  fluid_->release_interface(seen_by_fluid(*interface_, fluid_->mesh(), wall_->constraints()));
+  const auto& of_fluid = fluid_->last_jacobian();
+  const auto& of_wall = wall_->last_jacobian();
+  const auto rank = [](const auto& K) { return K.low_rank() ? K.low_rank()->rank() : 0; };
+  if (rank(of_fluid) + rank(of_wall) > 0) K_->make_low_rank(rank(of_fluid) + rank(of_wall));
+  fluid_part_ = std::make_unique<algebra::Embedding>(fields::embed(of_fluid, *K_));
+  wall_part_ = std::make_unique<algebra::Embedding>(fields::embed(of_wall, *K_));
+}
+
+// On the interface d̃ is the past of the mesh, which moves with the wall; elsewhere in the wall any
+// d̃ does, as only d counts.
+void CoupledProblem::set_reference() {
+  reference_[0].assign(wall_->state()[0]);
+  reference_[1].putScalar(0.0);
+  const std::vector<Vec3> past = motion_->past_displacement();
+  const auto d = reference_[0].getLocalViewHost(read_write);
+  for (int k = 0; k < interface_->n_owned(); ++k)
+    for (int i = 0; i < 3; ++i)
+      d(3 * interface_->wall_nodes[k] + i, 0) = past[interface_->fluid_nodes[k]][i];
+}
+
+Outcome CoupledProblem::begin_step(const stepping::Clock& clock) {
+  fluid_->begin_step(clock);
+  wall_->begin_step(clock);
+  wall_->set_nodal_force(std::vector<Vec3>(wall_->mesh().n_owned));
+  dt_ = 1.0 / fluid_->time_scheme().rate();
+  wall_part_->set_units({dt_, 1.0}, {1.0, 1.0 / dt_});
+  set_reference();
+  seconds_ = {};
+  const std::vector<Vec3> d =
+      is_extrapolated_ ? motion_->predicted_displacement() : motion_->displacement();
+  const Outcome placed = fluid_->set_domain(d, motion_->past_displacement());
+  fluid_->fix_coefficients();
+  return placed.at("the fluid's mesh");
+}
+
+void CoupledProblem::read(const algebra::BlockVector& x) {
+  fluid_part_->restrict(x, fluid_x_);
+  wall_part_->restrict(x, wall_x_);
+  for (int b = 0; b < wall_x_.n_blocks(); ++b) wall_x_[b].update(1.0, reference_[b], 1.0);
+}
+
+bool CoupledProblem::refuse(const std::string& reason) {
+  refusal_ = reason;
+  return false;
+}
+
+Outcome CoupledProblem::follow_wall() {
+  const Stopwatch watch;
+  const std::vector<Vec3> d = fields::owned_vectors(wall_->mesh(), wall_x_[0]);
+  const Outcome moved = motion_->extend(interface_->to_fluid(interface_->from_wall(d)));
+  seconds_.motion += watch.seconds();
+  if (moved.is_failure()) return moved.at("the mesh motion");
+  return fluid_->set_domain(motion_->displacement(), motion_->past_displacement())
+      .at("the fluid's mesh");
+}
+
+bool CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
+  read(x);
+  if (!is_extrapolated_) {
+    if (const Outcome outcome = follow_wall(); outcome.is_failure())
+      return refuse(outcome.reason());
+    fluid_->fix_coefficients();
+  }
+  const Stopwatch flowing;
+  if (!fluid_->residual(fluid_x_, fluid_F_)) return refuse("the fluid: " + fluid_->refusal());
+  seconds_.fluid += flowing.seconds();
+  const Stopwatch straining;
+  if (!wall_->residual(wall_x_, wall_F_)) return refuse("the wall: " + wall_->refusal());
+  seconds_.wall += straining.seconds();
+  F.set_zero();
+  fluid_part_->add(fluid_F_, F);
+  wall_part_->add(wall_F_, F);
+  refusal_ = "the residual is not a number";
+  return true;
+}
+
+void CoupledProblem::jacobian(const algebra::BlockVector& x) {
+  read(x);
+  const Stopwatch flowing;
+  fluid_->jacobian(fluid_x_);
+  seconds_.fluid += flowing.seconds();
+  const Stopwatch straining;
+  wall_->jacobian(wall_x_);
+  seconds_.wall += straining.seconds();
+  const Stopwatch gathering;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      (*K_)(i, j)->resumeFill();
+      (*K_)(i, j)->setAllToScalar(0.0);
+    }
+  fluid_part_->add_matrix(*K_, 0);
+  const auto& products = fluid_->last_jacobian().low_rank();
+  wall_part_->add_matrix(*K_, products ? products->rank() : 0);
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      (*K_)(i, j)->fillComplete((*K_)(i, j)->getDomainMap(), (*K_)(i, j)->getRangeMap());
+  solver_->matrix_changed();
+  seconds_.gather += gathering.seconds();
+}
+
+void CoupledProblem::watch_solves(SolveWatch watch) {
+  solver_ = watched(std::move(solver_), std::move(watch));
+}
+
+namespace {
+
+constexpr const char* mass = "Schur Mass";
+
+}  // namespace
+
+std::vector<std::string> CoupledProblem::operator_names() const { return {mass}; }
+
+// In units of the whole the wall has the modulus Δt μ, and its continuity is divided by Δt.
+Teuchos::RCP<const CrsMatrix> CoupledProblem::assemble_operator(const std::string& name) const {
+  if (name != mass) return Teuchos::null;
+  const auto M = Teuchos::rcp(new CrsMatrix(*(*K_)(1, 1), Teuchos::Copy));
+  M->resumeFill();
+  M->setAllToScalar(0.0);
+  fluid_part_->add_block(*fluid_->operators().assemble_operator(mass), 1, 1, *M);
+  wall_part_->add_block(*wall_->operators().assemble_operator(mass), 1, 1, *M);
+  M->fillComplete(M->getDomainMap(), M->getRangeMap());
+  return M;
+}
+
+double CoupledProblem::increment_norm(const algebra::BlockVector& dx) {
+  return dt_ * dx[0].norm2() /
+         std::sqrt(static_cast<double>(mesh_->node_map->getGlobalNumElements()));
+}
+
+nonlinear::NewtonReport CoupledProblem::solve(const algebra::BlockVector& fluid,
+                                              const algebra::BlockVector& wall) {
+  algebra::BlockVector x(space());
+  // y of the wall, which is that of the interface
+  wall_x_.assign(wall);
+  for (int b = 0; b < wall_x_.n_blocks(); ++b) wall_x_[b].update(-1.0, reference_[b], 1.0);
+  fluid_x_.assign(fluid);
+  fluid_->prescribe(fluid_x_);
+  fluid_part_->insert(fluid_x_, x);
+  wall_part_->insert(wall_x_, x);
+  const nonlinear::NewtonReport report = nonlinear::solve_newton(*this, newton_, x);
+  if (!report.is_converged) return report;
+  read(x);
+  fluid_->take(fluid_x_);
+  wall_->take(wall_x_);
+  return report;
+}
+
+Outcome CoupledProblem::accept() {
+  wall_->set_nodal_force(interface_->to_wall(interface_->from_fluid(fluid_->reaction())));
+  fluid_->end_step();
+  wall_->end_step();
+  if (is_extrapolated_)
+    if (const Outcome outcome = follow_wall(); outcome.is_failure()) return outcome;
+  motion_->end_step();
+  return Outcome::success();
+}
+
+}  // namespace tunica::problems

@@ -1,0 +1,110 @@
+#pragma once
+#include <memory>
+
+#include "tunica/algebra/embedding.hpp"
+#include "tunica/fields/interface_transfer.hpp"
+#include "tunica/problems/fluid_problem.hpp"
+#include "tunica/problems/mesh_motion.hpp"
+#include "tunica/problems/solid_problem.hpp"
+
+namespace tunica::problems {
+
+/// Fluid and wall as one nonlinear system over the vertices of both:
+///
+///   x = (y, p)    y  the fluid's velocity; in the wall ẋ of its displacement d, as the fluid's
+///                    time scheme sees it: d = d̃ + Δt y [mm/ms]
+///                 p  pressures of lumen and wall, two of them on the interface [kPa]
+///
+/// so that u = ḋ on the interface says that both fields have the same y there. The equations are
+/// those of the fields; momentum balances add up on the interface, and the wall's continuity is
+/// divided by Δt. With the fluid's K_f and the wall's K_s
+///
+///   K = [ A    B1ᵀ ] = [ A_f + Δt A_s   B1ᵀ_f, B1ᵀ_s     ]
+///       [ B2  −C   ]   [ B2_f, B2_s    −C_f, −C_s / Δt   ]
+///
+/// is one generalised Stokes matrix whose inertia and stiffness jump at the interface. What the
+/// residual makes of the domain that moves with d is in F, but not in K.
+class CoupledProblem final : public nonlinear::NonlinearProblem,
+                             public SystemSource,
+                             public linear::NamedOperators {
+public:
+  /// The fields, and the mesh of both of them. They must outlive the object.
+  struct Parts {
+    const fields::FieldMesh& mesh;
+    const fields::InterfaceTransfer& interface;
+    FluidProblem& fluid;
+    SolidProblem& wall;
+    MeshMotion& motion;
+  };
+  /// list: the resolved list of a monolithic "Coupling". The fluid's interface is released.
+  /// Throws Error where the wall has conditions that no coupled system can have. Collective.
+  CoupledProblem(const Teuchos::ParameterList& list, const Parts& parts);
+  ~CoupledProblem() override;
+
+  /// Begins the clock's present step in all fields. Fails where the extrapolated domain is none.
+  /// Collective.
+  Outcome begin_step(const stepping::Clock& clock);
+  /// Newton's method from these states of the fields; on success they are those of the new time,
+  /// else they stay what they were. Collective.
+  nonlinear::NewtonReport solve(const algebra::BlockVector& fluid,
+                                const algebra::BlockVector& wall);
+  /// Accepts the present states as those of the new time. Fails, and says why, where the mesh
+  /// cannot follow. Collective.
+  Outcome accept();
+
+  /// Where the time of the step went.
+  struct Seconds {
+    double motion = 0.0, fluid = 0.0, wall = 0.0, gather = 0.0;
+  };
+  const Seconds& seconds() const { return seconds_; }
+
+  // NonlinearProblem
+  const algebra::BlockSpacePtr& space() const override { return K_->space(); }
+  bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override;
+  void jacobian(const algebra::BlockVector& x) override;
+  void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const override {
+    K_->apply(x, y);
+  }
+  linear::LinearSolver& linear_solver() override { return *solver_; }
+  /// Root mean square of Δt |dy| over the vertices: how far the increment moves them [mm].
+  double increment_norm(const algebra::BlockVector& dx) override;
+  std::string refusal() const override { return refusal_; }
+
+  // SystemSource
+  void watch_solves(SolveWatch watch) override;
+  const fields::BlockOperator& last_jacobian() const override { return *K_; }
+  const linear::NamedOperators& operators() const override { return *this; }
+
+  // NamedOperators: "Schur Mass", the masses over the viscosity and over the moduli times Δt
+  std::vector<std::string> operator_names() const override;
+  Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
+
+private:
+  void tie_fields();
+  void set_reference();
+  /// Takes x apart.
+  void read(const algebra::BlockVector& x);
+  Outcome follow_wall();
+  bool refuse(const std::string& reason);
+
+  const fields::FieldMesh* mesh_;
+  const fields::InterfaceTransfer* interface_;
+  FluidProblem* fluid_;
+  SolidProblem* wall_;
+  MeshMotion* motion_;
+  bool is_extrapolated_;
+  std::unique_ptr<fields::SplitMesh> split_;
+  std::unique_ptr<fields::BlockOperator> K_;
+  std::unique_ptr<algebra::Embedding> fluid_part_, wall_part_;
+  nonlinear::NewtonOptions newton_;
+  std::unique_ptr<linear::LinearSolver> solver_;
+
+  algebra::BlockVector fluid_x_, wall_x_;  ///< of the fields, at the last point of evaluation
+  algebra::BlockVector fluid_F_, wall_F_;
+  algebra::BlockVector reference_;  ///< (d̃, 0) of the wall
+  double dt_ = 0.0;                 ///< Δt of y
+  std::string refusal_;
+  Seconds seconds_;
+};
+
+}  // namespace tunica::problems

@@ -1,0 +1,33 @@
+#pragma once
+#include <deque>
+
+#include "tunica/problems/field_problem.hpp"
+
+namespace tunica::problems {
+
+/// The accepted states of a field, from which the next one is guessed.
+class StateHistory final : public fields::Restartable {
+public:
+  /// Keeps what polynomials of the degree need. The field must outlive the object and stand at its
+  /// start.
+  StateHistory(const FieldProblem& field, int degree);
+
+  /// The present state is accepted.
+  void accept();
+  /// What the polynomial through the last states, of the degree as far as there are as many, takes
+  /// at the end of the clock's step.
+  algebra::BlockVector extrapolated(const stepping::StepSizes& sizes) const;
+
+  // Restartable
+  fields::State save() const override;
+  std::string restore(const fields::State& state) override;
+
+private:
+  void remember(const algebra::BlockVector& x);
+
+  const FieldProblem* field_;
+  int degree_;
+  std::deque<algebra::BlockVector> states_;  ///< newest first
+};
+
+}  // namespace tunica::problems

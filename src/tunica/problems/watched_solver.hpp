@@ -1,0 +1,30 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "tunica/fields/block_operator.hpp"
+#include "tunica/linear/linear_solver.hpp"
+
+namespace tunica::problems {
+
+/// Called with the right-hand side before each linear solve.
+using SolveWatch = std::function<void(const algebra::BlockVector& b)>;
+
+/// The solver, which shows each right-hand side to watch before it solves.
+std::unique_ptr<linear::LinearSolver> watched(std::unique_ptr<linear::LinearSolver> solver,
+                                              SolveWatch watch);
+
+/// A problem whose linear systems can be looked at.
+class SystemSource {
+public:
+  virtual ~SystemSource() = default;
+
+  /// Calls watch before each linear solve. The Jacobian and the named operators are then those of
+  /// the system.
+  virtual void watch_solves(SolveWatch watch) = 0;
+  /// The Jacobian assembled last, and the operators that belong to it.
+  virtual const fields::BlockOperator& last_jacobian() const = 0;
+  virtual const linear::NamedOperators& operators() const = 0;
+};
+
+}  // namespace tunica::problems

@@ -1,0 +1,166 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <map>
+
+#include "tunica/base/error.hpp"
+#include "tunica/coupling/registry.hpp"
+#include "tunica/problems/coupled_problem.hpp"
+#include "unit/problems/lists.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::SmallTube;
+
+/// A tube with both fields: pressure at the inlet, a windkessel at the outlet, a clamped wall.
+struct CoupledTube {
+  explicit CoupledTube(const std::string& geometry, const std::string& end = "clamped",
+                       const CommPtr& comm = test::world())
+      : tube(comm), mesh(fields::make_field_mesh(tube.mesh, tube.partition, {0, 1, 2}, comm)),
+        interface(tube.fluid, tube.wall, {tube.surface("interface")}),
+        fluid(fluid_list(), tube.fluid), wall(wall_list(end), tube.wall),
+        motion(motion_list(), tube.fluid, {tube.surface("interface")}, fluid.time_scheme()),
+        problem(coupling_list(geometry), {mesh, interface, fluid, wall, motion}) {}
+
+  static Teuchos::ParameterList fluid_list() {
+    auto list = test::fluid_list(1.0, 3.5e-3);
+    auto& inlet = test::condition(list, "inlet", "pressure");
+    inlet.set("pressure", 1.3);
+    inlet.set("backflow stabilisation", 0.5);
+    auto& outlet = test::condition(list, "outlet", "windkessel");
+    outlet.set("proximal resistance", 2.0);
+    outlet.set("distal resistance", 20.0);
+    outlet.set("capacitance", 0.1);
+    test::condition(list, "interface", "interface");
+    return test::resolved(list, problems::fluid_table());
+  }
+
+  static Teuchos::ParameterList wall_list(const std::string& end) {
+    auto list = test::wall_list();
+    list.sublist("Layers").sublist("media").set("law", std::string("mooney-rivlin"));
+    auto& outer = list.sublist("Layers").sublist("adventitia");
+    outer.set("law", std::string("mooney-rivlin"));
+    outer.set("c10", 5.0);
+    test::condition(list, "struct_in", "clamped");
+    test::condition(list, "struct_out", end);
+    test::condition(list, "interface", "interface");
+    return test::resolved(list, problems::solid_table());
+  }
+
+  static Teuchos::ParameterList motion_list() {
+    Teuchos::ParameterList list;
+    list.sublist("Linear Solver").set("method", std::string("direct"));
+    return test::resolved(list, problems::mesh_motion_table());
+  }
+
+  static Teuchos::ParameterList coupling_list(const std::string& geometry) {
+    Teuchos::ParameterList list;
+    list.set("scheme", std::string("monolithic"));
+    list.set("geometry", geometry);
+    list.sublist("Linear Solver").set("method", std::string("direct"));
+    return test::resolved(list, coupling::coupling_table());
+  }
+
+  /// Numbers without pattern, small enough that no element inverts, and zero at the
+  /// ends.
+  algebra::BlockVector point(int seed) const {
+    algebra::BlockVector x(problem.space());
+    const auto y = x[0].getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int a = 0; a < mesh.n_owned; ++a)
+      for (int i = 0; i < 3; ++i)
+        y(3 * a + i, 0) = is_held(mesh.x[a]) ? 0.0 : 0.1 * number(a, i, seed);
+    const auto p = x[1].getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t a = 0; a < p.extent(0); ++a)
+      p(a, 0) = test::scatter(
+          31.7 * seed + static_cast<double>(x[1].getMap()->getGlobalElement(static_cast<int>(a))));
+    return x;
+  }
+  static bool is_held(const Vec3& x) { return x[2] == 0.0 || x[2] == SmallTube::options().length; }
+  double number(int a, int i, int seed) const {
+    return test::scatter(1000.0 * seed + 4.0 * mesh.vertex[a] + i);
+  }
+
+  SmallTube tube;
+  fields::FieldMesh mesh;
+  fields::InterfaceTransfer interface;
+  problems::FluidProblem fluid;
+  problems::SolidProblem wall;
+  problems::MeshMotion motion;
+  problems::CoupledProblem problem;
+};
+
+TEUCHOS_UNIT_TEST(coupled_problem, jacobian_is_the_derivative_on_a_fixed_domain) {
+  CoupledTube both("extrapolated");
+  TEST_ASSERT(both.problem.begin_step(stepping::Clock(0.125, 1)).is_success());
+  const auto x = both.point(1);
+  for (int direction = 2; direction < 5; ++direction)
+    TEST_COMPARE(test::jacobian_error(both.problem, x, both.point(direction), 1e-5), <, 1e-7);
+}
+
+TEUCHOS_UNIT_TEST(coupled_problem, momentum_of_both_fields_adds_up_on_the_interface) {
+  CoupledTube both("extrapolated");
+  TEST_ASSERT(both.problem.begin_step(stepping::Clock(0.125, 1)).is_success());
+  algebra::BlockVector F(both.problem.space());
+  const auto x = both.point(1);
+  TEST_ASSERT(both.problem.residual(x, F));
+  // The fields at the same point, by their own equations: d = Δt y from rest.
+  const double dt = 1.0 / both.fluid.time_scheme().rate();
+  algebra::BlockVector u(both.fluid.space()), d(both.wall.space());
+  algebra::BlockVector of_fluid(u.space()), of_wall(d.space());
+  const auto set = [&](const fields::FieldMesh& mesh, double unit, Vector& values) {
+    const auto view = values.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int a = 0; a < mesh.n_owned; ++a)
+      for (int i = 0; i < 3; ++i)
+        view(3 * a + i, 0) = CoupledTube::is_held(mesh.x[a])
+                                 ? 0.0
+                                 : unit * 0.1 * test::scatter(1000.0 + 4.0 * mesh.vertex[a] + i);
+  };
+  set(both.tube.fluid, 1.0, u[0]);
+  set(both.tube.wall, dt, d[0]);
+  // Pressures do not act on the sums below: both have a mean that the surface takes.
+  TEST_ASSERT(both.fluid.residual(u, of_fluid) && both.wall.residual(d, of_wall));
+  algebra::BlockVector y(both.problem.space()), sum(both.problem.space());
+  y[0].assign(x[0]);
+  TEST_ASSERT(both.problem.residual(y, sum));
+  const auto total = sum[0].getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto one = of_fluid[0].getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto other = of_wall[0].getLocalViewHost(Tpetra::Access::ReadOnly);
+  std::map<int, int> node_of;
+  for (int a = 0; a < both.mesh.n_owned; ++a) node_of[both.mesh.vertex[a]] = a;
+  double error = 0.0, size = 0.0;
+  for (int k = 0; k < both.interface.n_owned(); ++k) {
+    const int f = both.interface.fluid_nodes[k], w = both.interface.wall_nodes[k];
+    const int a = node_of.at(both.tube.fluid.vertex[f]);
+    for (int i = 0; i < 3; ++i) {
+      error =
+          std::max(error, std::abs(total(3 * a + i, 0) - one(3 * f + i, 0) - other(3 * w + i, 0)));
+      size = std::max(size, std::abs(total(3 * a + i, 0)));
+    }
+  }
+  TEST_COMPARE(global_max(*both.mesh.comm, error), <=, 1e-13 * global_max(*both.mesh.comm, size));
+  TEST_COMPARE(global_max(*both.mesh.comm, size), >, 0.0);
+}
+
+TEUCHOS_UNIT_TEST(coupled_problem, ranks_agree_with_one) {
+  CoupledTube all("quasi"), one("quasi", "clamped", test::alone());
+  const stepping::Clock clock(0.125, 1);
+  for (CoupledTube* both : {&all, &one}) {
+    TEST_ASSERT(both->problem.begin_step(clock).is_success());
+    const auto report = both->problem.solve(both->fluid.state(), both->wall.state());
+    TEST_ASSERT(report.is_converged);
+    TEST_COMPARE(report.steps.size(), <=, 6);
+    TEST_ASSERT(both->problem.accept().is_success());
+  }
+  const std::size_t n = all.tube.mesh.vertices.size();
+  const auto u = test::by_vertex(all.tube.fluid, all.fluid.state(), n);
+  const auto v = test::by_vertex(one.tube.fluid, one.fluid.state(), n);
+  TEST_COMPARE(test::largest_difference(u, v), <, 1e-9);
+  double largest = 0.0;
+  for (const double value : v) largest = std::max(largest, std::abs(value));
+  TEST_COMPARE(largest, >, 1e-3);
+}
+
+TEUCHOS_UNIT_TEST(coupled_problem, nodes_of_the_interface_cannot_move_as_one) {
+  TEST_THROW(CoupledTube("quasi", "moves as one"), Error);
+}
+
+}  // namespace
