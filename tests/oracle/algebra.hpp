@@ -67,8 +67,8 @@ Vec<S> at(const std::array<double, n>& N, const std::array<Vec<S>, n>& nodal) {
 }
 
 /// Σ_a v_a ⊗ ∇N_a.
-template <class S>
-Mat<S> gradient(const std::array<Vec<S>, 4>& nodal, const std::array<Vec<double>, 4>& grad_N) {
+template <class S, class T>
+Mat<S> gradient(const std::array<Vec<S>, 4>& nodal, const std::array<Vec<T>, 4>& grad_N) {
   Mat<S> G;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
@@ -78,17 +78,18 @@ Mat<S> gradient(const std::array<Vec<S>, 4>& nodal, const std::array<Vec<double>
   return G;
 }
 
-/// Geometry of a tetrahedron by inverting its affine map.
-struct Element {
-  double volume;
-  std::array<Vec<double>, 4> grad_N;
+/// Geometry of a tetrahedron by inverting its affine map; G: of the vertices' positions.
+template <class G>
+struct ElementOf {
+  G volume;
+  std::array<Vec<G>, 4> grad_N;
 
-  explicit Element(const std::array<Vec<double>, 4>& x) {
-    Mat<double> map;  // columns x_k − x_0
+  explicit ElementOf(const std::array<Vec<G>, 4>& x) {
+    Mat<G> map;  // columns x_k − x_0
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) map[i][k] = x[k + 1][i] - x[0][i];
     volume = determinant(map) / 6;
-    const Mat<double> inverse_t = inverse_transpose(map);
+    const Mat<G> inverse_t = inverse_transpose(map);
     for (int i = 0; i < 3; ++i) {
       grad_N[0][i] = 0;
       for (int k = 0; k < 3; ++k) {
@@ -98,5 +99,6 @@ struct Element {
     }
   }
 };
+using Element = ElementOf<double>;
 
 }  // namespace tunica::oracle

@@ -4,11 +4,16 @@
 
 namespace tunica::oracle {
 
-/// Data of the ALE fluid on one tetrahedron; unknowns are numbered 3 a + i, then 12 + a.
-struct FluidWeakForm {
-  Element T;
-  double density, viscosity, inv_dt, tau;
-  std::array<Vec<double>, 4> u_old, w, f;
+/// Data of the ALE fluid on one tetrahedron; unknowns are numbered 3 a + i, then 12 + a. G: of what
+/// depends on the mesh.
+template <class G>
+struct FluidWeakFormOn {
+  ElementOf<G> T;
+  double density, viscosity, inv_dt;
+  G tau;
+  std::array<Vec<double>, 4> u_old;
+  std::array<Vec<G>, 4> w;
+  std::array<Vec<double>, 4> f;
   Vec<double> subscale;  ///< of the past
   Vec<double> viscous;   ///< div 2με
 
@@ -23,10 +28,11 @@ struct FluidWeakForm {
     std::array<S, 16> R;
     for (S& row : R) row = 0.0;
     for (const TetPoint& q : tet_rule()) {
-      const double dV = q.weight * T.volume;
+      const G dV = q.weight * T.volume;
       const Mat<S> grad_u = gradient(u, T.grad_N);
       const Vec<S> u_q = at(q.N, u);
-      const Vec<double> u_old_q = at(q.N, u_old), w_q = at(q.N, w), f_q = at(q.N, f);
+      const Vec<G> w_q = at(q.N, w);
+      const Vec<double> u_old_q = at(q.N, u_old), f_q = at(q.N, f);
       S p = 0.0;
       Vec<S> grad_p{S(0.0), S(0.0), S(0.0)};
       for (int a = 0; a < 4; ++a) {
@@ -48,8 +54,8 @@ struct FluidWeakForm {
           for (int k = 0; k < 3; ++k)
             for (int l = 0; l < 3; ++l) {
               // v = N_a e_i: ∂v_k/∂x_l
-              const double vkl = k == i ? T.grad_N[a][l] : 0.0;
-              const double vlk = l == i ? T.grad_N[a][k] : 0.0;
+              const G vkl = k == i ? T.grad_N[a][l] : G(0.0);
+              const G vlk = l == i ? T.grad_N[a][k] : G(0.0);
               const S strain = 0.5 * (grad_u[k][l] + grad_u[l][k]);
               row += 2.0 * viscosity * strain * (0.5 * (vkl + vlk));
             }
@@ -62,5 +68,6 @@ struct FluidWeakForm {
     return R;
   }
 };
+using FluidWeakForm = FluidWeakFormOn<double>;
 
 }  // namespace tunica::oracle

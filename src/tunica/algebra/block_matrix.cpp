@@ -25,6 +25,7 @@ void BlockMatrix::apply(const BlockVector& x, BlockVector& y) const {
   }
   apply_blocks(from, to, 1.0, 0.0);
   if (low_rank_) low_rank_->add(from, to, 1.0);  // y ← y + W S Vᵀ x
+  if (action_) action_->add(x, y);
 }
 
 void BlockMatrix::apply_blocks(const std::vector<Teuchos::RCP<MultiVector>>& x,

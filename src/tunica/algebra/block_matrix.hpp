@@ -1,4 +1,5 @@
 #pragma once
+#include "tunica/algebra/block_action.hpp"
 #include "tunica/algebra/low_rank.hpp"
 
 namespace tunica::algebra {
@@ -9,8 +10,8 @@ namespace tunica::algebra {
 ///   K = [ A   B1ᵀ ]      K(0, 0) = A    K(0, 1) = B1ᵀ
 ///       [ B2  −C  ]      K(1, 0) = B2   K(1, 1) = −C
 ///
-/// Beside the blocks there may be a part of low rank. Matrices and that part are shared, so that
-/// one who holds them sees their values change.
+/// Beside the blocks there may be a part of low rank, and one of which only the products are known.
+/// Matrices and those parts are shared, so that one who holds them sees their values change.
 class BlockMatrix {
 public:
   BlockMatrix() = default;
@@ -33,11 +34,16 @@ public:
   /// Null: none.
   const std::shared_ptr<LowRank>& low_rank() const { return low_rank_; }
 
+  /// Gives K a part that has no entries; before anything is built upon K.
+  void set_action(std::shared_ptr<const BlockAction> action) { action_ = std::move(action); }
+  /// Null: none.
+  const std::shared_ptr<const BlockAction>& action() const { return action_; }
+
   BlockVector zero() const { return BlockVector(space_); }
 
   /// y = K x, all of it.
   void apply(const BlockVector& x, BlockVector& y) const;
-  /// y_i = α Σ_j K_ij x_j + β y_i for the parts of longer vectors, without the part of low rank.
+  /// y_i = α Σ_j K_ij x_j + β y_i for the parts of longer vectors, of the blocks alone.
   void apply_blocks(const std::vector<Teuchos::RCP<MultiVector>>& x,
                     const std::vector<Teuchos::RCP<MultiVector>>& y, Scalar alpha,
                     Scalar beta) const;
@@ -46,6 +52,7 @@ private:
   BlockSpacePtr space_;
   std::vector<Teuchos::RCP<CrsMatrix>> blocks_;
   std::shared_ptr<LowRank> low_rank_;
+  std::shared_ptr<const BlockAction> action_;
 };
 
 }  // namespace tunica::algebra

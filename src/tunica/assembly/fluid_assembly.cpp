@@ -4,8 +4,6 @@
 
 namespace tunica::assembly {
 
-namespace {
-
 kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh, std::size_t e) {
   const std::array<int, 4>& nodes = mesh.tets[e];
   return {gather(s.u, nodes),
@@ -16,8 +14,6 @@ kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh
           s.subscale.empty() ? Vec3{} : s.subscale[e],
           s.viscous.empty() ? Vec3{} : s.viscous[e]};
 }
-
-}  // namespace
 
 void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements,
                     const FluidFields& state, NodalResidual& R, BlockAssembler* K) {

@@ -22,6 +22,9 @@ struct FluidFields {
   std::vector<Vec3> viscous = {};   ///< q per element; empty where it is left out
 };
 
+/// What an element sees of it.
+kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh, std::size_t e);
+
 /// Adds the element residuals, and the Jacobians where K is not null.
 void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements,
                     const FluidFields& state, NodalResidual& R, BlockAssembler* K);

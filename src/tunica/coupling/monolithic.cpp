@@ -12,12 +12,16 @@ params::Table monolithic_solver_table() {
 }
 
 params::Table monolithic_table() {
+  params::Table newton;
+  newton.number("mesh tolerance", 1e-6, params::Range{0.0, 1.0, true, true}, "1",
+                "reduction of the residual where a product with the Jacobian moves the mesh");
   params::Table table("One Newton's method for fluid and wall together.");
   table
-      .choice("geometry", "quasi", {"quasi", "extrapolated"},
-              "how the fluid's domain follows the wall: quasi, with it in each Newton step, though "
-              "the Jacobian does not know; extrapolated from earlier steps to the order of the "
-              "time scheme, and moved once the step is solved")
+      .variant("geometry", "quasi",
+               {{"newton", newton}, {"quasi", params::Table()}, {"extrapolated", params::Table()}},
+               "how the fluid's domain follows the wall: in each Newton step, with a Jacobian that "
+               "knows (newton) or does not (quasi); or extrapolated from earlier steps to the "
+               "order of the time scheme, and moved once the step is solved")
       .integer("predictor order", 1, params::between(0, 2),
                "first guess of a step: 0 the last state, 1 linear and 2 quadratic extrapolation in "
                "time")

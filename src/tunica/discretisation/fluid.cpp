@@ -168,6 +168,13 @@ void Fluid::read(const algebra::BlockVector& x) {
   local_.p = fields::ghosted_scalars(*mesh_, x[1]);
 }
 
+void Fluid::assemble_shape_jacobian(const algebra::BlockVector& x) {
+  read(x);
+  if (!shape_) shape_ = std::make_unique<assembly::FluidShapeMatrix>(K_);
+  shape_->assemble(elements_, local_, options_.has_predicted_tau ? predicted_ : local_.u_old,
+                   fixed_);
+}
+
 void Fluid::assemble(assembly::BlockAssembler* K) {
   R_.set_zero();
   assembly::assemble_fluid(*mesh_, elements_, local_, R_, K);

@@ -2,7 +2,7 @@
 #include <functional>
 #include <memory>
 
-#include "tunica/assembly/fluid_assembly.hpp"
+#include "tunica/assembly/fluid_shape.hpp"
 #include "tunica/base/outcome.hpp"
 #include "tunica/boundary/surface_forces.hpp"
 #include "tunica/discretisation/fluid_options.hpp"
@@ -36,6 +36,11 @@ public:
   void fix_coefficients();
   /// Shifts the pressure of an enclosed fluid, which is known up to a constant, to a mean of zero.
   void fix_pressure_level(algebra::BlockVector& x) const;
+
+  /// Brings shape_jacobian() to x on the present domain, whose mesh has the velocity of
+  /// set_domain(). Collective.
+  void assemble_shape_jacobian(const algebra::BlockVector& x);
+  const assembly::FluidShapeMatrix& shape_jacobian() const { return *shape_; }
 
   /// Consistent nodal forces [mN] on what bounds the fluid: minus the momentum residual at x, on
   /// owned nodes. Meaningful where the velocity is prescribed.
@@ -93,7 +98,8 @@ private:
   ElementHistory* viscous_ = nullptr;    ///< of the viscous force; null where it is left out
   std::vector<Vec3> predicted_;          ///< velocity expected at the new time, local nodes
   assembly::FluidFields local_;          ///< ghosted copies; u and p at the point of evaluation
-  bool is_closed_ = false;               ///< no surface lets the fluid out
+  std::unique_ptr<assembly::FluidShapeMatrix> shape_;  ///< null before it is asked for
+  bool is_closed_ = false;                             ///< no surface lets the fluid out
   double time_ = 0.0;
 };
 

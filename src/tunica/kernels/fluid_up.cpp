@@ -33,6 +33,16 @@ namespace tunica::kernels {
 //   B2[a][b]  = −V/4 ∇N_b − τ V [(1/(4Δt) + s̄_b) ∇N_a + Gᵀ∇N_a/4]
 //   −C[a][b]  = −(τ/ρ) V ∇N_a·∇N_b
 //
+// A vertex b that moves along e_j takes the geometry and the mesh velocity with it:
+//
+//   dV = V ∂_j N_b    d∇N_a = −∂_j N_a ∇N_b    dw_b = e_j/Δt
+//
+// so that with t_b[k] = s_b[k] + δ_bk/Δt and G_j = G e_j
+//
+//   dG = −G_j ⊗ ∇N_b    ds_a[k] = −∂_j N_a t_b[k]    dm_k = −ρ t_b[k] G_j    dh = −∂_j p ∇N_b
+//
+// in all terms of the residual; dτ = V ∂τ/∂V ∂_j N_b − ∂τ/∂c_j/(4Δt).
+//
 // Source: [LY1] eq:weakns, written without the inlet term (surface_tri3.hpp); [CPGB07] for the
 // subscales in time.
 // Deviation: [LY1] names SUPG/PSPG without its terms; these are the residual-based ones of P1,
@@ -159,6 +169,77 @@ double fluid_tau(const Tet4& T, const Vec3& velocity, const FluidCoefficients& c
     return 1.0 / (c.inv_dt + std::sqrt(convective2 + diffusive * diffusive));
   const double transient = 2.0 * c.inv_dt;
   return 1.0 / std::sqrt(transient * transient + convective2 + diffusive * diffusive);
+}
+
+TauDerivative fluid_tau_derivative(const Tet4& T, const Vec3& velocity,
+                                   const FluidCoefficients& c) {
+  const double tau = fluid_tau(T, velocity, c);
+  const double inv_h = 1.0 / element_length(T.volume);
+  const double diffusive = c.viscous_factor * c.viscosity / c.density * inv_h * inv_h;
+  const double convective2 = 4.0 * dot(velocity, velocity) * inv_h * inv_h;
+  // both parts of 1/τ_s² = q fall as powers of h = O(V^1/3)
+  const double q = convective2 + diffusive * diffusive;
+  const double q_by_volume = -2.0 / 3.0 * convective2 - 4.0 / 3.0 * diffusive * diffusive;
+  const Vec3 q_by_velocity = 8.0 * inv_h * inv_h * velocity;
+  double factor = -0.5 * tau * tau * tau;  // τ = (4/Δt² + q)^(−1/2)
+  if (c.has_dynamic_subscales)             // τ = (1/Δt + q^(1/2))^(−1)
+    factor = q > 0.0 ? -0.5 * tau * tau / std::sqrt(q) : 0.0;
+  return {factor * q_by_volume, factor * q_by_velocity};
+}
+
+void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
+                             double tau, const TauDerivative& derivative, ShapeJacobian& K) {
+  const Point x = evaluate(T, s, c);
+  const double V = T.volume, m = V / 20.0, tau_m = tau * m, mu_V = c.viscosity * V;
+  const Vec3 grad_p = x.h + c.density * c.inv_dt * s.subscale + s.viscous;
+  const Vec3 m_sum = x.m[0] + x.m[1] + x.m[2] + x.m[3];
+  const Vec3 r_sum = m_sum + 4.0 * x.h;
+  const double div_u = x.G[0][0] + x.G[1][1] + x.G[2][2];
+  Mat3 stress;  // μ (G + Gᵀ) − p̄ I
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      stress[i][j] = c.viscosity * (x.G[i][j] + x.G[j][i]) - (i == j ? x.p_mean : 0.0);
+  for (int b = 0; b < 4; ++b) {
+    const Vec3& Nb = T.grad_N[b];
+    double t[4], t_sum = 0.0;
+    for (int k = 0; k < 4; ++k) t_sum += t[k] = x.s[b][k] + (k == b ? c.inv_dt : 0.0);
+    const Vec3 stress_Nb = stress * Nb;
+    Vec3 t_r = t_sum * r_sum;  // Σ t_b Σ r + Σ_k t_b[k] r_k
+    for (int k = 0; k < 4; ++k) t_r += t[k] * (x.m[k] + x.h);
+    const double Nb_r = dot(Nb, r_sum);
+    Vec3 log_tau;  // dτ/τ
+    for (int j = 0; j < 3; ++j)
+      log_tau[j] =
+          (derivative.by_volume * Nb[j] - 0.25 * c.inv_dt * derivative.by_velocity[j]) / tau;
+    for (int a = 0; a < 4; ++a) {
+      const Vec3& Na = T.grad_N[a];
+      const double* sa = x.s[a];
+      const double Na_Nb = dot(Na, Nb);
+      const Vec3 stress_Na = stress * Na;
+      const double st =
+          x.s_sum[a] * t_sum + sa[0] * t[0] + sa[1] * t[1] + sa[2] * t[2] + sa[3] * t[3];
+      const double inertia = c.density * (m * (t_sum + t[a]) + tau_m * st) + mu_V * Na_Nb;
+      const Vec3 galerkin = m * (m_sum + x.m[a]) + V * stress_Na;
+      Vec3 streamline = x.s_sum[a] * (r_sum + x.h);
+      for (int k = 0; k < 4; ++k) streamline += sa[k] * x.m[k];
+      streamline = tau_m * streamline;
+      const double pspg = -0.25 * V * tau / c.density;
+      const double Na_r = dot(Na, r_sum);
+      for (int j = 0; j < 3; ++j) {
+        const Vec3 Gj{x.G[0][j], x.G[1][j], x.G[2][j]};
+        const double Gj_Na = dot(Gj, Na), Gj_Nb = dot(Gj, Nb);
+        for (int i = 0; i < 3; ++i)
+          K.u[a][b][i][j] = Nb[j] * (galerkin[i] + streamline[i]) + log_tau[j] * streamline[i] -
+                            inertia * Gj[i] - mu_V * Gj_Na * Nb[i] -
+                            Na[j] * (V * stress_Nb[i] + tau_m * t_r[i]) -
+                            5.0 * tau_m * x.s_sum[a] * grad_p[j] * Nb[i];
+        // dΣr = −ρ t_sum G_j − 4 ∂_j p ∇N_b
+        const double Na_dr = -c.density * t_sum * Gj_Na - 4.0 * grad_p[j] * Na_Nb;
+        K.p[a][b][j] = -0.25 * V * (Nb[j] * div_u - Gj_Nb) +
+                       pspg * ((Nb[j] + log_tau[j]) * Na_r - Na[j] * Nb_r + Na_dr);
+      }
+    }
+  }
 }
 
 Vec3 fluid_subscale(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau) {

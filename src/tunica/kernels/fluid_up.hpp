@@ -28,6 +28,13 @@ struct FluidCoefficients {
 ///   τ = (1/Δt + ((2|c|/h)² + (c_ν ν/h²)²)^(1/2))^(−1)    time-dependent subscales
 double fluid_tau(const Tet4& T, const Vec3& velocity, const FluidCoefficients& c);
 
+/// How τ follows the mesh.
+struct TauDerivative {
+  double by_volume;  ///< V ∂τ/∂V [ms]
+  Vec3 by_velocity;  ///< ∂τ/∂c, c the velocity at the centroid [ms²/mm]
+};
+TauDerivative fluid_tau_derivative(const Tet4& T, const Vec3& velocity, const FluidCoefficients& c);
+
 /// Residual of the P1–P1 SUPG/PSPG fluid; see fluid_up.cpp for the equations.
 MixedResidual fluid_up_residual(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
                                 double tau);
@@ -35,6 +42,16 @@ MixedResidual fluid_up_residual(const Tet4& T, const FluidState& s, const FluidC
 /// Residual and its exact Jacobian (tau held constant).
 void fluid_up_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau,
                        MixedResidual& R, MixedJacobian& K);
+
+/// Derivatives of the residual with respect to the positions of the vertices, which move with the
+/// mesh velocity: ∂w/∂x = 1/Δt.
+struct ShapeJacobian {
+  double u[4][4][3][3];  ///< u[a][b][i][j] = ∂R_u[a][i]/∂x[b][j]
+  double p[4][4][3];     ///< ∂R_p[a]/∂x[b][j]
+};
+/// Of the fluid, where τ depends on the mesh as derivative says; see fluid_up.cpp.
+void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
+                             double tau, const TauDerivative& derivative, ShapeJacobian& K);
 
 /// The subscale u' of the new time, constant on the element [mm/ms]; see fluid_up.cpp.
 Vec3 fluid_subscale(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau);

@@ -7,6 +7,7 @@
 
 #include "tunica/algebra/merged_matrix.hpp"
 #include "tunica/base/timer.hpp"
+#include "tunica/linear/action_sum.hpp"
 #include "tunica/linear/counting_operator.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "tunica/linear/krylov.hpp"
@@ -32,10 +33,18 @@ class DirectSolver final : public LinearSolver {
 public:
   explicit DirectSolver(const algebra::BlockMatrix& K)
       : K_(K), factor_(K_.matrix()), b_(K_.matrix()->getRowMap()), x_(b_.getMap()) {
-    if (!K.low_rank()) return;
-    const LowRankForm form(K, b_.getMap(), [this](const algebra::BlockVector& x, MultiVector& all) {
+    const auto gather = [this](const algebra::BlockVector& x, MultiVector& all) {
       K_.merge(x, all);
-    });
+    };
+    if (K.low_rank()) take_low_rank(K, gather);
+    if (K.action())
+      whole_ = Teuchos::rcp(new ActionSum(
+          matrix(), K, gather,
+          [this](const MultiVector& all, algebra::BlockVector& x) { K_.split(all, x); }));
+  }
+
+  void take_low_rank(const algebra::BlockMatrix& K, const LowRankForm::Gather& gather) {
+    const LowRankForm form(K, b_.getMap(), gather);
     sum_ = Teuchos::rcp(new LowRankSum(K_.matrix(), form));
     sum_inverse_ = Teuchos::rcp(new LowRankInverse(form));
   }
@@ -59,15 +68,16 @@ public:
     report.setup_seconds = set_up.seconds();
     const Stopwatch solving;
     K_.merge(b, b_);
-    if (sum_.is_null())
+    report.iterations = 1;
+    if (!whole_.is_null())
+      report.iterations = solve_whole(tolerance);
+    else if (sum_.is_null())
       factor_.apply(b_, x_);
     else
       solve_sum();
     K_.split(x_, x);
     report.solve_seconds = solving.seconds();
-    report.iterations = 1;
-    report.true_residual =
-        sum_.is_null() ? relative_residual(*K_.matrix(), b_, x_) : relative_residual(*sum_, b_, x_);
+    report.true_residual = relative_residual(*matrix(), b_, x_);
     report.recurrence_residual = report.true_residual;
     report.is_converged = report.true_residual <= std::max(tolerance, 1e-8);
     return report;
@@ -79,6 +89,21 @@ private:
     if (!sum_inverse_->refresh(Teuchos::rcpFromRef(factor_),
                                [this](const Vector& w, Vector& z) { factor_.apply(w, z); }))
       throw SetupFailure("the matrix is singular with what couples whole surfaces");
+  }
+
+  Teuchos::RCP<const Operator> matrix() const {
+    if (!whole_.is_null()) return whole_;
+    if (!sum_.is_null()) return sum_;
+    return K_.matrix();
+  }
+
+  /// What has no entries is not in the factors. Iterations.
+  int solve_whole(double tolerance) {
+    const int most = 100;
+    x_.putScalar(0.0);
+    Teuchos::RCP<const Operator> inverse = Teuchos::rcpFromRef(factor_);
+    if (!sum_inverse_.is_null()) inverse = sum_inverse_;
+    return solve_krylov({"GCR", most, most}, whole_, inverse, b_, x_, tolerance).iterations;
   }
 
   /// The formula loses the digits by which the part of low rank outweighs the blocks; a step of
@@ -98,6 +123,7 @@ private:
   bool is_stale_ = true;
   Teuchos::RCP<LowRankSum> sum_;  ///< both null where K has blocks only
   Teuchos::RCP<LowRankInverse> sum_inverse_;
+  Teuchos::RCP<ActionSum> whole_;  ///< null where K has no part without entries
 };
 
 class KrylovSolver final : public LinearSolver {
@@ -110,13 +136,20 @@ public:
         system_(preconditioner_of(options).make(options, K, operators)), b_(system_->map(), 1),
         x_(system_->map(), 1) {
     for (char& c : options_.method) c = static_cast<char>(std::toupper(c));
-    if (!K.low_rank()) return;
     const PreconditionedSystem& system = *system_;
     const auto gather = [&system](const algebra::BlockVector& x, MultiVector& all) {
       system.gather(x, all);
     };
-    const LowRankForm form(K, system.map(), gather);
-    sum_ = Teuchos::rcp(new LowRankSum(system.matrix(), form));
+    if (K.low_rank()) take_low_rank(K, gather);
+    if (K.action())
+      whole_ = Teuchos::rcp(new ActionSum(
+          matrix(), K, gather,
+          [&system](const MultiVector& all, algebra::BlockVector& x) { system.scatter(all, x); }));
+  }
+
+  void take_low_rank(const algebra::BlockMatrix& K, const LowRankForm::Gather& gather) {
+    const LowRankForm form(K, system_->map(), gather);
+    sum_ = Teuchos::rcp(new LowRankSum(system_->matrix(), form));
     sum_inverse_ = Teuchos::rcp(new LowRankInverse(form));
   }
 
@@ -181,6 +214,7 @@ private:
   }
 
   Teuchos::RCP<const Operator> matrix() const {
+    if (!whole_.is_null()) return whole_;
     if (sum_.is_null()) return system_->matrix();
     return sum_;
   }
@@ -239,6 +273,7 @@ private:
   std::unique_ptr<PreconditionedSystem> system_;
   Teuchos::RCP<LowRankSum> sum_;  ///< both null where K has blocks only
   Teuchos::RCP<LowRankInverse> sum_inverse_;
+  Teuchos::RCP<ActionSum> whole_;  ///< null where K has no part without entries
   MultiVector b_, x_;
   bool is_stale_ = true;
   bool is_old_ = false;  ///< the preconditioner has served a solve already

@@ -31,7 +31,7 @@ public:
   explicit DirectScalarSolver(const Teuchos::RCP<CrsMatrix>& K) : K_(K), factor_(K) {
     factor_.refresh();
   }
-  double solve(const MultiVector& B, MultiVector& X) override {
+  double solve_to(double, const MultiVector& B, MultiVector& X) override {
     factor_.apply(B, X);
     return relative_residual(*K_, B, X);
   }
@@ -48,10 +48,10 @@ public:
       : K_(K), options_{"CG", options.get<int>("max iterations"), 0},
         tolerance_(options.get<double>("tolerance")), multigrid_(make_amg(K)) {}
 
-  double solve(const MultiVector& B, MultiVector& X) override {
+  double solve_to(double tolerance, const MultiVector& B, MultiVector& X) override {
     // One by one: MueLu's cycle keeps work vectors that do not follow when Belos deflates.
     for (std::size_t j = 0; j < B.getNumVectors(); ++j)
-      solve_krylov(options_, K_, multigrid_, *B.getVector(j), *X.getVectorNonConst(j), tolerance_);
+      solve_krylov(options_, K_, multigrid_, *B.getVector(j), *X.getVectorNonConst(j), tolerance);
     return relative_residual(*K_, B, X);
   }
   double tolerance() const override { return tolerance_; }

@@ -11,7 +11,9 @@ class ScalarSolver {
 public:
   virtual ~ScalarSolver() = default;
   /// X = K⁻¹ B for every column, started from the X given. Returns the relative residual.
-  virtual double solve(const MultiVector& B, MultiVector& X) = 0;
+  double solve(const MultiVector& B, MultiVector& X) { return solve_to(tolerance(), B, X); }
+  /// The same to another relative residual.
+  virtual double solve_to(double tolerance, const MultiVector& B, MultiVector& X) = 0;
   /// The relative residual that solve() aims at.
   virtual double tolerance() const = 0;
 };

@@ -33,9 +33,43 @@ assembly::Constraints seen_by_fluid(const fields::InterfaceTransfer& interface,
 
 }  // namespace
 
+/// What the domain makes of the residual as it follows the interface: S E, with the fluid's shape
+/// derivatives S and the extension E of the interface's displacement Δt y into the mesh.
+class CoupledProblem::FollowingDomain final : public algebra::BlockAction {
+public:
+  explicit FollowingDomain(const CoupledProblem& problem)
+      : problem_(&problem), y_(problem.fluid_->space()), F_(y_.space()), d_(y_[0].getMap()) {}
+
+  void add(const algebra::BlockVector& x, algebra::BlockVector& result) const override {
+    const CoupledProblem& p = *problem_;
+    p.fluid_part_->restrict(x, y_);
+    drop_fixed();
+    y_[0].scale(p.dt_);
+    p.motion_->extend_increment(p.mesh_tolerance_, y_[0], d_);  // E Δt y
+    F_.set_zero();
+    p.fluid_->shape_jacobian().add(d_, F_);
+    p.fluid_part_->add(F_, result);
+  }
+
+private:
+  void drop_fixed() const {
+    const assembly::Constraints& fixed = problem_->fluid_->constraints();
+    const auto y = y_[0].getLocalViewHost(read_write);
+    for (int a = 0; a < problem_->fluid_->mesh().n_owned; ++a)
+      for (int i = 0; i < 3; ++i)
+        if ((fixed[a] >> i) & 1) y(3 * a + i, 0) = 0.0;
+  }
+
+  const CoupledProblem* problem_;
+  mutable algebra::BlockVector y_, F_;  ///< work space
+  mutable Vector d_;
+};
+
 CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& parts)
     : mesh_(&parts.mesh), interface_(&parts.interface), fluid_(&parts.fluid), wall_(&parts.wall),
       motion_(&parts.motion), is_extrapolated_(list.get<std::string>("geometry") == "extrapolated"),
+      has_shape_derivatives_(list.get<std::string>("geometry") == "newton"),
+      mesh_tolerance_(has_shape_derivatives_ ? list.get<double>("mesh tolerance") : 0.0),
       split_(mesh_of_pressures(parts)),
       K_(std::make_unique<fields::BlockOperator>(
           parts.mesh, fields::NodalBlocks{{"velocity", 3}, {"pressure", 1}}, split_.get())),
@@ -43,6 +77,7 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
       wall_x_(wall_->space()), fluid_F_(fluid_->space()), wall_F_(wall_->space()),
       reference_(wall_->space()) {
   tie_fields();
+  if (has_shape_derivatives_) K_->set_action(std::make_shared<FollowingDomain>(*this));
   solver_ = linear::make_linear_solver(list.sublist("Linear Solver"), *K_, *this);
 }
 
@@ -140,6 +175,7 @@ void CoupledProblem::jacobian(const algebra::BlockVector& x) {
   read(x);
   const Stopwatch flowing;
   fluid_->jacobian(fluid_x_);
+  if (has_shape_derivatives_) fluid_->assemble_shape_jacobian(fluid_x_);
   seconds_.fluid += flowing.seconds();
   const Stopwatch straining;
   wall_->jacobian(wall_x_);

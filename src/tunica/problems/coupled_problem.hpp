@@ -22,8 +22,9 @@ namespace tunica::problems {
 ///   K = [ A    B1ᵀ ] = [ A_f + Δt A_s   B1ᵀ_f, B1ᵀ_s     ]
 ///       [ B2  −C   ]   [ B2_f, B2_s    −C_f, −C_s / Δt   ]
 ///
-/// is one generalised Stokes matrix whose inertia and stiffness jump at the interface. What the
-/// residual makes of the domain that moves with d is in F, but not in K.
+/// is one generalised Stokes matrix whose inertia and stiffness jump at the interface. What F makes
+/// of the domain that moves with d is not in these blocks; with exact shape derivatives it is
+/// beside them, by its products with vectors.
 class CoupledProblem final : public nonlinear::NonlinearProblem,
                              public SystemSource,
                              public linear::NamedOperators {
@@ -80,6 +81,8 @@ public:
   Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
 
 private:
+  class FollowingDomain;
+
   void tie_fields();
   void set_reference();
   /// Takes x apart.
@@ -92,7 +95,8 @@ private:
   FluidProblem* fluid_;
   SolidProblem* wall_;
   MeshMotion* motion_;
-  bool is_extrapolated_;
+  bool is_extrapolated_, has_shape_derivatives_;
+  double mesh_tolerance_;
   std::unique_ptr<fields::SplitMesh> split_;
   std::unique_ptr<fields::BlockOperator> K_;
   std::unique_ptr<algebra::Embedding> fluid_part_, wall_part_;

@@ -24,6 +24,12 @@ public:
   void fix_coefficients() { fluid_->fix_coefficients(); }
   nonlinear::NewtonReport solve();
 
+  /// See discretisation::Fluid.
+  void assemble_shape_jacobian(const algebra::BlockVector& x) {
+    fluid_->assemble_shape_jacobian(x);
+  }
+  const assembly::FluidShapeMatrix& shape_jacobian() const { return fluid_->shape_jacobian(); }
+
   /// discretisation::Fluid::reaction() of the last solve.
   std::vector<Vec3> reaction() { return fluid_->reaction(x_); }
 

@@ -26,6 +26,15 @@ Outcome Harmonic::extend(MultiVector& values) {
   return Outcome::success();
 }
 
+void Harmonic::extend_roughly(double tolerance, MultiVector& values) const {
+  MultiVector right_side(values.getMap(), values.getNumVectors()),
+      phi(values.getMap(), values.getNumVectors());
+  extension_->residual(values, right_side);
+  right_side.scale(-1.0);
+  solver_->solve_to(tolerance, right_side, phi);
+  values.update(1.0, phi, 1.0);
+}
+
 void Harmonic::start_from(const MultiVector& values) {
   solution_.assign(values);
   const auto view = solution_.getLocalViewHost(read_write);

@@ -18,6 +18,9 @@ public:
   /// values: on entry those of the given nodes, zero elsewhere; on return those of all nodes.
   /// Begins with the last solution. Says why where the linear solver fails. Collective.
   Outcome extend(MultiVector& values);
+  /// The same, from nothing and to a relative residual of its own: values that are small to others
+  /// are not known better. What a failing solver leaves is what is wrong with the result.
+  void extend_roughly(double tolerance, MultiVector& values) const;
   /// Makes the next extend() begin with these values of all nodes.
   void start_from(const MultiVector& values);
 

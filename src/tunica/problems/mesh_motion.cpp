@@ -30,6 +30,21 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement) {
   return Outcome::success();
 }
 
+void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vector& d) const {
+  MultiVector total(mesh_->node_map, 3);
+  {
+    const auto from = interface.getLocalViewHost(read_only);
+    const auto to = total.getLocalViewHost(overwrite_all);
+    for (int a = 0; a < mesh_->n_owned; ++a)
+      for (int i = 0; i < 3; ++i) to(a, i) = is_interface_[a] ? from(3 * a + i, 0) : 0.0;
+  }
+  harmonic_.extend_roughly(tolerance, total);
+  const auto from = total.getLocalViewHost(read_only);
+  const auto to = d.getLocalViewHost(overwrite_all);
+  for (int a = 0; a < mesh_->n_owned; ++a)
+    for (int i = 0; i < 3; ++i) to(3 * a + i, 0) = from(a, i);
+}
+
 fields::State MeshMotion::save() const {
   fields::State state = fields::state_on(*mesh_);
   state.arrays["displacement"] = fields::rows_of(d_, mesh_->n_owned);

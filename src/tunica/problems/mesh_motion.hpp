@@ -17,6 +17,10 @@ public:
   /// Says why where the linear solver fails. Collective.
   Outcome extend(const std::vector<Vec3>& interface_displacement);
 
+  /// What an increment of the interface's displacement moves the owned nodes by, solved for to a
+  /// relative residual; other entries of the given one are ignored. Collective.
+  void extend_increment(double tolerance, const Vector& interface, Vector& d) const;
+
   const std::vector<Vec3>& displacement() const { return d_; }  ///< local nodes
   /// Of the last step.
   const std::vector<Vec3>& old_displacement() const { return history_.value(); }

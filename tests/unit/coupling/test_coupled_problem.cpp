@@ -96,6 +96,21 @@ TEUCHOS_UNIT_TEST(coupled_problem, jacobian_is_the_derivative_on_a_fixed_domain)
     TEST_COMPARE(test::jacobian_error(both.problem, x, both.point(direction), 1e-5), <, 1e-7);
 }
 
+TEUCHOS_UNIT_TEST(coupled_problem, jacobian_is_the_derivative_where_the_domain_follows) {
+  for (const bool knows : {true, false}) {
+    CoupledTube both(knows ? "newton" : "quasi");
+    TEST_ASSERT(both.problem.begin_step(stepping::Clock(0.125, 1)).is_success());
+    const auto x = both.point(1);
+    for (int direction = 2; direction < 5; ++direction) {
+      const double error = test::jacobian_error(both.problem, x, both.point(direction), 1e-5);
+      if (knows)
+        TEST_COMPARE(error, <, 1e-7)
+      else
+        TEST_COMPARE(error, >, 1e-5);
+    }
+  }
+}
+
 TEUCHOS_UNIT_TEST(coupled_problem, momentum_of_both_fields_adds_up_on_the_interface) {
   CoupledTube both("extrapolated");
   TEST_ASSERT(both.problem.begin_step(stepping::Clock(0.125, 1)).is_success());

@@ -102,6 +102,67 @@ TEUCHOS_UNIT_TEST(FluidUp, jacobian_is_derivative_of_residual) {
     }
 }
 
+/// τ by its definition, for any scalar type.
+template <class S>
+S tau_of(const S& volume, const oracle::Vec<S>& velocity, const FluidCoefficients& c) {
+  using std::pow;
+  using std::sqrt;
+  const S h = pow(6.0 * std::sqrt(2.0) * volume, 1.0 / 3.0);
+  S speed2 = 0.0;
+  for (int i = 0; i < 3; ++i) speed2 += velocity[i] * velocity[i];
+  const S diffusive = c.viscous_factor * c.viscosity / (c.density * h * h);
+  const S slow = 4.0 * speed2 / (h * h) + diffusive * diffusive;
+  if (c.has_dynamic_subscales) return 1.0 / (c.inv_dt + sqrt(slow));
+  return 1.0 / sqrt(4.0 * c.inv_dt * c.inv_dt + slow);
+}
+
+TEUCHOS_UNIT_TEST(FluidUp, shape_jacobian_is_derivative_with_respect_to_the_vertices) {
+  using Fad = oracle::First<12>;
+  Samples samples(27);
+  for (FluidCoefficients c : variants)
+    for (const bool is_dynamic : {false, true})
+      for (int trial = 0; trial < 5; ++trial) {
+        c.has_dynamic_subscales = is_dynamic;
+        const Case test(samples);
+        std::array<oracle::Vec<Fad>, 4> x, w;
+        for (int a = 0; a < 4; ++a)
+          for (int i = 0; i < 3; ++i) {
+            oracle::seed(x[a][i], 3 * a + i, test.x[a][i]);
+            w[a][i] = test.s.w[a][i] + c.inv_dt * (x[a][i] - test.x[a][i]);
+          }
+        const oracle::ElementOf<Fad> T(x);
+        oracle::Vec<Fad> velocity;
+        for (int i = 0; i < 3; ++i) {
+          velocity[i] = 0.0;
+          for (int a = 0; a < 4; ++a) velocity[i] += 0.25 * (test.s.u_old[a][i] - w[a][i]);
+        }
+        const Fad tau = tau_of(T.volume, velocity, c);
+        const oracle::FluidWeakFormOn<Fad> form{
+            T, c.density, c.viscosity,     c.inv_dt,      tau, test.s.u_old,
+            w, test.s.f,  test.s.subscale, test.s.viscous};
+        std::array<Fad, 16> unknowns;
+        for (int a = 0; a < 4; ++a) {
+          for (int i = 0; i < 3; ++i) unknowns[3 * a + i] = test.s.u[a][i];
+          unknowns[12 + a] = test.s.p[a];
+        }
+        const auto expected = form.residual(unknowns);
+        TEST_FLOATING_EQUALITY(tau.val(), fluid_tau(test.T, flow_through(test.s), c), 1e-13);
+        kernels::ShapeJacobian K;
+        fluid_up_shape_jacobian(test.T, test.s, c, tau.val(),
+                                fluid_tau_derivative(test.T, flow_through(test.s), c), K);
+        Deviation of_u, of_p;
+        for (int a = 0; a < 4; ++a)
+          for (int b = 0; b < 4; ++b)
+            for (int j = 0; j < 3; ++j) {
+              of_p.add(K.p[a][b][j], expected[12 + a].dx(3 * b + j));
+              for (int i = 0; i < 3; ++i)
+                of_u.add(K.u[a][b][i][j], expected[3 * a + i].dx(3 * b + j));
+            }
+        TEST_COMPARE(of_u.relative(), <, 1e-11);
+        TEST_COMPARE(of_p.relative(), <, 1e-11);
+      }
+}
+
 TEUCHOS_UNIT_TEST(FluidUp, uniform_flow_on_a_moving_mesh_has_no_residual) {
   Samples samples(23);
   for (int trial = 0; trial < 10; ++trial) {

@@ -1,0 +1,14 @@
+#pragma once
+#include "tunica/algebra/block_vector.hpp"
+
+namespace tunica::algebra {
+
+/// A linear map of which only the products with vectors are known.
+class BlockAction {
+public:
+  virtual ~BlockAction() = default;
+  /// y ← y + L x. Collective.
+  virtual void add(const BlockVector& x, BlockVector& y) const = 0;
+};
+
+}  // namespace tunica::algebra

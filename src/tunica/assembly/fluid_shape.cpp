@@ -1,0 +1,58 @@
+#include "tunica/assembly/fluid_shape.hpp"
+
+#include "tunica/assembly/gather.hpp"
+
+namespace tunica::assembly {
+
+FluidShapeMatrix::FluidShapeMatrix(const fields::BlockOperator& K)
+    : K_(&K), u_(fields::make_matrix(K.graph(), K.mesh(), 3, 3)),
+      p_(fields::make_matrix(K.graph(), K.mesh(), 1, 3)) {}
+
+void FluidShapeMatrix::assemble(const FluidElements& elements, const FluidFields& state,
+                                const std::vector<Vec3>& velocity, const Constraints& fixed) {
+  const fields::FieldMesh& mesh = K_->mesh();
+  for (CrsMatrix* matrix : {u_.get(), p_.get()}) {
+    matrix->resumeFill();
+    matrix->setAllToScalar(0.0);
+  }
+  kernels::ShapeJacobian Ke;
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    const kernels::Tet4& T = elements.geometry[e];
+    Vec3 c{};
+    for (const int a : mesh.tets[e]) c += 0.25 * (velocity[a] - state.w[a]);
+    kernels::fluid_up_shape_jacobian(
+        T, state_of(state, mesh, e), elements.coefficients, elements.tau[e],
+        kernels::fluid_tau_derivative(T, c, elements.coefficients), Ke);
+    add(e, Ke, fixed);
+  }
+  for (CrsMatrix* matrix : {u_.get(), p_.get()})
+    matrix->fillComplete(matrix->getDomainMap(), matrix->getRangeMap());
+}
+
+void FluidShapeMatrix::add(std::size_t e, const kernels::ShapeJacobian& Ke,
+                           const Constraints& fixed) {
+  const fields::FieldMesh& mesh = K_->mesh();
+  const fields::NodeGraph& graph = K_->graph();
+  const auto u = u_->getLocalMatrixHost().values, p = p_->getLocalMatrixHost().values;
+  for (int a = 0; a < 4; ++a) {
+    const int node = mesh.tets[e][a];
+    if (node >= mesh.n_owned) continue;
+    const std::size_t start = graph.row_start[node], length = graph.row_start[node + 1] - start;
+    for (int b = 0; b < 4; ++b) {
+      const std::size_t column = 3 * graph.position[e][4 * a + b];
+      for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i)
+          if (!((fixed[node] >> i) & 1))
+            u(9 * start + 3 * length * i + column + j) += Ke.u[a][b][i][j];
+        if (!(fixed[node] & fixed_scalar)) p(3 * start + column + j) += Ke.p[a][b][j];
+      }
+    }
+  }
+}
+
+void FluidShapeMatrix::add(const Vector& d, algebra::BlockVector& F) const {
+  u_->apply(d, F[0], Teuchos::NO_TRANS, 1.0, 1.0);
+  p_->apply(d, F[1], Teuchos::NO_TRANS, 1.0, 1.0);
+}
+
+}  // namespace tunica::assembly
