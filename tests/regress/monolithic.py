@@ -1,5 +1,5 @@
 """One Newton's method for fluid and wall makes the history of the partitioned iterations, for both
-materials, and goes on where it was interrupted.
+materials, at second order with shape derivatives, and goes on where it was interrupted.
 
 Usage: monolithic.py FOLDER_OF_PROGRAMS SCRATCH
 """
@@ -13,6 +13,10 @@ STEPS = 4
 SCHEMES = {
     "partitioned": ["Coupling/tolerance=1e-10"],
     "monolithic": ["Coupling/scheme=monolithic", "Coupling/Newton/absolute increment=1e-11"],
+    "newton": ["Coupling/scheme=monolithic", "Coupling/geometry=newton",
+               "Coupling/product tolerance=1e-10", "Coupling/Newton/linear tolerance=1e-10",
+               "Coupling/Newton/jacobian cost=0", "Coupling/Newton/stop at=increment",
+               "Coupling/Newton/absolute increment=1e-8"],
     "extrapolated": ["Coupling/scheme=monolithic", "Coupling/geometry=extrapolated"],
 }
 
@@ -46,17 +50,27 @@ def main(programs, scratch):
             scale = max(map(abs, both[0][name]))
             error = max(abs(a - b) for a, b in zip(both[0][name], both[1][name])) / scale
             verdict.claim(error < 1e-6, f"{case}: {name} differs by {error:.1e} of {scale:.4g}")
-        newton = both[1]["system_newton"]
-        verdict.claim(max(newton) <= 6, f"{case}: at most {max(newton):.0f} Newton steps of 6")
-        # A domain that is a step behind in its curvature is near, and not the same.
+        exact = table(results["newton"] / "newton.csv")
         name = "max_displacement_wall_mm"
+        near = largest(results["newton"], name) / largest(results["monolithic"], name) - 1.0
+        verdict.claim(abs(near) < 1e-6, f"{case}: with shape derivatives it is {near:.1e} off")
+        # The first step starts from rest, the others from a guess. Fibres that begin to carry load
+        # bend the artery's equations.
+        count = {step: exact["step"].count(step) for step in range(1, STEPS + 1)}
+        most = {"pulse-tiny": 3, "artery-tiny": 4}[case]
+        verdict.claim(count[1] <= 4 and max(count[k] for k in range(2, STEPS + 1)) <= most,
+                      f"{case}: {list(count.values())} steps of Newton's method, at most {most}")
+        if case == "pulse-tiny":
+            orders = [order for order in exact["exponent"] if order != 0.0]
+            verdict.claim(min(orders) > 1.6, f"{case}: of order {min(orders):.2f} at least")
+        # A domain that is a step behind in its curvature is near, and not the same.
         near = largest(results["extrapolated"], name) / largest(results["monolithic"], name) - 1.0
         verdict.claim(1e-6 < abs(near) < 0.05, f"{case}: extrapolated geometry is {near:.1e} off")
 
     words = [["--steps", 2], ["--steps", STEPS, "--restart"]]
     for more in words:
         broken = run(verdict, programs, folder, "artery-tiny", "monolithic", more, "broken")
-    same_steps(verdict, "in two parts", broken, folder / "artery-tiny-monolithic", 1e-12)
+    same_steps(verdict, "in two parts", broken, folder / "artery-tiny-monolithic")
     return verdict.status()
 
 

@@ -48,6 +48,7 @@ def case(name, scheme):
     if scheme == "monolithic":
         put(sublist(coupling, "Newton"), "absolute increment", "double", "1e-13")
         put(sublist(coupling, "Linear Solver"), "method", "string", "direct")
+        put(coupling, "mesh tolerance", "double", "1e-13")
     else:
         put(coupling, "tolerance", "double", "1e-11")
     return xml.tostring(root, encoding="unicode")

@@ -8,24 +8,27 @@ namespace tunica::coupling {
 
 params::Table monolithic_solver_table() {
   return linear::linear_solver_table(
-      {"multigrid", linear::default_block_preconditioner(6, 2), multigrid::mixed_cycle_list(3)});
+      {"multigrid", linear::default_block_preconditioner(6, 2), multigrid::mixed_cycle_list(2)});
 }
 
 params::Table monolithic_table() {
-  params::Table newton;
-  newton.number("mesh tolerance", 1e-6, params::Range{0.0, 1.0, true, true}, "1",
-                "reduction of the residual where a product with the Jacobian moves the mesh");
+  const auto reduction = params::Range{0.0, 1.0, true, true};
+  params::Table fixed, quasi, newton;
+  quasi.number("mesh tolerance", 1e-8, reduction, "1",
+               "reduction of the residual where the mesh follows the wall in a Newton step");
+  newton = quasi;
+  newton.number("product tolerance", 1e-3, reduction, "1",
+                "the same where a product with the Jacobian moves the mesh");
   params::Table table("One Newton's method for fluid and wall together.");
   table
-      .variant("geometry", "quasi",
-               {{"newton", newton}, {"quasi", params::Table()}, {"extrapolated", params::Table()}},
+      .variant("geometry", "quasi", {{"newton", newton}, {"quasi", quasi}, {"extrapolated", fixed}},
                "how the fluid's domain follows the wall: in each Newton step, with a Jacobian that "
                "knows (newton) or does not (quasi); or extrapolated from earlier steps to the "
                "order of the time scheme, and moved once the step is solved")
       .integer("predictor order", 1, params::between(0, 2),
                "first guess of a step: 0 the last state, 1 linear and 2 quadratic extrapolation in "
                "time")
-      .sublist("Newton", nonlinear::newton_table({0.0, 1e-8, "mm"}))
+      .sublist("Newton", nonlinear::newton_table({0.0, 1e-9, "mm", "remaining error", 0.03, 2.0}))
       .sublist("Linear Solver", monolithic_solver_table());
   return table;
 }

@@ -159,7 +159,6 @@ public:
     refresh_matrix();
     SolveReport unused;
     refresh(unused);
-    is_stale_ = false;
   }
 
   SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
@@ -169,15 +168,13 @@ public:
     report.tolerance = tolerance;
     system_->gather(b, b_);
     if (is_stale_) refresh_matrix();
-    if (is_stale_ && rule_.wants_new()) refresh(report);
+    if (is_behind_ && rule_.wants_new()) refresh(report);
     int iterations = iterate(report);
-    if (!report.is_converged && is_old_) {
+    if (!report.is_converged && is_behind_) {
       refresh(report);
       iterations = iterate(report);
     }
     rule_.note(iterations, report.true_residual, report.is_converged);
-    is_old_ = true;
-    is_stale_ = false;
     system_->scatter(x_, x);
     report.levels = system_->levels();
     return report;
@@ -189,7 +186,7 @@ private:
     rule_.renew();  // nothing to keep should the set-up fail
     system_->refresh_preconditioner();
     if (has_sum_inverse()) refresh_sum_inverse();
-    is_old_ = false;
+    is_behind_ = false;
     report.setup_seconds += watch.seconds();
   }
 
@@ -201,6 +198,8 @@ private:
   void refresh_matrix() {
     system_->refresh_matrix();
     if (!sum_.is_null()) sum_->refresh();
+    is_stale_ = false;
+    is_behind_ = true;
   }
 
   bool has_sum_inverse() const { return !sum_.is_null() && !system_->preconditioner().is_null(); }
@@ -248,7 +247,7 @@ private:
     x_.putScalar(0.0);
     KrylovOptions options = options_;
     // An old preconditioner that takes so much longer is not worth the cap of a fresh one.
-    if (is_stale_ && is_old_)
+    if (is_behind_)
       options.max_iterations =
           static_cast<int>(std::min<double>(options.max_iterations, rule_.cap(report.tolerance)));
     const auto K = Teuchos::rcp(new CountingOperator(matrix()));
@@ -276,7 +275,7 @@ private:
   Teuchos::RCP<ActionSum> whole_;  ///< null where K has no part without entries
   MultiVector b_, x_;
   bool is_stale_ = true;
-  bool is_old_ = false;  ///< the preconditioner has served a solve already
+  bool is_behind_ = false;  ///< the preconditioner is that of an earlier matrix
 };
 
 params::Table krylov_table(const SolverDefaults& defaults, bool has_restart) {

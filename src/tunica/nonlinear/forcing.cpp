@@ -84,9 +84,9 @@ params::Table eisenstat_walker_table() {
 
 }  // namespace
 
-void add_forcing_keys(params::Table& table) {
+void add_forcing_keys(params::Table& table, double linear_tolerance) {
   params::Table constant, increment;
-  constant.number("linear tolerance", 1e-8, part, "1",
+  constant.number("linear tolerance", linear_tolerance, part, "1",
                   "reduction of the linear residual in each step");
   increment
       .number("largest tolerance", 0.1, part, "1",

@@ -22,7 +22,7 @@ struct ForcingOptions {
 };
 
 /// Adds the key "forcing" with the keys of each kind.
-void add_forcing_keys(params::Table& table);
+void add_forcing_keys(params::Table& table, double linear_tolerance = 1e-8);
 /// list: the resolved "Newton" list.
 ForcingOptions forcing_options(const Teuchos::ParameterList& list);
 

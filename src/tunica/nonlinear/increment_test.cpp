@@ -11,10 +11,17 @@ namespace tunica::nonlinear {
 namespace {
 
 /// The part of the last increment that the next one is expected to be, at most all of it.
-double next_part(const NOX::Solver::Generic& solver, double safety, double step_length) {
+double next_part(const NOX::Solver::Generic& solver, double safety) {
   const auto& before = solver.getPreviousSolutionGroup();
-  if (safety == 0.0 || step_length < 1.0 || !before.isF() || before.getNormF() == 0.0) return 1.0;
+  if (!before.isF() || before.getNormF() == 0.0) return 1.0;
   return std::min(1.0, safety * solver.getSolutionGroup().getNormF() / before.getNormF());
+}
+
+/// The part of the last increment that all that would follow are expected to add up to.
+double remaining_part(const std::vector<NewtonStep>& steps) {
+  if (steps.size() < 2 || !(steps[steps.size() - 2].increment > 0.0)) return 1.0;
+  const double rate = steps.back().increment / steps[steps.size() - 2].increment;
+  return rate < 0.5 ? rate / (1.0 - rate) : 1.0;
 }
 
 }  // namespace
@@ -37,11 +44,16 @@ void IncrementTest::record(const NOX::Solver::Generic& solver) {
     step.exponent = std::log(step.increment / e1) / std::log(e1 / e2);
   }
   steps.push_back(step);
+  rule_->note(steps);
 }
 
 NOX::StatusTest::StatusType IncrementTest::judge(const NOX::Solver::Generic& solver) {
   const NewtonStep& step = report_->steps.back();
-  const double part = next_part(solver, options_.safety, step.step_length);
+  double part = 1.0;
+  if (step.step_length == 1.0 && options_.stop_at == StopAt::next_increment)
+    part = next_part(solver, options_.safety);
+  if (step.step_length == 1.0 && options_.stop_at == StopAt::remaining_error)
+    part = remaining_part(report_->steps);
   std::ostringstream reason;
   if (!std::isfinite(step.increment)) {
     reason << "the increment is not a number";

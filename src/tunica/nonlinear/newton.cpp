@@ -26,24 +26,36 @@ params::Table newton_table(const NewtonDefaults& defaults) {
               defaults.unit,
               "or when the norm of the increment is at most this; keeps round-off from "
               "deciding in late coupling iterations, whose first increment is already tiny")
-      .variant("stop at", "increment", {{"increment", params::Table()}, {"next increment", next}},
-               "which increment those two look at: the one made, as in the paper, or the one that "
-               "would follow, foretold by the residual, which saves the last step")
+      .variant("stop at", defaults.stop_at,
+               {{"increment", params::Table()},
+                {"next increment", next},
+                {"remaining error", params::Table()}},
+               "what those two look at: the increment made, as in the paper; the one that would "
+               "follow, predicted from the residual, which saves the last step; or the error that "
+               "is left where increments go on falling as the last two")
+      .number("jacobian cost", defaults.jacobian_cost, params::non_negative(), "1",
+              "of a new Jacobian, in Newton steps: the last one serves as long as it takes fewer "
+              "steps than a new one would and cost; 0: a new one in each step")
       .number("growth limit", 1e4, params::positive(), "1",
               "give up when the increment has grown to this multiple of the first one")
       .choice("line search", "guarded", {"guarded", "full step", "backtrack", "polynomial"},
               "guarded: full steps, halved only where an element would invert; the others are "
               "NOX's");
-  add_forcing_keys(table);
+  add_forcing_keys(table, defaults.linear_tolerance);
   return table;
 }
 
 NewtonOptions newton_options(const Teuchos::ParameterList& list) {
+  const auto& stop = list.get<std::string>("stop at");
   return {list.get<int>("max iterations"),
           list.get<double>("relative increment"),
           list.get<double>("absolute increment"),
+          stop == "increment"        ? StopAt::increment
+          : stop == "next increment" ? StopAt::next_increment
+                                     : StopAt::remaining_error,
           list.isParameter("safety") ? list.get<double>("safety") : 0.0,
           list.get<double>("growth limit"),
+          list.get<double>("jacobian cost"),
           list.get<std::string>("line search"),
           forcing_options(list)};
 }
@@ -94,19 +106,19 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options,
   return list;
 }
 
-}  // namespace
-
-NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& options,
-                          algebra::BlockVector& x) {
+NewtonReport try_newton(NonlinearProblem& problem, const NewtonOptions& options,
+                        algebra::BlockVector& x, JacobianRule& rule) {
   const ProductSpace space = product_space(*problem.space());
   NewtonReport report;
   SolveLog log;
-  const auto group = Teuchos::rcp(new NoxGroup(problem, log, nox_vector(space, x)));
+  const JacobianChoice choice{&rule, &report, options.absolute_increment,
+                              options.relative_increment};
+  const auto group = Teuchos::rcp(new NoxGroup(problem, choice, log, nox_vector(space, x)));
   if (group->computeF() != NOX::Abstract::Group::Ok) {
     report.reason = "the residual cannot be computed at the start: " + problem.refusal();
     return report;
   }
-  const auto test = Teuchos::rcp(new IncrementTest(problem, options, log, report));
+  const auto test = Teuchos::rcp(new IncrementTest(problem, options, log, rule, report));
   const int rank = problem.space()->comm()->getRank();
   const auto solver = NOX::Solver::buildSolver(group, test, nox_list(options, report, rank));
   NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
@@ -121,10 +133,25 @@ NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& option
     report.reason = "NOX gave up";
   }
   report.is_converged = status == NOX::StatusTest::Converged;
+  if (!report.is_converged) rule.forget();
   if (!report.is_converged && report.reason.empty())
     report.reason = "no admissible step along the Newton direction: " + problem.refusal();
   x.assign(blocks_of(solver->getSolutionGroup().getX(), problem.space()));
   return report;
+}
+
+}  // namespace
+
+NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& options,
+                          algebra::BlockVector& x, JacobianRule* rule) {
+  JacobianRule always(0.0);
+  if (rule == nullptr) rule = &always;
+  algebra::BlockVector start(x.space());
+  start.assign(x);
+  const NewtonReport report = try_newton(problem, options, x, *rule);
+  if (report.is_converged || !rule->has_lagged()) return report;
+  x.assign(start);
+  return try_newton(problem, options, x, *rule);  // with new Jacobians
 }
 
 }  // namespace tunica::nonlinear

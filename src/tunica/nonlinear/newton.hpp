@@ -5,6 +5,7 @@
 #include "tunica/algebra/block_vector.hpp"
 #include "tunica/linear/linear_solver.hpp"
 #include "tunica/nonlinear/forcing.hpp"
+#include "tunica/nonlinear/jacobian_rule.hpp"
 
 namespace tunica::nonlinear {
 
@@ -26,12 +27,16 @@ public:
   virtual std::string refusal() const = 0;
 };
 
+enum class StopAt { increment, next_increment, remaining_error };
+
 struct NewtonOptions {
   int max_iterations;
   double relative_increment;  ///< ε2: stop at |dx_k| ≤ ε2 |dx_1|
   double absolute_increment;  ///< or at |dx_k| ≤ this
-  double safety;              ///< s of IncrementTest; 0: it looks at the increment made
+  StopAt stop_at;             ///< what those two are compared with
+  double safety;              ///< s of IncrementTest
   double growth_limit;        ///< give up at |dx_k| > limit |dx_1|
+  double jacobian_cost;       ///< c of JacobianRule
   std::string line_search;    ///< "guarded", "full step", "backtrack", "polynomial"
   ForcingOptions forcing;
 };
@@ -40,6 +45,9 @@ struct NewtonDefaults {
   double relative_increment = 1e-8;
   double absolute_increment = 1e-9;
   std::string unit = "mixed";  ///< of increments
+  std::string stop_at = "increment";
+  double linear_tolerance = 1e-8;
+  double jacobian_cost = 0.0;
 };
 params::Table newton_table(const NewtonDefaults& defaults = {});
 NewtonOptions newton_options(const Teuchos::ParameterList& list);
@@ -61,8 +69,9 @@ struct NewtonReport {
   int linear_iterations() const;
 };
 
-/// Newton's method through NOX, started from and returning in x.
+/// Newton's method through NOX, started from and returning in x. rule: says where the last Jacobian
+/// may serve again; null: a new one in each step.
 NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& options,
-                          algebra::BlockVector& x);
+                          algebra::BlockVector& x, JacobianRule* rule = nullptr);
 
 }  // namespace tunica::nonlinear

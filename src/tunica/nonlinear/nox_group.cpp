@@ -2,6 +2,7 @@
 
 #include <Thyra_DefaultProductVector.hpp>
 #include <Thyra_TpetraThyraWrappers.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "tunica/base/fault_point.hpp"
@@ -21,13 +22,19 @@ algebra::BlockVector blocks_of(const NOX::Abstract::Vector& v,
   return {space, blocks};
 }
 
-NoxGroup::NoxGroup(NonlinearProblem& problem, SolveLog& log, const NOX::Thyra::Vector& x)
-    : problem_(&problem), log_(&log), x_(x, NOX::DeepCopy), f_(x, NOX::ShapeCopy),
+bool JacobianChoice::wants_new() const {
+  const double first = report->steps.empty() ? 0.0 : report->steps.front().increment;
+  return rule->wants_new(report->steps, std::max(absolute, relative * first));
+}
+
+NoxGroup::NoxGroup(NonlinearProblem& problem, const JacobianChoice& choice, SolveLog& log,
+                   const NOX::Thyra::Vector& x)
+    : problem_(&problem), choice_(&choice), log_(&log), x_(x, NOX::DeepCopy), f_(x, NOX::ShapeCopy),
       newton_(x, NOX::ShapeCopy) {}
 
 NoxGroup::NoxGroup(const NoxGroup& other, NOX::CopyType type)
-    : problem_(other.problem_), log_(other.log_), x_(other.x_, type), f_(other.f_, type),
-      newton_(other.newton_, type) {
+    : problem_(other.problem_), choice_(other.choice_), log_(other.log_), x_(other.x_, type),
+      f_(other.f_, type), newton_(other.newton_, type) {
   if (type == NOX::DeepCopy) *this = other;
 }
 
@@ -73,7 +80,10 @@ NOX::Abstract::Group::ReturnType NoxGroup::computeF() {
 
 NOX::Abstract::Group::ReturnType NoxGroup::computeJacobian() {
   fault_point("jacobian");
-  if (!is_jacobian_) problem_->jacobian(blocks(x_));
+  if (!is_jacobian_ && choice_->wants_new()) {
+    problem_->jacobian(blocks(x_));
+    choice_->rule->renewed();
+  }
   is_jacobian_ = true;
   return Ok;
 }

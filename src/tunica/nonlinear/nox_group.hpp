@@ -15,11 +15,21 @@ struct SolveLog {
   double step_length = 1.0;
 };
 
+/// Whether a step takes a new Jacobian.
+struct JacobianChoice {
+  JacobianRule* rule;
+  const NewtonReport* report;  ///< of the solve under way
+  double absolute, relative;   ///< increments at which it stops
+
+  bool wants_new() const;
+};
+
 /// F, its Jacobian and the Newton direction at a point. The linear solve stays in our hands:
 /// its preconditioner outlives the group, and its outcome is logged.
 class NoxGroup : public NOX::Abstract::Group {
 public:
-  NoxGroup(NonlinearProblem& problem, SolveLog& log, const NOX::Thyra::Vector& x);
+  NoxGroup(NonlinearProblem& problem, const JacobianChoice& choice, SolveLog& log,
+           const NOX::Thyra::Vector& x);
   NoxGroup(const NoxGroup& other, NOX::CopyType type);
 
   NoxGroup& operator=(const NoxGroup& other);
@@ -55,6 +65,7 @@ private:
   }
 
   NonlinearProblem* problem_;
+  const JacobianChoice* choice_;
   SolveLog* log_;
   NOX::Thyra::Vector x_, f_, newton_;
   double norm_f_ = 0.0;

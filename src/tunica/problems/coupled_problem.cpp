@@ -45,7 +45,7 @@ public:
     p.fluid_part_->restrict(x, y_);
     drop_fixed();
     y_[0].scale(p.dt_);
-    p.motion_->extend_increment(p.mesh_tolerance_, y_[0], d_);  // E Δt y
+    p.motion_->extend_increment(p.product_tolerance_, y_[0], d_);  // E Δt y
     F_.set_zero();
     p.fluid_->shape_jacobian().add(d_, F_);
     p.fluid_part_->add(F_, result);
@@ -69,13 +69,14 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
     : mesh_(&parts.mesh), interface_(&parts.interface), fluid_(&parts.fluid), wall_(&parts.wall),
       motion_(&parts.motion), is_extrapolated_(list.get<std::string>("geometry") == "extrapolated"),
       has_shape_derivatives_(list.get<std::string>("geometry") == "newton"),
-      mesh_tolerance_(has_shape_derivatives_ ? list.get<double>("mesh tolerance") : 0.0),
+      mesh_tolerance_(is_extrapolated_ ? 0.0 : list.get<double>("mesh tolerance")),
+      product_tolerance_(has_shape_derivatives_ ? list.get<double>("product tolerance") : 0.0),
       split_(mesh_of_pressures(parts)),
       K_(std::make_unique<fields::BlockOperator>(
           parts.mesh, fields::NodalBlocks{{"velocity", 3}, {"pressure", 1}}, split_.get())),
-      newton_(nonlinear::newton_options(list.sublist("Newton"))), fluid_x_(fluid_->space()),
-      wall_x_(wall_->space()), fluid_F_(fluid_->space()), wall_F_(wall_->space()),
-      reference_(wall_->space()) {
+      newton_(nonlinear::newton_options(list.sublist("Newton"))), rule_(newton_.jacobian_cost),
+      fluid_x_(fluid_->space()), wall_x_(wall_->space()), fluid_F_(fluid_->space()),
+      wall_F_(wall_->space()), reference_(wall_->space()) {
   tie_fields();
   if (has_shape_derivatives_) K_->set_action(std::make_shared<FollowingDomain>(*this));
   solver_ = linear::make_linear_solver(list.sublist("Linear Solver"), *K_, *this);
@@ -119,7 +120,9 @@ Outcome CoupledProblem::begin_step(const stepping::Clock& clock) {
   fluid_->begin_step(clock);
   wall_->begin_step(clock);
   wall_->set_nodal_force(std::vector<Vec3>(wall_->mesh().n_owned));
-  dt_ = 1.0 / fluid_->time_scheme().rate();
+  const double dt = 1.0 / fluid_->time_scheme().rate();
+  if (dt != dt_) rule_.forget();  // the last Jacobian is that of other steps
+  dt_ = dt;
   wall_part_->set_units({dt_, 1.0}, {1.0, 1.0 / dt_});
   set_reference();
   seconds_ = {};
@@ -141,10 +144,10 @@ bool CoupledProblem::refuse(const std::string& reason) {
   return false;
 }
 
-Outcome CoupledProblem::follow_wall() {
+Outcome CoupledProblem::follow_wall(std::optional<double> tolerance) {
   const Stopwatch watch;
   const std::vector<Vec3> d = fields::owned_vectors(wall_->mesh(), wall_x_[0]);
-  const Outcome moved = motion_->extend(interface_->to_fluid(interface_->from_wall(d)));
+  const Outcome moved = motion_->extend(interface_->to_fluid(interface_->from_wall(d)), tolerance);
   seconds_.motion += watch.seconds();
   if (moved.is_failure()) return moved.at("the mesh motion");
   return fluid_->set_domain(motion_->displacement(), motion_->past_displacement())
@@ -154,7 +157,7 @@ Outcome CoupledProblem::follow_wall() {
 bool CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
   read(x);
   if (!is_extrapolated_) {
-    if (const Outcome outcome = follow_wall(); outcome.is_failure())
+    if (const Outcome outcome = follow_wall(mesh_tolerance_); outcome.is_failure())
       return refuse(outcome.reason());
     fluid_->fix_coefficients();
   }
@@ -235,7 +238,7 @@ nonlinear::NewtonReport CoupledProblem::solve(const algebra::BlockVector& fluid,
   fluid_->prescribe(fluid_x_);
   fluid_part_->insert(fluid_x_, x);
   wall_part_->insert(wall_x_, x);
-  const nonlinear::NewtonReport report = nonlinear::solve_newton(*this, newton_, x);
+  const nonlinear::NewtonReport report = nonlinear::solve_newton(*this, newton_, x, &rule_);
   if (!report.is_converged) return report;
   read(x);
   fluid_->take(fluid_x_);
@@ -248,7 +251,7 @@ Outcome CoupledProblem::accept() {
   fluid_->end_step();
   wall_->end_step();
   if (is_extrapolated_)
-    if (const Outcome outcome = follow_wall(); outcome.is_failure()) return outcome;
+    if (const Outcome outcome = follow_wall({}); outcome.is_failure()) return outcome;
   motion_->end_step();
   return Outcome::success();
 }

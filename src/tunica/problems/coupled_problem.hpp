@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "tunica/algebra/embedding.hpp"
 #include "tunica/fields/interface_transfer.hpp"
@@ -87,7 +88,8 @@ private:
   void set_reference();
   /// Takes x apart.
   void read(const algebra::BlockVector& x);
-  Outcome follow_wall();
+  /// The mesh moves with wall_x_; tolerance: none for that of the mesh motion.
+  Outcome follow_wall(std::optional<double> tolerance);
   bool refuse(const std::string& reason);
 
   const fields::FieldMesh* mesh_;
@@ -96,11 +98,12 @@ private:
   SolidProblem* wall_;
   MeshMotion* motion_;
   bool is_extrapolated_, has_shape_derivatives_;
-  double mesh_tolerance_;
+  double mesh_tolerance_, product_tolerance_;
   std::unique_ptr<fields::SplitMesh> split_;
   std::unique_ptr<fields::BlockOperator> K_;
   std::unique_ptr<algebra::Embedding> fluid_part_, wall_part_;
   nonlinear::NewtonOptions newton_;
+  nonlinear::JacobianRule rule_;
   std::unique_ptr<linear::LinearSolver> solver_;
 
   algebra::BlockVector fluid_x_, wall_x_;  ///< of the fields, at the last point of evaluation

@@ -5,7 +5,7 @@ namespace tunica::problems {
 FieldProblem::FieldProblem(std::unique_ptr<discretisation::MixedField> field,
                            const Teuchos::ParameterList& list)
     : x_(field->space()), field_(std::move(field)),
-      newton_(nonlinear::newton_options(list.sublist("Newton"))),
+      newton_(nonlinear::newton_options(list.sublist("Newton"))), rule_(newton_.jacobian_cost),
       solver_list_(list.sublist("Linear Solver")) {}
 
 FieldProblem::~FieldProblem() = default;
@@ -61,7 +61,7 @@ std::map<std::string, fields::Restartable*> FieldProblem::inner_parts() {
 nonlinear::NewtonReport FieldProblem::find_state() {
   algebra::BlockVector x(space());
   x.assign(x_);
-  nonlinear::NewtonReport report = solve_newton(*this, newton_, x);
+  nonlinear::NewtonReport report = solve_newton(*this, newton_, x, &rule_);
   if (report.is_converged) x_.assign(x);
   return report;
 }

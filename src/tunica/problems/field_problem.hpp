@@ -77,6 +77,7 @@ protected:
 private:
   std::unique_ptr<discretisation::MixedField> field_;
   nonlinear::NewtonOptions newton_;
+  nonlinear::JacobianRule rule_;
   Teuchos::ParameterList solver_list_;
   std::unique_ptr<linear::LinearSolver> solver_;  ///< null before it is asked for
 };

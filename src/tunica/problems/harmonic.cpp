@@ -9,16 +9,17 @@ Harmonic::Harmonic(const Teuchos::ParameterList& solver,
     : extension_(&extension), solver_(linear::make_scalar_solver(solver, extension.jacobian())),
       solution_(extension.mesh().node_map, columns) {}
 
-Outcome Harmonic::extend(MultiVector& values) {
+Outcome Harmonic::extend(MultiVector& values, std::optional<double> tolerance) {
   // L φ₀ = −F(φ_given), φ = φ_given + φ₀
   MultiVector right_side(values.getMap(), values.getNumVectors());
   extension_->residual(values, right_side);
   right_side.scale(-1.0);
-  const double residual = solver_->solve(right_side, solution_);
-  if (!(residual <= 2.0 * solver_->tolerance())) {
+  const double wanted = tolerance.value_or(solver_->tolerance());
+  const double residual = solver_->solve_to(wanted, right_side, solution_);
+  if (!(residual <= 2.0 * wanted)) {
     std::ostringstream text;
     text << "the linear solver left a relative residual of " << residual << " instead of "
-         << solver_->tolerance();
+         << wanted;
     solution_.putScalar(0.0);  // it may be no number, and is the next start
     return Outcome::failure(text.str());
   }

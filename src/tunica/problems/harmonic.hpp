@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "tunica/base/outcome.hpp"
 #include "tunica/discretisation/mesh_motion.hpp"
@@ -16,8 +17,9 @@ public:
            int columns);
 
   /// values: on entry those of the given nodes, zero elsewhere; on return those of all nodes.
-  /// Begins with the last solution. Says why where the linear solver fails. Collective.
-  Outcome extend(MultiVector& values);
+  /// Begins with the last solution; tolerance: the relative residual left, if not that of the list.
+  /// Says why where the linear solver fails. Collective.
+  Outcome extend(MultiVector& values, std::optional<double> tolerance = {});
   /// The same, from nothing and to a relative residual of its own: values that are small to others
   /// are not known better. What a failing solver leaves is what is wrong with the result.
   void extend_roughly(double tolerance, MultiVector& values) const;

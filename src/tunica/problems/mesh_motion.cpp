@@ -13,7 +13,8 @@ MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMe
   for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, surfaces);
 }
 
-Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement) {
+Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
+                           std::optional<double> tolerance) {
   MultiVector total(mesh_->node_map, 3);
   {
     const auto view = total.getLocalViewHost(overwrite_all);
@@ -22,7 +23,8 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement) {
         view(a, i) = is_interface_[a] ? interface_displacement[a][i] : 0.0;
   }
   fault_point("mesh motion");
-  if (const Outcome outcome = harmonic_.extend(total); outcome.is_failure()) return outcome;
+  if (const Outcome outcome = harmonic_.extend(total, tolerance); outcome.is_failure())
+    return outcome;
   MultiVector ghosted(mesh_->ghosted_map, 3);
   ghosted.doImport(total, *mesh_->import, insert);
   const auto view = ghosted.getLocalViewHost(read_only);

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "tunica/fields/state.hpp"
 #include "tunica/problems/harmonic.hpp"
 #include "tunica/stepping/time_scheme.hpp"
@@ -14,8 +16,10 @@ public:
              const std::vector<int>& surfaces, const stepping::TimeScheme& scheme);
 
   /// Sets displacement() from that of the owned interface nodes (other entries are ignored).
-  /// Says why where the linear solver fails. Collective.
-  Outcome extend(const std::vector<Vec3>& interface_displacement);
+  /// tolerance: the relative residual left, if not that of the list. Says why where the linear
+  /// solver fails. Collective.
+  Outcome extend(const std::vector<Vec3>& interface_displacement,
+                 std::optional<double> tolerance = {});
 
   /// What an increment of the interface's displacement moves the owned nodes by, solved for to a
   /// relative residual; other entries of the given one are ignored. Collective.

@@ -126,6 +126,27 @@ TEUCHOS_UNIT_TEST(newton, converges_quadratically) {
   TEST_EQUALITY(report.steps[1].exponent, 0.0);  // three increments are needed
 }
 
+TEUCHOS_UNIT_TEST(newton, one_jacobian_for_all_steps_converges_linearly) {
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  nonlinear::JacobianRule rule(1e6);
+  auto chosen = options();
+  for (const auto stop : {nonlinear::StopAt::increment, nonlinear::StopAt::remaining_error}) {
+    chosen.stop_at = stop;
+    chosen.relative_increment = 0.0;
+    chosen.absolute_increment = 1e-7 * problem.increment_norm(test::block_vector(
+                                           tube.fluid, [](int, int i) { return i == 3; }));
+    auto x = start(tube.fluid, 2.0);
+    const auto report = nonlinear::solve_newton(problem, chosen, x, &rule);
+    TEST_ASSERT(report.is_converged);
+    TEST_FLOATING_EQUALITY(report.steps.back().exponent, 1.0, 0.05);
+    // p − (p² − 2)/4 goes to √2 by the part 1 − √2/2 a step, 3/7 of the increment is left behind it
+    const double error = worst_pressure(x, std::sqrt(2.0));
+    TEST_COMPARE(error, <, 1.1e-7);
+    if (stop == nonlinear::StopAt::remaining_error) TEST_COMPARE(error, >, 1e-8);
+  }
+}
+
 TEUCHOS_UNIT_TEST(newton, steps_report_increment_residual_and_linear_solve) {
   const SmallTube tube;
   auto problem = square_root_of_two(tube.fluid);
@@ -332,6 +353,8 @@ TEUCHOS_UNIT_TEST(newton, the_increment_that_would_follow_may_be_judged) {
     auto problem = square_root_of_two(tube.fluid);
     auto chosen = options();
     chosen.relative_increment = 0.01;
+    chosen.stop_at =
+        safety > 0.0 ? nonlinear::StopAt::next_increment : nonlinear::StopAt::increment;
     chosen.safety = safety;
     auto x = start(tube.fluid, 2.0);
     const auto report = nonlinear::solve_newton(problem, chosen, x);
