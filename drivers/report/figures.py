@@ -12,7 +12,7 @@ from matplotlib.ticker import MaxNLocator
 from report.run_data import rows_where
 from report.section import Section, norm_of, plane_through, von_mises
 
-COLOUR = {"fluid": "#1f6fb4", "wall": "#c0392b", "": "#333333"}
+COLOUR = {"fluid": "#1f6fb4", "wall": "#c0392b", "system": "#2e7d32", "": "#333333"}
 DPI = 150
 STYLE = {
     "font.size": 11, "axes.titlesize": 12, "axes.labelsize": 11, "legend.fontsize": 9.5,
@@ -237,7 +237,14 @@ def positive(values):
     return np.where(v > 0, v, np.nan)
 
 
+def has_coupling_iterations(run):
+    """Monolithic schemes have one per step, which tells nothing."""
+    return max(run.coupling.get("iteration") or [0]) > 1
+
+
 def coupling_history(run, step):
+    if not has_coupling_iterations(run):
+        return None
     chosen = rows_where(run.coupling, step=float(step))
     if not chosen or not chosen["step"]:
         return None
@@ -276,7 +283,7 @@ def counts(run):
     def of_fields(ending):
         return [(c, c.removesuffix(ending)) for c in run.steps if c.endswith(ending)]
 
-    panels = [("Coupling iterations", [("coupling_iterations", "")]),
+    panels = [("Coupling iterations", [("coupling_iterations", "")] if has_coupling_iterations(run) else []),
               ("Newton steps", of_fields("_newton")), ("Linear iterations", of_fields("_linear"))]
     shown = []
     for title, columns in panels:

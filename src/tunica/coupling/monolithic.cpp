@@ -28,6 +28,8 @@ params::Table monolithic_table() {
       .integer("predictor order", 1, params::between(0, 2),
                "first guess of a step: 0 the last state, 1 linear and 2 quadratic extrapolation in "
                "time")
+      .choice("when not converged", "stop", {"stop", "accept"},
+              "stop with exit status 2, or accept the step with a warning, go on, and end with 4")
       .sublist("Newton", nonlinear::newton_table({0.0, 1e-9, "mm", "remaining error", 0.03, 2.0}))
       .sublist("Linear Solver", monolithic_solver_table());
   return table;
@@ -35,34 +37,43 @@ params::Table monolithic_table() {
 
 Monolithic::Monolithic(const Teuchos::ParameterList& list,
                        const problems::CoupledProblem::Parts& parts)
-    : problem_(list, parts), fluid_(&parts.fluid), wall_(&parts.wall),
+    : problem_(list, parts),
+      accepts_unconverged_(list.get<std::string>("when not converged") == "accept"),
+      fluid_(&parts.fluid), wall_(&parts.wall),
       fluid_states_(parts.fluid, list.get<int>("predictor order")),
       wall_states_(parts.wall, list.get<int>("predictor order")) {}
 
-Outcome Monolithic::find_state(const stepping::Clock& clock, Iteration& iteration) {
+Outcome Monolithic::find_state(const stepping::Clock& clock, Iteration& iteration,
+                               bool& is_converged) {
   if (const Outcome begun = problem_.begin_step(clock); begun.is_failure()) return begun;
-  nonlinear::NewtonReport& newton = iteration.solve("system");
-  newton = problem_.solve(fluid_states_.extrapolated(clock.step_sizes()),
-                          wall_states_.extrapolated(clock.step_sizes()));
-  if (newton.steps.empty() && !newton.is_converged)  // the guess is no state at all
-    newton = problem_.solve(fluid_->state(), wall_->state());
-  if (!newton.steps.empty()) iteration.residual = newton.steps.back().increment;
-  return newton.is_converged ? problem_.accept() : Outcome::failure(newton.reason);
+  problems::CoupledProblem::Solution found =
+      problem_.solve(fluid_states_.extrapolated(clock.step_sizes()),
+                     wall_states_.extrapolated(clock.step_sizes()), accepts_unconverged_);
+  if (!found.is_taken && found.newton.steps.empty())  // the guess is no state at all
+    found = problem_.solve(fluid_->state(), wall_->state(), accepts_unconverged_);
+  if (!found.newton.steps.empty()) iteration.residual = found.newton.steps.back().increment;
+  iteration.solve("system") = found.newton;
+  is_converged = found.newton.is_converged;
+  return found.is_taken ? problem_.accept() : Outcome::failure(found.newton.reason);
 }
 
 Report Monolithic::solve_step(const stepping::Clock& clock, const Watch& watch) {
   const Stopwatch all;
   Report report;
   Iteration& iteration = report.iterations.emplace_back(new_iteration());
-  const Outcome found = find_state(clock, iteration);
-  report.is_converged = report.is_accepted = found.is_success();
-  if (found.is_success()) {
+  bool is_converged = false;
+  const Outcome found = find_state(clock, iteration, is_converged);
+  report.is_accepted = found.is_success();
+  report.is_converged = report.is_accepted && is_converged;
+  if (report.is_accepted) {
     fluid_states_.accept();
     wall_states_.accept();
-  } else {
-    std::ostringstream where;
-    where << "time " << clock.time() << " ms: Newton's method of the whole";
-    report.reason = found.at(where.str()).reason();
+  }
+  if (!report.is_converged) {
+    std::ostringstream text;
+    text << "time " << clock.time() << " ms: Newton's method of the whole: "
+         << (found.is_failure() ? found.reason() : iteration.solve("system").reason);
+    report.reason = text.str();
   }
   const problems::CoupledProblem::Seconds& seconds = problem_.seconds();
   iteration.seconds("motion") = seconds.motion;

@@ -36,9 +36,11 @@ public:
   }
 
 private:
-  Outcome find_state(const stepping::Clock& clock, Iteration& iteration);
+  /// The fields at the end of the step. Fails where there is no state; converged: it is accurate.
+  Outcome find_state(const stepping::Clock& clock, Iteration& iteration, bool& is_converged);
 
   problems::CoupledProblem problem_;
+  bool accepts_unconverged_;
   problems::FluidProblem* fluid_;
   problems::SolidProblem* wall_;
   problems::StateHistory fluid_states_, wall_states_;

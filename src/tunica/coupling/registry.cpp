@@ -50,8 +50,10 @@ params::Table coupling_table() {
   std::vector<params::Table::Case> cases;
   for (const Entry& entry : schemes()) cases.push_back({entry.name, entry.table()});
   params::Table table("How fluid and wall are coupled.");
-  table.variant("scheme", "dirichlet-neumann", cases,
-                "the fields one after the other, or one system of all");
+  table.variant("scheme", "monolithic", cases,
+                "the fields one after the other until they agree, or one system of all, which is "
+                "faster and goes further; that one does without the lists \"Newton\" and \"Linear "
+                "Solver\" of fluid and wall");
   return table;
 }
 

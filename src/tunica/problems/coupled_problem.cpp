@@ -228,8 +228,8 @@ double CoupledProblem::increment_norm(const algebra::BlockVector& dx) {
          std::sqrt(static_cast<double>(mesh_->node_map->getGlobalNumElements()));
 }
 
-nonlinear::NewtonReport CoupledProblem::solve(const algebra::BlockVector& fluid,
-                                              const algebra::BlockVector& wall) {
+CoupledProblem::Solution CoupledProblem::solve(const algebra::BlockVector& fluid,
+                                               const algebra::BlockVector& wall, bool wants_any) {
   algebra::BlockVector x(space());
   // y of the wall, which is that of the interface
   wall_x_.assign(wall);
@@ -238,12 +238,19 @@ nonlinear::NewtonReport CoupledProblem::solve(const algebra::BlockVector& fluid,
   fluid_->prescribe(fluid_x_);
   fluid_part_->insert(fluid_x_, x);
   wall_part_->insert(wall_x_, x);
-  const nonlinear::NewtonReport report = nonlinear::solve_newton(*this, newton_, x, &rule_);
-  if (!report.is_converged) return report;
-  read(x);
-  fluid_->take(fluid_x_);
-  wall_->take(wall_x_);
-  return report;
+  Solution solution{nonlinear::solve_newton(*this, newton_, x, &rule_), false};
+  solution.is_taken = solution.newton.is_converged;
+  if (!solution.is_taken && wants_any &&
+      static_cast<int>(solution.newton.steps.size()) >= newton_.max_iterations) {
+    algebra::BlockVector F(space());
+    solution.is_taken = residual(x, F);
+  }
+  if (solution.is_taken) {
+    read(x);
+    fluid_->take(fluid_x_);
+    wall_->take(wall_x_);
+  }
+  return solution;
 }
 
 Outcome CoupledProblem::accept() {

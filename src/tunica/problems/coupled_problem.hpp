@@ -47,9 +47,14 @@ public:
   /// Collective.
   Outcome begin_step(const stepping::Clock& clock);
   /// Newton's method from these states of the fields; on success they are those of the new time,
-  /// else they stay what they were. Collective.
-  nonlinear::NewtonReport solve(const algebra::BlockVector& fluid,
-                                const algebra::BlockVector& wall);
+  /// else they stay what they were, unless wants_any is true and all steps that are permitted have
+  /// led to a state that is admissible, though not accurate. Collective.
+  struct Solution {
+    nonlinear::NewtonReport newton;
+    bool is_taken;  ///< the states are those of the new time
+  };
+  Solution solve(const algebra::BlockVector& fluid, const algebra::BlockVector& wall,
+                 bool wants_any);
   /// Accepts the present states as those of the new time. Fails, and says why, where the mesh
   /// cannot follow. Collective.
   Outcome accept();

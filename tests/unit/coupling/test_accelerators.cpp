@@ -13,6 +13,7 @@ using coupling::InterfaceVector;
 Teuchos::ParameterList options(const std::string& accelerator,
                                const std::vector<std::pair<std::string, double>>& numbers = {}) {
   Teuchos::ParameterList list;
+  list.set("scheme", std::string("dirichlet-neumann"));
   list.set("accelerator", accelerator);
   for (const auto& [name, value] : numbers) list.set(name, value);
   return list;
