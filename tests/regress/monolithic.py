@@ -67,7 +67,7 @@ def main(programs, scratch):
         near = largest(results["extrapolated"], name) / largest(results["monolithic"], name) - 1.0
         verdict.claim(1e-6 < abs(near) < 0.05, f"{case}: extrapolated geometry is {near:.1e} off")
 
-    hurried = ["--set", "Coupling/Newton/max iterations=2", "--steps", STEPS]
+    hurried = ["--set", "Coupling/Newton/max iterations=1", "--steps", STEPS]
     for wish, status in (("stop", 2), ("accept", 4)):
         words = [ROOT / "xml" / "pulse-tiny.xml", "--output", wish, *hurried,
                  "--set", f"Coupling/when not converged={wish}"]
@@ -76,7 +76,7 @@ def main(programs, scratch):
         done = Run(command(programs / "tunica-fsi", words), folder)
         made = len(table(folder / wish / "steps.csv")["step"])
         verdict.claim(done.status == status and made == (STEPS if wish == "accept" else 1),
-                      f"two Newton steps are not enough: {wish} ends with {done.status} after {made}")
+                      f"one Newton step and four with care are not enough: {wish} ends with {done.status} after {made}")
 
     words = [["--steps", 2], ["--steps", STEPS, "--restart"]]
     for more in words:

@@ -13,15 +13,16 @@ params::Table monolithic_solver_table() {
 
 params::Table monolithic_table() {
   const auto reduction = params::Range{0.0, 1.0, true, true};
-  params::Table fixed, quasi, newton;
-  quasi.number("mesh tolerance", 1e-8, reduction, "1",
-               "reduction of the residual where the mesh follows the wall in a Newton step");
-  newton = quasi;
-  newton.number("product tolerance", 1e-3, reduction, "1",
-                "the same where a product with the Jacobian moves the mesh");
+  params::Table fixed, moving;
+  moving
+      .number("mesh tolerance", 1e-8, reduction, "1",
+              "reduction of the residual where the mesh follows the wall in a Newton step")
+      .number("product tolerance", 1e-3, reduction, "1",
+              "the same where a product with the Jacobian moves the mesh");
   params::Table table("One Newton's method for fluid and wall together.");
   table
-      .variant("geometry", "quasi", {{"newton", newton}, {"quasi", quasi}, {"extrapolated", fixed}},
+      .variant("geometry", "quasi",
+               {{"newton", moving}, {"quasi", moving}, {"extrapolated", fixed}},
                "how the fluid's domain follows the wall: in each Newton step, with a Jacobian that "
                "knows (newton) or does not (quasi); or extrapolated from earlier steps to the "
                "order of the time scheme, and moved once the step is solved")
@@ -43,28 +44,42 @@ Monolithic::Monolithic(const Teuchos::ParameterList& list,
       fluid_states_(parts.fluid, list.get<int>("predictor order")),
       wall_states_(parts.wall, list.get<int>("predictor order")) {}
 
-Outcome Monolithic::find_state(const stepping::Clock& clock, Iteration& iteration,
-                               bool& is_converged) {
-  if (const Outcome begun = problem_.begin_step(clock); begun.is_failure()) return begun;
-  problems::CoupledProblem::Solution found =
-      problem_.solve(fluid_states_.extrapolated(clock.step_sizes()),
-                     wall_states_.extrapolated(clock.step_sizes()), accepts_unconverged_);
-  if (!found.is_taken && found.newton.steps.empty())  // the guess is no state at all
-    found = problem_.solve(fluid_->state(), wall_->state(), accepts_unconverged_);
-  if (!found.newton.steps.empty()) iteration.residual = found.newton.steps.back().increment;
-  iteration.solve("system") = found.newton;
-  is_converged = found.newton.is_converged;
-  return found.is_taken ? problem_.accept() : Outcome::failure(found.newton.reason);
+Outcome Monolithic::attempt(bool is_careful, const stepping::Clock& clock, Iteration& iteration,
+                            bool& is_over) {
+  const Stopwatch all;
+  const problems::CoupledProblem::Seconds before = problem_.seconds();
+  const auto solution =
+      is_careful ? problem_.solve_carefully(fluid_->state(), wall_->state(), accepts_unconverged_)
+                 : problem_.solve(fluid_states_.extrapolated(clock.step_sizes()),
+                                  wall_states_.extrapolated(clock.step_sizes()), false);
+  iteration.solve("system") = solution.newton;
+  if (!solution.newton.steps.empty()) iteration.residual = solution.newton.steps.back().increment;
+  is_over = solution.is_taken;
+  const Outcome outcome =
+      solution.is_taken ? problem_.accept() : Outcome::failure(solution.newton.reason);
+  const problems::CoupledProblem::Seconds& now = problem_.seconds();
+  iteration.seconds("motion") = now.motion - before.motion;
+  iteration.seconds("fluid") = now.fluid - before.fluid;
+  iteration.seconds("wall") = now.wall - before.wall;
+  iteration.seconds("gather") = now.gather - before.gather;
+  double others = 0.0;
+  for (const Stage& stage : iteration.stages) others += stage.seconds;
+  iteration.seconds("system") = all.seconds() - others;
+  return outcome;
 }
 
 Report Monolithic::solve_step(const stepping::Clock& clock, const Watch& watch) {
-  const Stopwatch all;
   Report report;
-  Iteration& iteration = report.iterations.emplace_back(new_iteration());
-  bool is_converged = false;
-  const Outcome found = find_state(clock, iteration, is_converged);
-  report.is_accepted = found.is_success();
-  report.is_converged = report.is_accepted && is_converged;
+  Outcome outcome = problem_.begin_step(clock);
+  bool is_over = outcome.is_failure();
+  for (const bool is_careful : {false, true}) {
+    if (is_over) break;
+    Iteration& iteration = report.iterations.emplace_back(new_iteration());
+    outcome = attempt(is_careful, clock, iteration, is_over);
+    watch(static_cast<int>(report.iterations.size()), iteration);
+  }
+  report.is_accepted = outcome.is_success();
+  report.is_converged = report.is_accepted && report.iterations.back().solve("system").is_converged;
   if (report.is_accepted) {
     fluid_states_.accept();
     wall_states_.accept();
@@ -72,17 +87,10 @@ Report Monolithic::solve_step(const stepping::Clock& clock, const Watch& watch) 
   if (!report.is_converged) {
     std::ostringstream text;
     text << "time " << clock.time() << " ms: Newton's method of the whole: "
-         << (found.is_failure() ? found.reason() : iteration.solve("system").reason);
+         << (outcome.is_failure() ? outcome.reason()
+                                  : report.iterations.back().solve("system").reason);
     report.reason = text.str();
   }
-  const problems::CoupledProblem::Seconds& seconds = problem_.seconds();
-  iteration.seconds("motion") = seconds.motion;
-  iteration.seconds("fluid") = seconds.fluid;
-  iteration.seconds("wall") = seconds.wall;
-  iteration.seconds("gather") = seconds.gather;
-  iteration.seconds("system") =
-      all.seconds() - seconds.motion - seconds.fluid - seconds.wall - seconds.gather;
-  watch(1, iteration);
   return report;
 }
 

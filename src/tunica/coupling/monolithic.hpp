@@ -12,7 +12,7 @@ params::Table monolithic_solver_table();
 
 /// One Newton's method for fluid and wall together (problems/coupled_problem.hpp), started from
 /// what the steps before let expect. A step is one coupling iteration, whose residual is the last
-/// Newton increment [mm].
+/// Newton increment [mm], and a second, more careful one where the first has failed.
 class Monolithic final : public Scheme {
 public:
   /// list: the resolved "Coupling" list. The problems must outlive the object.
@@ -36,8 +36,10 @@ public:
   }
 
 private:
-  /// The fields at the end of the step. Fails where there is no state; converged: it is accurate.
-  Outcome find_state(const stepping::Clock& clock, Iteration& iteration, bool& is_converged);
+  /// Finds the fields at the end of the step and accepts them. Fails where that cannot be done;
+  /// over: there were such fields, and no further attempt will do.
+  Outcome attempt(bool is_careful, const stepping::Clock& clock, Iteration& iteration,
+                  bool& is_over);
 
   problems::CoupledProblem problem_;
   bool accepts_unconverged_;

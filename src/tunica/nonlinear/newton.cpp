@@ -2,6 +2,7 @@
 
 #include <NOX.H>
 
+#include <Teuchos_oblackholestream.hpp>
 #include <Thyra_DefaultProductVectorSpace.hpp>
 #include <Thyra_TpetraThyraWrappers.hpp>
 #include <Thyra_VectorStdOps.hpp>
@@ -90,7 +91,11 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options,
                                               const NewtonReport& report, int rank) {
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
   list->set("Nonlinear Solver", "Line Search Based");
-  list->sublist("Printing").set("Output Information", 0).set("MyPID", rank);
+  // What goes wrong is in the report.
+  list->sublist("Printing")
+      .set("Output Information", 0)
+      .set("MyPID", rank)
+      .set<Teuchos::RCP<std::ostream>>("Error Stream", Teuchos::rcp(new Teuchos::oblackholestream));
   choose_direction(options.forcing, {options.relative_increment, options.absolute_increment},
                    report, *list);
   Teuchos::ParameterList& search = list->sublist("Line Search");

@@ -33,8 +33,9 @@ assembly::Constraints seen_by_fluid(const fields::InterfaceTransfer& interface,
 
 }  // namespace
 
-/// What the domain makes of the residual as it follows the interface: S E, with the fluid's shape
-/// derivatives S and the extension E of the interface's displacement Δt y into the mesh.
+/// What the domain makes of the residual as it follows the interface, where the Jacobian is to
+/// know: S E, with the fluid's shape derivatives S and the extension E of the interface's
+/// displacement Δt y into the mesh.
 class CoupledProblem::FollowingDomain final : public algebra::BlockAction {
 public:
   explicit FollowingDomain(const CoupledProblem& problem)
@@ -42,6 +43,7 @@ public:
 
   void add(const algebra::BlockVector& x, algebra::BlockVector& result) const override {
     const CoupledProblem& p = *problem_;
+    if (!p.knows_domain_) return;
     p.fluid_part_->restrict(x, y_);
     drop_fixed();
     y_[0].scale(p.dt_);
@@ -70,15 +72,15 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
       motion_(&parts.motion), is_extrapolated_(list.get<std::string>("geometry") == "extrapolated"),
       has_shape_derivatives_(list.get<std::string>("geometry") == "newton"),
       mesh_tolerance_(is_extrapolated_ ? 0.0 : list.get<double>("mesh tolerance")),
-      product_tolerance_(has_shape_derivatives_ ? list.get<double>("product tolerance") : 0.0),
-      split_(mesh_of_pressures(parts)),
+      product_tolerance_(is_extrapolated_ ? 0.0 : list.get<double>("product tolerance")),
+      knows_domain_(has_shape_derivatives_), split_(mesh_of_pressures(parts)),
       K_(std::make_unique<fields::BlockOperator>(
           parts.mesh, fields::NodalBlocks{{"velocity", 3}, {"pressure", 1}}, split_.get())),
       newton_(nonlinear::newton_options(list.sublist("Newton"))), rule_(newton_.jacobian_cost),
       fluid_x_(fluid_->space()), wall_x_(wall_->space()), fluid_F_(fluid_->space()),
       wall_F_(wall_->space()), reference_(wall_->space()) {
   tie_fields();
-  if (has_shape_derivatives_) K_->set_action(std::make_shared<FollowingDomain>(*this));
+  if (!is_extrapolated_) K_->set_action(std::make_shared<FollowingDomain>(*this));
   solver_ = linear::make_linear_solver(list.sublist("Linear Solver"), *K_, *this);
 }
 
@@ -178,7 +180,7 @@ void CoupledProblem::jacobian(const algebra::BlockVector& x) {
   read(x);
   const Stopwatch flowing;
   fluid_->jacobian(fluid_x_);
-  if (has_shape_derivatives_) fluid_->assemble_shape_jacobian(fluid_x_);
+  if (knows_domain_) fluid_->assemble_shape_jacobian(fluid_x_);
   seconds_.fluid += flowing.seconds();
   const Stopwatch straining;
   wall_->jacobian(wall_x_);
@@ -230,6 +232,26 @@ double CoupledProblem::increment_norm(const algebra::BlockVector& dx) {
 
 CoupledProblem::Solution CoupledProblem::solve(const algebra::BlockVector& fluid,
                                                const algebra::BlockVector& wall, bool wants_any) {
+  knows_domain_ = has_shape_derivatives_;
+  return solve(newton_, rule_, fluid, wall, wants_any);
+}
+
+CoupledProblem::Solution CoupledProblem::solve_carefully(const algebra::BlockVector& fluid,
+                                                         const algebra::BlockVector& wall,
+                                                         bool wants_any) {
+  knows_domain_ = !is_extrapolated_;
+  nonlinear::NewtonOptions careful = newton_;
+  careful.line_search = "backtrack";
+  careful.max_iterations *= 4;
+  nonlinear::JacobianRule always(0.0);
+  rule_.forget();
+  return solve(careful, always, fluid, wall, wants_any);
+}
+
+CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& options,
+                                               nonlinear::JacobianRule& rule,
+                                               const algebra::BlockVector& fluid,
+                                               const algebra::BlockVector& wall, bool wants_any) {
   algebra::BlockVector x(space());
   // y of the wall, which is that of the interface
   wall_x_.assign(wall);
@@ -238,10 +260,10 @@ CoupledProblem::Solution CoupledProblem::solve(const algebra::BlockVector& fluid
   fluid_->prescribe(fluid_x_);
   fluid_part_->insert(fluid_x_, x);
   wall_part_->insert(wall_x_, x);
-  Solution solution{nonlinear::solve_newton(*this, newton_, x, &rule_), false};
+  Solution solution{nonlinear::solve_newton(*this, options, x, &rule), false};
   solution.is_taken = solution.newton.is_converged;
   if (!solution.is_taken && wants_any &&
-      static_cast<int>(solution.newton.steps.size()) >= newton_.max_iterations) {
+      static_cast<int>(solution.newton.steps.size()) >= options.max_iterations) {
     algebra::BlockVector F(space());
     solution.is_taken = residual(x, F);
   }

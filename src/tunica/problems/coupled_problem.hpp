@@ -55,6 +55,10 @@ public:
   };
   Solution solve(const algebra::BlockVector& fluid, const algebra::BlockVector& wall,
                  bool wants_any);
+  /// The same, where that has failed: steps that are shortened until the residual falls, each with
+  /// a new Jacobian that knows how the domain moves, and four times as many of them.
+  Solution solve_carefully(const algebra::BlockVector& fluid, const algebra::BlockVector& wall,
+                           bool wants_any);
   /// Accepts the present states as those of the new time. Fails, and says why, where the mesh
   /// cannot follow. Collective.
   Outcome accept();
@@ -89,6 +93,9 @@ public:
 private:
   class FollowingDomain;
 
+  Solution solve(const nonlinear::NewtonOptions& options, nonlinear::JacobianRule& rule,
+                 const algebra::BlockVector& fluid, const algebra::BlockVector& wall,
+                 bool wants_any);
   void tie_fields();
   void set_reference();
   /// Takes x apart.
@@ -104,6 +111,7 @@ private:
   MeshMotion* motion_;
   bool is_extrapolated_, has_shape_derivatives_;
   double mesh_tolerance_, product_tolerance_;
+  bool knows_domain_;  ///< the present Jacobian has shape derivatives
   std::unique_ptr<fields::SplitMesh> split_;
   std::unique_ptr<fields::BlockOperator> K_;
   std::unique_ptr<algebra::Embedding> fluid_part_, wall_part_;
