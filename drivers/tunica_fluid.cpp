@@ -17,6 +17,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
               app::RunOutput& output) {
   // 1. The fluid, from where it goes on after a restart, and what is written of it.
   problems::FluidProblem fluid(app::fluid_list(list), *domain.fluid);
+  fluid.linear_solver();  // wrong names in its lists are told before anything is solved
   app::TimeMarch march(list, {{"fluid", &fluid}}, output);
   march.judge(fluid);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, nullptr);

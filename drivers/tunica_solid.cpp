@@ -17,6 +17,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
               app::RunOutput& output) {
   // 1. The wall, from where it goes on after a restart, and what is written of it.
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
+  wall.linear_solver();  // wrong names in its lists are told before anything is solved
   app::TimeMarch march(list, {{"wall", &wall}}, output);
   march.judge(wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), nullptr, &*domain.wall);

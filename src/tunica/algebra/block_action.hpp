@@ -7,6 +7,8 @@ namespace tunica::algebra {
 class BlockAction {
 public:
   virtual ~BlockAction() = default;
+  /// L is zero at present.
+  virtual bool is_zero() const { return false; }
   /// y ← y + L x. Collective.
   virtual void add(const BlockVector& x, BlockVector& y) const = 0;
 };

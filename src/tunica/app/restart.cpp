@@ -6,6 +6,7 @@
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/coupling/registry.hpp"
 #include "tunica/output/checkpoint_series.hpp"
 #include "tunica/stepping/step_control.hpp"
 
@@ -52,6 +53,13 @@ void check_fit(const output::CheckpointFile& file, const std::string& path,
                "--restart: " + path + " belongs to another mesh than " +
                    list.sublist("Mesh").get<std::string>("file") +
                    ". A run goes on with the mesh it began with.");
+  if (list.isSublist("Coupling")) {
+    const auto& scheme = list.sublist("Coupling").get<std::string>("scheme");
+    TUNICA_CHECK(
+        file.has("coupling fluid states") == coupling::needs_common_mesh(list.sublist("Coupling")),
+        "--restart: " + path + " was made with another Coupling / scheme than \"" + scheme +
+            "\". A run goes on with the one it began with.");
+  }
   const stepping::StepControlOptions steps = stepping::step_control_options(list.sublist("Time"));
   TUNICA_CHECK(!file.head().control.empty(),
                "--restart: " + path + " lacks what the step control needs to go on.");

@@ -120,6 +120,10 @@ std::string state_of(const LinearSystem& system, const output::RunRecord& record
   out["ordering"] =
       "vector unknown 3*node + i, scalar unknown node, both counted from 0; "
       "rhs and solution hold all vector unknowns, then all scalar ones";
+  if (system.K->action() && !system.K->action()->is_zero())
+    out["shape derivatives"] =
+        "K has a part without entries beside these blocks, by which the fluid's domain follows the "
+        "wall; it is not in the files, but rhs and solution are of all of K";
   if (!hosts_of(system).is_null())
     out["further pressures"] =
         "scalar unknowns beyond the nodes are further pressures of nodes between layers, or "

@@ -20,6 +20,8 @@ DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
       motion_(&motion), accelerator_kind_(list.get<std::string>("accelerator")),
       accelerator_(make_accelerator(list, wall.mesh().comm)), history_{InterfaceVector(
                                                                   3 * interface.n_owned(), 0.0)} {
+  fluid.linear_solver();  // wrong names in its lists are told before anything is solved
+  wall.linear_solver();
   if (list.get<std::string>("preconditioner") == "added mass")
     added_mass_ = list.sublist("Added Mass Solver");
 }

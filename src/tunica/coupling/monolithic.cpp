@@ -18,7 +18,8 @@ params::Table monolithic_table() {
       .number("mesh tolerance", 1e-8, reduction, "1",
               "reduction of the residual where the mesh follows the wall in a Newton step")
       .number("product tolerance", 1e-3, reduction, "1",
-              "the same where a product with the Jacobian moves the mesh");
+              "the same where a product with the Jacobian moves the mesh; at most the least linear "
+              "tolerance of \"Newton\"");
   params::Table table("One Newton's method for fluid and wall together.");
   table
       .variant("geometry", "quasi",

@@ -15,7 +15,7 @@ namespace tunica::coupling {
 
 /// One nonlinear solve of a coupling iteration.
 struct FieldSolve {
-  std::string field;  ///< "fluid", "wall"
+  std::string field;  ///< "fluid", "wall"; "system" for both in one
   nonlinear::NewtonReport report;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <memory>
 
 #include "tunica/algebra/block_matrix.hpp"
 
@@ -26,7 +27,7 @@ private:
   std::shared_ptr<const algebra::BlockAction> L_;
   Gather gather_;
   Scatter scatter_;
-  mutable algebra::BlockVector x_, y_;  ///< work space
+  algebra::BlockSpacePtr space_;
 };
 
 }  // namespace tunica::linear

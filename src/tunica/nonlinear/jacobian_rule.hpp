@@ -1,14 +1,12 @@
 #pragma once
 #include <vector>
 
-#include "tunica/params/table.hpp"
-
 namespace tunica::nonlinear {
 
 struct NewtonStep;
 
 /// When Newton's method takes a new Jacobian, and when it goes on with the last one: its increments
-/// e_k then fall by a part ρ of a decade each. The steps to a goal g that are left are
+/// e_k are then a part ρ each of the one before. The steps to a goal g that are left are
 ///
 ///   log(e/g)/log(1/ρ)  with the old one,   c + log(e/g)/log(1/ρ₀)  with a new one,
 ///
@@ -22,18 +20,22 @@ public:
 
   /// steps: those of the solve so far; goal: of the increments, absolute.
   bool wants_new(const std::vector<NewtonStep>& steps, double goal) const;
+  void begin_solve() { has_lagged_ = false; }
   void renewed();
+  /// The last one serves again.
+  void kept() { has_lagged_ = has_lagged_ || steps_since_ > 0; }
   /// A step was made, the last one of these.
   void note(const std::vector<NewtonStep>& steps);
   /// Makes the next step take a new one: the old one has led nowhere.
   void forget() { has_jacobian_ = false; }
 
   /// A solve that failed might have succeeded with new ones.
-  bool has_lagged() const { return steps_since_ > 1; }
+  bool has_lagged() const { return has_lagged_; }
 
 private:
   double cost_;
   bool has_jacobian_ = false;
+  bool has_lagged_ = false;       ///< in the present solve
   int steps_since_ = 0;           ///< with the present one, over all solves
   double rate_ = 0.0;             ///< ρ; 0: not known
   double new_rate_ = 1e-2;        ///< ρ₀

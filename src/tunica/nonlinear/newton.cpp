@@ -39,9 +39,10 @@ params::Table newton_table(const NewtonDefaults& defaults) {
               "steps than a new one would and cost; 0: a new one in each step")
       .number("growth limit", 1e4, params::positive(), "1",
               "give up when the increment has grown to this multiple of the first one")
-      .choice("line search", "guarded", {"guarded", "full step", "backtrack", "polynomial"},
-              "guarded: full steps, halved only where an element would invert; the others are "
-              "NOX's");
+      .choice("line search", "guarded",
+              {"guarded", "decrease", "full step", "backtrack", "polynomial"},
+              "guarded: full steps, halved only where an element would invert; decrease: halved "
+              "until the residual falls, too; the others are NOX's");
   add_forcing_keys(table, defaults.linear_tolerance);
   return table;
 }
@@ -99,10 +100,11 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options,
   choose_direction(options.forcing, {options.relative_increment, options.absolute_increment},
                    report, *list);
   Teuchos::ParameterList& search = list->sublist("Line Search");
-  if (options.line_search == "guarded") {
+  if (options.line_search == "guarded" || options.line_search == "decrease") {
     search.set("Method", "User Defined");
     search.set<Teuchos::RCP<NOX::LineSearch::UserDefinedFactory>>(
-        "User Defined Line Search Factory", Teuchos::rcp(new GuardedLineSearchFactory));
+        "User Defined Line Search Factory",
+        Teuchos::rcp(new GuardedLineSearchFactory(options.line_search == "decrease")));
   } else {
     search.set("Method", options.line_search == "full step"   ? "Full Step"
                          : options.line_search == "backtrack" ? "Backtrack"
@@ -116,6 +118,7 @@ NewtonReport try_newton(NonlinearProblem& problem, const NewtonOptions& options,
   const ProductSpace space = product_space(*problem.space());
   NewtonReport report;
   SolveLog log;
+  rule.begin_solve();
   const JacobianChoice choice{&rule, &report, options.absolute_increment,
                               options.relative_increment};
   const auto group = Teuchos::rcp(new NoxGroup(problem, choice, log, nox_vector(space, x)));
@@ -156,7 +159,7 @@ NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& option
   const NewtonReport report = try_newton(problem, options, x, *rule);
   if (report.is_converged || !rule->has_lagged()) return report;
   x.assign(start);
-  return try_newton(problem, options, x, *rule);  // with new Jacobians
+  return try_newton(problem, options, x, always);
 }
 
 }  // namespace tunica::nonlinear

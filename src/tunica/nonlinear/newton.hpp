@@ -6,6 +6,7 @@
 #include "tunica/linear/linear_solver.hpp"
 #include "tunica/nonlinear/forcing.hpp"
 #include "tunica/nonlinear/jacobian_rule.hpp"
+#include "tunica/params/table.hpp"
 
 namespace tunica::nonlinear {
 
@@ -21,7 +22,8 @@ public:
   virtual void jacobian(const algebra::BlockVector& x) = 0;
   virtual void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const = 0;
   virtual linear::LinearSolver& linear_solver() = 0;
-  /// (dxᵀ M dx)^½ with the mass matrices of all unknowns, the norm of [LY1] newstop.
+  /// The norm by which Newton's method stops; of a field (dxᵀ M dx)^½ with the mass matrices of all
+  /// unknowns, [LY1] newstop.
   virtual double increment_norm(const algebra::BlockVector& dx) = 0;
   /// Why the last residual() was refused.
   virtual std::string refusal() const = 0;

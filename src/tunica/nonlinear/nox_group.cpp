@@ -83,6 +83,8 @@ NOX::Abstract::Group::ReturnType NoxGroup::computeJacobian() {
   if (!is_jacobian_ && choice_->wants_new()) {
     problem_->jacobian(blocks(x_));
     choice_->rule->renewed();
+  } else if (!is_jacobian_) {
+    choice_->rule->kept();
   }
   is_jacobian_ = true;
   return Ok;

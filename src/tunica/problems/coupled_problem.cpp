@@ -1,9 +1,11 @@
 #include "tunica/problems/coupled_problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/base/timer.hpp"
 #include "tunica/fields/embed_field.hpp"
 
 namespace tunica::problems {
@@ -38,33 +40,33 @@ assembly::Constraints seen_by_fluid(const fields::InterfaceTransfer& interface,
 /// displacement Δt y into the mesh.
 class CoupledProblem::FollowingDomain final : public algebra::BlockAction {
 public:
-  explicit FollowingDomain(const CoupledProblem& problem)
-      : problem_(&problem), y_(problem.fluid_->space()), F_(y_.space()), d_(y_[0].getMap()) {}
+  explicit FollowingDomain(const CoupledProblem& problem) : problem_(&problem) {}
+
+  bool is_zero() const override { return !problem_->knows_domain_; }
 
   void add(const algebra::BlockVector& x, algebra::BlockVector& result) const override {
+    if (is_zero()) return;
     const CoupledProblem& p = *problem_;
-    if (!p.knows_domain_) return;
-    p.fluid_part_->restrict(x, y_);
-    drop_fixed();
-    y_[0].scale(p.dt_);
-    p.motion_->extend_increment(p.product_tolerance_, y_[0], d_);  // E Δt y
-    F_.set_zero();
-    p.fluid_->shape_jacobian().add(d_, F_);
-    p.fluid_part_->add(F_, result);
+    algebra::BlockVector y(p.fluid_->space()), F(y.space());
+    Vector d(y[0].getMap());
+    p.fluid_part_->restrict(x, y);
+    drop_fixed(y[0]);
+    y[0].scale(p.dt_);
+    p.motion_->extend_increment(p.product_tolerance_, y[0], d);  // d = E Δt y
+    p.fluid_->shape_jacobian().add(d, F);
+    p.fluid_part_->add(F, result);
   }
 
 private:
-  void drop_fixed() const {
+  void drop_fixed(Vector& velocity) const {
     const assembly::Constraints& fixed = problem_->fluid_->constraints();
-    const auto y = y_[0].getLocalViewHost(read_write);
+    const auto y = velocity.getLocalViewHost(read_write);
     for (int a = 0; a < problem_->fluid_->mesh().n_owned; ++a)
       for (int i = 0; i < 3; ++i)
         if ((fixed[a] >> i) & 1) y(3 * a + i, 0) = 0.0;
   }
 
   const CoupledProblem* problem_;
-  mutable algebra::BlockVector y_, F_;  ///< work space
-  mutable Vector d_;
 };
 
 CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& parts)
@@ -80,6 +82,10 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
       fluid_x_(fluid_->space()), wall_x_(wall_->space()), fluid_F_(fluid_->space()),
       wall_F_(wall_->space()), reference_(wall_->space()) {
   tie_fields();
+  // A system cannot be solved better than its products are known.
+  const double best =
+      newton_.forcing.kind == "constant" ? newton_.forcing.tolerance : newton_.forcing.smallest;
+  product_tolerance_ = std::min(product_tolerance_, std::max(best, 1e-14));
   if (!is_extrapolated_) K_->set_action(std::make_shared<FollowingDomain>(*this));
   solver_ = linear::make_linear_solver(list.sublist("Linear Solver"), *K_, *this);
 }
@@ -241,7 +247,7 @@ CoupledProblem::Solution CoupledProblem::solve_carefully(const algebra::BlockVec
                                                          bool wants_any) {
   knows_domain_ = !is_extrapolated_;
   nonlinear::NewtonOptions careful = newton_;
-  careful.line_search = "backtrack";
+  careful.line_search = "decrease";
   careful.max_iterations *= 4;
   nonlinear::JacobianRule always(0.0);
   rule_.forget();
@@ -253,8 +259,11 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
                                                const algebra::BlockVector& fluid,
                                                const algebra::BlockVector& wall, bool wants_any) {
   algebra::BlockVector x(space());
-  // y of the wall, which is that of the interface
   wall_x_.assign(wall);
+  if (!is_extrapolated_)  // what is prescribed may depend on where the domain lies
+    if (const Outcome outcome = follow_wall(mesh_tolerance_); outcome.is_failure())
+      return {{false, outcome.reason(), {}}, false};
+  // y of the wall, which is that of the interface
   for (int b = 0; b < wall_x_.n_blocks(); ++b) wall_x_[b].update(-1.0, reference_[b], 1.0);
   fluid_x_.assign(fluid);
   fluid_->prescribe(fluid_x_);

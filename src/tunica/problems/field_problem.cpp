@@ -59,6 +59,10 @@ std::map<std::string, fields::Restartable*> FieldProblem::inner_parts() {
 }
 
 nonlinear::NewtonReport FieldProblem::find_state() {
+  if (const double rate = time_scheme().rate(); rate != rate_) {
+    rule_.forget();  // the last Jacobian is that of other steps
+    rate_ = rate;
+  }
   algebra::BlockVector x(space());
   x.assign(x_);
   nonlinear::NewtonReport report = solve_newton(*this, newton_, x, &rule_);

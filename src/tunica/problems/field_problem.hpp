@@ -78,6 +78,7 @@ private:
   std::unique_ptr<discretisation::MixedField> field_;
   nonlinear::NewtonOptions newton_;
   nonlinear::JacobianRule rule_;
+  double rate_ = -1.0;  ///< of the time scheme, when the Jacobian was made
   Teuchos::ParameterList solver_list_;
   std::unique_ptr<linear::LinearSolver> solver_;  ///< null before it is asked for
 };

@@ -166,7 +166,7 @@ TEUCHOS_UNIT_TEST(newton, steps_report_increment_residual_and_linear_solve) {
 
 TEUCHOS_UNIT_TEST(newton, every_line_search_and_forcing_term_converges) {
   const SmallTube tube;
-  for (const std::string search : {"guarded", "full step", "backtrack", "polynomial"})
+  for (const std::string search : {"guarded", "decrease", "full step", "backtrack", "polynomial"})
     for (const std::string forcing : {"constant", "type 1", "type 2", "increment"}) {
       auto problem = square_root_of_two(tube.fluid);
       auto chosen = options();
@@ -260,6 +260,23 @@ TEUCHOS_UNIT_TEST(newton, guarded_line_search_halves_where_the_residual_is_no_nu
   const auto report = nonlinear::solve_newton(problem, options(), x);
   TEST_ASSERT(report.is_converged);
   TEST_EQUALITY(report.steps[0].step_length, 0.5);
+}
+
+TEUCHOS_UNIT_TEST(newton, steps_are_shortened_until_the_residual_falls) {
+  // Newton's method for atan p = 0 swings further out from p > 1.39; halved steps come home, also
+  // where points far out are not admissible.
+  const SmallTube tube;
+  for (const bool has_limits : {false, true}) {
+    auto problem = arc_tangent(tube.fluid);
+    if (has_limits) problem.refuse_where([](double p) { return p < -3.0; });
+    auto chosen = options();
+    chosen.line_search = "decrease";
+    auto x = start(tube.fluid, 4.0);
+    const auto report = nonlinear::solve_newton(problem, chosen, x);
+    TEST_ASSERT(report.is_converged);
+    TEST_COMPARE(report.steps.front().step_length, <, 1.0);
+    TEST_COMPARE(worst_pressure(x, 0.0), <, 1e-8);
+  }
 }
 
 TEUCHOS_UNIT_TEST(newton, a_direction_without_admissible_step_is_reported) {
