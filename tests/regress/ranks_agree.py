@@ -80,7 +80,9 @@ def main(programs, scratch, name="pulse-tiny", scheme="dirichlet-neumann"):
             one, many = histories[1][column], histories[ranks][column]
             scale = max(abs(value) for other in physical if vector_of(other) == vector_of(column)
                         for value in histories[1][other])
-            error = max(abs(a - b) for a, b in zip(one, many)) / scale if scale > 0.0 else 1.0
+            # Nothing, beside a load of 1 kPa: the pulse has not come to the outlet yet.
+            scale = max(scale, 1e-6)
+            error = max(abs(a - b) for a, b in zip(one, many)) / scale
             verdict.claim(len(one) == len(many) == STEPS[name] and error < TOLERANCE[scheme],
                           f"{ranks} ranks: {column} differs by {error:.1e} of {scale:.3g}")
     return verdict.status()
