@@ -49,11 +49,15 @@ void Embedding::insert(const BlockVector& part, BlockVector& x) const {
 }
 
 void Embedding::add(const BlockVector& part, BlockVector& F) const {
+  add_weighted(equations_, part, F);
+}
+
+void Embedding::add_weighted(const std::vector<double>& weights, const BlockVector& part,
+                             BlockVector& x) const {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const auto from = part[static_cast<int>(b)].getLocalViewHost(read_only);
-    const auto to = F[blocks_[b]].getLocalViewHost(read_write);
-    for (std::size_t i = 0; i < rows_[b].size(); ++i)
-      to(rows_[b][i], 0) += equations_[b] * from(i, 0);
+    const auto to = x[blocks_[b]].getLocalViewHost(read_write);
+    for (std::size_t i = 0; i < rows_[b].size(); ++i) to(rows_[b][i], 0) += weights[b] * from(i, 0);
   }
 }
 
@@ -78,13 +82,8 @@ void Embedding::add_matrix(BlockMatrix& whole, int first_product) const {
     to.scale = from.scale;
     to.w.set_zero();
     to.v.set_zero();
-    add(from.w, to.w);  // R Pᵀ w
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      const auto v = from.v[static_cast<int>(b)].getLocalViewHost(read_only);
-      const auto column = to.v[blocks_[b]].getLocalViewHost(read_write);
-      for (std::size_t i = 0; i < rows_[b].size(); ++i)
-        column(rows_[b][i], 0) = unknowns_[b] * v(i, 0);
-    }
+    add_weighted(equations_, from.w, to.w);  // R Pᵀ w
+    add_weighted(unknowns_, from.v, to.v);   // S Pᵀ v
   }
 }
 

@@ -19,9 +19,9 @@ public:
   /// Where a block of the part stands.
   struct Place {
     int block;  ///< in the whole
-    std::vector<GlobalOrdinal>
-        numbers;  ///< there, of the block's unknowns of this rank and, behind
-                  ///< them, of its ghosts in the order of the column maps
+    /// There, of the block's unknowns of this rank and, behind them, of its ghosts in the order of
+    /// the column maps.
+    std::vector<GlobalOrdinal> numbers;
   };
   /// A place per block of the part. Both matrices outlive the object; those of the part have
   /// entries where those of the whole have some. Collective.
@@ -48,6 +48,10 @@ private:
     int row, column;
     std::vector<int> offsets;
   };
+
+  /// x ← x + W Pᵀ x_part, W numbers per block.
+  void add_weighted(const std::vector<double>& weights, const BlockVector& part,
+                    BlockVector& x) const;
 
   const BlockMatrix* part_;
   std::vector<int> blocks_;             ///< of the whole, per block of the part

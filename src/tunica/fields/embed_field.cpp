@@ -1,11 +1,14 @@
 #include "tunica/fields/embed_field.hpp"
 
-#include <algorithm>
-
 #include "tunica/base/error.hpp"
 
 namespace tunica::fields {
 
+namespace {
+
+/// For each local node of a part the local node of the whole that takes its place in the same
+/// elements: of a field in a mesh of several fields, both of this rank's share of one mesh; of
+/// either the plain or the split mesh.
 std::vector<int> nodes_in(const FieldMesh& part, const FieldMesh& whole) {
   std::vector<int> nodes(part.n_nodes(), -1);
   std::size_t there = 0;  // the numbers of elements ascend in both
@@ -17,8 +20,6 @@ std::vector<int> nodes_in(const FieldMesh& part, const FieldMesh& whole) {
   }
   return nodes;
 }
-
-namespace {
 
 algebra::Embedding::Place place_of(const BlockOperator& part, const BlockOperator& whole, int b) {
   const FieldMesh& mesh = whole.mesh_of(b);

@@ -134,9 +134,9 @@ Outcome CoupledProblem::begin_step(const stepping::Clock& clock) {
   wall_part_->set_units({dt_, 1.0}, {1.0, 1.0 / dt_});
   set_reference();
   seconds_ = {};
-  const std::vector<Vec3> d =
-      is_extrapolated_ ? motion_->predicted_displacement() : motion_->displacement();
-  const Outcome placed = fluid_->set_domain(d, motion_->past_displacement());
+  if (!is_extrapolated_) return Outcome::success();  // the domain follows the guess
+  const Outcome placed =
+      fluid_->set_domain(motion_->predicted_displacement(), motion_->past_displacement());
   fluid_->fix_coefficients();
   return placed.at("the fluid's mesh");
 }

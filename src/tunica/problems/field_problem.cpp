@@ -47,7 +47,7 @@ void FieldProblem::restore_blocks(const fields::State& state, const std::string&
   for (int b = 0; b < x.n_blocks(); ++b) {
     const algebra::Block& block = (*space())[b];
     const std::string name = block.name + suffix;
-    if (split() != nullptr && block.components == 1)
+    if (is_split(block))
       fields::assign_rows(state.array(name, split()->n_copies), *split(), x[b]);
     else
       fields::assign_rows(state.array(name, block.components), x[b]);

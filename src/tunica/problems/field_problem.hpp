@@ -75,6 +75,11 @@ protected:
   algebra::BlockVector x_;
 
 private:
+  /// The block stands on the nodes of split().
+  bool is_split(const algebra::Block& block) const {
+    return split() != nullptr && block.components == 1;
+  }
+
   std::unique_ptr<discretisation::MixedField> field_;
   nonlinear::NewtonOptions newton_;
   nonlinear::JacobianRule rule_;

@@ -9,13 +9,17 @@ Harmonic::Harmonic(const Teuchos::ParameterList& solver,
     : extension_(&extension), solver_(linear::make_scalar_solver(solver, extension.jacobian())),
       solution_(extension.mesh().node_map, columns) {}
 
+// L φ₀ = −F(φ_given), φ = φ_given + φ₀
+MultiVector Harmonic::right_side(const MultiVector& given) const {
+  MultiVector b(given.getMap(), given.getNumVectors());
+  extension_->residual(given, b);
+  b.scale(-1.0);
+  return b;
+}
+
 Outcome Harmonic::extend(MultiVector& values, std::optional<double> tolerance) {
-  // L φ₀ = −F(φ_given), φ = φ_given + φ₀
-  MultiVector right_side(values.getMap(), values.getNumVectors());
-  extension_->residual(values, right_side);
-  right_side.scale(-1.0);
   const double wanted = tolerance.value_or(solver_->tolerance());
-  const double residual = solver_->solve_to(wanted, right_side, solution_);
+  const double residual = solver_->solve_to(wanted, right_side(values), solution_);
   if (!(residual <= 2.0 * wanted)) {
     std::ostringstream text;
     text << "the linear solver left a relative residual of " << residual << " instead of "
@@ -28,11 +32,8 @@ Outcome Harmonic::extend(MultiVector& values, std::optional<double> tolerance) {
 }
 
 void Harmonic::extend_roughly(double tolerance, MultiVector& values) const {
-  MultiVector right_side(values.getMap(), values.getNumVectors()),
-      phi(values.getMap(), values.getNumVectors());
-  extension_->residual(values, right_side);
-  right_side.scale(-1.0);
-  solver_->solve_to(tolerance, right_side, phi);
+  MultiVector phi(values.getMap(), values.getNumVectors());
+  solver_->solve_to(tolerance, right_side(values), phi);
   values.update(1.0, phi, 1.0);
 }
 

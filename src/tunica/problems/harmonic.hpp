@@ -27,6 +27,8 @@ public:
   void start_from(const MultiVector& values);
 
 private:
+  MultiVector right_side(const MultiVector& given) const;
+
   const discretisation::HarmonicExtension* extension_;
   std::unique_ptr<linear::ScalarSolver> solver_;
   MultiVector solution_;
