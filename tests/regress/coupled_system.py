@@ -20,10 +20,12 @@ MOST = {
 
 
 def case():
-    """Its settings, but for those of the operators that only we have."""
+    """Its settings, but for those that must know wall from lumen."""
     solvers = entry(xml.parse(ROOT / "xml" / "monolithic" / "solvers.xml").getroot(), "Solvers")
     settings = entry(solvers, "System")
     settings.set("name", "Settings")
+    for setting in [one for one in settings if one.get("name") not in MOST]:
+        settings.remove(setting)
     root = xml.Element("ParameterList", name="Case")
     system = xml.SubElement(root, "ParameterList", name="System")
     for name in ("A", "B1T", "B2", "C", "rhs"):

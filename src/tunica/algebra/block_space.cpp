@@ -5,7 +5,8 @@
 
 namespace tunica::algebra {
 
-BlockSpace::BlockSpace(std::vector<Block> blocks) : blocks_(std::move(blocks)) {
+BlockSpace::BlockSpace(std::vector<Block> blocks, std::vector<std::string> parts)
+    : blocks_(std::move(blocks)), parts_(std::move(parts)) {
   std::set<std::string> names;
   for (const Block& block : blocks_) names.insert(block.name);
   if (names.size() != blocks_.size() || blocks_.empty())

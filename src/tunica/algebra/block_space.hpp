@@ -14,6 +14,8 @@ struct Nodes {
   /// Of nodes that stand where those of the first block do: the number of that one. Null where
   /// they are the same, or have nothing to do with each other.
   Teuchos::RCP<const Vector> hosts{};
+  /// Of each node, which of the parts that the space names it stands in. Null where it names none.
+  Teuchos::RCP<const Vector> parts{};
 };
 
 /// Unknowns of one kind: velocities, pressures.
@@ -29,19 +31,22 @@ struct Block {
 /// The blocks that unknowns, residuals and Jacobians of a problem are made of, in this order.
 class BlockSpace {
 public:
-  /// At least one block; names differ.
-  explicit BlockSpace(std::vector<Block> blocks);
+  /// At least one block; names differ. parts: names of what the nodes of a coupled system stand in,
+  /// e.g. "wall", "lumen" and, between them, "interface".
+  explicit BlockSpace(std::vector<Block> blocks, std::vector<std::string> parts = {});
 
   int n_blocks() const { return static_cast<int>(blocks_.size()); }
   const Block& operator[](int b) const { return blocks_[b]; }
   /// Throws std::invalid_argument that lists the names for an unknown one.
   int index_of(const std::string& name) const;
+  const std::vector<std::string>& parts() const { return parts_; }
 
   CommPtr comm() const { return blocks_.front().map->getComm(); }
   long long n_unknowns() const;  ///< of all ranks
 
 private:
   std::vector<Block> blocks_;
+  std::vector<std::string> parts_;
 };
 
 using BlockSpacePtr = std::shared_ptr<const BlockSpace>;

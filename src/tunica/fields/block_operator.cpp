@@ -82,12 +82,13 @@ Teuchos::RCP<const Vector> vertex_order(const FieldMesh& mesh) {
 
 template <class SideOf>
 algebra::BlockSpacePtr space_of(const NodalBlocks& blocks, const SideOf& side_of,
-                                const algebra::Nodes& vectors, const algebra::Nodes& scalars) {
+                                const algebra::Nodes& vectors, const algebra::Nodes& scalars,
+                                const MeshParts& parts = {}) {
   std::vector<algebra::Block> all;
   for (const NodalBlock& block : blocks)
     all.push_back({block.name, side_of(block).map(), block.components,
                    block.components == 1 ? scalars : vectors});
-  return std::make_shared<const algebra::BlockSpace>(std::move(all));
+  return std::make_shared<const algebra::BlockSpace>(std::move(all), parts.names);
 }
 
 /// Where the vectors are that copies of a node belong to.
@@ -97,6 +98,21 @@ Teuchos::RCP<const Vector> hosts_of(const FieldMesh& mesh, const SplitMesh& spli
   for (int a = 0; a < split.n_owned; ++a)
     numbers(a, 0) = static_cast<Scalar>(mesh.node_map->getGlobalElement(split.node[a]));
   return hosts;
+}
+
+/// The part of each node; null where there are none.
+Teuchos::RCP<const Vector> parts_of(const FieldMesh& mesh, const MeshParts& parts) {
+  if (parts.names.empty()) return Teuchos::null;
+  std::vector<int> part(mesh.n_nodes(), -1);
+  const int between = static_cast<int>(parts.names.size()) - 1;
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    const int own = parts.of_region[mesh.region[e]];
+    for (const int a : mesh.tets[e]) part[a] = part[a] == -1 || part[a] == own ? own : between;
+  }
+  const auto result = Teuchos::rcp(new Vector(mesh.node_map));
+  const auto numbers = result->getLocalViewHost(overwrite_all);
+  for (int a = 0; a < mesh.n_owned; ++a) numbers(a, 0) = part[a];
+  return result;
 }
 
 }  // namespace
@@ -115,7 +131,7 @@ algebra::BlockSpacePtr nodal_space(const FieldMesh& mesh, const NodalBlocks& blo
 }
 
 BlockOperator::BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks,
-                             const SplitMesh* split)
+                             const SplitMesh* split, const MeshParts& parts)
     : mesh_(&mesh), split_(split) {
   graphs_.fill(std::make_shared<const NodeGraph>(make_node_graph(mesh)));
   const auto side_of = [&](const NodalBlock& block) -> Side {
@@ -135,12 +151,14 @@ BlockOperator::BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks,
       if (kind == 3 && scalar.is_null()) scalar = matrices.back();
     }
   const bool is_shared = split == nullptr && !scalar.is_null();
-  const algebra::Nodes nodes{is_shared ? scalar : make_matrix(*graphs_[0], mesh, 1, 1),
-                             vertex_order(mesh)};
-  const algebra::Nodes copies =
-      split == nullptr ? nodes
-                       : algebra::Nodes{scalar, vertex_order(*split), hosts_of(mesh, *split)};
-  algebra::BlockMatrix::operator=(algebra::BlockMatrix(space_of(blocks, side_of, nodes, copies)));
+  algebra::Nodes nodes{is_shared ? scalar : make_matrix(*graphs_[0], mesh, 1, 1),
+                       vertex_order(mesh)};
+  nodes.parts = parts_of(mesh, parts);
+  algebra::Nodes copies = nodes;
+  if (split != nullptr)
+    copies = {scalar, vertex_order(*split), hosts_of(mesh, *split), parts_of(*split, parts)};
+  algebra::BlockMatrix::operator=(
+      algebra::BlockMatrix(space_of(blocks, side_of, nodes, copies, parts)));
   for (int i = 0; i < n_blocks(); ++i)
     for (int j = 0; j < n_blocks(); ++j) set(i, j, matrices[i * n_blocks() + j]);
 }

@@ -38,13 +38,19 @@ inline algebra::BlockVector zero_vector(const FieldMesh& mesh) {
   return algebra::BlockVector(nodal_space(mesh));
 }
 
+/// What the regions of a mesh with several fields are parts of.
+struct MeshParts {
+  std::vector<std::string> names;  ///< the last is that of the nodes between other parts
+  std::vector<int> of_region;      ///< index into names
+};
+
 /// The Jacobian of a field: matrices between all its blocks on static graphs, one for all that
 /// stand on the same nodes. Values are written in place by assembly/.
 class BlockOperator : public algebra::BlockMatrix {
 public:
   /// split: carries the scalars where it is not null. The meshes must outlive the object.
   explicit BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks = mixed_blocks,
-                         const SplitMesh* split = nullptr);
+                         const SplitMesh* split = nullptr, const MeshParts& parts = {});
 
   const FieldMesh& mesh() const { return *mesh_; }
   /// Null where the scalars stand on the nodes of the mesh.

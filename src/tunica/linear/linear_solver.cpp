@@ -296,17 +296,35 @@ params::Table krylov_table(const SolverDefaults& defaults, bool has_restart) {
 }  // namespace
 
 params::Table linear_solver_table(const SolverDefaults& defaults) {
+  // Other methods take no preconditioner that solves within.
+  SolverDefaults linear = defaults;
+  linear.has_fields = false;
   params::Table table("Solves the linear systems of Newton's method.");
   table.variant("method", "gcr",
                 {{"direct", params::Table("sparse LU on rank 0, for small systems")},
                  {"flexible gmres", krylov_table(defaults, true)},
-                 {"gmres", krylov_table(defaults, true)},
+                 {"gmres", krylov_table(linear, true)},
                  {"gcr", krylov_table(defaults, true)},
-                 {"bicgstab", krylov_table(defaults, false)},
-                 {"tfqmr", krylov_table(defaults, false)},
+                 {"bicgstab", krylov_table(linear, false)},
+                 {"tfqmr", krylov_table(linear, false)},
                  {"fixed point", krylov_table(defaults, false)}},
                 "sparse direct (Amesos2 KLU2), a Krylov method (Belos, GCR ours), or the "
                 "preconditioner alone, again and again (fixed point)");
+  return table;
+}
+
+params::Table inner_solver_table(SolverDefaults defaults) {
+  defaults.has_fields = false;
+  params::Table table("Solves for one field within a preconditioner.");
+  table
+      .variant("method", "gcr",
+               {{"direct", params::Table("sparse LU on rank 0, for small systems")},
+                {"gcr", krylov_table(defaults, true)},
+                {"fixed point", krylov_table(defaults, false)}},
+               "sparse direct (Amesos2 KLU2), GCR, or the preconditioner alone, as often as "
+               "\"max iterations\" says (fixed point)")
+      .number("tolerance", 0.1, params::Range{0.0, 1.0, false, true}, "1",
+              "ends at this relative residual, or at \"max iterations\"");
   return table;
 }
 

@@ -45,6 +45,9 @@ public:
 /// The keys of a "Linear Solver" list.
 params::Table linear_solver_table(const SolverDefaults& defaults = {});
 
+/// The keys of one within a preconditioner, with its "tolerance".
+params::Table inner_solver_table(SolverDefaults defaults);
+
 /// Builds the solver that the resolved list describes; K and operators must outlive it. What K has
 /// of low rank stands in the products; preconditioners and factors of its blocks are made those of
 /// all of K (low_rank.hpp).

@@ -6,6 +6,7 @@
 #include "tunica/linear/preconditioners/block.hpp"
 #include "tunica/linear/preconditioners/cycle.hpp"
 #include "tunica/linear/preconditioners/direct.hpp"
+#include "tunica/linear/preconditioners/field_by_field.hpp"
 #include "tunica/linear/preconditioners/ilu.hpp"
 #include "tunica/linear/preconditioners/none.hpp"
 
@@ -16,6 +17,7 @@ const std::vector<PreconditionerEntry>& preconditioners() {
       ilu_preconditioner(),     // "ilu"
       block_preconditioner(),   // "block"
       cycle_preconditioner(),   // "multigrid"
+      field_preconditioner(),   // "field by field"
       direct_preconditioner(),  // "direct"
       no_preconditioner(),      // "none"
   };
@@ -34,11 +36,14 @@ const PreconditionerEntry& preconditioner_of(const Teuchos::ParameterList& list)
 void add_preconditioner_keys(params::Table& table, const SolverDefaults& defaults) {
   std::vector<params::Table::Case> cases;
   for (const PreconditionerEntry& entry : preconditioners())
-    cases.push_back({entry.name, entry.table(defaults)});
-  table.variant("preconditioner", defaults.preconditioner, cases,
-                "right preconditioner: incomplete LU with additive Schwarz between ranks, a "
-                "block preconditioner, a multigrid cycle for the whole system, sparse LU factors "
-                "(worth it where they are kept), or none");
+    if (defaults.has_fields || !entry.needs_fields)
+      cases.push_back({entry.name, entry.table(defaults)});
+  table.variant(
+      "preconditioner", defaults.preconditioner, cases,
+      "right preconditioner: incomplete LU with additive Schwarz between ranks, a "
+      "block preconditioner, a multigrid cycle for the whole system, " +
+          std::string(defaults.has_fields ? "the parts of a coupled system in turn, " : "") +
+          "sparse LU factors (worth it where they are kept), or none");
 }
 
 }  // namespace tunica::linear

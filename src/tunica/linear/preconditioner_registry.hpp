@@ -18,6 +18,8 @@ struct SolverDefaults {
   Teuchos::ParameterList block = default_block_preconditioner(1, 1);
   /// The MueLu list of the multigrid cycle.
   Teuchos::ParameterList cycle = multigrid::mixed_cycle_list(2);
+  /// The system is one of several fields.
+  bool has_fields = false;
 };
 
 /// A preconditioner, as XML names it.
@@ -31,6 +33,7 @@ struct PreconditionerEntry {
   std::function<std::unique_ptr<PreconditionedSystem>(
       const Teuchos::ParameterList&, const algebra::BlockMatrix&, const NamedOperators&)>
       make;
+  bool needs_fields = false;  ///< is for coupled systems alone
 };
 
 /// Every preconditioner there is, in the order of the reference.

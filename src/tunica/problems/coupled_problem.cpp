@@ -19,6 +19,15 @@ std::unique_ptr<fields::SplitMesh> mesh_of_pressures(const CoupledProblem::Parts
   return fields::split_mesh(parts.mesh, part);
 }
 
+constexpr const char* name_of_fluid = "lumen";
+constexpr const char* name_of_wall = "wall";
+
+fields::MeshParts parts_of_mesh(const CoupledProblem::Parts& parts) {
+  fields::MeshParts named{{name_of_fluid, name_of_wall, "interface"}, parts.wall.pressure_parts()};
+  for (int& part : named.of_region) part = part < 0 ? 0 : 1;
+  return named;
+}
+
 /// The bits of owned interface nodes of the wall, at all nodes of the fluid.
 assembly::Constraints seen_by_fluid(const fields::InterfaceTransfer& interface,
                                     const fields::FieldMesh& fluid,
@@ -77,7 +86,8 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
       product_tolerance_(is_extrapolated_ ? 0.0 : list.get<double>("product tolerance")),
       knows_domain_(has_shape_derivatives_), split_(mesh_of_pressures(parts)),
       K_(std::make_unique<fields::BlockOperator>(
-          parts.mesh, fields::NodalBlocks{{"velocity", 3}, {"pressure", 1}}, split_.get())),
+          parts.mesh, fields::NodalBlocks{{"velocity", 3}, {"pressure", 1}}, split_.get(),
+          parts_of_mesh(parts))),
       newton_(nonlinear::newton_options(list.sublist("Newton"))), rule_(newton_.jacobian_cost),
       fluid_x_(fluid_->space()), wall_x_(wall_->space()), fluid_F_(fluid_->space()),
       wall_F_(wall_->space()), reference_(wall_->space()) {
@@ -217,16 +227,26 @@ constexpr const char* mass = "Schur Mass";
 
 }  // namespace
 
-std::vector<std::string> CoupledProblem::operator_names() const { return {mass}; }
+std::vector<std::string> CoupledProblem::operator_names() const {
+  return {mass, linear::own_block_of(name_of_fluid), linear::own_block_of(name_of_wall)};
+}
 
 // In units of the whole the wall has the modulus Δt μ, and its continuity is divided by Δt.
 Teuchos::RCP<const CrsMatrix> CoupledProblem::assemble_operator(const std::string& name) const {
-  if (name != mass) return Teuchos::null;
-  const auto M = Teuchos::rcp(new CrsMatrix(*(*K_)(1, 1), Teuchos::Copy));
+  const auto names = operator_names();
+  if (std::find(names.begin(), names.end(), name) == names.end()) return Teuchos::null;
+  const int b = name == mass ? 1 : 0;
+  const auto M = Teuchos::rcp(new CrsMatrix(*(*K_)(b, b), Teuchos::Copy));
   M->resumeFill();
   M->setAllToScalar(0.0);
-  fluid_part_->add_block(*fluid_->operators().assemble_operator(mass), 1, 1, *M);
-  wall_part_->add_block(*wall_->operators().assemble_operator(mass), 1, 1, *M);
+  const auto add = [&](const SystemSource& field, const algebra::Embedding& part) {
+    if (b == 1)
+      part.add_block(*field.operators().assemble_operator(mass), 1, 1, *M);
+    else
+      part.add_block(*field.last_jacobian()(0, 0), 0, 0, *M);
+  };
+  if (name != linear::own_block_of(name_of_wall)) add(*fluid_, *fluid_part_);
+  if (name != linear::own_block_of(name_of_fluid)) add(*wall_, *wall_part_);
   M->fillComplete(M->getDomainMap(), M->getRangeMap());
   return M;
 }

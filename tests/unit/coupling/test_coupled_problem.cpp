@@ -2,91 +2,13 @@
 #include <map>
 
 #include "tunica/base/error.hpp"
-#include "tunica/coupling/registry.hpp"
-#include "tunica/problems/coupled_problem.hpp"
-#include "unit/problems/lists.hpp"
+#include "unit/coupling/coupled_tube.hpp"
 
 namespace {
 
 using namespace tunica;
+using test::CoupledTube;
 using test::SmallTube;
-
-/// A tube with both fields: pressure at the inlet, a windkessel at the outlet, a clamped wall.
-struct CoupledTube {
-  explicit CoupledTube(const std::string& geometry, const std::string& end = "clamped",
-                       const CommPtr& comm = test::world())
-      : tube(comm), mesh(fields::make_field_mesh(tube.mesh, tube.partition, {0, 1, 2}, comm)),
-        interface(tube.fluid, tube.wall, {tube.surface("interface")}),
-        fluid(fluid_list(), tube.fluid), wall(wall_list(end), tube.wall),
-        motion(motion_list(), tube.fluid, {tube.surface("interface")}, fluid.time_scheme()),
-        problem(coupling_list(geometry), {mesh, interface, fluid, wall, motion}) {}
-
-  static Teuchos::ParameterList fluid_list() {
-    auto list = test::fluid_list(1.0, 3.5e-3);
-    auto& inlet = test::condition(list, "inlet", "pressure");
-    inlet.set("pressure", 1.3);
-    inlet.set("backflow stabilisation", 0.5);
-    auto& outlet = test::condition(list, "outlet", "windkessel");
-    outlet.set("proximal resistance", 2.0);
-    outlet.set("distal resistance", 20.0);
-    outlet.set("capacitance", 0.1);
-    test::condition(list, "interface", "interface");
-    return test::resolved(list, problems::fluid_table());
-  }
-
-  static Teuchos::ParameterList wall_list(const std::string& end) {
-    auto list = test::wall_list();
-    list.sublist("Layers").sublist("media").set("law", std::string("mooney-rivlin"));
-    auto& outer = list.sublist("Layers").sublist("adventitia");
-    outer.set("law", std::string("mooney-rivlin"));
-    outer.set("c10", 5.0);
-    test::condition(list, "struct_in", "clamped");
-    test::condition(list, "struct_out", end);
-    test::condition(list, "interface", "interface");
-    return test::resolved(list, problems::solid_table());
-  }
-
-  static Teuchos::ParameterList motion_list() {
-    Teuchos::ParameterList list;
-    list.sublist("Linear Solver").set("method", std::string("direct"));
-    return test::resolved(list, problems::mesh_motion_table());
-  }
-
-  static Teuchos::ParameterList coupling_list(const std::string& geometry) {
-    Teuchos::ParameterList list;
-    list.set("scheme", std::string("monolithic"));
-    list.set("geometry", geometry);
-    list.sublist("Linear Solver").set("method", std::string("direct"));
-    return test::resolved(list, coupling::coupling_table());
-  }
-
-  /// Numbers without pattern, small enough that no element inverts, and zero at the
-  /// ends.
-  algebra::BlockVector point(int seed) const {
-    algebra::BlockVector x(problem.space());
-    const auto y = x[0].getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (int a = 0; a < mesh.n_owned; ++a)
-      for (int i = 0; i < 3; ++i)
-        y(3 * a + i, 0) = is_held(mesh.x[a]) ? 0.0 : 0.1 * number(a, i, seed);
-    const auto p = x[1].getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (std::size_t a = 0; a < p.extent(0); ++a)
-      p(a, 0) = test::scatter(
-          31.7 * seed + static_cast<double>(x[1].getMap()->getGlobalElement(static_cast<int>(a))));
-    return x;
-  }
-  static bool is_held(const Vec3& x) { return x[2] == 0.0 || x[2] == SmallTube::options().length; }
-  double number(int a, int i, int seed) const {
-    return test::scatter(1000.0 * seed + 4.0 * mesh.vertex[a] + i);
-  }
-
-  SmallTube tube;
-  fields::FieldMesh mesh;
-  fields::InterfaceTransfer interface;
-  problems::FluidProblem fluid;
-  problems::SolidProblem wall;
-  problems::MeshMotion motion;
-  problems::CoupledProblem problem;
-};
 
 TEUCHOS_UNIT_TEST(coupled_problem, jacobian_is_the_derivative_on_a_fixed_domain) {
   CoupledTube both("extrapolated");

@@ -68,7 +68,7 @@ TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number
 }
 
 TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
-  for (const auto& [nodes, order, hosts] : graphs()) {
+  for (const auto& [nodes, order, hosts, parts] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
     int n_neighbours_in_the_set = 0, n_without_a_neighbour = 0;
     for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap())) {
@@ -86,7 +86,7 @@ TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
 }
 
 TEUCHOS_UNIT_TEST(independent_set, ghosts_are_in_it_where_their_owner_says_so) {
-  for (const auto& [nodes, order, hosts] : graphs()) {
+  for (const auto& [nodes, order, hosts, parts] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
     Vector own(nodes->getRowMap());
     for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap()))
@@ -100,7 +100,7 @@ TEUCHOS_UNIT_TEST(independent_set, ghosts_are_in_it_where_their_owner_says_so) {
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_in_the_set) {
-  for (const auto& [nodes, order, hosts] : graphs()) {
+  for (const auto& [nodes, order, hosts, parts] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
     const auto P = NodalCoarsening(nodes, *order).prolongator(0);
     const auto fine_number = fine_numbers(*nodes, *P, is_coarse);
@@ -120,7 +120,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_i
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, levels_shrink_and_keep_constants_down_to_one_node) {
-  for (const auto& [nodes, order, hosts] : graphs()) {
+  for (const auto& [nodes, order, hosts, parts] : graphs()) {
     NodalCoarsening coarsening(nodes, *order);
     TEST_EQUALITY(n_nodes(coarsening, 0), static_cast<long long>(nodes->getGlobalNumRows()));
     int level = 0;

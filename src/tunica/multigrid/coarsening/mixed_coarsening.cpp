@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "tunica/algebra/independent_set.hpp"
+#include "tunica/algebra/picked_matrix.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
@@ -77,7 +78,8 @@ private:
 
 }  // namespace
 
-MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space) : numbering_(space) {
+MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space)
+    : numbering_(space), part_names_(space.parts()), parts_(1) {
   for (int b = 0; b < space.n_blocks(); ++b) {
     const algebra::Nodes& nodes = space[b].nodes;
     for (int c = 0; c < b && static_cast<int>(nodes_.size()) == b; ++c)
@@ -88,6 +90,7 @@ MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space) : numbering_(
                            : std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order,
                                                                *nodes.hosts, nodes_.front()));
     maps_[{0, b}] = space[b].map;
+    parts_[0].push_back(nodes.parts);
   }
   maps_[{0, all}] = numbering_.merged_map(space);
 }
@@ -113,6 +116,29 @@ Teuchos::RCP<const Vector> MixedCoarsening::hosts(int level, const CrsMatrix& K)
   if (hosts.is_null() || map(level, all)->getGlobalNumElements() != K.getGlobalNumRows())
     return Teuchos::null;
   return hosts;
+}
+
+Vector MixedCoarsening::parts(int level, const CrsMatrix& K) {
+  if (part_names_.empty()) throw std::runtime_error("the system has no parts");
+  if (!map(level, all)->isSameAs(*K.getRowMap()))
+    throw std::runtime_error("parts are known on levels of NodalPFactory alone");
+  for (int l = static_cast<int>(parts_.size()); l <= level; ++l) {
+    parts_.emplace_back();
+    for (int b = 0; b < numbering_.n_blocks(); ++b) {  // a coarse node is one of the finer level
+      const auto coarse = Teuchos::rcp(new Vector(nodes_[b]->prolongator(l - 1)->getDomainMap()));
+      algebra::pick_rows(nodes_[b]->coarse_rows(l - 1), *parts_[l - 1][b], *coarse);
+      parts_[l].push_back(coarse);
+    }
+  }
+  Vector result(K.getRowMap());
+  const auto part = result.getLocalViewHost(overwrite_all);
+  for (std::size_t r = 0; r < part.extent(0); ++r) {
+    const GlobalOrdinal number = K.getRowMap()->getGlobalElement(static_cast<int>(r));
+    const Vector& nodes = *parts_[level][numbering_.block_of(number)];
+    part(r, 0) = nodes.getLocalViewHost(read_only)(
+        nodes.getMap()->getLocalElement(number / numbering_.dofs()), 0);
+  }
+  return result;
 }
 
 void MixedCoarsening::check_mixed(int level, const CrsMatrix& K) {

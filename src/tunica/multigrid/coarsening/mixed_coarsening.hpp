@@ -1,6 +1,8 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "tunica/algebra/dof_layout.hpp"
 #include "tunica/multigrid/coarsening/nodal_coarsening.hpp"
@@ -29,6 +31,12 @@ public:
   /// another coarsening made the level. Collective.
   Teuchos::RCP<const Vector> hosts(int level, const CrsMatrix& K);
 
+  /// Names of the parts that the nodes of the finest level stand in; none for one field.
+  const std::vector<std::string>& part_names() const { return part_names_; }
+  /// By row of K, the mixed matrix on this level, which of them its node stands in. Throws
+  /// std::runtime_error where another coarsening made the level. Collective.
+  Vector parts(int level, const CrsMatrix& K);
+
   /// Throws std::runtime_error on all ranks where K on this level is one block, or its rows are not
   /// unknowns of a mixed matrix. Collective.
   void check_mixed(int level, const CrsMatrix& K);
@@ -41,6 +49,8 @@ private:
   Teuchos::RCP<const CrsMatrix> prolongator(int level, int block);
 
   algebra::DofLayout numbering_;
+  std::vector<std::string> part_names_;
+  std::vector<std::vector<Teuchos::RCP<const Vector>>> parts_;   ///< by level and block
   std::vector<std::shared_ptr<NodalCoarsening>> nodes_;          ///< per block
   std::map<std::pair<int, int>, Teuchos::RCP<const Map>> maps_;  ///< by level and block
   std::map<std::pair<int, int>, Teuchos::RCP<const CrsMatrix>> prolongators_;

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "tunica/multigrid/muelu/braess_sarazin_smoother.hpp"
+#include "tunica/multigrid/muelu/field_smoother.hpp"
 #include "tunica/multigrid/muelu/galerkin_factory.hpp"
 #include "tunica/multigrid/muelu/ifpack2_smoother.hpp"
 #include "tunica/multigrid/muelu/nodal_blocked_p_factory.hpp"
@@ -75,6 +76,7 @@ const std::vector<FactoryEntry>& our_factories() {
       {"NodalIluSmoother", MatrixKind::merged, smoother<NodalIluSmoother>},
       {"VankaSmoother", MatrixKind::merged, smoother<VankaSmoother>},
       {"NodalBraessSarazinSmoother", MatrixKind::merged, smoother<NodalBraessSarazinSmoother>},
+      {"FieldSmoother", MatrixKind::merged, smoother<FieldSmoother>},
       {"Ifpack2Smoother", MatrixKind::either, smoother<Ifpack2Smoother>},
       {"SparseLUSolver", MatrixKind::either, smoother<SparseLuSolver>},
       {"NodalBlockedPFactory", MatrixKind::blocked, prolongator<NodalBlockedPFactory>},

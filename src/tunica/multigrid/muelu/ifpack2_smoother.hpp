@@ -1,6 +1,7 @@
 #pragma once
-#include <Ifpack2_Preconditioner.hpp>
+#include <memory>
 
+#include "tunica/multigrid/muelu/ifpack2_sweeps.hpp"
 #include "tunica/multigrid/muelu/matrix_smoother.hpp"
 
 namespace tunica::multigrid {
@@ -13,17 +14,16 @@ public:
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
   Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>> Copy()
       const override;
-  void refresh() override;
+  void refresh() override { sweeps_->refresh(); }
 
 private:
-  using Inner = Ifpack2::Preconditioner<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
-
-  void check(const Teuchos::ParameterList& list) const override;
+  void check(const Teuchos::ParameterList& list) const override { Ifpack2Sweeps::check(list); }
   void set_up(int level, const Teuchos::RCP<::tunica::CrsMatrix>& K) override;
-  void smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const override;
+  void smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const override {
+    sweeps_->smooth(b, x);
+  }
 
-  Teuchos::RCP<Inner> inner_;
-  Teuchos::RCP<::tunica::CrsMatrix> matrix_;
+  std::shared_ptr<Ifpack2Sweeps> sweeps_;
 };
 
 }  // namespace tunica::multigrid

@@ -13,17 +13,23 @@ public:
 protected:
   /// Of the matrix at hand, see MixedCoarsening.
   const Teuchos::RCP<const ::tunica::Vector>& hosts() const { return hosts_; }
+  const MixedCoarsening& coarsening() const { return *coarsening_; }
+  ::tunica::Vector parts(const ::tunica::CrsMatrix& K) const {
+    return coarsening_->parts(level_, K);
+  }
   virtual void set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout& numbering) = 0;
 
 private:
   void set_up(int level, const Teuchos::RCP<::tunica::CrsMatrix>& K) final {
     coarsening_->check_mixed(level, *K);
     hosts_ = coarsening_->hosts(level, *K);
+    level_ = level;
     set_up(*K, coarsening_->numbering());
   }
 
   Teuchos::RCP<MixedCoarsening> coarsening_;
   Teuchos::RCP<const ::tunica::Vector> hosts_;
+  int level_ = 0;
 };
 
 }  // namespace tunica::multigrid

@@ -1,0 +1,79 @@
+#include "tunica/algebra/picked_matrix.hpp"
+
+#include <algorithm>
+
+#include "tunica/algebra/independent_set.hpp"
+#include "tunica/base/map_of.hpp"
+
+namespace tunica::algebra {
+
+std::vector<int> flagged_rows(const Vector& flags) {
+  std::vector<int> rows;
+  const auto flag = flags.getLocalViewHost(read_only);
+  for (std::size_t i = 0; i < flag.extent(0); ++i)
+    if (flag(i, 0) != 0.0) rows.push_back(static_cast<int>(i));
+  return rows;
+}
+
+Teuchos::RCP<const Map> flagged_map(const Vector& flags) {
+  std::vector<GlobalOrdinal> numbers;
+  for (const int row : flagged_rows(flags))
+    numbers.push_back(flags.getMap()->getGlobalElement(row));
+  return map_of(numbers, flags.getMap()->getComm());
+}
+
+PickedMatrix::PickedMatrix(const CrsMatrix& K, const Vector& rows, const Vector& columns) {
+  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
+  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
+  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
+  const Vector on_columns_of_K = on_columns(K, columns);
+  const std::vector<int> kept_columns = flagged_rows(on_columns_of_K);
+  std::vector<int> place(on_columns_of_K.getLocalLength(), -1);
+  for (std::size_t c = 0; c < kept_columns.size(); ++c)
+    place[kept_columns[c]] = static_cast<int>(c);
+
+  const auto from = K.getLocalMatrixHost().graph;
+  const std::vector<int> kept_rows = flagged_rows(rows);
+  std::vector<int> entries;
+  RowStart row_start("row start", kept_rows.size() + 1);
+  for (std::size_t r = 0; r < kept_rows.size(); ++r) {
+    for (auto k = from.row_map(kept_rows[r]); k < from.row_map(kept_rows[r] + 1); ++k)
+      if (const int column = place[from.entries(k)]; column >= 0) {
+        entries.push_back(column);
+        offsets_.push_back(k);
+      }
+    row_start(r + 1) = entries.size();
+  }
+  Columns kept("columns", entries.size());
+  std::copy(entries.begin(), entries.end(), kept.data());
+  const Teuchos::RCP<const Map> row_map = flagged_map(rows);
+  matrix_ = Teuchos::rcp(new CrsMatrix(row_map, flagged_map(on_columns_of_K), row_start, kept,
+                                       Values("values", entries.size())));
+  matrix_->expertStaticFillComplete(flagged_map(columns), row_map);
+  refresh(K);
+}
+
+void PickedMatrix::refresh(const CrsMatrix& K) {
+  const auto from = K.getLocalMatrixHost().values;
+  matrix_->resumeFill();
+  {
+    const auto to = matrix_->getLocalMatrixHost().values;
+    for (std::size_t k = 0; k < offsets_.size(); ++k) to(k) = from(offsets_[k]);
+  }
+  matrix_->fillComplete(matrix_->getDomainMap(), matrix_->getRangeMap());
+}
+
+void pick_rows(const std::vector<int>& rows, const MultiVector& x, MultiVector& picked) {
+  const auto from = x.getLocalViewHost(read_only);
+  const auto to = picked.getLocalViewHost(overwrite_all);
+  for (std::size_t i = 0; i < rows.size(); ++i) to(i, 0) = from(rows[i], 0);
+}
+
+void add_rows(const std::vector<int>& rows, double factor, const MultiVector& picked,
+              MultiVector& x) {
+  const auto from = picked.getLocalViewHost(read_only);
+  const auto to = x.getLocalViewHost(read_write);
+  for (std::size_t i = 0; i < rows.size(); ++i) to(rows[i], 0) += factor * from(i, 0);
+}
+
+}  // namespace tunica::algebra

@@ -1,0 +1,217 @@
+#include "tunica/linear/preconditioners/field_by_field.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <algorithm>
+
+#include "tunica/algebra/columns.hpp"
+#include "tunica/algebra/concatenation.hpp"
+#include "tunica/algebra/sub_system.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/linear/linear_solver.hpp"
+#include "tunica/params/nearest.hpp"
+
+namespace tunica::linear {
+
+namespace {
+
+std::vector<std::string> strings(const Teuchos::ParameterList& list, const char* key) {
+  const auto& array = list.get<Teuchos::Array<std::string>>(key);
+  return {array.begin(), array.end()};
+}
+
+/// Some parts of a coupled system, with what solves for them.
+class Field : public NamedOperators {
+public:
+  Field(const Teuchos::ParameterList& list, const algebra::BlockMatrix& K,
+        const NamedOperators& operators)
+      : system_(K, strings(list, "parts")), operators_(&operators),
+        own_(list.get<std::string>("own block of")), tolerance_(list.get<double>("tolerance")),
+        r_(system_.matrix().zero()), y_(system_.matrix().zero()),
+        solver_(make_linear_solver(list, system_.matrix(), *this)) {}
+
+  /// Sets up for the present values of K.
+  void refresh() {
+    system_.refresh();
+    if (!own_.empty())
+      system_.refresh_block(0, 0, *operators_->assemble_operator(own_block_of(own_)));
+    solver_->matrix_changed();
+    solver_->prepare();
+  }
+
+  /// y ← y + ω Rᵀ K_s⁻¹ R r.
+  void correct(double damping, const algebra::BlockVector& r, algebra::BlockVector& y) {
+    system_.restrict(r, r_);
+    solver_->solve(r_, y_, tolerance_);  // not converging is what an inner solver may do
+    system_.add(damping, y_, y);
+  }
+
+  // NamedOperators: those of the whole system, restricted
+  std::vector<std::string> operator_names() const override { return operators_->operator_names(); }
+  Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override {
+    return system_.pick(*operators_->assemble_operator(name));
+  }
+
+private:
+  algebra::SubSystem system_;
+  const NamedOperators* operators_;
+  std::string own_;
+  double tolerance_;
+  algebra::BlockVector r_, y_;
+  std::unique_ptr<LinearSolver> solver_;
+};
+
+/// Sweeps over the fields, from zero:
+///
+///   y ← y + ω R_fᵀ K_f⁻¹ R_f (x − K y)      for each field f in turn, and back again
+class FieldSweeps final : public Operator {
+public:
+  FieldSweeps(const Teuchos::ParameterList& list, const algebra::BlockMatrix& K,
+              const NamedOperators& operators)
+      : blocks_(K.space()), K_(&K), sweeps_(list.get<int>("sweeps")),
+        damping_(list.get<double>("damping")), is_symmetric_(list.get<bool>("is symmetric")) {
+    const Teuchos::ParameterList& fields = list.sublist("Fields");
+    check_parts(fields, K.space()->parts());
+    for (const auto& entry : fields)
+      fields_.push_back(std::make_unique<Field>(fields.sublist(entry.first), K, operators));
+  }
+
+  void refresh() {
+    for (const auto& field : fields_) field->refresh();
+  }
+
+  void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
+             Scalar alpha = 1.0, Scalar beta = 0.0) const override {
+    if (mode != Teuchos::NO_TRANS) throw std::logic_error("FieldSweeps: no transpose");
+    algebra::for_each_column("FieldSweeps", X, Y, [&](const MultiVector& x, MultiVector& y) {
+      algebra::BlockVector b(K_->space()), result(K_->space());
+      blocks_.scatter(x, b);
+      sweep(b, result);
+      MultiVector all(y.getMap(), 1);
+      blocks_.gather(result, all);
+      y.update(alpha, all, beta);
+    });
+  }
+  Teuchos::RCP<const Map> getDomainMap() const override { return blocks_.map(); }
+  Teuchos::RCP<const Map> getRangeMap() const override { return blocks_.map(); }
+
+private:
+  static void check_parts(const Teuchos::ParameterList& fields,
+                          const std::vector<std::string>& known) {
+    const std::string where = "the preconditioner \"field by field\": ";
+    std::vector<std::string> covered;
+    for (const auto& entry : fields) {
+      const Teuchos::ParameterList& field = fields.sublist(entry.first);
+      auto names = strings(field, "parts");
+      covered.insert(covered.end(), names.begin(), names.end());
+      if (const auto& own = field.get<std::string>("own block of"); !own.empty())
+        names.push_back(own);
+      for (const std::string& name : names)
+        TUNICA_CHECK(std::find(known.begin(), known.end(), name) != known.end(),
+                     where + "Fields / " + entry.first + ": the system has no part \"" + name +
+                         "\"; it has " + params::quoted(known) + ".");
+    }
+    for (const std::string& part : known)
+      TUNICA_CHECK(std::find(covered.begin(), covered.end(), part) != covered.end(),
+                   where + "no entry of \"Fields\" has the part \"" + part + "\".");
+  }
+
+  void sweep(const algebra::BlockVector& b, algebra::BlockVector& y) const {
+    const int n = static_cast<int>(fields_.size());
+    bool is_first = true;
+    const auto correct = [&](int f) {
+      algebra::BlockVector r(K_->space());
+      r.assign(b);
+      if (!is_first) subtract_product(y, r);
+      is_first = false;
+      fields_[f]->correct(damping_, r, y);
+    };
+    for (int s = 0; s < sweeps_; ++s) {
+      for (int f = 0; f < n; ++f) correct(f);
+      for (int f = n - 2; f >= 0 && is_symmetric_; --f) correct(f);
+    }
+  }
+
+  /// r ← r − K y.
+  void subtract_product(const algebra::BlockVector& y, algebra::BlockVector& r) const {
+    std::vector<Teuchos::RCP<MultiVector>> from, to;
+    for (int b = 0; b < K_->n_blocks(); ++b) {
+      from.push_back(Teuchos::rcp_const_cast<Vector>(y.block(b)));
+      to.push_back(r.block(b));
+    }
+    K_->apply_blocks(from, to, -1.0, 1.0);
+  }
+
+  algebra::Concatenation blocks_;
+  const algebra::BlockMatrix* K_;
+  int sweeps_;
+  double damping_;
+  bool is_symmetric_;
+  std::vector<std::unique_ptr<Field>> fields_;
+};
+
+class FieldSystem final : public PreconditionedSystem {
+public:
+  FieldSystem(const Teuchos::ParameterList& list, const algebra::BlockMatrix& K,
+              const NamedOperators& operators)
+      : blocks_(K.space()), matrix_(Teuchos::rcp(new algebra::ConcatenatedOperator(blocks_, K))),
+        sweeps_(Teuchos::rcp(new FieldSweeps(list, K, operators))) {}
+
+  Teuchos::RCP<const Map> map() const override { return blocks_.map(); }
+  Teuchos::RCP<const Operator> matrix() const override { return matrix_; }
+  Teuchos::RCP<const Operator> preconditioner() const override { return sweeps_; }
+  void refresh_matrix() override {}  // the operator reads the blocks themselves
+  void refresh_preconditioner() override { sweeps_->refresh(); }
+  void gather(const algebra::BlockVector& x, MultiVector& all) const override {
+    blocks_.gather(x, all);
+  }
+  void scatter(const MultiVector& all, algebra::BlockVector& x) const override {
+    blocks_.scatter(all, x);
+  }
+
+private:
+  algebra::Concatenation blocks_;
+  Teuchos::RCP<algebra::ConcatenatedOperator> matrix_;
+  Teuchos::RCP<FieldSweeps> sweeps_;
+};
+
+void check_list(const Teuchos::ParameterList& list, const std::string& path) {
+  if (!list.isSublist("Fields")) return;  // another preconditioner
+  TUNICA_CHECK(list.sublist("Fields").numParams() > 0,
+               path +
+                   " / Fields: expected at least one entry, e.g. \"wall\" with the parts wall "
+                   "and interface, and \"lumen\" with the part lumen.");
+}
+
+params::Table table_of(const SolverDefaults& defaults) {
+  params::Table field = inner_solver_table(defaults);
+  field
+      .names("parts", std::nullopt,
+             "the unknowns of the field, by the parts of the system that they stand in: \"wall\", "
+             "\"lumen\", and the \"interface\" between them; fields may share parts")
+      .text("own block of", "",
+            "\"wall\" or \"lumen\": take from the matrix of the vector unknowns only what this "
+            "part adds to it, as if the others were not tied to it; nothing: take all");
+  params::Table table;
+  table.integer("sweeps", 1, params::between(1, 1000), "sweeps over the fields")
+      .number("damping", 1.0, params::Range{0.0, 2.0, true, false}, "1",
+              "factor of each correction")
+      .flag("is symmetric", false, "go back through the fields in each sweep")
+      .entries("Fields", field,
+               "what is solved for in turn, in the order of the entries; together they have all "
+               "parts")
+      .check(check_list);
+  return table;
+}
+
+}  // namespace
+
+PreconditionerEntry field_preconditioner() {
+  return {"field by field", 8.0, table_of,
+          [](const Teuchos::ParameterList& list, const algebra::BlockMatrix& K,
+             const NamedOperators& operators) {
+            return std::make_unique<FieldSystem>(list, K, operators);
+          },
+          true};
+}
+
+}  // namespace tunica::linear
