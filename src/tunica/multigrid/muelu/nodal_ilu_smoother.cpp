@@ -1,8 +1,18 @@
 #include "tunica/multigrid/muelu/nodal_ilu_smoother.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "tunica/multigrid/muelu/validated_choice.hpp"
 
 namespace tunica::multigrid {
+
+namespace {
+
+// Of the power method: at first, and where matrix and direction are near to the last ones.
+constexpr int first_iterations = 8, later_iterations = 2;
+
+}  // namespace
 
 Teuchos::RCP<const Teuchos::ParameterList> NodalIluSmoother::GetValidParameterList() const {
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
@@ -11,6 +21,8 @@ Teuchos::RCP<const Teuchos::ParameterList> NodalIluSmoother::GetValidParameterLi
   list->set("damping", 1.0);
   list->set("fill", 0);
   list->set<std::string>("precision", "single");
+  list->set("most fill", 2);
+  list->set("spectral bound", 1.6);
   return list;
 }
 
@@ -20,20 +32,70 @@ void NodalIluSmoother::check(const Teuchos::ParameterList& list) const {
     throw std::invalid_argument("NodalIluSmoother: \"sweeps\" and \"damping\" must be positive.");
   if (list.get<int>("fill") < 0)
     throw std::invalid_argument("NodalIluSmoother: \"fill\" is negative.");
+  if (!(list.get<double>("spectral bound") >= 0.0))
+    throw std::invalid_argument("NodalIluSmoother: \"spectral bound\" is negative.");
 }
 
 void NodalIluSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout& numbering) {
-  const auto& list = GetParameterList();
+  K_ = &K;
+  numbering_ = numbering;
+  fill_ = GetParameterList().get<int>("fill");
+  make_factors();
+  refresh();
+}
+
+void NodalIluSmoother::make_factors() {
   factors_ = smoothers::make_node_ilu(
-      K, numbering,
-      {list.get<int>("fill"), list.get<std::string>("precision") == "single", hosts()});
+      *K_, numbering_,
+      {fill_, GetParameterList().get<std::string>("precision") == "single", hosts()});
+  direction_ = nullptr;
+}
+
+void NodalIluSmoother::refresh() {
+  const auto& list = GetParameterList();
+  const double bound = list.get<double>("spectral bound");
   factors_->refresh();
+  damping_ = list.get<double>("damping");
+  if (bound == 0.0) return;
+  double radius = spectral_radius(direction_ ? later_iterations : first_iterations);
+  while (radius > bound && fill_ < list.get<int>("most fill")) {
+    ++fill_;
+    make_factors();
+    factors_->refresh();
+    radius = spectral_radius(first_iterations);
+  }
+  if (std::isfinite(radius) && radius > 0.0)
+    damping_ = std::min(damping_, bound / radius);
+  else
+    direction_ = nullptr;
+}
+
+double NodalIluSmoother::spectral_radius(int iterations) {
+  if (!direction_) {
+    direction_ = std::make_shared<::tunica::MultiVector>(K_->getRowMap(), 1);
+    const auto start = direction_->getLocalViewHost(overwrite_all);
+    for (std::size_t i = 0; i < start.extent(0); ++i)  // no pattern that a mesh could have
+      start(i, 0) = std::sin(
+          78.233 * static_cast<double>(K_->getRowMap()->getGlobalElement(static_cast<int>(i))) +
+          1.0);
+  }
+  ::tunica::MultiVector &v = *direction_, zero(v.getMap(), 1), next(v.getMap(), 1);
+  double size = 0.0;
+  const Teuchos::ArrayView<double> norm(&size, 1);
+  v.norm2(norm);
+  for (int k = 0; k < iterations && size > 0.0; ++k) {
+    v.scale(1.0 / size);
+    next.assign(v);
+    factors_->smooth(1.0, zero, next);  // v − (L U)⁻¹ K v
+    v.update(-1.0, next, 1.0);
+    v.norm2(norm);
+  }
+  return size;
 }
 
 void NodalIluSmoother::sweep(int n, const ::tunica::MultiVector& b,
                              ::tunica::MultiVector& x) const {
-  const double damping = GetParameterList().get<double>("damping");
-  for (int i = 0; i < n; ++i) factors_->smooth(damping, b, x);
+  for (int i = 0; i < n; ++i) factors_->smooth(damping_, b, x);
 }
 
 void NodalIluSmoother::smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const {
@@ -42,7 +104,7 @@ void NodalIluSmoother::smooth(const ::tunica::MultiVector& b, ::tunica::MultiVec
 
 void NodalIluSmoother::smooth_from_zero(const ::tunica::MultiVector& b,
                                         ::tunica::MultiVector& x) const {
-  factors_->smooth_from_zero(GetParameterList().get<double>("damping"), b, x);
+  factors_->smooth_from_zero(damping_, b, x);
   sweep(GetParameterList().get<int>("sweeps") - 1, b, x);
 }
 

@@ -7,15 +7,21 @@
 namespace tunica::multigrid {
 
 /// "NodalIluSmoother" of a MueLu list, for mixed matrices: x += ω (L U)⁻¹ (b − K x) with the
-/// factors of NodeIlu. Its keys: "sweeps" (1), "damping" (1.0), "fill" (0), "precision" ("single",
-/// "double").
+/// factors of NodeIlu. Its keys: "sweeps" (1), "damping" (1.0), "fill" (0), "most fill" (2),
+/// "spectral bound" (1.6), "precision" ("single", "double").
+///
+/// Where stiffness outweighs inertia and elements are irregular, factors without fill overshoot:
+/// the spectral radius ρ of (L U)⁻¹ K exceeds 2, and sweeps diverge. ρ is estimated by power
+/// iterations at each set-up. As long as it is above "spectral bound" fill is added, up to "most
+/// fill"; ω is the lesser of "damping" and "spectral bound"/ρ. With "spectral bound" 0 nothing is
+/// estimated.
 class NodalIluSmoother : public MixedSmoother {
 public:
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
   Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>> Copy()
       const override;
   std::size_t getNodeSmootherComplexity() const override;
-  void refresh() override { factors_->refresh(); }
+  void refresh() override;
 
 private:
   void check(const Teuchos::ParameterList& list) const override;
@@ -25,7 +31,16 @@ private:
   void smooth_from_zero(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const override;
   void sweep(int n, const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const;
 
+  void make_factors();
+  /// Of (L U)⁻¹ K; begins where the last estimate ended.
+  double spectral_radius(int iterations);
+
+  const ::tunica::CrsMatrix* K_ = nullptr;
+  algebra::DofLayout numbering_;
+  int fill_ = 0;
   std::shared_ptr<smoothers::NodeIlu> factors_;
+  std::shared_ptr<::tunica::MultiVector> direction_;  ///< of the largest eigenvalue
+  double damping_ = 1.0;                              ///< ω
 };
 
 }  // namespace tunica::multigrid
