@@ -53,7 +53,7 @@ int check(const app::CommandLine& command) {
   if (is_foreign)
     systems::read_system(list.sublist("System"), comm);
   else
-    app::load_domain(list, comm);
+    app::check_directions(list, app::load_domain(list, comm));
   if (comm->getRank() == 0)
     std::cout << command.case_file << ": the case and its " << (is_foreign ? "files" : "mesh")
               << " are valid." << std::endl;

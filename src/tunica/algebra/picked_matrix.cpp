@@ -4,6 +4,7 @@
 
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/base/map_of.hpp"
+#include "tunica/base/trilinos.hpp"
 
 namespace tunica::algebra {
 
@@ -63,17 +64,40 @@ void PickedMatrix::refresh(const CrsMatrix& K) {
   matrix_->fillComplete(matrix_->getDomainMap(), matrix_->getRangeMap());
 }
 
+Teuchos::RCP<CrsMatrix> renumbered(const CrsMatrix& A) {
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const auto rows = Teuchos::rcp(new Map(unknown, n_local(*A.getRowMap()), 0, A.getComm()));
+  Vector numbers(A.getRowMap());
+  {
+    const auto view = numbers.getLocalViewHost(overwrite_all);
+    for (std::size_t i = 0; i < view.extent(0); ++i)
+      view(i, 0) = static_cast<Scalar>(rows->getGlobalElement(static_cast<int>(i)));
+  }
+  const Vector in_columns = on_columns(A, numbers);
+  const auto number = in_columns.getLocalViewHost(read_only);
+  std::vector<GlobalOrdinal> columns;
+  for (std::size_t c = 0; c < number.extent(0); ++c)
+    columns.push_back(static_cast<GlobalOrdinal>(number(c, 0)));
+  const auto local = A.getLocalMatrixDevice();
+  const auto result = Teuchos::rcp(new CrsMatrix(
+      rows, map_of(columns, A.getComm()), local.graph.row_map, local.graph.entries, local.values));
+  result->expertStaticFillComplete(rows, rows);
+  return result;
+}
+
 void pick_rows(const std::vector<int>& rows, const MultiVector& x, MultiVector& picked) {
   const auto from = x.getLocalViewHost(read_only);
   const auto to = picked.getLocalViewHost(overwrite_all);
-  for (std::size_t i = 0; i < rows.size(); ++i) to(i, 0) = from(rows[i], 0);
+  for (std::size_t j = 0; j < to.extent(1); ++j)
+    for (std::size_t i = 0; i < rows.size(); ++i) to(i, j) = from(rows[i], j);
 }
 
 void add_rows(const std::vector<int>& rows, double factor, const MultiVector& picked,
               MultiVector& x) {
   const auto from = picked.getLocalViewHost(read_only);
   const auto to = x.getLocalViewHost(read_write);
-  for (std::size_t i = 0; i < rows.size(); ++i) to(rows[i], 0) += factor * from(i, 0);
+  for (std::size_t j = 0; j < to.extent(1); ++j)
+    for (std::size_t i = 0; i < rows.size(); ++i) to(rows[i], j) += factor * from(i, j);
 }
 
 }  // namespace tunica::algebra

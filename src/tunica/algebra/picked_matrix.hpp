@@ -24,7 +24,11 @@ private:
 std::vector<int> flagged_rows(const Vector& flags);
 Teuchos::RCP<const Map> flagged_map(const Vector& flags);
 
-/// The values of these rows, x_s = R x, and x ← x + ω Rᵀ x_s.
+/// A square matrix with numbers without gaps, ascending with the ranks, as some packages want them.
+/// Rows keep their order on each rank. Shares the values. Collective.
+Teuchos::RCP<CrsMatrix> renumbered(const CrsMatrix& A);
+
+/// The values of these rows, x_s = R x, and x ← x + ω Rᵀ x_s, of all columns.
 void pick_rows(const std::vector<int>& rows, const MultiVector& x, MultiVector& picked);
 void add_rows(const std::vector<int>& rows, double factor, const MultiVector& picked,
               MultiVector& x);

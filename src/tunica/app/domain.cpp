@@ -17,6 +17,7 @@
 #include "tunica/mesh/read.hpp"
 #include "tunica/mesh/validate.hpp"
 #include "tunica/problems/fibre_frames.hpp"
+#include "tunica/problems/solid_problem.hpp"
 
 namespace tunica::app {
 
@@ -172,7 +173,7 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
     domain.fluid = fields::make_field_mesh(shares.mesh, partition, shares.fluid, comm);
   if (!shares.wall.empty())
     domain.wall = fields::make_field_mesh(shares.mesh, partition, shares.wall, comm);
-  if (list.isSublist("Coupling") && coupling::needs_common_mesh(list.sublist("Coupling"))) {
+  if (list.isSublist("Coupling") && coupling::is_monolithic(list.sublist("Coupling"))) {
     std::vector<int> all(shares.fluid);
     all.insert(all.end(), shares.wall.begin(), shares.wall.end());
     domain.common = fields::make_field_mesh(shares.mesh, partition, all, comm);
@@ -183,6 +184,10 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
     domain.interface.emplace(*domain.fluid, *domain.wall, domain.interface_surfaces);
   domain.probes = probes_of(list, domain);
   return domain;
+}
+
+void check_directions(const Teuchos::ParameterList& list, const Domain& domain) {
+  if (domain.wall) problems::frames_of_wall(list.sublist("Wall"), *domain.wall);
 }
 
 }  // namespace tunica::app

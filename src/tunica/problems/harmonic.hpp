@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "tunica/base/outcome.hpp"
 #include "tunica/discretisation/mesh_motion.hpp"
@@ -8,7 +9,8 @@
 
 namespace tunica::problems {
 
-/// Solves for harmonic functions; several with the same given nodes at once.
+/// Solves for harmonic functions; several with the same given nodes at once. The linear system is
+/// that of the free nodes, of which there may be few, or none.
 class Harmonic {
 public:
   /// solver: a resolved list of linear::scalar_solver_table(); extension: must outlive the object;
@@ -30,8 +32,9 @@ private:
   MultiVector right_side(const MultiVector& given) const;
 
   const discretisation::HarmonicExtension* extension_;
-  std::unique_ptr<linear::ScalarSolver> solver_;
-  MultiVector solution_;
+  std::vector<int> free_;                         ///< owned nodes
+  std::unique_ptr<linear::ScalarSolver> solver_;  ///< null where no rank has free nodes
+  MultiVector solution_;                          ///< at the free nodes
 };
 
 }  // namespace tunica::problems

@@ -6,18 +6,14 @@
 
 namespace tunica::problems {
 
-namespace {
-
-std::vector<materials::Frame> frames_of(const Teuchos::ParameterList& list,
-                                        const fields::FieldMesh& mesh) {
+std::vector<materials::Frame> frames_of_wall(const Teuchos::ParameterList& list,
+                                             const fields::FieldMesh& mesh) {
   if (!has_fibres(discretisation::solid_options(list))) return {};
   return fibre_frames(list.sublist("Fibre Frame"), mesh);
 }
 
-}  // namespace
-
 SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
-    : SolidProblem(std::make_unique<discretisation::Solid>(list, mesh, frames_of(list, mesh)),
+    : SolidProblem(std::make_unique<discretisation::Solid>(list, mesh, frames_of_wall(list, mesh)),
                    list) {}
 
 SolidProblem::SolidProblem(std::unique_ptr<discretisation::Solid> wall,

@@ -4,6 +4,11 @@
 
 namespace tunica::problems {
 
+/// The directions of each element of a wall that has a law with fibres; none for others. list: the
+/// resolved "Wall" list. Throws as fibre_frames(). Collective.
+std::vector<materials::Frame> frames_of_wall(const Teuchos::ParameterList& list,
+                                             const fields::FieldMesh& mesh);
+
 /// The wall over time: one Newton solve for displacement and pressure of each step.
 class SolidProblem final : public FieldProblem {
 public:

@@ -260,4 +260,17 @@ TEUCHOS_UNIT_TEST(fibre_frames, a_law_with_fibres_needs_a_frame_and_others_get_n
   TEST_ASSERT(without.elements().frames.empty());
 }
 
+// All vertices of a single layer lie on one of its sides: nothing is left to solve between them.
+TEUCHOS_UNIT_TEST(fibre_frames, one_layer_of_elements_is_enough) {
+  mesh::Tube shape = SmallTube::options();
+  shape.around = 24;
+  shape.axial = 12;
+  const mesh::Mesh mesh = mesh::make_tube(shape);
+  const auto partition = mesh::partition(mesh, test::world()->getSize(), {true, false, false});
+  const auto wall = fields::make_field_mesh(mesh, partition, {1}, test::world());
+  auto list = options("laplace");
+  list.set("outer surfaces", Teuchos::Array<std::string>({"layer"}));
+  TEST_COMPARE(largest_angle(frames(list, wall), frames(options("tube"), wall)), <, 10.0);
+}
+
 }  // namespace
