@@ -48,16 +48,20 @@ Outcome march_to_wanted(compare::SystemCapture& capture, coupling::Scheme& schem
   return Outcome::success();
 }
 
-Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
+Outcome march(const Teuchos::ParameterList& resolved, const app::Domain& domain,
               app::RunOutput& output) {
+  Teuchos::ParameterList list(resolved);
+  Teuchos::ParameterList& coupling = list.sublist("Coupling");
+  if (coupling::is_monolithic(coupling))
+    list.sublist("Solvers").set("coupling iteration", 1);  // there is one
+  else
+    coupling.set("halvings", 0);  // a system that cannot be solved is a result
+
   // 1. The coupled problem of the case, as in tunica_fsi.cpp.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
   problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid, domain.interface_surfaces,
                               fluid.time_scheme());
-  Teuchos::ParameterList coupling(list.sublist("Coupling"));
-  const bool has_iterations = coupling.isParameter("max iterations");
-  if (has_iterations) coupling.set("halvings", 0);  // a system that cannot be solved is a result
   const stepping::Clock clock(list.sublist("Time"));
   const std::unique_ptr<coupling::Scheme> scheme = coupling::make_scheme(
       coupling,
@@ -68,7 +72,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   const Teuchos::ParameterList& solvers = list.sublist("Solvers");
   const compare::SystemExport files(solvers.get<std::string>("export folder"), output.record, comm);
   compare::SolverTable table(list, output.folder, output.record, comm->getRank() == 0);
-  compare::SystemCapture capture(solvers, has_iterations, [&](const compare::LinearSystem& system) {
+  compare::SystemCapture capture(solvers, [&](const compare::LinearSystem& system) {
     files.write(system);
     files.write(system, table.run(system));
   });

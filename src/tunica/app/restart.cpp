@@ -56,7 +56,7 @@ void check_fit(const output::CheckpointFile& file, const std::string& path,
   if (list.isSublist("Coupling")) {
     const auto& scheme = list.sublist("Coupling").get<std::string>("scheme");
     TUNICA_CHECK(
-        file.has("coupling fluid states") == coupling::needs_common_mesh(list.sublist("Coupling")),
+        file.has("coupling fluid states") == coupling::is_monolithic(list.sublist("Coupling")),
         "--restart: " + path + " was made with another Coupling / scheme than \"" + scheme +
             "\". A run goes on with the one it began with.");
   }

@@ -43,7 +43,6 @@ params::Table output_table() {
 /// The wanted step and iteration must come to pass.
 void check_wish(const Teuchos::ParameterList& list, const std::string&) {
   const auto check = [&](const char* key, const std::string& where, const char* limit) {
-    if (!list.sublist(where).isParameter(limit)) return;  // a monolithic scheme
     const int wanted = list.sublist("Solvers").get<int>(key);
     const int most = list.sublist(where).get<int>(limit);
     TUNICA_CHECK(wanted <= most || most == 0,
@@ -51,7 +50,8 @@ void check_wish(const Teuchos::ParameterList& list, const std::string&) {
                      where + " / " + limit + " is " + std::to_string(most) + ".");
   };
   check("step", "Time", "steps");
-  check("coupling iteration", "Coupling", "max iterations");
+  if (!coupling::is_monolithic(list.sublist("Coupling")))
+    check("coupling iteration", "Coupling", "max iterations");
 }
 
 /// Walls are not sought in pseudo-time, which has no instants at which fields could be wanted.

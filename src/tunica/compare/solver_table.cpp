@@ -96,7 +96,7 @@ std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,
 
 std::map<std::string, std::vector<SolverSetting>> all_settings(const Teuchos::ParameterList& list) {
   if (list.isSublist("System")) return {{"system", settings_of(list, "Settings")}};
-  if (coupling::needs_common_mesh(list.sublist("Coupling")))
+  if (coupling::is_monolithic(list.sublist("Coupling")))
     return {{"system", settings_of(list, "System")}};
   return {{"fluid", settings_of(list, "Fluid")}, {"wall", settings_of(list, "Wall")}};
 }

@@ -15,9 +15,9 @@ void add_capture_keys(params::Table& table) {
               "whose Jacobians; a monolithic scheme has those of the whole");
 }
 
-SystemCapture::SystemCapture(const Teuchos::ParameterList& solvers, bool has_iterations, Show show)
+SystemCapture::SystemCapture(const Teuchos::ParameterList& solvers, Show show)
     : wanted_step_(solvers.get<int>("step")),
-      wanted_iteration_(has_iterations ? solvers.get<int>("coupling iteration") : 1),
+      wanted_iteration_(solvers.get<int>("coupling iteration")),
       wanted_newton_step_(solvers.get<int>("newton step")),
       wanted_field_(solvers.get<std::string>("field")), show_(std::move(show)) {}
 

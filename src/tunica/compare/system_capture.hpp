@@ -17,9 +17,8 @@ class SystemCapture {
 public:
   using Show = std::function<void(const LinearSystem&)>;
 
-  /// solvers: the resolved "Solvers" list; has_iterations: a step may have several coupling
-  /// iterations.
-  SystemCapture(const Teuchos::ParameterList& solvers, bool has_iterations, Show show);
+  /// solvers: the resolved "Solvers" list.
+  SystemCapture(const Teuchos::ParameterList& solvers, Show show);
 
   SystemCapture(const SystemCapture&) = delete;
   SystemCapture& operator=(const SystemCapture&) = delete;

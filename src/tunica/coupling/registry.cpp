@@ -12,7 +12,7 @@ namespace {
 /// A scheme, as XML names it.
 struct Entry {
   std::string name;
-  bool needs_common_mesh;
+  bool is_monolithic;
   params::Table (*table)();
   std::unique_ptr<Scheme> (*make)(const Teuchos::ParameterList&, const CoupledFields&);
 };
@@ -57,9 +57,7 @@ params::Table coupling_table() {
   return table;
 }
 
-bool needs_common_mesh(const Teuchos::ParameterList& list) {
-  return scheme_of(list).needs_common_mesh;
-}
+bool is_monolithic(const Teuchos::ParameterList& list) { return scheme_of(list).is_monolithic; }
 
 std::unique_ptr<Scheme> make_scheme(const Teuchos::ParameterList& list,
                                     const CoupledFields& fields) {

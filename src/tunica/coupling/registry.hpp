@@ -12,13 +12,14 @@ struct CoupledFields {
   problems::FluidProblem& fluid;
   problems::SolidProblem& wall;
   problems::MeshMotion& motion;
-  const fields::FieldMesh* mesh;  ///< of both; null unless needs_common_mesh()
+  const fields::FieldMesh* mesh;  ///< of both; null unless is_monolithic()
 };
 
 /// Every scheme's keys: the "Coupling" list.
 params::Table coupling_table();
-/// The scheme of the resolved list solves for unknowns on the mesh of both fields.
-bool needs_common_mesh(const Teuchos::ParameterList& list);
+/// The scheme of the resolved list solves for both fields at once, on the mesh of both; a step has
+/// no coupling iterations.
+bool is_monolithic(const Teuchos::ParameterList& list);
 std::unique_ptr<Scheme> make_scheme(const Teuchos::ParameterList& list,
                                     const CoupledFields& fields);
 
