@@ -10,7 +10,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.ticker import MaxNLocator
 
 from report.run_data import rows_where
-from report.section import Section, norm_of, plane_through, von_mises
+from report.section import Section, name_of_axis, norm_of, plane_through, section_axes, von_mises
 
 COLOUR = {"fluid": "#1f6fb4", "wall": "#c0392b", "system": "#2e7d32", "": "#333333"}
 DPI = 150
@@ -91,14 +91,16 @@ def _quantity(run, group, grid, quantity):
 
 
 def _cuts(run, outputs, quantity, factor):
-    """Per output a dictionary grid -> (section, (colours, whether they are at corners))."""
+    """Per output a dictionary grid -> (section, (colours, whether they are at corners)); and the axes."""
     meshes = {grid: run.geometry(grid) for grid in run.grids()}
-    plane = plane_through(np.concatenate([points for points, _ in meshes.values()]))
+    all_points = np.concatenate([points for points, _ in meshes.values()])
+    turn = section_axes(all_points).T
+    plane = plane_through(all_points @ turn)
     result = []
     for _, group in outputs:
         row = {}
         for grid, (points, tets) in meshes.items():
-            cut = Section(points, tets, plane, factor * run.displacement(group, grid))
+            cut = Section(points @ turn, tets, plane, factor * run.displacement(group, grid) @ turn)
             values = _quantity(run, group, grid, quantity)
             if values is None or cut.is_empty():
                 continue
@@ -106,7 +108,7 @@ def _cuts(run, outputs, quantity, factor):
             colours = cut.at_corners(values) if at_points else values[cut.parents]
             row[grid] = (cut, (colours, at_points))
         result.append(row)
-    return result
+    return result, (name_of_axis(turn[:, 1], "across"), name_of_axis(turn[:, 2], "along"))
 
 
 def _norm(cuts, grid):
@@ -142,13 +144,13 @@ def _scales(run, outputs, quantity):
 
 
 def section(run, outputs, quantity, factor):
-    cuts = _cuts(run, outputs, quantity, factor)
+    cuts, names = _cuts(run, outputs, quantity, factor)
     scales = _scales(run, outputs, quantity)
     present = [g for g in ("fluid", "wall") if any(g in row for row in cuts)]
     if not present or (quantity != "wall" and "fluid" not in present):
         return None
     norms = {g: _norm(cuts, g) for g in present}
-    canvas, rows = _section_rows(cuts, len(present))
+    canvas, rows = _section_rows(cuts, len(present), names)
     for axes, row, (time, _) in zip(rows, cuts, outputs):
         for grid, (cut, values) in row.items():
             _paint(axes, cut, values, norms[grid], scales[grid][1])
@@ -165,21 +167,21 @@ def section(run, outputs, quantity, factor):
                           f"Cut through the deformed configuration, {drawn}; the same colours at all times.")
 
 
-def _section_rows(cuts, bars):
-    """A figure with one row per cut, all with the same limits and true proportions."""
+def _section_rows(cuts, bars, names):
+    """A figure with one row per cut, all with the same limits and true proportions; names: of its axes."""
     z = np.concatenate([c.z for row in cuts for c, _ in row.values()])
     y = np.concatenate([c.y for row in cuts for c, _ in row.values()])
     pad_z, pad_y = 0.02 * np.ptp(z), 0.06 * np.ptp(y)
     width = 11.0
-    height = np.clip((width - 0.7 - 1.0 * bars) * np.ptp(y) / np.ptp(z), 0.6, 4.0)
+    height = np.clip((width - 0.7 - 1.0 * bars) * np.ptp(y) / np.ptp(z), 0.6, 7.0)
     canvas, rows = plt.subplots(len(cuts), 1, sharex=True, squeeze=False, layout="constrained",
                                 figsize=(width, len(cuts) * (height + 0.35) + 1.1))
     for axes in rows[:, 0]:
         axes.grid(False)
         axes.set(xlim=(z.min() - pad_z, z.max() + pad_z), ylim=(y.min() - pad_y, y.max() + pad_y),
-                 ylabel="y [mm]", aspect="equal")
+                 ylabel=f"{names[0]} [mm]", aspect="equal")
         axes.yaxis.set_major_locator(MaxNLocator(nbins=5, steps=[1, 2, 5, 10]))
-    rows[-1, 0].set_xlabel("z [mm]")
+    rows[-1, 0].set_xlabel(f"{names[1]} [mm]")
     return canvas, list(rows[:, 0])
 
 

@@ -1,4 +1,4 @@
-"""The cut of a tetrahedral mesh by the plane x = const."""
+"""The cut of a tetrahedral mesh by a plane, x = const in axes that are chosen for it."""
 import numpy as np
 
 _EDGES = np.array([(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)])
@@ -75,14 +75,48 @@ class Section:
         return np.stack([self.z[sides], self.y[sides]], axis=2)
 
 
+def section_axes(points):
+    """Rows: the normal of the plane that shows most of a vessel, and the directions up and along in it.
+
+    Along is where the points spread most, the normal where they do least: a plane that follows all
+    branches. Round vessels keep the normal x, or what is nearest to it. Axes nearly those of the mesh are
+    these.
+    """
+    spread, directions = np.linalg.eigh(np.cov((points - points.mean(axis=0)).T))
+    along = _snapped(directions[:, 2])
+    if spread[1] < 1.2 * spread[0]:  # round
+        x = np.array([1.0, 0.0, 0.0]) if abs(along[0]) < 0.9 else np.array([0.0, 1.0, 0.0])
+        normal = x - (x @ along) * along
+    else:
+        normal = _snapped(directions[:, 0])
+        normal = normal - (normal @ along) * along
+    normal = normal / np.linalg.norm(normal)
+    up = np.cross(along, normal)
+    return np.array([normal, up if up[np.argmax(abs(up))] > 0 else -up, along])
+
+
+def _snapped(direction):
+    """Of unit length, its largest component positive; an axis where it is one within 3 degrees."""
+    largest = np.argmax(abs(direction))
+    direction = direction * np.sign(direction[largest])
+    return np.eye(3)[largest] if direction[largest] > np.cos(np.radians(3.0)) else direction
+
+
+def name_of_axis(direction, otherwise):
+    largest = np.argmax(abs(direction))
+    return "xyz"[largest] if abs(direction[largest]) > 1.0 - 1e-9 else otherwise
+
+
 def plane_through(points):
-    """x = 0 if that is inside the mesh, else the nearest plane inside (symmetric halves).
+    """x = 0 if that is inside the mesh or bounds it (symmetric halves), else the middle.
 
     A little beside it: vertices meant to lie on x = 0 do so up to round-off only, and must
     all fall on the same side.
     """
     low, high = points[:, 0].min(), points[:, 0].max()
     margin = 1e-6 * max(high - low, 1e-300)
+    if low > margin or high < -margin:
+        return float(0.5 * (low + high) + margin)
     return float(np.clip(margin, low + margin, high - margin))
 
 

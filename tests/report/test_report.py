@@ -9,9 +9,13 @@ import unittest
 
 from matplotlib import image
 
+import numpy as np
+
 from synthetic_run import write_run, write_solver_run
 
 PROGRAM, SCRATCH = sys.argv[1], sys.argv[2]
+sys.path.insert(0, os.path.dirname(os.path.realpath(PROGRAM)))  # as the program does
+from report.section import name_of_axis, plane_through, section_axes  # noqa: E402
 ALL = {"section_velocity.png", "section_pressure.png", "radial_displacement.png", "coupling.png",
        "iterations.png", "newton.png", "observables.png"}
 
@@ -22,6 +26,33 @@ SOLVERS = {"newton.png", "krylov_fluid.png", "krylov_wall.png"}
 def report(folder, *options):
     environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY", "MPLBACKEND")}
     return subprocess.run([PROGRAM, folder, *options], capture_output=True, text=True, env=environment)
+
+
+def box(*sizes):
+    """Points of a grid about the origin."""
+    return np.array(np.meshgrid(*[np.linspace(-s, s, 5) for s in sizes])).reshape(3, -1).T
+
+
+class SectionPlane(unittest.TestCase):
+    def test_round_vessel_is_cut_across_x(self):
+        self.assertTrue(np.allclose(section_axes(box(1, 1, 9)), np.eye(3)[[0, 1, 2]]))
+
+    def test_flat_vessel_is_cut_where_it_shows_most(self):
+        axes = section_axes(box(5, 1, 9))
+        self.assertTrue(np.allclose(axes, np.eye(3)[[1, 0, 2]]))
+        self.assertEqual([name_of_axis(axes[k], "along") for k in (1, 2)], ["x", "z"])
+
+    def test_vessel_across_the_axes_is_followed(self):
+        turn = np.array([[0.8, 0, 0.6], [0, 1, 0], [-0.6, 0, 0.8]])
+        axes = section_axes(box(1, 4, 9) @ turn.T + (50, 0, 0))
+        self.assertTrue(np.allclose(axes[2], turn @ (0, 0, 1)))
+        self.assertTrue(np.allclose(abs(axes[0] @ turn @ (1, 0, 0)), 1))
+        self.assertEqual(name_of_axis(axes[2], "along"), "along")
+
+    def test_plane_is_that_of_symmetry_or_the_middle(self):
+        points = box(1, 1, 9)
+        for shift, plane in ((0, 0), (0.5, 0), (1, 0), (50, 50), (-50, -50)):
+            self.assertAlmostEqual(plane_through(points + (shift, 0, 0)), plane, places=4)
 
 
 class Report(unittest.TestCase):
