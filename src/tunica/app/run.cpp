@@ -131,8 +131,10 @@ int solve(const Program& program, const CommandLine& command, const March& march
   std::optional<Restart> restart;
   if (command.restart) restart = find_restart(list, domain);
   if (restart && is_over(restart->head, list, *comm)) return exit_done;
-  if (command.dry_run) check_directions(list, domain);
-  if (command.dry_run) return exit_done;
+  if (command.dry_run) {
+    check_directions(list, domain);
+    return exit_done;
+  }
   linear::check_direct_solver(comm);
   RunOutput output(program, command, list, comm, restart);
   output.fingerprint = domain.fingerprint;

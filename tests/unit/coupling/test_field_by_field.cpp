@@ -223,6 +223,8 @@ TEUCHOS_UNIT_TEST(field_by_field, refuses_parts_that_are_unknown_or_left_out) {
   TEST_ASSERT(
       message(solver({field(wall)})).find("no entry of \"Fields\" has the part \"lumen\"") !=
       std::string::npos);
+  TEST_ASSERT(message(solver({field(wall, "interface"), field(lumen)}))
+                  .find("no own block of \"interface\"") != std::string::npos);
   auto gmres = solver({field(wall), field(lumen)});
   gmres.set("method", std::string("gmres"));
   TEST_ASSERT(message(gmres).find("field by field") != std::string::npos);

@@ -7,6 +7,7 @@
 #include "tunica/algebra/concatenation.hpp"
 #include "tunica/algebra/sub_system.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/linear/concatenated_system.hpp"
 #include "tunica/linear/linear_solver.hpp"
 #include "tunica/params/nearest.hpp"
 
@@ -48,7 +49,9 @@ public:
   // NamedOperators: those of the whole system, restricted
   std::vector<std::string> operator_names() const override { return operators_->operator_names(); }
   Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override {
-    return system_.pick(*operators_->assemble_operator(name));
+    const Teuchos::RCP<const CrsMatrix> whole = operators_->assemble_operator(name);
+    if (whole.is_null()) return Teuchos::null;
+    return system_.pick(*whole);
   }
 
 private:
@@ -70,7 +73,7 @@ public:
       : blocks_(K.space()), K_(&K), sweeps_(list.get<int>("sweeps")),
         damping_(list.get<double>("damping")), is_symmetric_(list.get<bool>("is symmetric")) {
     const Teuchos::ParameterList& fields = list.sublist("Fields");
-    check_parts(fields, K.space()->parts());
+    check_parts(fields, K.space()->parts(), operators.operator_names());
     for (const auto& entry : fields)
       fields_.push_back(std::make_unique<Field>(fields.sublist(entry.first), K, operators));
   }
@@ -95,31 +98,38 @@ public:
   Teuchos::RCP<const Map> getRangeMap() const override { return blocks_.map(); }
 
 private:
+  static bool has(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+
   static void check_parts(const Teuchos::ParameterList& fields,
-                          const std::vector<std::string>& known) {
+                          const std::vector<std::string>& known,
+                          const std::vector<std::string>& operators) {
     const std::string where = "the preconditioner \"field by field\": ";
     std::vector<std::string> covered;
     for (const auto& entry : fields) {
       const Teuchos::ParameterList& field = fields.sublist(entry.first);
-      auto names = strings(field, "parts");
+      const auto names = strings(field, "parts");
       covered.insert(covered.end(), names.begin(), names.end());
-      if (const auto& own = field.get<std::string>("own block of"); !own.empty())
-        names.push_back(own);
       for (const std::string& name : names)
-        TUNICA_CHECK(std::find(known.begin(), known.end(), name) != known.end(),
-                     where + "Fields / " + entry.first + ": the system has no part \"" + name +
-                         "\"; it has " + params::quoted(known) + ".");
+        TUNICA_CHECK(has(known, name), where + "Fields / " + entry.first +
+                                           ": the system has no part \"" + name + "\"; it has " +
+                                           params::quoted(known) + ".");
+      const auto& own = field.get<std::string>("own block of");
+      TUNICA_CHECK(
+          own.empty() || has(operators, own_block_of(own)),
+          where + "Fields / " + entry.first + ": the system has no own block of \"" + own + "\".");
     }
     for (const std::string& part : known)
-      TUNICA_CHECK(std::find(covered.begin(), covered.end(), part) != covered.end(),
+      TUNICA_CHECK(has(covered, part),
                    where + "no entry of \"Fields\" has the part \"" + part + "\".");
   }
 
   void sweep(const algebra::BlockVector& b, algebra::BlockVector& y) const {
     const int n = static_cast<int>(fields_.size());
     bool is_first = true;
+    algebra::BlockVector r(K_->space());
     const auto correct = [&](int f) {
-      algebra::BlockVector r(K_->space());
       r.assign(b);
       if (!is_first) subtract_product(y, r);
       is_first = false;
@@ -147,31 +157,6 @@ private:
   double damping_;
   bool is_symmetric_;
   std::vector<std::unique_ptr<Field>> fields_;
-};
-
-class FieldSystem final : public PreconditionedSystem {
-public:
-  FieldSystem(const Teuchos::ParameterList& list, const algebra::BlockMatrix& K,
-              const NamedOperators& operators)
-      : blocks_(K.space()), matrix_(Teuchos::rcp(new algebra::ConcatenatedOperator(blocks_, K))),
-        sweeps_(Teuchos::rcp(new FieldSweeps(list, K, operators))) {}
-
-  Teuchos::RCP<const Map> map() const override { return blocks_.map(); }
-  Teuchos::RCP<const Operator> matrix() const override { return matrix_; }
-  Teuchos::RCP<const Operator> preconditioner() const override { return sweeps_; }
-  void refresh_matrix() override {}  // the operator reads the blocks themselves
-  void refresh_preconditioner() override { sweeps_->refresh(); }
-  void gather(const algebra::BlockVector& x, MultiVector& all) const override {
-    blocks_.gather(x, all);
-  }
-  void scatter(const MultiVector& all, algebra::BlockVector& x) const override {
-    blocks_.scatter(all, x);
-  }
-
-private:
-  algebra::Concatenation blocks_;
-  Teuchos::RCP<algebra::ConcatenatedOperator> matrix_;
-  Teuchos::RCP<FieldSweeps> sweeps_;
 };
 
 void check_list(const Teuchos::ParameterList& list, const std::string& path) {
@@ -209,7 +194,8 @@ PreconditionerEntry field_preconditioner() {
   return {"field by field", 8.0, table_of,
           [](const Teuchos::ParameterList& list, const algebra::BlockMatrix& K,
              const NamedOperators& operators) {
-            return std::make_unique<FieldSystem>(list, K, operators);
+            return std::make_unique<ConcatenatedSystem<FieldSweeps>>(
+                K, Teuchos::rcp(new FieldSweeps(list, K, operators)));
           },
           true};
 }

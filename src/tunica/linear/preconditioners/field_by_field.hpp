@@ -4,8 +4,8 @@
 namespace tunica::linear {
 
 /// "field by field": block Gauss-Seidel over the parts of a coupled system, each with a linear
-/// solver of its own. The first application of its make() throws tunica::Error for parts that the
-/// system lacks or that no entry has.
+/// solver of its own. Its make() throws tunica::Error for parts that the system lacks or that no
+/// entry has.
 PreconditionerEntry field_preconditioner();
 
 }  // namespace tunica::linear
