@@ -37,7 +37,7 @@ stepping::StepControl step_control(const Teuchos::ParameterList& list) {
   const stepping::StepControlOptions options = stepping::step_control_options(time);
   const bool hits_kinks = options.is_adaptive && time.get<bool>("hit kinks");
   return {
-      options, hits_kinks ? stepping::kinks(list) : std::vector<double>(),
+      options, hits_kinks ? stepping::kinks(list, options.end) : std::vector<double>(),
       options.pseudo_time ? std::vector<double>() : asked_for(list.sublist("Output"), options.end)};
 }
 

@@ -47,8 +47,40 @@ Samples samples_of(const Teuchos::ParameterList& options) {
           options.get<Teuchos::Array<double>>("values").toVector()};
 }
 
+bool has_samples(const Teuchos::ParameterList& options) {
+  return options.isParameter("interpolation");
+}
+
+/// What a periodic table has within one period, and the first value once more where that ends.
+void close_period(double period, Samples& s) {
+  if (s.times.back() < s.times.front() + period * (1.0 - 1e-12)) {
+    s.times.push_back(s.times.front() + period);
+    s.values.push_back(s.values.front());
+  }
+}
+
+void check_period(const Teuchos::ParameterList& options, const std::string& path, Samples s) {
+  const double period = options.get<double>("period");
+  const bool is_spline = options.get<std::string>("interpolation") == "spline";
+  if (period > 0.0) {
+    const double span = s.times.back() - s.times.front();
+    std::ostringstream message;
+    message << path << ": the times span " << span << " ms, more than the period of " << period
+            << " ms.";
+    TUNICA_CHECK(span <= period * (1.0 + 1e-12), message.str());
+    close_period(period, s);
+    const auto [low, high] = std::minmax_element(s.values.begin(), s.values.end());
+    TUNICA_CHECK(
+        options.get<std::string>("interpolation") == "steps" ||
+            std::abs(s.values.back() - s.values.front()) <= 1e-9 * (*high - *low),
+        path + ": the last time lies a period behind the first one, but the values differ.");
+  }
+  TUNICA_CHECK(!is_spline || s.times.size() >= (period > 0.0 ? 3U : 2U),
+               path + ": a spline needs more times.");
+}
+
 void check_samples(const Teuchos::ParameterList& options, const std::string& path) {
-  if (options.get<std::string>("kind") == "constant") return;
+  if (!has_samples(options)) return;
   const Samples s = samples_of(options);
   TUNICA_CHECK(!s.times.empty(), path + ": the table is empty, expected at least one time.");
   TUNICA_CHECK(s.times.size() == s.values.size(), path + ": " + std::to_string(s.times.size()) +
@@ -60,24 +92,52 @@ void check_samples(const Teuchos::ParameterList& options, const std::string& pat
             << s.times[i - 1] << " ms.";
     TUNICA_CHECK(s.times[i] > s.times[i - 1], message.str());
   }
+  check_period(options, path, s);
 }
 
-bool is_amplitude(const Teuchos::ParameterList& list) {
-  return list.isParameter("kind") && list.isParameter("interpolation");
+bool is_file(const Teuchos::ParameterList& list) {
+  return list.isParameter("kind") && has_samples(list) && list.get<std::string>("kind") == "file";
+}
+
+std::vector<double> numbers(const Teuchos::ParameterList& options, const std::string& key) {
+  return options.get<Teuchos::Array<double>>(key).toVector();
+}
+
+/// Time since the beginning of a period, which itself counts as its end where at_end.
+double within(double time, double begin, double period, bool at_end) {
+  double since = std::fmod(time - begin, period);
+  if (since < 0.0) since += period;
+  // Round-off in n Δt must not push a step past its end.
+  const double slack = 1e-9 * std::max(std::abs(time), period);
+  if (at_end && since <= slack) since = period;
+  if (!at_end && since >= period - slack) since = 0.0;
+  return since;
 }
 
 }  // namespace
 
 TimeFunction::TimeFunction(const Teuchos::ParameterList& options) {
-  if (options.get<std::string>("kind") == "constant") return;
-  const Samples samples = samples_of(options);
+  const auto& kind = options.get<std::string>("kind");
+  if (kind == "constant") return;
+  period_ = options.get<double>("period");
+  if (kind == "fourier") {
+    kind_ = Kind::fourier;
+    mean_ = options.get<double>("mean");
+    cosines_ = numbers(options, "cosines");
+    sines_ = numbers(options, "sines");
+    return;
+  }
+  Samples samples = samples_of(options);
+  if (period_ > 0.0) close_period(period_, samples);
   times_ = samples.times;
   values_ = samples.values;
-  has_steps_ = options.get<std::string>("interpolation") == "steps";
+  const auto& between = options.get<std::string>("interpolation");
+  kind_ = between == "steps" ? Kind::steps : between == "spline" ? Kind::spline : Kind::linear;
+  if (kind_ == Kind::spline) spline_ = Spline(times_, values_, period_ > 0.0);
 }
 
 void inline_files(Teuchos::ParameterList& list) {
-  if (is_amplitude(list) && list.get<std::string>("kind") == "file") {
+  if (is_file(list)) {
     const Samples samples = read_samples(list.get<std::string>("file"));
     list.set("kind", "table");
     list.set("times", Teuchos::Array<double>(samples.times));
@@ -89,62 +149,105 @@ void inline_files(Teuchos::ParameterList& list) {
 }
 
 double TimeFunction::operator()(double time) const {
-  if (times_.empty()) return 1.0;
+  if (kind_ == Kind::constant) return 1.0;
+  if (kind_ == Kind::fourier) {
+    double sum = mean_;
+    const double phase = 2.0 * M_PI / period_ * within(time, 0.0, period_, false);
+    for (std::size_t k = 0; k < cosines_.size(); ++k)
+      sum += cosines_[k] * std::cos(double(k + 1) * phase);
+    for (std::size_t k = 0; k < sines_.size(); ++k)
+      sum += sines_[k] * std::sin(double(k + 1) * phase);
+    return sum;
+  }
+  if (period_ == 0.0) return in_table(time);
+  return in_table(times_.front() + within(time, times_.front(), period_, kind_ == Kind::steps));
+}
+
+double TimeFunction::in_table(double time) const {
   const double slack = 1e-9 * std::max(std::abs(time), std::abs(times_.back()));
-  if (has_steps_) {
+  if (kind_ == Kind::steps) {
     // Round-off in n Δt must not push a step past its end.
     const auto next = std::lower_bound(times_.begin(), times_.end(), time - slack);
     return values_[next == times_.begin() ? 0 : next - times_.begin() - 1];
   }
   if (time <= times_.front()) return values_.front();
   if (time >= times_.back()) return values_.back();
+  if (kind_ == Kind::spline) return spline_(time);
   const std::size_t i = std::upper_bound(times_.begin(), times_.end(), time) - times_.begin();
   const double s = (time - times_[i - 1]) / (times_[i] - times_[i - 1]);
   return (1.0 - s) * values_[i - 1] + s * values_[i];
 }
 
-std::vector<double> TimeFunction::kinks() const {
+std::vector<double> TimeFunction::kinks_of_table() const {
   std::vector<double> found;
-  double slope = 0.0;  // before the first time
-  for (std::size_t i = 0; i < times_.size(); ++i) {
-    const bool is_end = i + 1 == times_.size();
-    const double next = is_end ? 0.0 : (values_[i + 1] - values_[i]) / (times_[i + 1] - times_[i]);
-    const bool jumps = i > 0 && values_[i] != values_[i - 1];
+  if (kind_ != Kind::linear && kind_ != Kind::steps) return found;
+  const std::size_t n = times_.size();
+  const auto slope_behind = [&](std::size_t i) {
+    return i + 1 == n ? 0.0 : (values_[i + 1] - values_[i]) / (times_[i + 1] - times_[i]);
+  };
+  const bool is_periodic = period_ > 0.0;
+  double slope = is_periodic && n > 1 ? slope_behind(n - 2) : 0.0;  // before the first time
+  for (std::size_t i = 0; i < (is_periodic ? n - 1 : n); ++i) {
+    const double next = slope_behind(i);
+    const double before = i > 0 ? values_[i - 1] : is_periodic ? values_[n - 2] : values_[0];
     // Slopes that round-off alone tells apart are no kink.
     const double difference = std::abs(next - slope);
     const bool bends = difference > 1e-9 * std::max(std::abs(next), std::abs(slope));
-    if (has_steps_ ? jumps : bends) found.push_back(times_[i]);
+    if (kind_ == Kind::steps ? values_[i] != before : bends) found.push_back(times_[i]);
     slope = next;
   }
   return found;
 }
 
-std::vector<double> kinks(const Teuchos::ParameterList& list) {
+std::vector<double> TimeFunction::kinks(double end) const {
+  const std::vector<double> once = kinks_of_table();
+  if (period_ == 0.0 || once.empty()) return once;
   std::vector<double> all;
-  if (is_amplitude(list)) all = TimeFunction(list).kinks();
+  const double first = std::floor(-times_.front() / period_);
+  for (double k = first; once.front() + k * period_ <= end; ++k)
+    for (const double time : once) all.push_back(time + k * period_);
+  return all;
+}
+
+std::vector<double> kinks(const Teuchos::ParameterList& list, double end) {
+  std::vector<double> all;
+  if (list.isParameter("kind") && has_samples(list)) all = TimeFunction(list).kinks(end);
   for (auto it = list.begin(); it != list.end(); ++it) {
     if (!list.isSublist(list.name(it))) continue;
-    const std::vector<double> inner = kinks(list.sublist(list.name(it)));
+    const std::vector<double> inner = kinks(list.sublist(list.name(it)), end);
     all.insert(all.end(), inner.begin(), inner.end());
   }
   return all;
 }
 
 params::Table time_function_table() {
-  const auto interpolation = [](params::Table& table) {
-    table.choice("interpolation", "linear", {"linear", "steps"},
-                 "between the times: linear, or the value of the last time passed");
+  const auto of_samples = [](params::Table& table) {
+    table
+        .choice("interpolation", "linear", {"linear", "spline", "steps"},
+                "between the times: linear, a cubic spline, or the value of the last time passed")
+        .number(
+            "period", 0.0, params::non_negative(), "ms",
+            "after which the table is repeated, for all times; the times span no more; 0: it is "
+            "not, and its first and last values hold before and after");
   };
-  params::Table arrays, file;
+  params::Table arrays, file, fourier;
   arrays.numbers("times", std::nullopt, params::any(), 0, "ms", "increasing times")
       .numbers("values", std::nullopt, params::any(), 0, "1", "factor at each time");
-  interpolation(arrays);
+  of_samples(arrays);
   file.file("file", std::nullopt, "text file with a time and a value on each line");
-  interpolation(file);
+  of_samples(file);
+  fourier.number("period", std::nullopt, params::positive(), "ms", "of the first harmonic")
+      .number("mean", 0.0, params::any(), "1",
+              "a_0 of a_0 + sum a_k cos(2 pi k t/T) + b_k sin(...)")
+      .numbers("cosines", std::vector<double>{}, params::any(), 0, "1", "a_1, a_2, ...")
+      .numbers("sines", std::vector<double>{}, params::any(), 0, "1", "b_1, b_2, ...");
   params::Table table("Factor that depends on time.");
   table
       .variant("kind", "constant",
-               {{"constant", params::Table("one at all times")}, {"table", arrays}, {"file", file}},
+               {{"constant", params::Table("one at all times")},
+                {"table", arrays},
+                {"file", file},
+                {"fourier", fourier}},
                "where the factor comes from")
       .check(check_samples);
   return table;

@@ -2,12 +2,14 @@
 #include <vector>
 
 #include "tunica/params/table.hpp"
+#include "tunica/stepping/spline.hpp"
 
 namespace tunica::stepping {
 
-/// A factor that depends on time: constant one, or a table with linear interpolation or with
-/// steps. Before the first and after the last time of a table its end values hold. With steps
-/// a value holds from its time (exclusive) to the next one (inclusive).
+/// A factor that depends on time: constant one, a Fourier series, or a table with linear or smooth
+/// interpolation or with steps. Before the first and after the last time of a table its end values
+/// hold, unless it has a period, with which it is repeated for all times. With steps a value holds
+/// from its time (exclusive) to the next one (inclusive).
 class TimeFunction {
 public:
   TimeFunction() = default;
@@ -15,19 +17,30 @@ public:
   explicit TimeFunction(const Teuchos::ParameterList& options);
 
   double operator()(double time) const;
-  /// Where it jumps or its slope does.
-  std::vector<double> kinks() const;
+  /// Where it jumps or its slope does, up to a time.
+  std::vector<double> kinks(double end) const;
+  /// Of the repetition [ms]; 0 where there is none.
+  double period() const { return period_; }
 
 private:
+  double in_table(double time) const;
+  std::vector<double> kinks_of_table() const;
+
+  enum class Kind { constant, linear, steps, spline, fourier };
+  Kind kind_ = Kind::constant;
+  double period_ = 0.0;
+  /// Of a periodic table they span the period, the last value being the first one again.
   std::vector<double> times_;
   std::vector<double> values_;
-  bool has_steps_ = false;
+  Spline spline_;
+  double mean_ = 0.0;
+  std::vector<double> cosines_, sines_;
 };
 
 params::Table time_function_table();
 
-/// The times at which an amplitude of the list, or below it, is not smooth [ms].
-std::vector<double> kinks(const Teuchos::ParameterList& list);
+/// The times up to end at which an amplitude of the list, or below it, is not smooth [ms].
+std::vector<double> kinks(const Teuchos::ParameterList& list, double end);
 
 /// Replaces the files of all amplitudes in the list and below it by their samples, so that one
 /// rank alone reads them and the list stands alone.

@@ -306,11 +306,11 @@ Teuchos::ParameterList amplitude(const std::string& interpolation) {
 
 TEUCHOS_UNIT_TEST(time_function, knows_where_it_is_not_smooth) {
   const std::vector<double> linear{0.0, 2.0, 3.0, 4.0}, steps{1.0, 2.0, 4.0};
-  TEST_COMPARE_ARRAYS(stepping::TimeFunction(amplitude("linear")).kinks(), linear);
-  TEST_COMPARE_ARRAYS(stepping::TimeFunction(amplitude("steps")).kinks(), steps);
+  TEST_COMPARE_ARRAYS(stepping::TimeFunction(amplitude("linear")).kinks(100.0), linear);
+  TEST_COMPARE_ARRAYS(stepping::TimeFunction(amplitude("steps")).kinks(100.0), steps);
   Teuchos::ParameterList fluid;
   fluid.sublist("Surfaces").sublist("inlet").sublist("Amplitude") = amplitude("steps");
-  TEST_COMPARE_ARRAYS(stepping::kinks(fluid), steps);
+  TEST_COMPARE_ARRAYS(stepping::kinks(fluid, 100.0), steps);
 }
 
 }  // namespace

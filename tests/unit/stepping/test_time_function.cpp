@@ -1,5 +1,6 @@
 #include <Teuchos_Array.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -72,6 +73,80 @@ TEUCHOS_UNIT_TEST(time_function, rounding_of_n_steps_does_not_pass_the_end_of_a_
     for (int k = 0; k < n; ++k) summed += dt;
     TEST_EQUALITY(pulse(summed), 1.0);
   }
+}
+
+Teuchos::ParameterList periodic(Teuchos::ParameterList list, double period) {
+  list.set("period", period);
+  return list;
+}
+
+TEUCHOS_UNIT_TEST(time_function, a_period_repeats_a_table_for_all_times) {
+  // from 1 to 4 by the table, and from there to the first value
+  const TimeFunction f = function_of(periodic(table_list({1, 2, 4}, {10, 20, -20}, "linear"), 5));
+  const double times[] = {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 6.5, 13.0, 0.0, -3.0, 5001.5};
+  const double values[] = {10, 15, 20, 0, -20, 10 - 15, 10, 15, 0, 10 - 15, 20, 15};
+  for (int k = 0; k < 12; ++k) TEST_FLOATING_EQUALITY(f(times[k]) + 100, values[k] + 100, 1e-12);
+  TEST_COMPARE_ARRAYS(f.kinks(7.5), (std::vector<double>{-4, -3, -1, 1, 2, 4, 6, 7, 9}));
+}
+
+TEUCHOS_UNIT_TEST(time_function, periodic_steps_hold_to_the_end_of_the_period_inclusive) {
+  const TimeFunction f = function_of(periodic(table_list({0, 1}, {5, 6}, "steps"), 3));
+  const double times[] = {0.0, 0.5, 1.0, 1.001, 3.0, 3.001, 4.0, 4.001, 3e5, -1.0};
+  const double values[] = {6, 5, 5, 6, 6, 5, 5, 6, 6, 6};
+  for (int k = 0; k < 10; ++k) TEST_EQUALITY(f(times[k]), values[k]);
+}
+
+TEUCHOS_UNIT_TEST(time_function, a_spline_with_flat_ends_is_exact_for_cubics_that_have_them) {
+  const auto smooth = [](double t) { return t * t * (3.0 - 2.0 * t); };
+  std::vector<double> times{0.0, 0.1, 0.25, 0.7, 1.0}, values;
+  for (const double t : times) values.push_back(smooth(t));
+  const TimeFunction f = function_of(table_list(times, values, "spline"));
+  for (double t = 0.0; t <= 1.0; t += 0.01) TEST_FLOATING_EQUALITY(1 + f(t), 1 + smooth(t), 1e-13);
+  TEST_EQUALITY(f(-2.0), 0.0);
+  TEST_EQUALITY(f(7.0), 1.0);
+  TEST_ASSERT(f.kinks(100.0).empty());
+}
+
+/// Largest error of a periodic spline through n uneven samples of a wave.
+double spline_error(int n) {
+  const auto wave = [](double t) { return std::sin(2.0 * M_PI * t / 8.0) + 0.3; };
+  std::vector<double> times, values;
+  for (int k = 0; k < n; ++k) {
+    const double x = double(k) / n;
+    times.push_back(8.0 * (x + 0.1 * std::sin(2.0 * M_PI * x)));
+    values.push_back(wave(times.back()));
+  }
+  const TimeFunction f = function_of(periodic(table_list(times, values, "spline"), 8.0));
+  double worst = 0.0;
+  for (double t = -16.0; t < 16.0; t += 0.013) worst = std::max(worst, std::abs(f(t) - wave(t)));
+  return worst;
+}
+
+TEUCHOS_UNIT_TEST(time_function, a_periodic_spline_is_of_fourth_order_across_its_ends_too) {
+  TEST_FLOATING_EQUALITY(std::log2(spline_error(40) / spline_error(80)), 4.0, 0.03);
+}
+
+TEUCHOS_UNIT_TEST(time_function, a_fourier_series_is_the_sum_of_its_waves) {
+  Teuchos::ParameterList list;
+  list.set("kind", "fourier").set("period", 800.0).set("mean", 0.4);
+  list.set("cosines", Teuchos::Array<double>(Teuchos::tuple(0.0, 2.0)));
+  list.set("sines", Teuchos::Array<double>(Teuchos::tuple(1.0)));
+  const TimeFunction f = function_of(list);
+  for (const double t : {0.0, 100.0, 333.0, 800.0, 8133.0, -50.0}) {
+    const double x = 2.0 * M_PI * t / 800.0;
+    TEST_FLOATING_EQUALITY(10 + f(t), 10.4 + 2.0 * std::cos(2.0 * x) + std::sin(x), 1e-12);
+  }
+}
+
+TEUCHOS_UNIT_TEST(time_function, periods_and_splines_that_cannot_be_are_refused) {
+  const auto refused = [](const Teuchos::ParameterList& list, const std::string& what) {
+    return refusal(list).find(what) != std::string::npos;
+  };
+  TEST_ASSERT(refused(periodic(table_list({0, 9}, {1, 1}, "linear"), 8), "period of 8 ms"));
+  TEST_ASSERT(refused(periodic(table_list({0, 8}, {1, 2}, "linear"), 8), "the values differ"));
+  TEST_EQUALITY(refusal(periodic(table_list({0, 4, 8}, {1, 2, 1}, "spline"), 8)), "");
+  TEST_ASSERT(refused(table_list({3}, {1}, "spline"), "needs more times"));
+  TEST_ASSERT(refused(periodic(table_list({0, 8}, {1, 1}, "spline"), 8), "needs more times"));
 }
 
 TEUCHOS_UNIT_TEST(time_function, files_are_replaced_by_their_samples_at_any_depth) {
