@@ -23,6 +23,7 @@ struct Surroundings {
   double time;                         ///< at which loads act [ms]
   /// Where it is not null, it takes the place of prescribed velocities; for verification.
   const VectorField* velocity = nullptr;
+  double viscosity = 0.0;  ///< of a fluid [kPa ms]
 };
 
 /// A component of the vector unknown that the nodes of a surface have in common.
@@ -44,6 +45,8 @@ public:
 
   /// Components of the vector unknown that the term prescribes at its nodes.
   virtual std::vector<int> prescribed_components() const { return {}; }
+  /// Comes before prescribed() of the same surroundings. Collective.
+  virtual void prepare(const Surroundings&) {}
   /// Their values; of the others it says nothing.
   virtual Vec3 prescribed(const Surroundings&, int /*node*/) const { return {}; }
   /// Where surfaces meet, the value of the term with the higher one holds.

@@ -1,5 +1,6 @@
 #include "tunica/boundary/registry.hpp"
 
+#include "tunica/boundary/flow_rate.hpp"
 #include "tunica/boundary/follower_pressure.hpp"
 #include "tunica/boundary/held.hpp"
 #include "tunica/boundary/moved.hpp"
@@ -17,6 +18,7 @@ const std::vector<ConditionEntry>& conditions() {
       open_pressure(),         // "pressure" of a fluid
       windkessel_condition(),  // "windkessel"
       velocity_condition(),    // "velocity"
+      flow_rate_condition(),   // "flow rate"
       no_slip(),               // "no slip"
       moves_with_wall(),       // "interface" of a fluid
       clamped(),               // "clamped"

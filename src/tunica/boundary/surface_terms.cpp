@@ -71,7 +71,9 @@ std::vector<std::pair<int, CommonMotion>> SurfaceTerms::common_motions() const {
   return all;
 }
 
-void SurfaceTerms::impose(const Surroundings& s, Vector& u) const {
+void SurfaceTerms::impose(const Surroundings& s, Vector& u) {
+  for (const Terms& terms : terms_)
+    for (const auto& term : terms) term->prepare(s);
   const auto values = u.getLocalViewHost(read_write);
   for (int precedence = 0; precedence <= highest_precedence_; ++precedence)
     for (std::size_t k = 0; k < terms_.size(); ++k)

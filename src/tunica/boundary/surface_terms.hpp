@@ -26,8 +26,8 @@ public:
   void constrain(assembly::Constraints& fixed) const;
   /// What moves as one, each with its surface.
   std::vector<std::pair<int, CommonMotion>> common_motions() const;
-  /// Gives the prescribed components of the vector unknown their values on owned nodes.
-  void impose(const Surroundings& s, Vector& u) const;
+  /// Gives the prescribed components of the vector unknown their values on owned nodes. Collective.
+  void impose(const Surroundings& s, Vector& u);
 
   /// Products of vectors that the terms add to a Jacobian.
   int rank() const;

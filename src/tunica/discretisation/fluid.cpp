@@ -87,9 +87,15 @@ Outcome Fluid::set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d
 }
 
 boundary::Surroundings Fluid::surroundings() const {
-  return {
-      mesh_,     &mesh_->x,        &position_, &local_.u,
-      &local_.w, options_.density, time_,      boundary_velocity_ ? &boundary_velocity_ : nullptr};
+  return {mesh_,
+          &mesh_->x,
+          &position_,
+          &local_.u,
+          &local_.w,
+          options_.density,
+          time_,
+          boundary_velocity_ ? &boundary_velocity_ : nullptr,
+          options_.viscosity};
 }
 
 std::vector<Vec3> Fluid::viscous_forces() const {

@@ -95,8 +95,8 @@ Condition condition(const std::string& surface, const std::string& kind) {
 
 TEUCHOS_UNIT_TEST(surface_terms, where_surfaces_meet_the_stronger_condition_holds) {
   const SmallTube tube;
-  const SurfaceTerms terms({condition("inlet", "velocity"), condition("interface", "no slip")},
-                           boundary::fluid_conditions(), tube.fluid);
+  SurfaceTerms terms({condition("inlet", "velocity"), condition("interface", "no slip")},
+                     boundary::fluid_conditions(), tube.fluid);
   const int inlet = tube.surface("inlet"), side = tube.surface("interface");
   TEST_ASSERT(!terms.is_natural(inlet) && terms.is_natural(tube.surface("outlet")));
   assembly::Constraints fixed(tube.fluid.n_nodes(), 0);

@@ -1,0 +1,52 @@
+#pragma once
+#include <array>
+#include <complex>
+#include <vector>
+
+#include "tunica/fields/field_mesh.hpp"
+
+namespace tunica::boundary {
+
+/// The triangles of a whole surface on every rank, the same and in the same order on any number of
+/// them: for the small problems that are posed on an inlet.
+struct Cap {
+  std::vector<int> vertex;   ///< numbers in the mesh, ascending
+  std::vector<Vec3> x;       ///< undeformed [mm]
+  std::vector<char> is_rim;  ///< it lies on another surface too
+  std::vector<std::array<int, 3>> triangles;
+
+  int n_nodes() const { return static_cast<int>(vertex.size()); }
+  /// Place of a vertex; -1 where it does not lie on the cap.
+  int find(int vertex_number) const;
+};
+
+/// Collective.
+Cap gather_cap(const fields::FieldMesh& mesh, int surface);
+
+/// ∫ f dA, f linear on each triangle.
+double integral(const Cap& cap, const std::vector<double>& f);
+
+/// A profile at the nodes of a cap, with ∫ φ dA = 1 [1/mm²].
+using Profile = std::vector<double>;
+using ComplexProfile = std::vector<std::complex<double>>;
+
+/// The same everywhere but for the rim, where it is zero.
+Profile flat_profile(const Cap& cap);
+
+/// What a steady flow along the normal has in a long pipe of this section, of any shape:
+///
+///   −Δφ = const,   φ = 0 on the rim
+///
+/// A paraboloid on a disc.
+Profile harmonic_profile(const Cap& cap);
+
+/// The same of a flow that swings as e^{iωt}:
+///
+///   iω φ − ν Δφ = const,   φ = 0 on the rim
+///
+///   ω  angular frequency, positive   1/ms     ν  kinematic viscosity   mm²/ms
+///
+/// Womersley's profile on a disc. Throws Error where no node lies within the rim, as the others.
+ComplexProfile womersley_profile(const Cap& cap, double omega, double nu);
+
+}  // namespace tunica::boundary

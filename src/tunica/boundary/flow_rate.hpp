@@ -1,0 +1,54 @@
+#pragma once
+#include <complex>
+
+#include "tunica/boundary/cap.hpp"
+#include "tunica/boundary/prescribed_velocity.hpp"
+
+namespace tunica::boundary {
+
+/// A flow rate Q(t) into the fluid, along the normal of a surface of any shape:
+///
+///   u = −Q(t) φ n,   ∫ φ dA = 1,
+///   u = −n Re Σ_k Q_k φ_k e^{ikωt}   of a Womersley profile, Q = Re Σ_k Q_k e^{ikωt}
+///
+///   n  mean normal of the undeformed surface, out of the fluid     1
+///   φ  the profile: flat, that of a steady flow in a long pipe of this section, or of each
+///      harmonic k of the flow rate its own                     1/mm²
+///
+/// φ vanishes on the rim, where conditions of other surfaces hold. As the surface grows φ shrinks,
+/// so that the flow rate stays what is given; it is that of the domain at the beginning of a solve.
+/// What a Fourier series of K harmonics leaves of Q(t) has the profile of the steady flow.
+class FlowRate final : public GivenVelocity {
+public:
+  /// list: a resolved list of flow_rate_condition(). Collective.
+  FlowRate(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface);
+
+  void prepare(const Surroundings& s) override;
+  Vec3 prescribed(const Surroundings& s, int node) const override;
+  int precedence() const override { return 1; }
+
+private:
+  void find_harmonics(double nu);
+  /// Along −n at the nodes of the cap, on the undeformed surface [mm/ms].
+  std::vector<double> speeds(double time) const;
+  /// Over that of the undeformed surface. Collective.
+  double relative_area(const Surroundings& s) const;
+
+  int surface_;
+  double flow_rate_;  ///< [mm³/ms]
+  stepping::TimeFunction amplitude_;
+  int n_harmonics_;  ///< K; zero where all have one profile
+  Cap cap_;
+  Vec3 normal_;
+  double area_;
+  Profile steady_;
+  std::vector<int> place_;  ///< of owned nodes: in the cap
+  std::vector<std::complex<double>> Q_;
+  std::vector<ComplexProfile> phi_;  ///< from k = 1
+  std::vector<double> speed_;        ///< at the nodes of the cap, as prepare() left it
+};
+
+/// "flow rate" of a fluid.
+ConditionEntry flow_rate_condition();
+
+}  // namespace tunica::boundary
