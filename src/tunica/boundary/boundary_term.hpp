@@ -18,7 +18,7 @@ struct Surroundings {
   const std::vector<Vec3>* reference;  ///< positions in the undeformed field [mm]
   const std::vector<Vec3>* position;   ///< where the field lies at present [mm]
   const std::vector<Vec3>* u;          ///< the vector unknown: velocity or displacement
-  const std::vector<Vec3>* w;          ///< velocity of the mesh; null for a wall [mm/ms]
+  const std::vector<Vec3>* w;          ///< velocity of the mesh, or of the wall [mm/ms]
   double density;                      ///< of a fluid; 0 for a wall [mg/mm³]
   double time;                         ///< at which loads act [ms]
   /// Where it is not null, it takes the place of prescribed velocities; for verification.

@@ -5,6 +5,7 @@
 #include "tunica/boundary/held.hpp"
 #include "tunica/boundary/moved.hpp"
 #include "tunica/boundary/prescribed_velocity.hpp"
+#include "tunica/boundary/support.hpp"
 #include "tunica/boundary/traction.hpp"
 #include "tunica/boundary/windkessel.hpp"
 
@@ -17,6 +18,7 @@ const std::vector<ConditionEntry>& conditions() {
       open_traction(),         // "traction" of a fluid
       open_pressure(),         // "pressure" of a fluid
       windkessel_condition(),  // "windkessel"
+      resistance_condition(),  // "resistance"
       velocity_condition(),    // "velocity"
       flow_rate_condition(),   // "flow rate"
       no_slip(),               // "no slip"
@@ -27,6 +29,7 @@ const std::vector<ConditionEntry>& conditions() {
       moves_as_one(),          // "moves as one"
       dead_traction(),         // "traction" of a wall
       follower_pressure(),     // "pressure" of a wall
+      support_condition(),     // "support"
       loaded_by_fluid(),       // "interface" of a wall
   };
   return all;

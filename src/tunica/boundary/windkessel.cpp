@@ -1,5 +1,6 @@
 #include "tunica/boundary/windkessel.hpp"
 
+#include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/boundary/backflow.hpp"
 #include "tunica/boundary/surface_geometry.hpp"
@@ -13,7 +14,10 @@ Windkessel::Windkessel(const Teuchos::ParameterList& list, const fields::FieldMe
       proximal_(list.get<double>("proximal resistance")),
       capacitance_(list.get<double>("capacitance")), distal_(list.get<double>("distal resistance")),
       distal_pressure_(list.get<double>("distal pressure")),
-      initial_pressure_(list.get<double>("initial pressure")), known_(initial_pressure_) {}
+      initial_pressure_(list.get<double>("initial pressure")), known_(initial_pressure_) {
+  if (const double Q = list.get<double>("mean flow"); Q != 0.0)
+    initial_pressure_ = known_ = distal_pressure_ + distal_ * Q;
+}
 
 double Windkessel::flow(const Surroundings& s, const std::vector<Vec3>& area) const {
   double mine = 0.0;
@@ -69,24 +73,58 @@ void Windkessel::restore(const std::vector<double>& state) {
     (*history_)[static_cast<int>(k) - 1][0][0] = state[k];
 }
 
+namespace {
+
+Terms terms_of(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {
+  Terms all = terms(std::make_unique<Windkessel>(list, mesh, surface));
+  const double beta = list.get<double>("backflow stabilisation");
+  if (beta != 0.0) all.push_back(std::make_unique<Backflow>(beta));
+  return all;
+}
+
+constexpr const char* units_of_resistance =
+    "; 1 dyn s/cm^5 is 1e-4 kPa ms/mm^3, 1 mmHg s/ml is 0.1333";
+
+}  // namespace
+
 ConditionEntry windkessel_condition() {
   params::Table table;
   table
       .number("proximal resistance", std::nullopt, params::non_negative(), "kPa ms/mm^3",
-              "R_p of p = R_p Q + p_c, where the flow Q leaves; 1 dyn s/cm^5 are 1e-4 kPa ms/mm^3, "
-              "1 mmHg s/ml are 0.1333")
+              std::string("R_p of p = R_p Q + p_c, where the flow Q leaves") + units_of_resistance)
       .number("capacitance", std::nullopt, params::non_negative(), "mm^3/kPa",
               "C of C dp_c/dt = Q - (p_c - p_d)/R_d; 0 leaves a resistance, the sum of both")
       .number("distal resistance", std::nullopt, params::non_negative(), "kPa ms/mm^3", "R_d")
       .number("distal pressure", 0.0, params::any(), "kPa", "p_d behind both resistances")
-      .number("initial pressure", 0.0, params::any(), "kPa", "p_c at the start");
+      .number("initial pressure", 0.0, params::any(), "kPa", "p_c at the start")
+      .number("mean flow", 0.0, params::any(), "mm^3/ms",
+              "Q that leaves here on the mean: adds R_d Q to p_d for p_c at the start, instead of "
+              "the initial pressure, so that there is less to wait for");
   add_backflow_key(table);
-  return {Field::fluid, "windkessel", table,
+  table.check([](const Teuchos::ParameterList& list, const std::string& path) {
+    if (!list.isParameter("mean flow")) return;  // another condition
+    TUNICA_CHECK(
+        list.get<double>("mean flow") == 0.0 || list.get<double>("initial pressure") == 0.0,
+        path + ": \"mean flow\" and \"initial pressure\" both say how it starts. Give one.");
+  });
+  return {Field::fluid, "windkessel", table, terms_of};
+}
+
+ConditionEntry resistance_condition() {
+  params::Table table;
+  table
+      .number("resistance", std::nullopt, params::non_negative(), "kPa ms/mm^3",
+              std::string("R of p = R Q + p_d, where the flow Q leaves") + units_of_resistance)
+      .number("distal pressure", 0.0, params::any(), "kPa", "p_d behind it");
+  add_backflow_key(table);
+  return {Field::fluid, "resistance", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {
-            Terms all = terms(std::make_unique<Windkessel>(list, mesh, surface));
-            const double beta = list.get<double>("backflow stabilisation");
-            if (beta != 0.0) all.push_back(std::make_unique<Backflow>(beta));
-            return all;
+            Teuchos::ParameterList all(list);
+            all.set("proximal resistance", list.get<double>("resistance"));
+            for (const char* none :
+                 {"capacitance", "distal resistance", "initial pressure", "mean flow"})
+              all.set(none, 0.0);
+            return terms_of(all, mesh, surface);
           }};
 }
 

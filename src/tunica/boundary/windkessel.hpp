@@ -56,7 +56,8 @@ private:
   double known_, slope_ = 0.0;                ///< p_c = known + slope Q
 };
 
-/// "windkessel" of a fluid, with backflow stabilisation.
+/// "windkessel" and "resistance" of a fluid, with backflow stabilisation.
 ConditionEntry windkessel_condition();
+ConditionEntry resistance_condition();
 
 }  // namespace tunica::boundary

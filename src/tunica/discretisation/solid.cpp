@@ -30,6 +30,8 @@ Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
       options_(solid_options(list)), nodal_force_(mesh.n_owned) {
   local_.r.assign(mesh.n_nodes(), Vec3{});
   local_.d.resize(mesh.n_nodes());
+  past_.resize(mesh.n_nodes());
+  v_.resize(mesh.n_nodes());
   local_.p.resize(scalar_mesh().n_nodes());
   set_elements();
   if (!options_.has_doubled_pressure)
@@ -104,6 +106,7 @@ void Solid::begin_step(const stepping::Clock& clock) {
     set_coefficients();
   }
   set_inertia_history();
+  past_ = scheme_->pasts(history_);
   surfaces_.begin_step();
 }
 
@@ -122,6 +125,8 @@ void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) con
 
 void Solid::read(const algebra::BlockVector& x) {
   local_.d = fields::ghosted_vectors(*mesh_, x[0]);
+  for (std::size_t a = 0; a < v_.size(); ++a)
+    v_[a] = scheme_->rate() * (local_.d[a] - past_[a]);  // v = (d − d̃)/Δt
   local_.p = fields::ghosted_scalars(scalar_mesh(), x[1]);
 }
 

@@ -64,7 +64,7 @@ private:
   /// Forces on all surfaces that hold the wall, this rank's part.
   std::vector<Vec3> reaction_forces(const algebra::BlockVector& x);
   boundary::Surroundings surroundings() const override {
-    return {mesh_, &mesh_->x, &mesh_->x, &local_.d, nullptr, 0.0, time_};
+    return {mesh_, &mesh_->x, &mesh_->x, &local_.d, &v_, 0.0, time_};
   }
   void read(const algebra::BlockVector& x) override;
   bool is_admissible() override;
@@ -81,6 +81,7 @@ private:
   ElementHistory* subscales_ = nullptr;  ///< null where they have no inertia
   double unit_inertia_ = -1.0;           ///< of the coefficients: the scheme's for unit density
   assembly::SolidFields local_;          ///< ghosted copy of the point of evaluation
+  std::vector<Vec3> past_, v_;           ///< of the displacement; velocity there; local nodes
   std::vector<Vec3> nodal_force_;
   boundary::VectorField body_force_;
   double time_ = 0.0;

@@ -77,6 +77,12 @@ Observables Solid::observe(const algebra::BlockVector& x) const {
   if (has_interface)
     found.insert(found.begin() + 1,
                  {"max_displacement_interface_mm", global_max(comm, s.interface_displacement)});
+  boundary::Surroundings here = surroundings();
+  here.u = &d;
+  here.w = &velocity();
+  std::map<std::string, double> of_surfaces;
+  surfaces_.observe_whole(here, of_surfaces);
+  for (const auto& [name, value] : of_surfaces) found.push_back({name, value});
   return found;
 }
 

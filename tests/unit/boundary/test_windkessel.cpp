@@ -37,9 +37,10 @@ struct Outlet {
   std::vector<Vec3> u, w;
   double area;
 
-  explicit Outlet(const std::map<std::string, double>& values)
-      : terms({windkessel(values)}, boundary::fluid_conditions(), tube.fluid),
-        u(tube.fluid.n_nodes()), w(tube.fluid.n_nodes()),
+  explicit Outlet(const std::map<std::string, double>& values) : Outlet(windkessel(values)) {}
+  explicit Outlet(const Condition& condition)
+      : terms({condition}, boundary::fluid_conditions(), tube.fluid), u(tube.fluid.n_nodes()),
+        w(tube.fluid.n_nodes()),
         area(boundary::surface_geometry(tube.fluid, tube.surface("outlet")).area) {}
 
   boundary::Surroundings with_flow(double Q) {
@@ -68,6 +69,19 @@ TEUCHOS_UNIT_TEST(windkessel, without_capacitance_it_is_a_resistance) {
     TEST_FLOATING_EQUALITY(outlet.pressure(Q), 1.5 + 18.0 * Q, 1e-12);
     outlet.terms.end_step(outlet.with_flow(Q));
   }
+}
+
+TEUCHOS_UNIT_TEST(windkessel, it_starts_as_its_mean_flow_would_leave_it) {
+  auto values = resistances(2.0, 10.0, 16.0);
+  values["mean flow"] = 0.4;
+  TEST_THROW(windkessel(values), Error);  // and at the initial pressure
+  values["initial pressure"] = 0.0;
+  Outlet outlet(values);
+  stepping::ImplicitEuler scheme(1);
+  scheme.set_step_size(0.5);
+  outlet.terms.follow(scheme);
+  outlet.terms.begin_step();
+  TEST_FLOATING_EQUALITY(outlet.stored(0.4), 1.5 + 16.0 * 0.4, 1e-13);  // and stays there
 }
 
 TEUCHOS_UNIT_TEST(windkessel, under_constant_flow_it_fills_as_implicit_euler_has_it) {
@@ -201,6 +215,21 @@ TEUCHOS_UNIT_TEST(windkessel, a_saved_state_goes_on_as_if_nothing_had_happened) 
   TEST_EQUALITY(second.terms.restore({}), "the windkessel at outlet begins anew");
   state.numbers["windkessel at outlet"].pop_back();
   TEST_THROW(second.terms.restore(state), Error);
+}
+
+TEUCHOS_UNIT_TEST(resistance, is_a_windkessel_of_one_element) {
+  Teuchos::ParameterList list;
+  list.set("condition", "resistance").set("resistance", 18.0).set("distal pressure", 1.5);
+  boundary::condition_table("", boundary::fluid_conditions()).resolve(list, "outlet", "");
+  Outlet outlet(boundary::Condition{"outlet", list});
+  stepping::ImplicitEuler scheme(1);
+  scheme.set_step_size(0.5);
+  outlet.terms.follow(scheme);
+  for (const double Q : {0.3, -0.1, 2.0}) {
+    outlet.terms.begin_step();
+    TEST_FLOATING_EQUALITY(outlet.pressure(Q), 1.5 + 18.0 * Q, 1e-12);
+    outlet.terms.end_step(outlet.with_flow(Q));
+  }
 }
 
 TEUCHOS_UNIT_TEST(windkessel, its_keys_are_checked) {
