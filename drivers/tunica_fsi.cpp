@@ -5,6 +5,7 @@
 
 #include "tunica/app/checkpoints.hpp"
 #include "tunica/app/field_output.hpp"
+#include "tunica/app/prestress.hpp"
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
@@ -27,6 +28,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   // 1. Three fields, each with its kernels, blocks and solver.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
+  const Outcome stressed = app::take_prestress(list.sublist("Wall"), output, wall, &fluid);
+  if (stressed.is_failure()) return stressed;
   problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid, domain.interface_surfaces,
                               fluid.time_scheme());
 

@@ -4,6 +4,7 @@
 
 #include "tunica/app/checkpoints.hpp"
 #include "tunica/app/field_output.hpp"
+#include "tunica/app/prestress.hpp"
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
@@ -18,6 +19,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   // 1. The wall, from where it goes on after a restart, and what is written of it.
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
   wall.linear_solver();  // wrong names in its lists are told before anything is solved
+  const Outcome stressed = app::take_prestress(list.sublist("Wall"), output, wall);
+  if (stressed.is_failure()) return stressed;
   app::TimeMarch march(list, {{"wall", &wall}}, output);
   march.judge(wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), nullptr, &*domain.wall);

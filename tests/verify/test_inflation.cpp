@@ -5,15 +5,11 @@
 
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
-#include <fstream>
 #include <functional>
 #include <map>
-#include <sstream>
 
-#include "field_of.hpp"
+#include "exact_inflation.hpp"
 #include "quarter_tube.hpp"
-#include "tunica/app/case.hpp"
-#include "tunica/app/schema.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/discretisation/layer_boundary.hpp"
 #include "tunica/mesh/read.hpp"
@@ -24,26 +20,8 @@ namespace {
 
 using namespace tunica;
 
-Teuchos::ParameterList case_of(const std::string& file) {
-  app::CommandLine command;
-  command.case_file = TUNICA_CASES "/" + file;
-  return app::read_case(command, app::solid_table(), *Tpetra::getDefaultComm());
-}
-
-/// Inner radius by pressure.
-std::map<double, double> exact_radius(const std::string& wanted) {
-  std::ifstream file(TUNICA_TEST_DATA "/inflation.csv");
-  std::map<double, double> radius;
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream cells(line);
-    std::string law, pressure, value;
-    std::getline(cells, law, ',');
-    std::getline(cells, pressure, ',');
-    std::getline(cells, value, ',');
-    if (law == wanted) radius[std::stod(pressure)] = std::stod(value);
-  }
-  return radius;
-}
+using verify::case_of;
+using verify::exact_radius;
 
 double inner_radius(const problems::SolidProblem& wall) {
   const fields::FieldMesh& mesh = wall.mesh();

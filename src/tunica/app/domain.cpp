@@ -17,6 +17,7 @@
 #include "tunica/mesh/read.hpp"
 #include "tunica/mesh/validate.hpp"
 #include "tunica/problems/fibre_frames.hpp"
+#include "tunica/problems/prestress.hpp"
 #include "tunica/problems/solid_problem.hpp"
 
 namespace tunica::app {
@@ -27,6 +28,7 @@ namespace {
 struct MeshRequirements {
   std::vector<std::string> fluid_regions, wall_regions;
   std::vector<std::string> fluid_surfaces, wall_surfaces, frame_surfaces, reported_surfaces;
+  std::vector<std::string> prestress_surfaces;
   std::vector<std::string> interface;
 };
 
@@ -48,6 +50,8 @@ MeshRequirements mesh_requirements_of(const Teuchos::ParameterList& list) {
     for (const auto& c : conditions) requirements.wall_surfaces.push_back(c.surface);
     on_wall = boundary::interface_surfaces(conditions);
     requirements.frame_surfaces = problems::frame_surfaces(wall.sublist("Fibre Frame"));
+    if (problems::wants_prestress(wall))
+      requirements.prestress_surfaces = problems::prestress_surfaces(wall);
   }
   if (!list.isSublist("Fluid") || !list.isSublist("Wall")) {
     TUNICA_CHECK(on_fluid.empty() && on_wall.empty(),
@@ -121,6 +125,7 @@ Shares read_and_check(const Teuchos::ParameterList& list, const MeshRequirements
     check_surfaces(shares.mesh, requirements.fluid_surfaces, {shares.fluid}, "Fluid / Surfaces");
     check_surfaces(shares.mesh, requirements.wall_surfaces, {shares.wall}, "Wall / Surfaces");
     check_surfaces(shares.mesh, requirements.frame_surfaces, {shares.wall}, "Wall / Fibre Frame");
+    check_surfaces(shares.mesh, requirements.prestress_surfaces, {shares.wall}, "Wall / Prestress");
     check_surfaces(shares.mesh, requirements.reported_surfaces, {shares.fluid, shares.wall},
                    "Output / surfaces");
     for (const int r : shares.fluid)

@@ -73,7 +73,8 @@ std::vector<output::Array> wall_arrays(const problems::SolidProblem& wall) {
 
 std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall) {
   const fields::FieldMesh& mesh = wall.mesh();
-  const auto d = fields::ghosted_vectors(mesh, wall.state()[0]);
+  auto d = fields::ghosted_vectors(mesh, wall.state()[0]);
+  for (std::size_t a = 0; a < d.size(); ++a) d[a] += wall.from_stress_free()[a];
   const auto p = fields::ghosted_scalars(wall.scalar_mesh(), wall.state()[1]);
   output::Array stress{"cauchy_stress", 6, {}}, von_mises{"von_mises", 1, {}};
   output::Array around{"circumferential", 3, {}}, along{"axial", 3, {}};

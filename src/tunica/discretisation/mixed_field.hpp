@@ -40,10 +40,10 @@ public:
   /// Accepts x as the state of the new time. Collective.
   void end_step(const algebra::BlockVector& x);
   /// What is remembered beside x, and not on elements.
-  void save_history(fields::State& state) const;
+  virtual void save_history(fields::State& state) const;
   /// x: of the state. Returns a sentence about what the state does not know and begins anew.
   /// Collective.
-  std::string restore_history(const fields::State& state, const algebra::BlockVector& x);
+  virtual std::string restore_history(const fields::State& state, const algebra::BlockVector& x);
 
 protected:
   /// What a field is made of.

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "tunica/assembly/gather.hpp"
 #include "tunica/assembly/mass_norm.hpp"
+#include "tunica/base/error.hpp"
 #include "tunica/discretisation/inverted_element.hpp"
 #include "tunica/discretisation/layer_boundary.hpp"
+#include "tunica/kernels/deformation.hpp"
 #include "tunica/stepping/registry.hpp"
 
 namespace tunica::discretisation {
@@ -31,7 +34,9 @@ Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
   local_.r.assign(mesh.n_nodes(), Vec3{});
   local_.d.resize(mesh.n_nodes());
   past_.resize(mesh.n_nodes());
+  d_.resize(mesh.n_nodes());
   v_.resize(mesh.n_nodes());
+  from_stress_free_.resize(mesh.n_nodes());
   local_.p.resize(scalar_mesh().n_nodes());
   set_elements();
   if (!options_.has_doubled_pressure)
@@ -39,7 +44,8 @@ Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
   if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::solid_subscales(*mesh_, elements_, local_); });
-  elements_.frames = std::move(frames);
+  elements_.frames = frames;
+  frames_ = std::move(frames);
 }
 
 Solid::~Solid() = default;
@@ -59,6 +65,46 @@ void Solid::set_elements() {
   }
   elements_.coefficients.resize(mesh_->tets.size());
   elements_.split = split();
+}
+
+namespace {
+
+/// What the directions of a frame were where F = I: those of the same lines of material,
+/// orthonormal.
+materials::Frame pulled_back(const materials::Frame& frame, const Mat3& F) {
+  const Mat3 F_inverse = adjugate(F);  // but for a factor, which does not matter
+  const Vec3 around = F_inverse * frame.circumferential;
+  const Vec3 c = 1.0 / norm(around) * around;
+  Vec3 along = F_inverse * frame.axial;
+  along += -dot(along, c) * c;
+  const Vec3 a = 1.0 / norm(along) * along;
+  return {cross(c, a), c, a};
+}
+
+}  // namespace
+
+Outcome Solid::set_stress_free(const std::vector<Vec3>& from_stress_free) {
+  std::vector<Vec3> X(mesh_->x);
+  for (std::size_t a = 0; a < X.size(); ++a) X[a] += -1.0 * from_stress_free[a];
+  std::vector<kernels::Tet4> geometry = assembly::geometry_of(*mesh_, X);
+  double smallest = 1.0;
+  int worst = -1;
+  for (std::size_t e = 0; e < geometry.size(); ++e)
+    if (worst < 0 || !(geometry[e].volume >= smallest)) {
+      smallest = geometry[e].volume;
+      worst = static_cast<int>(e);
+    }
+  const Outcome outcome = check_inversion(*mesh_, smallest, worst, "volume in mm^3");
+  if (outcome.is_failure()) return outcome.at("the wall where it is free of stress");
+  elements_.geometry = std::move(geometry);
+  from_stress_free_ = from_stress_free;
+  for (std::size_t e = 0; e < frames_.size(); ++e) {
+    const auto F = kernels::deformation_gradient(
+        elements_.geometry[e], assembly::gather(from_stress_free_, mesh_->tets[e]));
+    elements_.frames[e] = pulled_back(frames_[e], F);
+  }
+  unit_inertia_ = -1.0;  // stabilisation follows the size of elements
+  return Outcome::success();
 }
 
 void Solid::set_coefficients() {
@@ -88,7 +134,8 @@ bool Solid::is_nearly_incompressible(std::size_t element) const {
 
 void Solid::set_inertia_history() {
   for (int a = 0; a < mesh_->n_nodes(); ++a) {
-    local_.r[a] = scheme_->inertia_load(history_, a);
+    // α d − r = α D − (r + α (x − X))
+    local_.r[a] = scheme_->inertia_load(history_, a) + scheme_->inertia(1.0) * from_stress_free_[a];
     if (body_force_) local_.r[a] += body_force_(mesh_->x[a], time_);
   }
   if (!subscales_) return;
@@ -124,9 +171,11 @@ void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) con
 }
 
 void Solid::read(const algebra::BlockVector& x) {
-  local_.d = fields::ghosted_vectors(*mesh_, x[0]);
-  for (std::size_t a = 0; a < v_.size(); ++a)
-    v_[a] = scheme_->rate() * (local_.d[a] - past_[a]);  // v = (d − d̃)/Δt
+  d_ = fields::ghosted_vectors(*mesh_, x[0]);
+  for (std::size_t a = 0; a < v_.size(); ++a) {
+    v_[a] = scheme_->rate() * (d_[a] - past_[a]);  // v = (d − d̃)/Δt
+    local_.d[a] = d_[a] + from_stress_free_[a];
+  }
   local_.p = fields::ghosted_scalars(scalar_mesh(), x[1]);
 }
 
@@ -139,6 +188,27 @@ bool Solid::is_admissible() {
 
 std::string Solid::refusal() const {
   return inversion_.empty() ? MixedField::refusal() : inversion_;
+}
+
+constexpr const char* stress_free_name = "displacement from the shape without stress";
+
+void Solid::save_history(fields::State& state) const {
+  MixedField::save_history(state);
+  if (options_.has_prestress)
+    state.arrays[stress_free_name] = fields::rows_of(from_stress_free_, mesh_->n_owned);
+}
+
+std::string Solid::restore_history(const fields::State& state, const algebra::BlockVector& x) {
+  TUNICA_CHECK(state.has_array(stress_free_name) == options_.has_prestress,
+               std::string("Wall / Prestress: the state that the run goes on from has ") +
+                   (options_.has_prestress ? "none" : "one") +
+                   ". A run goes on with the prestress it began with.");
+  if (options_.has_prestress) {
+    const Outcome outcome =
+        set_stress_free(fields::ghosted_rows(state.array(stress_free_name, 3), *mesh_));
+    TUNICA_CHECK(outcome.is_success(), outcome.reason());
+  }
+  return MixedField::restore_history(state, x);
 }
 
 void Solid::assemble(assembly::BlockAssembler* K) {

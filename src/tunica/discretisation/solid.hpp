@@ -10,7 +10,12 @@
 namespace tunica::discretisation {
 
 /// The wall in a time step: displacement and pressure. Loads are those of its surfaces and nodal
-/// forces from the fluid. Starts at rest in the unloaded configuration.
+/// forces from the fluid. Starts at rest where its mesh lies, which is free of stress unless
+/// set_stress_free() says otherwise:
+///
+///   D = d + (x − X)      X  position free of stress      x  position in the mesh      mm
+///
+/// Elements see the displacement D from X; unknown is d, the one from the mesh.
 class Solid final : public MixedField {
 public:
   /// list: the resolved "Wall" list; frames: of the fibres, one per local element, or none. mesh
@@ -18,6 +23,13 @@ public:
   Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
         std::vector<materials::Frame> frames);
   ~Solid() override;
+
+  /// The wall is free of stress where local nodes lie at X = x − from_stress_free [mm]. Fibres lie
+  /// along the same lines of material as before. Fails where an element would be inverted.
+  /// Collective.
+  Outcome set_stress_free(const std::vector<Vec3>& from_stress_free);
+  /// x − X of local nodes; zero where the mesh is free of stress [mm].
+  const std::vector<Vec3>& from_stress_free() const { return from_stress_free_; }
 
   void begin_step(const stepping::Clock& clock);
   /// Nodal forces [mN] on the owned nodes, which stay until the next call.
@@ -44,6 +56,8 @@ public:
 
   // Discretisation
   std::string refusal() const override;
+  void save_history(fields::State& state) const override;
+  std::string restore_history(const fields::State& state, const algebra::BlockVector& x) override;
 
   // NamedOperators: the parts of the paper's Schur complement
   std::vector<std::string> operator_names() const override;
@@ -64,7 +78,7 @@ private:
   /// Forces on all surfaces that hold the wall, this rank's part.
   std::vector<Vec3> reaction_forces(const algebra::BlockVector& x);
   boundary::Surroundings surroundings() const override {
-    return {mesh_, &mesh_->x, &mesh_->x, &local_.d, &v_, 0.0, time_};
+    return {mesh_, &mesh_->x, &mesh_->x, &d_, &v_, 0.0, time_};
   }
   void read(const algebra::BlockVector& x) override;
   bool is_admissible() override;
@@ -80,8 +94,12 @@ private:
 
   ElementHistory* subscales_ = nullptr;  ///< null where they have no inertia
   double unit_inertia_ = -1.0;           ///< of the coefficients: the scheme's for unit density
-  assembly::SolidFields local_;          ///< ghosted copy of the point of evaluation
-  std::vector<Vec3> past_, v_;           ///< of the displacement; velocity there; local nodes
+  assembly::SolidFields local_;          ///< D and pressure of the point of evaluation
+  std::vector<Vec3> d_, v_;              ///< displacement from the mesh there, and velocity
+  std::vector<Vec3> past_;               ///< of the displacement, local nodes
+  std::vector<Vec3> from_stress_free_;
+  std::vector<materials::Frame> frames_;  ///< in the mesh; those of the elements are where it is
+                                          ///< free of stress
   std::vector<Vec3> nodal_force_;
   boundary::VectorField body_force_;
   double time_ = 0.0;

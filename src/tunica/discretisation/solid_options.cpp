@@ -107,6 +107,7 @@ SolidOptions solid_options(const Teuchos::ParameterList& list) {
   options.has_doubled_pressure = list.get<std::string>("pressure at layers") == "doubled";
   options.layer_factor =
       options.has_doubled_pressure ? 1.0 : list.get<double>("stabilisation at layers");
+  options.has_prestress = list.sublist("Prestress").get<double>("pressure") != 0.0;
   options.volumetric_factor = list.get<double>("volumetric stabilisation");
   return options;
 }

@@ -29,6 +29,7 @@ struct SolidOptions {
   bool has_doubled_pressure;   ///< one for each material at a vertex
   double layer_factor;         ///< else: multiplies τ at the boundary of two materials
   double volumetric_factor;    ///< τ_v of the volumetric subscale in parts of μ_l
+  bool has_prestress;          ///< in its mesh
 
   std::vector<std::string> regions() const;
 };

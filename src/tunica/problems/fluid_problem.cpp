@@ -24,6 +24,8 @@ void FluidProblem::set_initial_velocity(const std::function<Vec3(const Vec3& x)>
   fluid_->start_from(x_);
 }
 
+void FluidProblem::set_initial_pressure(double p) { x_[1].putScalar(p); }
+
 params::Table fluid_solver_table() { return linear::linear_solver_table({"multigrid"}); }
 
 params::Table fluid_table() {

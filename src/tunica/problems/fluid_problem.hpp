@@ -40,6 +40,9 @@ public:
     fluid_->set_boundary_velocity(std::move(u));
   }
   void set_initial_velocity(const std::function<Vec3(const Vec3& x)>& u);
+  /// A pressure that is the same everywhere, zero by default [kPa]. It is where the first step
+  /// begins to look for its own.
+  void set_initial_pressure(double p);
 
   double density() const { return fluid_->density(); }
   std::vector<int> open_surfaces() const { return fluid_->open_surfaces(); }

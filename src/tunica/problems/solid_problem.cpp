@@ -3,6 +3,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "tunica/problems/fibre_frames.hpp"
+#include "tunica/problems/prestress.hpp"
 
 namespace tunica::problems {
 
@@ -13,13 +14,22 @@ std::vector<materials::Frame> frames_of_wall(const Teuchos::ParameterList& list,
 }
 
 SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
-    : SolidProblem(std::make_unique<discretisation::Solid>(list, mesh, frames_of_wall(list, mesh)),
-                   list) {}
+    : SolidProblem(list, mesh, frames_of_wall(list, mesh)) {}
+
+SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+                           std::vector<materials::Frame> frames)
+    : SolidProblem(std::make_unique<discretisation::Solid>(list, mesh, std::move(frames)), list) {}
 
 SolidProblem::SolidProblem(std::unique_ptr<discretisation::Solid> wall,
                            const Teuchos::ParameterList& list)
     : FieldProblem(std::move(wall), list),
       wall_(static_cast<discretisation::Solid*>(&discretisation())) {}
+
+Outcome SolidProblem::set_stress_free(const std::vector<Vec3>& from_stress_free) {
+  Vector owned(mesh().vector_map);
+  fields::store(from_stress_free, mesh(), owned);
+  return wall_->set_stress_free(fields::ghosted_vectors(mesh(), owned));
+}
 
 Result<std::vector<Vec3>> SolidProblem::solve_linearised(const stepping::Clock& clock,
                                                          const std::vector<Vec3>& force) {
@@ -55,6 +65,7 @@ params::Table solid_table() {
   discretisation::add_layer_keys(table);
   table.sublist("Fibre Frame", fibre_frame_table());
   discretisation::add_solid_keys(table);
+  table.sublist("Prestress", prestress_table());
   table.sublist("Newton", nonlinear::newton_table())
       .sublist("Linear Solver", solid_solver_table())
       .check([](const Teuchos::ParameterList& list, const std::string& path) {

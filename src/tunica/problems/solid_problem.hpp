@@ -14,7 +14,14 @@ class SolidProblem final : public FieldProblem {
 public:
   /// list: the resolved "Wall" list. mesh must outlive the problem. Collective.
   SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
+  /// frames: as frames_of_wall() gives them.
+  SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+               std::vector<materials::Frame> frames);
 
+  /// discretisation::Solid::from_stress_free().
+  const std::vector<Vec3>& from_stress_free() const { return wall_->from_stress_free(); }
+  /// discretisation::Solid::set_stress_free(), on owned nodes. Collective.
+  Outcome set_stress_free(const std::vector<Vec3>& from_stress_free);
   void begin_step(const stepping::Clock& clock) { wall_->begin_step(clock); }
   /// Nodal forces [mN] on the owned nodes, which stay until the next call.
   void set_nodal_force(const std::vector<Vec3>& force) { wall_->set_nodal_force(force); }

@@ -1,0 +1,160 @@
+#include "tunica/problems/prestress.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <algorithm>
+#include <sstream>
+
+#include "tunica/base/reduce.hpp"
+#include "tunica/boundary/registry.hpp"
+
+namespace tunica::problems {
+
+namespace {
+
+using Teuchos::ParameterList;
+
+/// The wall in equilibrium with its loads and a pressure on some surfaces.
+ParameterList static_list(const ParameterList& list, double pressure) {
+  ParameterList wall(list);
+  wall.set("analysis", "static");
+  wall.sublist("Prestress").set("pressure", 0.0);
+  for (const std::string& surface : prestress_surfaces(list)) {
+    ParameterList load;
+    load.set("surface", surface).set("condition", "pressure").set("pressure", pressure);
+    boundary::condition_table("", boundary::wall_conditions()).resolve(load, "Prestress", "");
+    wall.sublist("Surfaces").sublist("prestress of " + surface) = load;
+  }
+  return wall;
+}
+
+double largest(const std::vector<Vec3>& values, const Comm& comm) {
+  double mine = 0.0;
+  for (const Vec3& v : values) mine = std::max(mine, norm(v));
+  return global_max(comm, mine);
+}
+
+}  // namespace
+
+bool wants_prestress(const ParameterList& list) {
+  return list.sublist("Prestress").get<double>("pressure") != 0.0;
+}
+
+std::vector<std::string> prestress_surfaces(const ParameterList& list) {
+  return list.sublist("Prestress").get<Teuchos::Array<std::string>>("surfaces").toVector();
+}
+
+namespace {
+
+/// The way from no load to all of it.
+class Search {
+public:
+  using Report = std::function<void(const PrestressIteration&)>;
+
+  Search(const ParameterList& list, const SolidProblem& wall, const Report& report)
+      : list_(&list), wall_(&wall), report_(&report), options_(&list.sublist("Prestress")),
+        found_(nothing(wall)) {}
+
+  Result<Prestress> run() {
+    double step = 1.0 / options_->get<int>("load steps");
+    const double smallest = step / 256.0;
+    for (double done = 0.0; done < 1.0;) {
+      const double load = done + step > 1.0 - 1e-9 ? 1.0 : done + step;
+      const std::vector<Vec3> shape_before = found_.from_stress_free;
+      algebra::BlockVector state_before(found_.state.space());
+      state_before.assign(found_.state);
+      ++load_step_;
+      const Outcome outcome = bear(load);
+      if (outcome.is_success()) {
+        done = load;
+        step *= 1.5;
+        continue;
+      }
+      found_.from_stress_free = shape_before;
+      found_.state.assign(state_before);
+      step *= 0.5;
+      if (step < smallest) return Result<Prestress>::failure(text(load) + outcome.reason());
+    }
+    return std::move(found_);
+  }
+
+private:
+  static Prestress nothing(const SolidProblem& wall) {
+    Prestress none{std::vector<Vec3>(wall.mesh().n_owned), algebra::BlockVector(wall.space())};
+    none.state.set_zero();
+    return none;
+  }
+
+  std::string text(double load) const {
+    std::ostringstream words;
+    words << "the prestress, at " << load * options_->get<double>("pressure") << " of "
+          << options_->get<double>("pressure") << " kPa: ";
+    return words.str();
+  }
+
+  /// The shape that this part of the pressure deforms to the mesh, from that of a smaller part.
+  Outcome bear(double load) {
+    // The shape of a smaller load is only where the next one begins.
+    const double tolerance = std::max(options_->get<double>("tolerance"), load < 1.0 ? 0.01 : 0.0);
+    const int most = options_->get<int>("max iterations");
+    const stepping::Clock start(1e-9, 1);  // other loads are those at the beginning
+    SolidProblem equilibrium(static_list(*list_, load * options_->get<double>("pressure")),
+                             wall_->mesh(), wall_->elements().frames);
+    for (int k = 1; k <= most; ++k) {
+      const Outcome shaped = equilibrium.set_stress_free(found_.from_stress_free);
+      if (shaped.is_failure()) return shaped;
+      equilibrium.take(found_.state);
+      equilibrium.begin_step(start);
+      const nonlinear::NewtonReport newton = equilibrium.solve();
+      if (!newton.is_converged) return Outcome::failure(newton.reason);
+      const double moved = unload(equilibrium);
+      const double way = largest(found_.from_stress_free, *wall_->mesh().comm);
+      (*report_)({load_step_, k, load, moved, way});
+      if (moved <= tolerance * way) return Outcome::success();
+    }
+    return Outcome::failure("the shape without stress is not found in " + std::to_string(most) +
+                            " iterations");
+  }
+
+  /// X ← X − d; the largest |d|.
+  double unload(const SolidProblem& equilibrium) {
+    const std::vector<Vec3> d = equilibrium.displacement();
+    for (std::size_t a = 0; a < d.size(); ++a) found_.from_stress_free[a] += d[a];
+    found_.state[1].assign(equilibrium.state()[1]);
+    return largest(d, *wall_->mesh().comm);
+  }
+
+  const ParameterList* list_;
+  const SolidProblem* wall_;
+  const Report* report_;
+  const ParameterList* options_;
+  Prestress found_;
+  int load_step_ = 0;
+};
+
+}  // namespace
+
+Result<Prestress> find_prestress(const ParameterList& list, const SolidProblem& wall,
+                                 const std::function<void(const PrestressIteration&)>& report) {
+  return Search(list, wall, report).run();
+}
+
+params::Table prestress_table() {
+  params::Table table("The stress that the wall has in the geometry of the mesh.");
+  table
+      .number(
+          "pressure", 0.0, params::any(), "kPa",
+          "in the lumen of the vessel when it was imaged; 0: the mesh is free of stress. 80 mmHg "
+          "are 10.67 kPa")
+      .names("surfaces", std::vector<std::string>{"interface"}, "that bear this pressure")
+      .integer(
+          "load steps", 4, params::Range{1.0, 1000.0},
+          "in which the pressure is raised at first; where one fails it is halved, where it does "
+          "not the next is longer")
+      .number("tolerance", 1e-5, params::Range{0.0, 0.1, true, false}, "1",
+              "how far the wall may be from the mesh, in parts of its way from the shape without "
+              "stress")
+      .integer("max iterations", 100, params::Range{1.0, 10000.0}, "in each load step");
+  return table;
+}
+
+}  // namespace tunica::problems

@@ -1,0 +1,34 @@
+#pragma once
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "field_of.hpp"
+#include "tunica/app/case.hpp"
+#include "tunica/app/schema.hpp"
+
+namespace tunica::verify {
+
+/// A shipped case of a wall alone.
+inline Teuchos::ParameterList case_of(const std::string& file) {
+  app::CommandLine command;
+  command.case_file = TUNICA_CASES "/" + file;
+  return app::read_case(command, app::solid_table(), *Tpetra::getDefaultComm());
+}
+
+/// Inner radius by pressure, of tests/data/inflation.csv.
+inline std::map<double, double> exact_radius(const std::string& wanted) {
+  std::ifstream file(TUNICA_TEST_DATA "/inflation.csv");
+  std::map<double, double> radius;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream cells(line);
+    std::string law, pressure, value;
+    std::getline(cells, law, ',');
+    std::getline(cells, pressure, ',');
+    std::getline(cells, value, ',');
+    if (law == wanted) radius[std::stod(pressure)] = std::stod(value);
+  }
+  return radius;
+}
+
+}  // namespace tunica::verify
