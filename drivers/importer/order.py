@@ -3,7 +3,7 @@ import numpy as np
 
 from . import places
 from .faces import Faces, patches, show, six_volumes
-from .raw import BadMesh, check_arrays
+from .raw import BadMesh
 
 FLAT = 1e-12  # volume over the cube of the longest edge
 INTERFACE, LEFT_OVER = "interface", "surface-0"
@@ -46,8 +46,8 @@ def surface_names(raw):
     return [name or f"surface-{number}" for name, number in zip(raw.surface.names, raw.surface.ids)]
 
 
-def check_triangles(raw, faces):
-    """Each is a face, and each face has one. Those without a surface are left out."""
+def check_triangles(raw, faces, is_merged):
+    """Each is a face, and no face has two. Those without a surface are left out."""
     keep_triangles(raw, raw.surface.of >= 0)
     at = faces.find(raw.triangles)
     names = surface_names(raw)
@@ -57,22 +57,26 @@ def check_triangles(raw, faces):
         raise BadMesh(f"{raw.path}: {len(stray):,} triangles are no faces of tetrahedra, the first, of the surface "
                       f'"{names[raw.surface.of[stray[0]]]}", at {place}. Do surface and volume not share their '
                       "vertices (--merge), or is the triangle one of another mesh?")
+    drop_repeated(raw, at, names, is_merged)
+
+
+def drop_repeated(raw, at, names, is_merged):
+    """Where parts were merged, the triangles of both sides lie on a common face: the first one names it."""
     order = np.argsort(at, kind="stable")
     again = np.flatnonzero(at[order][1:] == at[order][:-1])
     first, second = order[again], order[again + 1]
     clash = np.flatnonzero(raw.surface.of[first] != raw.surface.of[second])
     if len(clash):
-        k = clash[0]
-        raise BadMesh(f'{raw.path}: {len(clash):,} faces belong to two surfaces, the first to "'
-                      f'{names[raw.surface.of[first[k]]]}" and "{names[raw.surface.of[second[k]]]}". Each face '
-                      "belongs to one surface only")
-    if len(again):
+        both = " and ".join(f'"{names[raw.surface.of[side[clash[0]]]]}"' for side in (first, second))
+        if not is_merged:
+            raise BadMesh(f"{raw.path}: {len(clash):,} faces belong to two surfaces, the first to {both}. Each face "
+                          "belongs to one surface only")
+        raw.note(f"{len(clash):,} faces belong to two surfaces, as to {both}: they are left to the first of them")
+    elif len(again):
         raw.note(f"{len(again):,} triangles that are there twice dropped")
-        kept = np.ones(len(at), dtype=bool)
-        kept[second] = False
-        keep_triangles(raw, kept)
-        at = at[kept]
-    return at
+    kept = np.ones(len(at), dtype=bool)
+    kept[second] = False
+    keep_triangles(raw, kept)
 
 
 def cover_inside(raw):
@@ -85,13 +89,12 @@ def cover_inside(raw):
         raw.region.names.append(None)
 
 
-def settle(raw):
+def settle(raw, is_merged=False):
     """Orientation and faces of one mesh as a file has it, before surfaces are added."""
-    check_arrays(raw)
     cover_inside(raw)
     orient(raw)
     faces = Faces(raw.path, raw.points, raw.tets)
-    check_triangles(raw, faces)
+    check_triangles(raw, faces, is_merged)
     drop_unused(raw)
 
 
@@ -105,6 +108,18 @@ def between_fluid_and_wall(raw, faces, fluid_names):
 def add_triangles(raw, faces, chosen, positions):
     raw.triangles = np.concatenate([raw.triangles, faces.outward[chosen]])
     raw.surface.of = np.concatenate([raw.surface.of, positions])
+
+
+def report_touching(raw, faces, fluid_names):
+    """Fluid and wall may share no vertices but those of common faces: a coupled run would refuse them."""
+    is_fluid = np.array([name in fluid_names for name in raw.region.names])[raw.region.of]
+    of_both = np.zeros((3, len(raw.points)), dtype=bool)
+    of_both[0, raw.tets[is_fluid]] = of_both[1, raw.tets[~is_fluid]] = True
+    of_both[2, faces.outward[between_fluid_and_wall(raw, faces, fluid_names)]] = True
+    touching = np.flatnonzero(of_both[0] & of_both[1] & ~of_both[2])
+    if len(touching):
+        raw.note(f"fluid and wall touch in {len(touching):,} vertices without a common face, the first at "
+                 f"{show(raw.points[touching[0]])}: a coupled run refuses that")
 
 
 def cover_interface(raw, faces, fluid_names, has_triangle):
@@ -160,5 +175,6 @@ def finish(raw, fluid_names, split_angle):
     has_triangle[faces.find(raw.triangles)] = True
     cover_interface(raw, faces, fluid_names, has_triangle)
     cover_outside(raw, faces, has_triangle, split_angle)
+    report_touching(raw, faces, fluid_names)
     places.report_twins(raw)
     return faces

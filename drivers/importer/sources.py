@@ -2,14 +2,20 @@
 import os
 
 from . import meshio_files, simvascular, tunica_file, vtk_files
-from .raw import BadMesh
+from .raw import BadMesh, check_arrays
 
 BY_VTK = {".vtu": vtk_files.read_vtu, ".vtk": vtk_files.read_vtu}
 EXODUS = (".e", ".exo", ".ex2", ".exii")
 
 
 def read(path, region_array=None, surface_array=None):
-    """A Raw mesh, in the file's unit."""
+    """A Raw mesh, in the file's unit; its numbers make sense."""
+    raw = read_any(path, region_array, surface_array)
+    check_arrays(raw)
+    return raw
+
+
+def read_any(path, region_array, surface_array):
     if os.path.isdir(path):
         return simvascular.read(path.rstrip("/") or path, region_array, surface_array)
     if not os.path.isfile(path):

@@ -66,10 +66,12 @@ def write(raw, path):
         os.umask(umask)
         os.chmod(temporary, 0o666 & ~umask)  # mkstemp's is for its owner alone
         os.replace(temporary, path)
-    except OSError as error:
+    except BaseException as error:  # an interrupt, too, leaves nothing behind
         if temporary:
             with contextlib.suppress(OSError):
                 os.remove(temporary)
+        if not isinstance(error, OSError):
+            raise
         raise BadMesh(f"{path}: cannot be written: {error}") from error
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 import samples
 from cases import ImportTest, run, tunica
-from samples import Column, write_vtu
+from samples import Column, flat_faces, write_vtu
 
 RADIUS, MEDIA, ADVENTITIA, LENGTH, AROUND = 1.43, 0.26, 0.13, 18.0, 12
 
@@ -87,7 +87,29 @@ class Order(ImportTest):
         mesh = self.imported(apart, "--merge", "--fluid-regions", "region-1", out="merged.h5")
         self.expect_sizes(mesh.areas(), {"surface-0": 10, "interface": 1}, 1e-12)
         self.assertEqual(len(mesh.vertices), len(column.points))
+        self.assertNotIn("two surfaces", self.said)
         self.expect_error(apart, "--merge", "--tolerance", "0.5", parts=["would lose a vertex"], out="x.h5")
+
+    def test_merged_face_is_left_to_the_first_of_its_surfaces(self):
+        column = Column()
+        parts = [column.part(1), column.part(2)]
+        shift = len(parts[0][0])
+        touching = np.vstack([flat_faces(*parts[0])["z_high"], flat_faces(*parts[1])["z_low"] + shift])
+        count = len(column.tets)
+        content = np.vstack([parts[0][0], parts[1][0]]), [
+            (10, np.vstack([parts[0][1], parts[1][1] + shift])), (5, touching)]
+        apart = write_vtu(self.path("apart.vtu"), *content, of_cells={
+            "region": np.repeat([1, 2, 0], [count // 2, count // 2, len(touching)]).astype(np.int32),
+            "surface": np.repeat([0, 7, 8], [count, len(touching) // 2, len(touching) // 2]).astype(np.int32)})
+        mesh = self.imported(apart, "--merge")
+        self.expect_sizes(mesh.areas(), {"surface-7": 1, "surface-0": 10}, 1e-12)
+        self.assertIn('18 faces belong to two surfaces, as to "surface-7" and "surface-8"', self.said)
+
+    def test_fluid_and_wall_that_touch_in_an_edge_are_reported(self):
+        points = np.array([[0.0, 0, 0], [0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]])
+        self.imported(self.column(points=points, tets=np.array([[0, 2, 3, 1], [0, 4, 5, 1]]),
+                                  region=np.array([1, 2])), "--fluid-regions", "region-1")
+        self.assertIn("fluid and wall touch in 2 vertices without a common face, the first at (0, 0, 0)", self.said)
 
     def test_lengths_are_scaled_and_doubted(self):
         metres = self.column(points=0.001 * Column().points)
