@@ -62,18 +62,21 @@ function(tunica_install_before part before)
     --component ${before} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${part} EXCLUDE_FROM_ALL)
 endfunction()
 
-# Programs, report, cases and meshes; cases find their meshes as they do in the source tree.
+# Programs, those in Python, cases and meshes; cases find their meshes as they do in the source tree.
 function(tunica_install_programs)
   install(TARGETS ${ARGN} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT fsi)
-  install(PROGRAMS ${PROJECT_SOURCE_DIR}/drivers/tunica_report
-    DESTINATION ${TUNICA_SHARE_DIR} COMPONENT fsi)
-  # Python finds its modules behind the link, beside the program.
-  file(RELATIVE_PATH report /${CMAKE_INSTALL_BINDIR} /${TUNICA_SHARE_DIR}/tunica_report)
-  file(CREATE_LINK ${report} ${PROJECT_BINARY_DIR}/tunica-report SYMBOLIC)
-  install(FILES ${PROJECT_BINARY_DIR}/tunica-report
-    DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT fsi)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/drivers/report ${PROJECT_SOURCE_DIR}/meshes
-    ${PROJECT_SOURCE_DIR}/xml DESTINATION ${TUNICA_SHARE_DIR} COMPONENT fsi USE_SOURCE_PERMISSIONS
+  foreach(name import report)
+    install(PROGRAMS ${PROJECT_SOURCE_DIR}/drivers/tunica_${name}
+      DESTINATION ${TUNICA_SHARE_DIR} COMPONENT fsi)
+    # Python finds its modules behind the link, beside the program.
+    file(RELATIVE_PATH target /${CMAKE_INSTALL_BINDIR} /${TUNICA_SHARE_DIR}/tunica_${name})
+    file(CREATE_LINK ${target} ${PROJECT_BINARY_DIR}/tunica-${name} SYMBOLIC)
+    install(FILES ${PROJECT_BINARY_DIR}/tunica-${name}
+      DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT fsi)
+  endforeach()
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/drivers/importer ${PROJECT_SOURCE_DIR}/drivers/report
+    ${PROJECT_SOURCE_DIR}/meshes ${PROJECT_SOURCE_DIR}/xml
+    DESTINATION ${TUNICA_SHARE_DIR} COMPONENT fsi USE_SOURCE_PERMISSIONS
     PATTERN __pycache__ EXCLUDE PATTERN make.sh EXCLUDE)
   install(FILES ${PROJECT_SOURCE_DIR}/tests/data/mesh-tube-small.msh
     DESTINATION ${TUNICA_SHARE_DIR}/tests/data COMPONENT fsi)

@@ -7,6 +7,7 @@
 
 #include "tunica/app/case.hpp"
 #include "tunica/app/domain.hpp"
+#include "tunica/app/extent.hpp"
 #include "tunica/app/guard.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/base/agreement.hpp"
@@ -44,16 +45,19 @@ void print_reference() {
   app::system_solvers_table().print_markdown(std::cout, "System Case");
 }
 
-int check(const app::CommandLine& command) {
+int check(const app::CommandLine& command, const std::string& name) {
   const CommPtr comm = all_ranks();
   const bool is_foreign = app::has_list(command.case_file, "System", *comm);
   const Teuchos::ParameterList list = app::read_case(
       command, is_foreign ? app::system_solvers_table() : table_for(command.case_file, *comm),
       *comm);
-  if (is_foreign)
+  if (is_foreign) {
     systems::read_system(list.sublist("System"), comm);
-  else
-    app::check_directions(list, app::load_domain(list, comm));
+  } else {
+    const app::Domain domain = app::load_domain(list, comm);
+    app::print_extent(domain.extent, name, *comm);
+    app::check_directions(list, domain);
+  }
   if (comm->getRank() == 0)
     std::cout << command.case_file << ": the case and its " << (is_foreign ? "files" : "mesh")
               << " are valid." << std::endl;
@@ -72,6 +76,6 @@ int main(int argc, char** argv) {
     if (command.reference && is_root) print_reference();
     if (command.print_defaults && is_root) app::fsi_table().print_xml(std::cout, "Case");
     if (command.help || command.reference || command.print_defaults) return app::exit_done;
-    return check(command);
+    return check(command, name);
   });
 }

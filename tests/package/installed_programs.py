@@ -52,6 +52,8 @@ def main():
         report = Run([str(programs / "tunica-report"), str(scratch / "out")], scratch)
         verdict.claim(report.status == 0 and (scratch / "out" / "report" / "index.html").exists(),
                       f"the report is drawn {report.err}")
+        wall = Run([str(programs / "tunica-import"), str(shared / "meshes" / "block.h5"), str(scratch / "block.h5")], scratch)
+        verdict.claim(wall.status == 0 and (scratch / "block.h5").exists(), f"a mesh is imported {wall.err}")
         paper = Run([str(shared / "xml" / "paper" / "reproduce"), "--list"], scratch)
         verdict.claim(paper.status == 0, f"the items of the paper are listed {paper.err}")
     return verdict.status()

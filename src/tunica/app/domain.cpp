@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tunica/app/extent.hpp"
 #include "tunica/app/surface_report.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
@@ -119,6 +120,7 @@ Shares read_and_check(const Teuchos::ParameterList& list, const MeshRequirements
   const auto& file = list.sublist("Mesh").get<std::string>("file");
   Shares shares;
   shares.mesh = mesh::read(file);
+  scale(shares.mesh, list.sublist("Mesh").get<double>("scale"));
   try {
     shares.fluid = region_indices(shares.mesh, requirements.fluid_regions, "Fluid / regions");
     shares.wall = region_indices(shares.mesh, requirements.wall_regions, "Wall / Layers");
@@ -172,6 +174,7 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
   Domain domain;
   fault_point("field mesh");
   domain.fingerprint = mesh::fingerprint(shares.mesh);
+  domain.extent = extent(shares.mesh);
   const mesh::Partition partition = mesh::partition(
       shares.mesh, comm->getSize(), marks(shares.fluid, shares.mesh.regions.size()));
   if (!shares.fluid.empty())

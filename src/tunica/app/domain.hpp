@@ -15,6 +15,7 @@ struct Domain {
   std::optional<fields::FieldMesh> common;  ///< of both, where the coupling needs it
   std::optional<fields::InterfaceTransfer> interface;
   std::string fingerprint;              ///< of the mesh
+  Vec3 extent;                          ///< of the mesh, in mm
   std::vector<int> interface_surfaces;  ///< indices into FieldMesh::surfaces
   Probes probes;
 };

@@ -3,6 +3,7 @@
 #include <Teuchos_Array.hpp>
 #include <iostream>
 
+#include "tunica/app/extent.hpp"
 #include "tunica/app/guard.hpp"
 #include "tunica/app/results_folder.hpp"
 #include "tunica/app/time_march.hpp"
@@ -127,6 +128,7 @@ int solve(const Program& program, const CommandLine& command, const March& march
   const Teuchos::ParameterList list = read_case(command, program.table, *comm);
   if (!command.dry_run) check_results_folder(folder_of(list), command, program.name, *comm);
   const Domain domain = load_domain(list, comm);
+  print_extent(domain.extent, program.name, *comm);
   describe_domain(domain, *comm);
   std::optional<Restart> restart;
   if (command.restart) restart = find_restart(list, domain);

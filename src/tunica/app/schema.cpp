@@ -21,7 +21,11 @@ namespace {
 
 params::Table mesh_table() {
   params::Table table("The mesh of fluid and wall.");
-  table.file("file", std::nullopt, "Gmsh 2.2 or 4.1, Netgen .vol, or our HDF5; lengths in mm");
+  table
+      .file("file", std::nullopt,
+            "Gmsh 2.2 or 4.1, Netgen .vol, or our HDF5; lengths in mm, or see scale")
+      .number("scale", 1.0, params::positive(), "",
+              "the vertices are multiplied by it; 1000 for a mesh in m, 10 for one in cm");
   return table;
 }
 

@@ -44,7 +44,7 @@ Mesh read(const std::string& path) {
   TUNICA_CHECK(std::ifstream(path), path + ": cannot be opened for reading");
   throw Error(path +
               ": not a mesh this program knows. Expected Gmsh (.msh, ASCII 2.2 or 4.1), "
-              "Netgen (.vol) or tunica's own (.h5).");
+              "Netgen (.vol) or tunica's own (.h5). tunica-import makes that of others.");
 }
 
 }  // namespace tunica::mesh

@@ -1,0 +1,1 @@
+"""Reading meshes of other programs and putting them in order, for tunica-import."""

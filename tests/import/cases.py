@@ -1,0 +1,65 @@
+"""What the tests of tunica-import share: its runs, and a folder for each test."""
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+
+import samples
+
+PROGRAM, PROGRAMS, SCRATCH = sys.argv[1:4]
+ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl_vader_single_copy_mechanism="none")
+
+
+def tunica(program, *words):
+    """A finished run of one of the other programs."""
+    return subprocess.run([os.path.join(PROGRAMS, program), *map(str, words)], capture_output=True, text=True,
+                          env=ENVIRONMENT)
+
+
+class ImportTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = os.path.join(SCRATCH, self.id().split(".")[-1])
+        os.makedirs(self.folder)
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def run_import(self, *words):
+        return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, cwd=self.folder)
+
+    def imported(self, *words, out="out.h5"):
+        """The mesh; it has passed the checks of tunica-mesh, too."""
+        done = self.run_import(*words, self.path(out))
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stderr)
+        self.said = done.stdout
+        info = tunica("tunica-mesh", "info", self.path(out))
+        self.assertEqual((info.returncode, info.stderr), (0, ""), info.stderr)
+        return samples.Mesh(self.path(out))
+
+    def expect_conforming(self, fluid, wall, interface, out="out.h5"):
+        info = tunica("tunica-mesh", "info", self.path(out), "--fluid", fluid, "--wall", wall, "--interface", interface)
+        self.assertIn("the interface conforms", info.stdout, info.stderr)
+
+    def expect_error(self, *words, parts, out="out.h5"):
+        """One line that holds the parts, status 1, and nothing is left behind."""
+        before = sorted(os.listdir(self.folder))
+        done = self.run_import(*words, self.path(out))
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertEqual(done.stdout, "")
+        for part in parts:
+            self.assertIn(part, done.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def expect_sizes(self, found, expected, relative=1e-6):
+        self.assertEqual(set(found), set(expected))
+        for name, value in expected.items():
+            self.assertAlmostEqual(found[name] / value, 1, delta=relative, msg=name)
+
+
+def run():
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+    os.makedirs(SCRATCH)
+    unittest.main(module="__main__", argv=sys.argv[:1])
