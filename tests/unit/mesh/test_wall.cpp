@@ -207,8 +207,6 @@ TEUCHOS_UNIT_TEST(mesh_wall, vessels_beside_one_another_do_not_touch) {
   TEST_COMPARE(grown.report.limited_vertices, >, 0);
   TEST_ASSERT(grown.report.limited.front().is_dense);
   TEST_COMPARE(grown.report.least_thickness, <, 0.15);
-  const std::size_t half = grown.mesh.tets.size() / 2;
-  TEST_COMPARE(half, >, 0u);
 }
 
 }  // namespace
