@@ -2,8 +2,9 @@
 ///
 ///   tunica-mesh tube tube.h5 --around 20 --axial 62
 ///   tunica-mesh block block.h5 --patch-x 4 --patch-y 4
-///   tunica-mesh info tube.h5 --interface interface
-///   tunica-mesh COMMAND --help
+///   tunica-mesh wall lumen.msh vessel.h5 --surfaces lumen_wall --layers
+///   media=0.26:2,adventitia=0.13:1 tunica-mesh info tube.h5 --interface interface tunica-mesh
+///   COMMAND --help
 #include <cstdio>
 #include <exception>
 #include <iostream>

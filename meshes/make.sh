@@ -13,3 +13,17 @@ python3 "$folder/make_flap.py" "$flap"
 "$tool" convert "$flap" "$folder/flap.h5"
 rm "$flap"
 "$quarter" "$folder/quarter-tube.h5"
+
+# Lumens by Gmsh, walls by tunica-mesh. Another version of Gmsh makes other elements.
+if ! python3 -c "import gmsh" 2>/dev/null; then
+  echo "make.sh: without python3-gmsh bend.h5, bulge.h5 and bifurcation-wall.h5 stay as they are"
+  exit 0
+fi
+lumen=$(mktemp --suffix .msh)
+trap 'rm -f "$lumen"' EXIT
+python3 "$folder/make_bend.py" "$lumen"
+"$tool" wall "$lumen" "$folder/bend.h5" --layers media=0.3:2,adventitia=0.15:1
+python3 "$folder/make_bulge.py" "$lumen"
+"$tool" wall "$lumen" "$folder/bulge.h5" --layers media=0.3:2,adventitia=0.15:1
+python3 "$folder/make_bifurcation.py" "$lumen"
+"$tool" wall "$lumen" "$folder/bifurcation-wall.h5" --surfaces interface --layers media=0.3:2,adventitia=0.15:1

@@ -14,6 +14,7 @@
 #include "tunica/mesh/tube.hpp"
 #include "tunica/mesh/validate.hpp"
 #include "tunica/mesh/write.hpp"
+#include "tunica_mesh/wall_command.hpp"
 
 namespace {
 
@@ -144,6 +145,7 @@ const std::vector<Subcommand>& subcommands() {
       {{"tube", {"OUT"}, "Makes a tube of lumen, media and adventitia.", tube_options()},
        make_tube},
       {{"block", {"OUT"}, "Makes a block along the axes.", block_options()}, make_block},
+      {wall_command(), make_wall},
       {{"info",
         {"MESH"},
         "Shows counts, volumes, areas and quality of a mesh; checks the interface if it is named.",

@@ -10,5 +10,5 @@ struct Subcommand {
   void (*run)(const Arguments&);
 };
 
-/// tube, block, info, refine, convert, partition.
+/// tube, block, wall, info, refine, convert, partition.
 const std::vector<Subcommand>& subcommands();

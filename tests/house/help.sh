@@ -31,7 +31,7 @@ for program in "$bin"/tunica-*; do
     tunica-mesh)
       corrects tube "$program" tub
       corrects --around "$program" tube never-written.h5 --aroun 20
-      for command in tube info refine convert partition; do answers_help "$program" "$command"; done
+      for command in tube block wall info refine convert partition; do answers_help "$program" "$command"; done
       ;;
     tunica-import) corrects --scale "$program" never-read.vtu never-written.h5 --scal 2 ;;
     tunica-report) corrects --magnify "$program" . --magnifi 2 ;;

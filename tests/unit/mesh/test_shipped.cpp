@@ -35,4 +35,16 @@ TEUCHOS_UNIT_TEST(mesh_shipped, coarse_is_what_its_script_makes) {
   TEST_NOTHROW(check_interface(mesh, {"fluid"}, {"media", "adventitia"}, {"interface"}));
 }
 
+TEUCHOS_UNIT_TEST(mesh_shipped, grown_walls_conform) {
+  for (const std::string name : {"bend", "bulge", "bifurcation-wall"}) {
+    const Mesh mesh = read(folder + "/" + name + ".h5");
+    TEST_NOTHROW(check_interface(mesh, {"fluid"}, {"media", "adventitia"}, {"interface"}));
+    TEST_NOTHROW(surface_index(mesh, "wall_inlet"));
+    const Info info = inspect(mesh);
+    TEST_EQUALITY(info.pieces, 1);
+    TEST_COMPARE(info.worst_quality, >, 0.15);
+    TEST_COMPARE(info.tets, <, 15000);
+  }
+}
+
 }  // namespace

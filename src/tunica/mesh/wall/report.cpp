@@ -1,0 +1,161 @@
+#include "tunica/mesh/wall/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "tunica/mesh/faces.hpp"
+#include "tunica/mesh/info.hpp"
+#include "tunica/mesh/text.hpp"
+#include "tunica/mesh/validate.hpp"
+#include "tunica/mesh/wall/surface_distance.hpp"
+
+namespace tunica::mesh::wall {
+namespace {
+
+constexpr double whole = 0.95;  ///< from this part on the thickness is what was wanted
+constexpr std::size_t most_places = 5;
+
+/// Of the wall at each vertex: how far its end is from the surface.
+std::vector<double> thickness_of(const Plan& plan) {
+  const SurfaceDistance to_surface(plan.surface);
+  std::vector<double> result;
+  for (int v = 0; v < plan.surface.vertices(); ++v)
+    result.push_back(to_surface.nearest(plan.place(v, 1.0), plan.left(v)).distance);
+  return result;
+}
+
+/// Thickness of a layer at the vertices, by its share of the wall.
+void measure_thickness(const Plan& plan, const std::vector<double>& thickness, int layer,
+                       Report::LayerReport& report) {
+  double share = 0.0;
+  for (int level = 0; level < plan.steps(); ++level)
+    if (plan.layer[level] == layer) share += plan.heights[level + 1] - plan.heights[level];
+  report.least = std::numeric_limits<double>::max();
+  for (int v = 0; v < plan.surface.vertices(); ++v) {
+    const double here = share * thickness[v];
+    report.least = std::min(report.least, here);
+    report.most = std::max(report.most, here);
+    report.mean += here / plan.surface.vertices();
+  }
+}
+
+void measure_elements(const Mesh& mesh, int region, Report& report, Report::LayerReport& layer) {
+  layer.least_angle = 180.0;
+  layer.worst_quality = 1.0;
+  for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
+    if (mesh.tet_region[t] != region) continue;
+    ++layer.tets;
+    layer.worst_quality = std::min(layer.worst_quality, quality(mesh, t));
+    const double angle = least_dihedral_angle(mesh, t);
+    layer.least_angle = std::min(layer.least_angle, angle);
+    if (angle >= report.least_angle) continue;
+    report.least_angle = angle;
+    report.least_angle_place = corners(mesh, t)[0];
+  }
+}
+
+/// The limited vertices that hang together with this one; they are marked.
+Report::Limited place_around(const Plan& plan, const std::vector<double>& thickness, int first,
+                             std::vector<bool>& is_seen) {
+  const Lists& neighbours = plan.surface.neighbours_of;
+  std::vector<int> members{first};
+  is_seen[first] = true;
+  int least = first;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const int v = members[i];
+    if (thickness[v] < thickness[least]) least = v;
+    for (int k = neighbours.begin[v]; k < neighbours.begin[v + 1]; ++k) {
+      const int w = neighbours.items[k];
+      if (is_seen[w] || thickness[w] >= whole * plan.thickness[w]) continue;
+      is_seen[w] = true;
+      members.push_back(w);
+    }
+  }
+  return {static_cast<int>(members.size()), thickness[least], plan.thickness[least],
+          plan.surface.x[least], plan.is_dense[least]};
+}
+
+void measure_limits(const Plan& plan, const std::vector<double>& thickness, Report& report) {
+  report.surface_vertices = plan.surface.vertices();
+  report.least_thickness = std::numeric_limits<double>::max();
+  std::vector<bool> is_seen(plan.part.size(), false);
+  for (int v = 0; v < plan.surface.vertices(); ++v) {
+    report.least_thickness = std::min(report.least_thickness, thickness[v]);
+    if (is_seen[v] || thickness[v] >= whole * plan.thickness[v]) continue;
+    report.limited.push_back(place_around(plan, thickness, v, is_seen));
+    report.limited_vertices += report.limited.back().vertices;
+  }
+  std::stable_sort(report.limited.begin(), report.limited.end(),
+                   [](const Report::Limited& a, const Report::Limited& b) {
+                     return a.least_thickness / a.wanted < b.least_thickness / b.wanted;
+                   });
+}
+
+/// A line of text by printf's rules.
+template <typename... Values>
+std::string line(const char* format, Values... values) {
+  char buffer[256];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return std::string(buffer) + "\n";
+}
+
+}  // namespace
+
+double least_dihedral_angle(const Mesh& mesh, int tet) {
+  const auto x = corners(mesh, tet);
+  std::array<Vec3, 4> normals;
+  for (int f = 0; f < 4; ++f) {
+    const auto& v = tet_faces[f];
+    const Vec3 normal = cross(x[v[1]] - x[v[0]], x[v[2]] - x[v[0]]);
+    normals[f] = (1.0 / norm(normal)) * normal;
+  }
+  double most = -1.0;  // cosine of the angle within
+  for (int f = 0; f < 4; ++f)
+    for (int g = 0; g < f; ++g) most = std::max(most, -dot(normals[f], normals[g]));
+  return std::acos(std::min(1.0, most)) * 180.0 / std::acos(-1.0);
+}
+
+Report make_report(const Mesh& mesh, const Plan& plan, const Options& options) {
+  Report report{};
+  report.least_angle = 180.0;
+  const std::vector<double> thickness = thickness_of(plan);
+  for (std::size_t l = 0; l < options.layers.size(); ++l) {
+    const Layer& layer = options.layers[l];
+    Report::LayerReport each{layer.name, layer.elements, 0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    measure_thickness(plan, thickness, static_cast<int>(l), each);
+    measure_elements(mesh, region_index(mesh, layer.name), report, each);
+    report.layers.push_back(each);
+  }
+  measure_limits(plan, thickness, report);
+  report.bent_caps = plan.surface.bent_caps;
+  return report;
+}
+
+std::string to_text(const Report& report) {
+  std::string text = line("%-16s %8s %9s  %-26s %10s %9s", "layer", "elements", "tets",
+                          "thickness min, mean, max", "least", "worst");
+  text += line("%-16s %8s %9s  %-26s %10s %9s", "", "through", "", "", "angle", "quality");
+  for (const auto& each : report.layers)
+    text +=
+        line("%-16s %8d %9d  %-8.4g %-8.4g %-8.4g %8.1f %9.4f", each.name.c_str(), each.elements,
+             each.tets, each.least, each.mean, each.most, each.least_angle, each.worst_quality);
+  text += line("least angle between two faces: %.1f degrees, at ", report.least_angle);
+  text.back() = ' ';
+  text += show(report.least_angle_place) + "\n";
+  text += line("limited vertices: %d of %d", report.limited_vertices, report.surface_vertices);
+  for (std::size_t i = 0; i < std::min(most_places, report.limited.size()); ++i) {
+    const Report::Limited& each = report.limited[i];
+    text += "  " + std::to_string(each.vertices) + " around " + show(each.place) + ", down to " +
+            show(each.least_thickness) + " of " + show(each.wanted) + ": " +
+            (each.is_dense ? "another part is close" : "the surface is too bent for more") + "\n";
+  }
+  if (report.limited.size() > most_places)
+    text += "  and at " + std::to_string(report.limited.size() - most_places) + " places more\n";
+  for (const std::string& cap : report.bent_caps)
+    text += "the cap \"" + cap + "\" is not flat, and so the wall's end is not\n";
+  return text;
+}
+
+}  // namespace tunica::mesh::wall
