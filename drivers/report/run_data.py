@@ -90,8 +90,7 @@ class Run:
         return self.fields[path][:] if path in self.fields else None
 
     def displacement(self, output, grid):
-        name = "mesh_displacement" if grid == "fluid" else "displacement"
-        found = self.field(output, grid, name)
+        found = self.field(output, grid, "displacement")
         return np.zeros(self.fields[f"{grid}/points"].shape) if found is None else found
 
     def nearest_outputs(self, text):

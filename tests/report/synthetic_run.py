@@ -61,7 +61,7 @@ def write_fields(path, grids, times, stress_at_cells):
                 p = meshes["fluid"][0]
                 r = np.hypot(p[:, 0], p[:, 1])
                 pulse = np.exp(-(((p[:, 2] - 3.0 * time) / 6.0) ** 2))
-                step["fluid/mesh_displacement"] = wave(p, time)
+                step["fluid/displacement"] = wave(p, time)
                 step["fluid/velocity"] = np.column_stack([0 * r, 0 * r, 0.3 * pulse * (1 - (r / INNER) ** 2)])
                 step["fluid/pressure"] = 1.3 * pulse
             if "wall" in grids:
