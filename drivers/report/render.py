@@ -24,7 +24,8 @@ def display():
     if server is None:
         yield dict(os.environ)
         return
-    with subprocess.Popen([server, "-displayfd", "1", "-screen", "0", "640x480x24", "-nolisten", "tcp"],
+    # Between two windows nobody is connected: without -noreset the server begins anew and may refuse the second.
+    with subprocess.Popen([server, "-displayfd", "1", "-screen", "0", "640x480x24", "-nolisten", "tcp", "-noreset"],
                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
         try:
             is_ready, _, _ = select.select([process.stdout], [], [], 20)

@@ -106,7 +106,8 @@ class Line(unittest.TestCase):
         x, y = self.straight[self.side, 0] / INNER, self.straight[self.side, 1] / INNER
         exact = np.column_stack([x * np.cos(turn), y, x * np.sin(turn)])
         begins_at_zero = abs(line.centres[0, 2]) < 1.0  # either cap is the largest
-        self.assertLess(abs(way - (RADIUS * turn if begins_at_zero else LENGTH - RADIUS * turn)).max(), 0.4)  # at corners of the line, 5 mm away
+        self.assertLess(abs(way - (RADIUS * turn if begins_at_zero else LENGTH - RADIUS * turn)).max(),
+                        0.4)  # at corners of the line, 5 mm away
         self.assertGreater(np.einsum("ij,ij->i", away, exact).min(), 0.998)
 
     def test_pieces_are_those_that_hang_together(self):
