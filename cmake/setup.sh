@@ -20,10 +20,15 @@ fail() {
   exit 1
 }
 
+is_installed() {
+  dpkg-query -W -f='${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed
+}
+
+# ParaView brings a VTK of its own, and Debian would remove it for the other one.
 missing_packages() {
   local package
   while read -r package; do
-    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
+    is_installed "$package" || { [ "$package" = python3-vtk9 ] && is_installed python3-paraview; } ||
       echo "$package"
   done < cmake/apt-packages.txt
 }

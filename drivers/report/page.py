@@ -4,6 +4,8 @@ import os
 
 import numpy as np
 
+from report.canvas import readable
+from report.case_tables import changes_per_cycle, parameters, period, read_case
 from report.run_data import rows_where
 
 _STYLE = """
@@ -13,6 +15,8 @@ img { max-width: 100%; height: auto; } p.note { color: #666; margin: .2rem 0 .6r
 table { border-collapse: collapse; font-size: .9rem; margin: .6rem 1.5rem .6rem 0; display: inline-block; vertical-align: top; }
 td, th { padding: .15rem .7rem; text-align: right; border-bottom: 1px solid #e4e4e4; }
 td:first-child, th:first-child { text-align: left; } th { color: #555; font-weight: 600; }
+.remark { background: #fff7e6; border-left: 4px solid #d9a406; padding: .4rem .8rem; }
+.scroll { max-height: 24rem; overflow: auto; } summary { cursor: pointer; }
 .done { color: #1a7f37; } .bad { color: #b42318; } .running { color: #9a6700; }
 """
 
@@ -37,6 +41,8 @@ def _sections(record):
 
 def _exponents(run, step):
     """Exponent of convergence of each Newton step: one row per solve."""
+    if step is None:
+        return ""
     chosen = rows_where(run.newton, step=float(step))
     if not chosen or not chosen["step"] or "exponent" not in chosen:
         return ""
@@ -89,7 +95,7 @@ def _message(record):
 
 def _summary(run):
     record, steps = run.record, run.steps
-    parts = [_status(record), f"{len(steps['step'])} steps"]
+    parts = [_status(record), f"{len(steps.get('step', []))} steps"]
     if steps.get("time"):
         parts.append(f"t = {steps['time'][-1]:g} ms")
     if "ranks" in record:
@@ -98,7 +104,42 @@ def _summary(run):
         parts.append(f"{np.nansum(steps['seconds']):.1f} s in steps")
     if record.get("started"):
         parts.append(f"started {html.escape(str(record['started']))}")
-    return "<p>" + " · ".join(parts) + "</p>\n" + _message(record)
+    remarks = "".join(f"<p class=\"remark\">{html.escape(r)}</p>\n" for r in run.remarks)
+    return "<p>" + " · ".join(parts) + "</p>\n" + _message(record) + remarks
+
+
+def _case(case):
+    tables = "".join(_table([heading, ""], rows) for heading, rows in parameters(case))
+    return f"<h2>The case</h2>\n<details open><summary>parameters</summary>\n{tables}</details>\n" if tables else ""
+
+
+def _periodicity(run, case):
+    """Whether the run has become periodic, where a load has a period."""
+    length = period(case)
+    if length is None:
+        return ""
+    rows = changes_per_cycle(run.steps, length)
+    if rows is None:
+        text, table = f"The loads have a period of {length:g} ms; the run is not two of them long.", ""
+    else:
+        text = (f"Relative L2 difference of the last cycle of {length:g} ms and the one before, greatest first; "
+                "below 0.01 a quantity hardly changes any more.")
+        rows = sorted(rows, key=lambda row: -np.nan_to_num(row[1]))
+        table = _table(["quantity", "change"], [(readable(c), float(v)) for c, v in rows])
+    return f"<h2>Has it become periodic?</h2>\n<p class=\"note\">{text}</p>\n{table}"
+
+
+def _effort(run):
+    """Iterations of each step."""
+    columns = [c for c in run.steps if c in ("step", "time", "coupling_iterations", "seconds")
+               or c.endswith(("_newton", "_linear"))]
+    columns = [c for c in columns if c in ("step", "time") or np.nansum(np.array(run.steps[c], float)) > 0]
+    if not columns or not run.steps.get("step"):
+        return ""
+    heading = [{"time": "time [ms]", "seconds": "seconds"}.get(c, c.replace("_", " ")) for c in columns]
+    rows = zip(*[run.steps[c] for c in columns])
+    return (f"<details><summary>iterations of each step</summary><div class=\"scroll\">\n{_table(heading, rows)}"
+            "</div></details>\n")
 
 
 def _images(figures):
@@ -114,10 +155,13 @@ def _save(folder, title, body):
                    f"<h1>{html.escape(title)}</h1>\n{body}</body>\n</html>\n")
 
 
-def write(run, folder, figures, step):
+def write(run, folder, figures, step, viewer=None):
+    """viewer: the page with the vessel to be turned."""
+    case = read_case(run.folder)
     title = f"{run.record.get('program', 'tunica')}: {os.path.basename(os.path.abspath(run.folder))}"
-    _save(folder, title, f"{_summary(run)}{_images(figures)}{_exponents(run, step)}{_solvers(run)}"
-                         f"<h2>The run</h2>\n{_sections(run.record)}")
+    link = f"<p><a href=\"{viewer}\">The vessel to be turned, over time</a></p>\n" if viewer else ""
+    _save(folder, title, f"{_summary(run)}{link}{_images(figures)}{_periodicity(run, case)}{_effort(run)}"
+                         f"{_exponents(run, step)}{_solvers(run)}{_case(case)}<h2>The run</h2>\n{_sections(run.record)}")
 
 
 # --- runs of tunica-solvers -----------------------------------------------------------------

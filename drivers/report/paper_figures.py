@@ -4,8 +4,8 @@ import os
 from matplotlib import pyplot as plt
 from matplotlib.ticker import MaxNLocator
 
-from report import figures, solver_figures
-from report.figures import Figure, positive, save
+from report import section_figures, solver_figures
+from report.canvas import Figure, positive, save
 from report.paper_runs import ACCELERATORS, MATERIALS, MESHES
 from report.run_data import rows_where
 
@@ -83,8 +83,8 @@ def state(runs, material):
             shown = [output for output in run.outputs if abs(output[0] - 8.0) < 1e-9] if run else []
             if not shown:
                 continue
-            factor = figures.default_magnification(run, shown)
-            canvas, figure = figures.section(run, shown, "velocity", factor)
+            factor = section_figures.default_magnification(run, shown)
+            canvas, figure = section_figures.section(run, shown, "velocity", factor)
             return canvas, Figure(f"state-{material}.png", f"{MATERIALS[material]} at 8 ms, {mesh} mesh", figure.text)
     return None
 

@@ -37,9 +37,10 @@ class PaperRuns:
         if not self.has(mesh, item, "steps.csv"):
             return None
         try:
-            return Run(self.path(mesh, item), with_fields=with_fields)
-        except BadRun:  # not a step yet
+            run = Run(self.path(mesh, item), with_fields=with_fields)
+        except BadRun:  # it has just begun
             return None
+        return run if run.steps.get("step") else None
 
     def solvers(self, mesh, item):
         """A run of tunica-solvers that has solved a system."""

@@ -2,9 +2,14 @@
 import csv
 import json
 import os
+import re
+import shutil
+import tempfile
 
 import h5py
 import numpy as np
+
+from report.section import apart_by_region, nodal_means, von_mises
 
 
 class BadRun(Exception):
@@ -46,53 +51,135 @@ def read_table(folder, name, required=True, first="step"):
     return {column: _numbers([row[i] for row in rows]) for i, column in enumerate(heading)}
 
 
+KNOWN_ARRAYS = ("displacement", "velocity", "pressure", "von_mises", "cauchy_stress")
+
+
+def open_fields(path):
+    """For reading, whatever a writer does with it: without locks, else as SWMR, else a copy."""
+    try:
+        return h5py.File(path, "r")
+    except OSError:
+        pass
+    try:
+        return h5py.File(path, "r", swmr=True)
+    except (OSError, ValueError):
+        with tempfile.NamedTemporaryFile(suffix=".h5") as copy:  # stays readable when its name is gone
+            shutil.copyfile(path, copy.name)
+            return h5py.File(copy.name, "r")
+
+
 class Run:
-    """All tables in memory; fields are read step by step."""
+    """All tables in memory; fields are read step by step. What a run that failed, was killed or is going on
+    has not left is told in remarks, sentences for the page."""
 
     def __init__(self, folder, with_fields=True):
         self.folder = folder
-        self.record = read_json(folder, "run.json")
-        self.steps = read_table(folder, "steps.csv")
-        self.newton = read_table(folder, "newton.csv")
-        self.linear = read_table(folder, "linear.csv")
-        self.coupling = read_table(folder, "coupling.csv", required=False)  # none with a single field
+        self.remarks = []
+        self.record = self._record()
+        self.steps = self._table("steps.csv")
+        self.newton = self._table("newton.csv")
+        self.linear = self._table("linear.csv")
+        self.coupling = self._table("coupling.csv", required=False)  # none with a single field
         if not self.steps.get("step"):
-            raise BadRun(f"{os.path.join(folder, 'steps.csv')} has no rows; the run has not finished a step")
+            self.remarks.append("The run has not finished a step: there are no curves.")
         self.fields = None
         self.outputs = []  # (time, group name)
+        self._meshes, self._origins = {}, {}
         if with_fields:
             self._open_fields()
+
+    def _record(self):
+        try:
+            record = read_json(self.folder, "run.json")
+        except BadRun as error:
+            if not os.path.exists(os.path.join(self.folder, "run.json")):
+                raise
+            self.remarks.append(f"{error}.")
+            return {}
+        status = record.get("status", "running")
+        if status == "running":
+            self.remarks.append("The run is going on, or was killed: this is what it has left so far.")
+        elif status != "done":
+            self.remarks.append("The run has not come to its end: this is what it has left.")
+        return record
+
+    def _table(self, name, required=True):
+        path = os.path.join(self.folder, name)
+        is_there = os.path.exists(path)
+        if (required and not is_there) or (is_there and os.path.getsize(path) == 0):
+            self.remarks.append(f"{name} is {'empty' if is_there else 'missing'}; what needs it is left out.")
+            return {}
+        return read_table(self.folder, name, required=False)
 
     def _open_fields(self):
         path = os.path.join(self.folder, "fields.h5")
         if not os.path.exists(path):
-            raise BadRun(f"{path} is missing; --no-fields leaves out what needs it")
+            self.remarks.append("fields.h5 is missing; there are no pictures of the vessel.")
+            return
         try:
-            self.fields = h5py.File(path, "r")
+            self.fields = open_fields(path)
         except OSError:
-            raise BadRun(f"{path} is not a readable HDF5 file; --no-fields leaves it out") from None
-        for name in sorted(self.fields):
-            if name.startswith("step_"):
-                self.outputs.append((float(self.fields[name].attrs["time"]), name))
-        self.outputs.sort()
-        if not self.outputs:
-            raise BadRun(f"{path} holds no step; --no-fields leaves it out")
+            self.remarks.append("fields.h5 is not a readable HDF5 file; there are no pictures of the vessel.")
+            return
+        self.outputs = sorted((float(self.fields[name].attrs["time"]), name) for name in self._finished())
+        if not self.outputs or not self.grids():
+            self.fields = None
+            self.remarks.append("fields.h5 holds no finished output; there are no pictures of the vessel.")
+
+    def _finished(self):
+        """Groups of outputs; of a step that was being written when the run was killed the XDMF knows nothing."""
+        names = [n for n in self.fields if n.startswith("step_") and "time" in self.fields[n].attrs]
+        try:
+            with open(os.path.join(self.folder, "fields.xdmf"), encoding="utf-8") as file:
+                told = set(re.findall(r":/(step_\d+)/", file.read()))
+        except OSError:
+            return names
+        return [n for n in names if n in told]
 
     def grids(self):
-        return [g for g in ("fluid", "wall") if self.fields is not None and g in self.fields]
+        return [g for g in ("fluid", "wall") if self.fields is not None and f"{g}/tets" in self.fields]
 
-    def geometry(self, grid):
-        return self.fields[f"{grid}/points"][:], self.fields[f"{grid}/tets"][:]
+    def mesh(self, grid):
+        """Points and tets. Of the wall points are there once for each layer: what jumps between layers is
+        smooth on either side."""
+        if grid not in self._meshes:
+            points, tets = self.fields[f"{grid}/points"][:], self.fields[f"{grid}/tets"][:]
+            origin = np.arange(len(points))
+            if grid == "wall" and f"{grid}/region" in self.fields:
+                tets, origin = apart_by_region(tets, self.fields[f"{grid}/region"][:])
+            self._meshes[grid], self._origins[grid] = (points[origin], tets), origin
+        return self._meshes[grid]
 
     def field(self, output, grid, name):
-        """Values of a field at an output time, None if the run has not written it."""
+        """Values of a field at an output time as the run has written them, None if it has not."""
         path = f"{output}/{grid}/{name}"
-        return self.fields[path][:] if path in self.fields else None
+        try:
+            return self.fields[path][:] if path in self.fields else None
+        except (OSError, KeyError):
+            return None
+
+    def nodal(self, output, grid, name):
+        """The same at the points of mesh(); fields of elements as means."""
+        values = self.field(output, grid, name)
+        if values is None and name == "von_mises":
+            tensor = self.field(output, grid, "cauchy_stress")
+            values = None if tensor is None else von_mises(tensor)
+        if values is None:
+            return None
+        points, tets = self.mesh(grid)
+        if len(values) == len(self.fields[f"{grid}/points"]):
+            return values[self._origins[grid]]
+        return nodal_means(points, tets, values.reshape(len(tets)))
 
     def displacement(self, output, grid):
-        name = "mesh_displacement" if grid == "fluid" else "displacement"
-        found = self.field(output, grid, name)
-        return np.zeros(self.fields[f"{grid}/points"].shape) if found is None else found
+        found = self.nodal(output, grid, "displacement")
+        return np.zeros(self.mesh(grid)[0].shape) if found is None else found
+
+    def further_arrays(self, grid):
+        """Names of arrays at the points that the report does not know."""
+        group = self.fields.get(f"{self.outputs[-1][1]}/{grid}", {})
+        count = len(self.fields[f"{grid}/points"])
+        return [n for n in group if n not in KNOWN_ARRAYS and len(group[n]) == count]
 
     def nearest_outputs(self, text):
         """(time, group) of the outputs nearest to the times of the option; default about six."""
@@ -111,7 +198,9 @@ class Run:
         return [self.outputs[i] for i in sorted({int(np.argmin(abs(times - t))) for t in wanted})]
 
     def choose_step(self, wanted):
-        steps = [int(s) for s in self.steps["step"]]
+        steps = [int(s) for s in self.steps.get("step", [])]
+        if not steps:
+            return None
         if wanted is None:
             return 2 if 2 in steps else steps[-1]
         if wanted not in steps:

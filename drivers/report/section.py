@@ -17,7 +17,7 @@ def _patterns():
             table.append([tuple(number(apex[0], b) for b in base)])
         elif len(above) == 2:
             (a, b), (c, d) = above, below
-            q = [number(a, c), number(a, d), number(b, d), number(b, c)]
+            q = [number(a, c), number(a, d), number(b, d), number(b, c)]  # around the quadrangle
             table.append([(q[0], q[1], q[2]), (q[0], q[2], q[3])])
         else:
             table.append([])
@@ -27,45 +27,61 @@ def _patterns():
 _PATTERNS = _patterns()
 
 
-class Section:
-    """Triangles of the cut, its outline, and the means to bring values onto it.
+class LevelCut:
+    """Triangles where a nodal function of a tetrahedral mesh is zero.
 
-    The undeformed mesh is cut and the cut moves with the material, so that all times show the
-    same triangles. A vertex on the plane counts as above it: the cut is watertight.
+    A corner lies on an edge of the mesh, or is a vertex where the function is zero but for round-off:
+    all edges that end there share it, and what is left of their triangles has an area. Such a vertex counts as
+    above, so that a face in the level is taken once and the cut is watertight.
     """
 
-    def __init__(self, points, tets, plane, displacement):
-        above = points[:, 0] >= plane
-        code = (above[tets] * (1, 2, 4, 8)).sum(axis=1)
-        corners, parents = [], []
+    def __init__(self, level, tets):
+        level = np.where(abs(level) < 1e-5 * np.ptp(level), 0.0, level)
+        if not (level[tets] < 0).any():  # the level bounds the mesh from below
+            level = -level
+        code = ((level >= 0)[tets] * (1, 2, 4, 8)).sum(axis=1)
+        corners, parents = [np.zeros((0, 3, 2), dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
         for pattern, triangles in enumerate(_PATTERNS):
             cut = np.flatnonzero(code == pattern)
             for triangle in triangles:
-                # a corner is the mesh edge (lower, higher) it lies on
                 corners.append(np.sort(tets[cut][:, _EDGES[list(triangle)]], axis=2))
                 parents.append(cut)
         corners = np.concatenate(corners).reshape(-1, 2)
+        is_zero = level[corners] == 0.0
+        corners[is_zero[:, 0]] = corners[is_zero[:, 0]][:, [0, 0]]
+        corners[is_zero[:, 1]] = corners[is_zero[:, 1]][:, [1, 1]]
         edges, index = np.unique(corners, axis=0, return_inverse=True)
-        self.triangles = index.reshape(-1, 3)
-        self.parents = np.concatenate(parents)
+        self.triangles, self.parents = index.reshape(-1, 3), np.concatenate(parents)
+        t = self.triangles
+        has_area = (t[:, 0] != t[:, 1]) & (t[:, 1] != t[:, 2]) & (t[:, 2] != t[:, 0])
+        self.triangles, self.parents = t[has_area], self.parents[has_area]
         self._a, self._b = edges[:, 0], edges[:, 1]
-        xa, xb = points[self._a, 0], points[self._b, 0]
-        self._weight = (plane - xa) / np.where(xa == xb, 1.0, xb - xa)
-        position = self.at_corners(points + displacement)
-        self.y, self.z = position[:, 1], position[:, 2]
+        la, lb = level[self._a], level[self._b]
+        self._weight = la / np.where(la == lb, 1.0, la - lb)
 
     def is_empty(self):
         return len(self.triangles) == 0
 
-    def visible(self):
-        """Triangles with an area; slivers left by vertices on the plane are drawn as stray lines."""
-        y, z = self.y[self.triangles], self.z[self.triangles]
-        area = abs((y[:, 1] - y[:, 0]) * (z[:, 2] - z[:, 0]) - (y[:, 2] - y[:, 0]) * (z[:, 1] - z[:, 0]))
-        return area > 1e-3 * area.max()
-
     def at_corners(self, values):
         w = self._weight.reshape((-1,) + (1,) * (values.ndim - 1))
         return (1 - w) * values[self._a] + w * values[self._b]
+
+
+class Section(LevelCut):
+    """The cut by the plane x = const, its outline, and the means to bring values onto it.
+
+    The undeformed mesh is cut and the cut moves with the material, so that all times show the
+    same triangles.
+    """
+
+    def __init__(self, points, tets, plane, displacement):
+        super().__init__(points[:, 0] - plane, tets)
+        position = self.at_corners(points + displacement)
+        self.y, self.z = position[:, 1], position[:, 2]
+
+    def area(self):
+        y, z = self.y[self.triangles], self.z[self.triangles]
+        return 0.5 * abs((y[:, 1] - y[:, 0]) * (z[:, 2] - z[:, 0]) - (y[:, 2] - y[:, 0]) * (z[:, 1] - z[:, 0])).sum()
 
     def outline(self):
         """Segments (z, y) that belong to one triangle only."""
@@ -73,6 +89,22 @@ class Section:
         sides, count = np.unique(sides, axis=0, return_counts=True)
         sides = sides[count == 1]
         return np.stack([self.z[sides], self.y[sides]], axis=2)
+
+
+def apart_by_region(tets, region):
+    """The mesh with a copy of each point for each region that it belongs to: the new tets, and the point
+    that each copy is of. What jumps between layers is smooth on either side."""
+    keys, index = np.unique(np.stack([np.repeat(region, 4), tets.reshape(-1)], axis=1), axis=0, return_inverse=True)
+    return index.reshape(-1, 4), keys[:, 1]
+
+
+def nodal_means(points, tets, values):
+    """Values at the points from those in the tets, weighted by volumes."""
+    x = points[tets]
+    volume = abs(np.einsum("ij,ij->i", x[:, 1] - x[:, 0], np.cross(x[:, 2] - x[:, 0], x[:, 3] - x[:, 0])))
+    nodes, count = tets.reshape(-1), len(points)
+    weight = np.bincount(nodes, np.repeat(volume, 4), count)
+    return np.bincount(nodes, np.repeat(volume * values, 4), count) / np.maximum(weight, 1e-300)
 
 
 def section_axes(points):
@@ -108,16 +140,12 @@ def name_of_axis(direction, otherwise):
 
 
 def plane_through(points):
-    """x = 0 if that is inside the mesh or bounds it (symmetric halves), else the middle.
-
-    A little beside it: vertices meant to lie on x = 0 do so up to round-off only, and must
-    all fall on the same side.
-    """
+    """x = 0 if that is inside the mesh or bounds it (symmetric halves), else the middle."""
     low, high = points[:, 0].min(), points[:, 0].max()
     margin = 1e-6 * max(high - low, 1e-300)
     if low > margin or high < -margin:
-        return float(0.5 * (low + high) + margin)
-    return float(np.clip(margin, low + margin, high - margin))
+        return float(0.5 * (low + high))
+    return float(np.clip(0.0, low, high))
 
 
 def norm_of(values):

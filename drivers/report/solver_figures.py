@@ -1,11 +1,11 @@
-"""The figures that compare runs of tunica-solvers, in the manner of figures.py."""
+"""The figures that compare runs of tunica-solvers, in the manner of section_figures.py."""
 import os
 
 import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.ticker import FixedLocator, MaxNLocator, NullLocator, ScalarFormatter
 
-from report.figures import Figure, positive, save
+from report.canvas import Figure, positive, save
 from report.run_data import rows_where
 
 MARKERS = "osD^vP*X"

@@ -61,7 +61,7 @@ def write_fields(path, grids, times, stress_at_cells):
                 p = meshes["fluid"][0]
                 r = np.hypot(p[:, 0], p[:, 1])
                 pulse = np.exp(-(((p[:, 2] - 3.0 * time) / 6.0) ** 2))
-                step["fluid/mesh_displacement"] = wave(p, time)
+                step["fluid/displacement"] = wave(p, time)
                 step["fluid/velocity"] = np.column_stack([0 * r, 0 * r, 0.3 * pulse * (1 - (r / INNER) ** 2)])
                 step["fluid/pressure"] = 1.3 * pulse
             if "wall" in grids:
@@ -114,7 +114,7 @@ def write_run(folder, grids=("fluid", "wall"), stress_at_cells=False, steps=24):
             + [1.5, 0.12 + 0.01 * np.sin(s), 30 * np.exp(-(((s - 6) / 4) ** 2))] for s in range(1, steps + 1)]
     write_table(os.path.join(folder, "steps.csv"),
                 "step,time,converged,coupling_iterations,interface_residual,fluid_newton,wall_newton,fluid_linear,"
-                "wall_linear,seconds,max_displacement_wall_mm,inflow_mm3_per_ms", rows)
+                "wall_linear,seconds,max_displacement_wall_mm,inflow_inlet_mm3_per_ms", rows)
     if coupled:
         write_table(os.path.join(folder, "coupling.csv"),
                     "step,time,iteration,interface_residual,relaxation,columns,fluid_newton,wall_newton,fluid_linear,"
@@ -140,6 +140,16 @@ def solver_rows(unknowns, fields, growth):
                 cap = field == "wall" and k == 4 and method == "bicgstab"
                 yield [field, k, setting, method, "block", unknowns, 200 if cap else int(count + k % 2), 0.3, 8e-9,
                        8e-9, 0.12, 0.31, "nan" if cap else 1e-9, "cap" if cap else "converged"]
+
+
+def write_case(path, period):
+    """A load with that period."""
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f"""<ParameterList name="Case"><ParameterList name="Fluid">
+  <Parameter name="viscosity" type="double" value="3.5e-3"/>
+  <ParameterList name="Surfaces"><ParameterList name="inlet"><ParameterList name="Amplitude">
+    <Parameter name="period" type="double" value="{period}"/>
+  </ParameterList></ParameterList></ParameterList></ParameterList></ParameterList>""")
 
 
 def write_solver_run(folder, unknowns=9072, fields=("fluid", "wall"), growth=1, coupling_iteration=2):

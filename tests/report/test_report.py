@@ -1,4 +1,5 @@
 """tunica-report on synthetic runs: test_report.py PROGRAM SCRATCH_FOLDER"""
+import base64
 import json
 import os
 import re
@@ -7,24 +8,26 @@ import subprocess
 import sys
 import unittest
 
+import h5py
+import numpy as np
 from matplotlib import image
 
-import numpy as np
-
-from synthetic_run import write_run, write_solver_run
+from synthetic_run import write_case, write_run, write_solver_run
 
 PROGRAM, SCRATCH = sys.argv[1], sys.argv[2]
 sys.path.insert(0, os.path.dirname(os.path.realpath(PROGRAM)))  # as the program does
 from report.section import name_of_axis, plane_through, section_axes  # noqa: E402
-ALL = {"section_velocity.png", "section_pressure.png", "radial_displacement.png", "coupling.png",
-       "iterations.png", "newton.png", "observables.png"}
 
-
+IN_SPACE = {"vessel.html"} | {f"space_{name}.png" for name in ("displacement", "stress", "pressure", "velocity")}
+NO_VTK = "class=\"remark\">Pictures in space are drawn by Matplotlib"  # where it is not installed
+TABLES = {"curves.png", "coupling.png", "iterations.png", "newton.png", "observables.png"}
+ALL = IN_SPACE | TABLES | {"section_velocity.png", "section_pressure.png", "radial_displacement.png"}
 SOLVERS = {"newton.png", "krylov_fluid.png", "krylov_wall.png"}
 
 
-def report(folder, *options):
+def report(folder, *options, **variables):
     environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY", "MPLBACKEND")}
+    environment.update(variables)
     return subprocess.run([PROGRAM, folder, *options], capture_output=True, text=True, env=environment)
 
 
@@ -64,7 +67,7 @@ class Report(unittest.TestCase):
             page = file.read()
         links = set(re.findall(r'(?:src|href)="([^"]+)"', page))
         self.assertEqual(links, figures)
-        for name in links:
+        for name in links - {"vessel.html"}:
             pixels = image.imread(os.path.join(folder, name))[:, :, :3]
             self.assertGreater(min(pixels.shape[:2]), 300, name)
             self.assertGreater((pixels.min(axis=2) < 0.9).mean(), 0.005, name)  # not blank
@@ -84,6 +87,96 @@ class Report(unittest.TestCase):
         page = self.expect_page(os.path.join(run, "report"), ALL)
         for text in ("1.90", "GMRES", "assembly", "coupling iteration", "Open MPI"):
             self.assertIn(text, page)
+        self.assertNotIn("class=\"remark\"", page.replace(NO_VTK, ""))
+        self.expect_viewer(run)
+
+    def expect_viewer(self, run):
+        """One file with all in it."""
+        with open(os.path.join(run, "report", "vessel.html"), encoding="utf-8") as file:
+            text = file.read()
+        self.assertEqual(re.findall(r"(?:src|href)=", text), [])
+        data = json.loads(re.search(r'type="application/json">(.*?)</script>', text, re.S).group(1))
+        self.assertEqual([s["name"] for s in data["surfaces"]], ["wall", "lumen"])
+        self.assertEqual(data["times"], [0, 2, 4, 6, 8, 10, 12])
+        for surface in data["surfaces"]:
+            numbers = np.frombuffer(base64.b64decode(surface["points"]["data"]), "<u2")
+            triangles = np.frombuffer(base64.b64decode(surface["triangles"]), "<u4")
+            self.assertEqual(triangles.max(), len(numbers) // 3 - 1)
+            self.assertEqual(len(surface["moves"]), 7)
+        labels = [field["label"] for field in data["surfaces"][0]["fields"]]
+        self.assertEqual(labels, ["displacement [mm]", "von Mises stress [kPa]"])
+
+    def test_without_display_matplotlib_draws_and_the_page_says_so(self):
+        run = write_run(self.folder("no_display"))
+        result = report(run, PATH="/nowhere")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("drawn by Matplotlib", self.expect_page(os.path.join(run, "report"), ALL))
+
+    def test_further_arrays_of_the_fluid_are_shown(self):
+        run = write_run(self.folder("further"))
+        with h5py.File(os.path.join(run, "fields.h5"), "a") as file:
+            for step in (s for s in file if s.startswith("step_")):
+                points = file["fluid/points"][:]
+                file[f"{step}/fluid/wall_shear_stress"] = 0.002 * points[:, [1, 0, 2]]
+                file[f"{step}/fluid/my_number"] = points[:, 2]
+        self.assertEqual(report(run).returncode, 0)
+        page = self.expect_page(os.path.join(run, "report"),
+                                ALL | {"space_wall_shear_stress.png", "space_my_number.png"})
+        for text in ("Wall shear stress on the interface", "My number on the interface"):
+            self.assertIn(text, page)
+
+    def test_case_and_periodicity_are_tables(self):
+        run = write_run(self.folder("periodic"))
+        write_case(os.path.join(run, "case.xml"), period=4)
+        self.assertEqual(report(run, "--no-fields").returncode, 0)
+        page = self.expect_page(os.path.join(run, "report"), TABLES)
+        for text in ("Has it become periodic?", "inflow inlet [mm³/ms]", "viscosity", "iterations of each step"):
+            self.assertIn(text, page)
+
+    def test_killed_run_gives_what_it_has_left(self):
+        run = write_run(self.folder("killed"))
+        with open(os.path.join(run, "run.json"), "w", encoding="utf-8") as file:
+            json.dump({"program": "tunica-fsi", "status": "running", "ranks": 4}, file)
+        with open(os.path.join(run, "steps.csv"), "a", encoding="utf-8") as file:
+            file.write("25,12.5,1,7")  # the row that was being written
+        with h5py.File(os.path.join(run, "fields.h5"), "a") as file:
+            told = "".join(f"fields.h5:/{s}/fluid/velocity\n" for s in file if s.startswith("step_"))
+            file.create_group("step_000028").attrs["time"] = 14.0
+            file["step_000028/fluid/velocity"] = np.zeros((3, 3))
+            file.create_group("step_000032")
+        with open(os.path.join(run, "fields.xdmf"), "w", encoding="utf-8") as file:
+            file.write(told)
+        result = report(run)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        page = self.expect_page(os.path.join(run, "report"), ALL)
+        self.assertIn("going on, or was killed", page)
+        self.assertIn("24 steps · t = 12 ms", page)
+
+    def test_what_is_missing_is_a_remark(self):
+        cases = [("run.json", "{\"status\":", "not valid JSON", TABLES),
+                 ("steps.csv", "step,time\n", "has not finished a step", None),
+                 ("steps.csv", "", "steps.csv is empty", None),
+                 ("newton.csv", None, "newton.csv is missing", TABLES - {"newton.png"}),
+                 ("coupling.csv", "", "coupling.csv is empty", TABLES - {"coupling.png"}),
+                 ("fields.h5", None, "fields.h5 is missing", TABLES),
+                 ("fields.h5", "no HDF5", "not a readable HDF5", TABLES)]
+        for i, (name, content, text, figures) in enumerate(cases):
+            with self.subTest(name=name, content=content):
+                run = write_run(self.folder(f"partial{i}"))
+                self.put(run, name, content)
+                result = report(run, *([] if name == "fields.h5" else ["--no-fields"]))  # their figures take long
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
+                with open(os.path.join(run, "report", "index.html"), encoding="utf-8") as file:
+                    self.assertIn(text, file.read())
+                if figures is not None:
+                    self.expect_page(os.path.join(run, "report"), figures)
+
+    @staticmethod
+    def put(run, name, content):
+        os.remove(os.path.join(run, name))
+        if content is not None:
+            with open(os.path.join(run, name), "w", encoding="utf-8") as file:
+                file.write(content)
 
     def test_options_choose_times_step_factor_and_folder(self):
         run = write_run(self.folder("options"), stress_at_cells=True)
@@ -98,13 +191,13 @@ class Report(unittest.TestCase):
         wall = write_run(self.folder("wall"), grids=("wall",))
         self.assertEqual(report(wall).returncode, 0)
         self.expect_page(os.path.join(wall, "report"),
-                         {"section_wall.png", "radial_displacement.png", "iterations.png", "newton.png",
-                          "observables.png"})
+                         {"vessel.html", "space_displacement.png", "space_stress.png", "section_wall.png",
+                          "radial_displacement.png", "curves.png", "iterations.png", "newton.png", "observables.png"})
         fluid = write_run(self.folder("fluid"), grids=("fluid",))
         self.assertEqual(report(fluid).returncode, 0)
         self.expect_page(os.path.join(fluid, "report"),
-                         {"section_velocity.png", "section_pressure.png", "iterations.png", "newton.png",
-                          "observables.png"})
+                         {"vessel.html", "space_pressure.png", "space_velocity.png", "section_velocity.png",
+                          "section_pressure.png", "curves.png", "iterations.png", "newton.png", "observables.png"})
 
     def test_run_of_one_step_gives_a_page(self):
         run = write_run(self.folder("short"), steps=1)
@@ -117,18 +210,11 @@ class Report(unittest.TestCase):
         self.expect_one_line(self.folder("empty"), "run.json is missing")
 
     def test_bad_file_is_one_line_and_status_1(self):
-        cases = [("run.json", "{\"status\":", "not valid JSON"), ("run.json", None, "run.json is missing"),
-                 ("steps.csv", "", "steps.csv is empty"), ("steps.csv", "step,time\n", "has no rows"),
-                 ("newton.csv", None, "newton.csv is missing"), ("linear.csv", "a,b\n", "the first column"),
-                 ("coupling.csv", "", "coupling.csv is empty"), ("fields.h5", None, "fields.h5 is missing"),
-                 ("fields.h5", "no HDF5", "not a readable HDF5 file")]
+        cases = [("run.json", None, "run.json is missing"), ("linear.csv", "a,b\n", "the first column")]
         for i, (name, content, text) in enumerate(cases):
             with self.subTest(name=name, content=content):
                 run = write_run(self.folder(f"bad{i}"))
-                os.remove(os.path.join(run, name))
-                if content is not None:
-                    with open(os.path.join(run, name), "w", encoding="utf-8") as file:
-                        file.write(content)
+                self.put(run, name, content)
                 self.expect_one_line(run, text)
 
     def test_bad_option_is_one_line_and_status_1(self):

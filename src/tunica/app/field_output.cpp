@@ -54,7 +54,7 @@ std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
   std::vector<output::Array> arrays{dof_array("velocity", 3, fluid.state()[0]),
                                     dof_array("pressure", 1, fluid.state()[1])};
   if (!mesh_displacement.empty())
-    arrays.push_back(vector_array("mesh_displacement", mesh_displacement, fluid.mesh().n_owned));
+    arrays.push_back(vector_array("displacement", mesh_displacement, fluid.mesh().n_owned));
   return arrays;
 }
 

@@ -12,7 +12,8 @@ namespace tunica::app {
 /// seen to.
 output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name);
 
-/// Velocity, pressure and mesh displacement (of all local nodes; empty: rigid) at the nodes.
+/// Velocity, pressure and the mesh's displacement (of all local nodes; empty: rigid) at the nodes,
+/// which is called as that of the wall, so that one filter moves both.
 std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
                                         const std::vector<Vec3>& mesh_displacement);
 

@@ -45,6 +45,8 @@ Outcome can_be_continued(const std::string& folder, const std::vector<GridSize>&
                        static_cast<long long>(cells) == grid.cells,
                    "the grid \"" + grid.name + "\" has another size");
     }
+    TUNICA_CHECK(content(folder + "/" + xdmf_name).find("mesh_displacement") == std::string::npos,
+                 "it is of a version that gave the displacement of the fluid another name");
     check_steps(io::Hdf5Reader(folder + "/" + hdf5_name), xdmf_up_to(step, folder));
   } catch (const Error& error) {
     return Outcome::failure(error.what());
@@ -57,10 +59,15 @@ Outcome set_fields_aside(const std::string& folder) {
   if (new_path.is_failure()) return new_path.outcome();
   const std::filesystem::path moved(new_path.value());
   const std::string name = moved.filename().string(), mark = std::string(hdf5_name) + ":";
-  std::string text = content(folder + "/" + xdmf_name);
-  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
-    text.replace(at, mark.size() - 1, name);
-  return io::replace_file(folder + "/" + moved.stem().string() + ".xdmf", text);
+  for (const std::string old : {xdmf_name, xdmf2_name}) {
+    std::string text = content(folder + "/" + old);
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
+      text.replace(at, mark.size() - 1, name);
+    const std::string renamed = moved.stem().string() + old.substr(old.find('.'));
+    const Outcome outcome = io::replace_file(folder + "/" + renamed, text);
+    if (outcome.is_failure()) return outcome;
+  }
+  return Outcome::success();
 }
 
 std::string xdmf_up_to(int step, const std::string& folder) {

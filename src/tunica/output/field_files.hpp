@@ -8,7 +8,8 @@
 namespace tunica::output {
 
 constexpr const char* hdf5_name = "fields.h5";
-constexpr const char* xdmf_name = "fields.xdmf";
+constexpr const char* xdmf_name = "fields.xdmf";    // for readers of version 3
+constexpr const char* xdmf2_name = "fields.xdmf2";  // of version 2; ParaView knows the ending
 
 struct GridSize {
   std::string name;
@@ -19,8 +20,8 @@ struct GridSize {
 /// all finished steps are there. Not collective.
 Outcome can_be_continued(const std::string& folder, const std::vector<GridSize>& grids, int step);
 
-/// Gives the field files of a folder names that are free, fields.old.h5 and fields.old.xdmf or
-/// such. Not collective.
+/// Gives the field files of a folder names that are free, fields.old.h5, fields.old.xdmf and
+/// fields.old.xdmf2 or such. Not collective.
 Outcome set_fields_aside(const std::string& folder);
 
 /// The XDMF text of the steps of a folder up to that one. Not collective.

@@ -157,6 +157,7 @@ std::shared_ptr<const RowOrder> FieldWriter::take_share(const std::string& datas
 void FieldWriter::begin_anew(const std::vector<Grid>& grids) {
   if (comm_->getRank() == 0) {  // an open viewer keeps the old files and disturbs nobody
     std::remove((folder_ + "/" + xdmf_name).c_str());
+    std::remove((folder_ + "/" + xdmf2_name).c_str());
     std::remove((folder_ + "/" + hdf5_name).c_str());
   }
   comm_->barrier();
@@ -310,7 +311,10 @@ std::vector<xdmf::Grid> FieldWriter::describe_blocks(const std::string& group) c
 
 void FieldWriter::replace_xdmf() const {
   on_root_or_fault(*comm_, [&] {
-    return io::replace_file(folder_ + "/" + xdmf_name, xdmf::document(finished_steps_));
+    const Outcome outcome =
+        io::replace_file(folder_ + "/" + xdmf_name, xdmf::document(finished_steps_));
+    if (outcome.is_failure()) return outcome;
+    return io::replace_file(folder_ + "/" + xdmf2_name, xdmf::document_by_block(finished_steps_));
   });
 }
 

@@ -33,7 +33,8 @@ struct Array {
   std::vector<double> values;
 };
 
-/// Time series of fields for ParaView: "fields.h5" and "fields.xdmf" in one folder.
+/// Time series of fields for ParaView: "fields.h5" with "fields.xdmf" and
+/// "fields.xdmf2", see xdmf.hpp, in one folder.
 ///
 /// In fields.h5 lie the geometry once per grid (/fluid/points, tets, region, partition) and per
 /// step /step_000016/fluid/velocity; the step's group carries the attributes "step" and "time".

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace tunica::output::xdmf {
 
@@ -22,7 +23,7 @@ std::string item(long long rows, int columns, const char* type, const std::strin
 
 const char* const real_type = "NumberType=\"Float\" Precision=\"8\"";
 const char* const index_type = "NumberType=\"Int\" Precision=\"8\"";
-const char* const step_begin = "    <Grid Name=\"parts\"";
+const char* const step_begin = "    <Grid GridType=\"Collection\" CollectionType=\"Spatial\">";
 const char* const step_end = "    </Grid>\n";
 const char* const tag_type = "NumberType=\"Int\" Precision=\"4\"";
 
@@ -46,12 +47,36 @@ std::string grid_text(const Grid& grid, const std::string& file) {
   return out.str();
 }
 
+std::string between(const std::string& text, const std::string& before, const std::string& after) {
+  const std::size_t begin = text.find(before) + before.size();
+  return text.substr(begin, text.find(after, begin) - begin);
+}
+
+/// The passages of a text from begin to end, both inclusive.
+std::vector<std::string> passages(const std::string& text, const std::string& begin,
+                                  const std::string& end) {
+  std::vector<std::string> found;
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
+    const std::size_t last = text.find(end, at);
+    if (last == std::string::npos) break;
+    found.push_back(text.substr(at, last + end.size() - at));
+  }
+  return found;
+}
+
+std::vector<std::string> steps_of(const std::string& document) {
+  return passages(document, step_begin, std::string("\n") + step_end);
+}
+
+const char* const head = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
+const char* const foot = "</Domain>\n</Xdmf>\n";
+
 }  // namespace
 
 std::string step(double time, const std::vector<Grid>& grids, const std::string& hdf5_file) {
   std::ostringstream out;
   out.precision(std::numeric_limits<double>::max_digits10);
-  out << step_begin << " GridType=\"Collection\" CollectionType=\"Spatial\">\n"
+  out << step_begin << "\n"
       << "      <Time Value=\"" << time << "\"/>\n";
   for (const Grid& grid : grids) out << grid_text(grid, hdf5_file);
   out << step_end;
@@ -59,31 +84,43 @@ std::string step(double time, const std::vector<Grid>& grids, const std::string&
 }
 
 std::string steps_up_to(int last, const std::string& document) {
-  const std::string mark = "/step_", line_end = "\n";
+  const std::string mark = "/step_";
   std::string kept;
-  std::size_t begin = document.find(step_begin);
-  while (begin != std::string::npos) {
-    const std::size_t end = document.find(line_end + step_end, begin);
-    if (end == std::string::npos) break;
-    const std::size_t length = end + line_end.size() + std::string(step_end).size() - begin;
-    const std::string step = document.substr(begin, length);
+  for (const std::string& step : steps_of(document)) {
     const std::size_t number = step.find(mark);
     if (number != std::string::npos && std::stoi(step.substr(number + mark.size())) <= last)
       kept += step;
-    begin = document.find(step_begin, begin + length);
   }
   return kept;
 }
 
 std::string document(const std::string& steps) {
-  return "<?xml version=\"1.0\"?>\n"
-         "<Xdmf Version=\"3.0\">\n"
-         "<Domain>\n"
-         "  <Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n" +
-         steps +
-         "  </Grid>\n"
-         "</Domain>\n"
-         "</Xdmf>\n";
+  return std::string(head) +
+         "  <Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n" + steps +
+         "  </Grid>\n" + foot;
+}
+
+std::string document_by_block(const std::string& steps) {
+  std::vector<std::pair<std::string, std::string>> blocks;  // name, its grids
+  for (const std::string& step : steps_of(steps)) {
+    const std::string time = between(step, "<Time Value=\"", "\"");
+    for (std::string grid : passages(step, "      <Grid Name=", "\n      </Grid>\n")) {
+      grid.insert(grid.find('\n') + 1, "        <Time Value=\"" + time + "\"/>\n");
+      const std::string name = between(grid, "Name=\"", "\"");
+      auto block = blocks.begin();
+      while (block != blocks.end() && block->first != name) ++block;
+      if (block == blocks.end()) block = blocks.insert(block, {name, ""});
+      block->second += grid;
+    }
+  }
+  std::string text;
+  for (const auto& [name, grids] : blocks) {
+    text += "    <Grid Name=\"" + name +
+            "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n" + grids + step_end;
+  }
+  return std::string(head) +
+         "  <Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Spatial\">\n" + text +
+         "  </Grid>\n" + foot;
 }
 
 }  // namespace tunica::output::xdmf

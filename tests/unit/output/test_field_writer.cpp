@@ -96,8 +96,9 @@ std::vector<double> read(const std::string& folder, const std::string& name) {
 }
 
 /// Paths the XDMF names, and how many of them the HDF5 file does not have.
-std::pair<std::vector<std::string>, int> named_and_missing(const std::string& folder) {
-  const std::string text = content(folder + "/fields.xdmf");
+std::pair<std::vector<std::string>, int> named_and_missing(const std::string& folder,
+                                                           const char* name = "/fields.xdmf") {
+  const std::string text = content(folder + name);
   const std::regex reference("fields\\.h5:(/[^<]*)<");
   const hid_t file = H5Fopen((folder + "/fields.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   std::pair<std::vector<std::string>, int> result{{}, 0};
@@ -111,6 +112,13 @@ std::pair<std::vector<std::string>, int> named_and_missing(const std::string& fo
   }
   H5Fclose(file);
   return result;
+}
+
+int count(const std::string& text, const std::string& words) {
+  int found = 0;
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1))
+    ++found;
+  return found;
 }
 
 }  // namespace
@@ -184,6 +192,33 @@ TEUCHOS_UNIT_TEST(field_writer, xdmf_names_only_what_is_in_the_file) {
   }
 }
 
+TEUCHOS_UNIT_TEST(field_writer, blocks_keep_their_names_in_readers_of_both_versions) {
+  Run run("names");
+  for (const int step : {1, 2, 3}) {
+    run.write(step);
+    run.writer.finish_step();
+    world()->barrier();
+    const std::string by_step = content(run.folder + "/fields.xdmf");
+    // Version 3: no grid below a collection with a name but that over time.
+    TEST_EQUALITY(count(by_step, "Collection\" CollectionType=\"Spatial"), step);
+    TEST_EQUALITY(count(by_step, "<Grid GridType=\"Collection\" CollectionType=\"Spatial"), step);
+    TEST_EQUALITY(count(by_step, "<Grid Name=\"wall\" GridType=\"Uniform"), step);
+    // Version 2: a collection over time for each block.
+    const std::string by_block = content(run.folder + "/fields.xdmf2");
+    for (const char* name : {"fluid", "wall"}) {
+      const std::string grid = "<Grid Name=\"" + std::string(name) + "\" GridType=\"";
+      TEST_EQUALITY(count(by_block, grid + "Collection\" CollectionType=\"Temporal"), 1);
+      TEST_EQUALITY(count(by_block, grid + "Uniform"), step);
+    }
+    TEST_EQUALITY(count(by_block, "<Time Value=\"0.10000000000000001\"/>"), 2);
+    TEST_EQUALITY(count(by_block, "<Grid"), count(by_block, "</Grid>"));
+    const auto named = named_and_missing(run.folder, "/fields.xdmf2");
+    TEST_EQUALITY(named.first.size(), 12u * step);
+    TEST_EQUALITY(named.second, 0);
+    world()->barrier();
+  }
+}
+
 TEUCHOS_UNIT_TEST(field_writer, killed_run_leaves_its_finished_steps) {
   Run run("killed");
   run.write(1);
@@ -191,7 +226,7 @@ TEUCHOS_UNIT_TEST(field_writer, killed_run_leaves_its_finished_steps) {
   run.write(2);
   const std::string remains = run.folder + "/remains" + std::to_string(world()->getRank());
   std::filesystem::create_directory(remains);
-  for (const char* name : {"/fields.h5", "/fields.xdmf"}) {
+  for (const char* name : {"/fields.h5", "/fields.xdmf", "/fields.xdmf2"}) {
     std::filesystem::copy_file(run.folder + name, remains + name);
   }
   world()->barrier();
@@ -200,6 +235,7 @@ TEUCHOS_UNIT_TEST(field_writer, killed_run_leaves_its_finished_steps) {
   const auto named = named_and_missing(remains);
   TEST_EQUALITY(named.first.size(), 12u);
   TEST_EQUALITY(named.second, 0);
+  TEST_EQUALITY(named_and_missing(remains, "/fields.xdmf2").first.size(), 12u);
   TEST_EQUALITY(read(remains, "/step_000001/fluid/pressure")[22], value(1, 22, 0));
 }
 
@@ -291,8 +327,8 @@ TEUCHOS_UNIT_TEST(field_writer, sets_aside_what_it_cannot_continue) {
   TEST_ASSERT(writer.remark().find("fields.h5 cannot be continued") == 0);
   TEST_EQUALITY(named_and_missing(run.folder).first.size(), 0u);
   TEST_ASSERT(std::filesystem::exists(run.folder + "/fields.old.h5"));
-  TEST_ASSERT(content(run.folder + "/fields.old.xdmf").find("fields.old.h5:/") !=
-              std::string::npos);
+  for (const char* name : {"/fields.old.xdmf", "/fields.old.xdmf2"})
+    TEST_ASSERT(content(run.folder + name).find("fields.old.h5:/") != std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(field_writer, array_that_fits_not_is_refused_on_all_ranks) {

@@ -1,0 +1,73 @@
+"""Tables about the case: its parameters, and whether a load with a period has made the run periodic."""
+import os
+import re
+import xml.etree.ElementTree as xml
+
+import numpy as np
+
+# Foreign lists of solvers, and what only says where things are.
+NOT_SHOWN = {"Linear Solver", "Output", "Probes", "Solvers"}
+PERIODIC = re.compile(r"(inflow_.+|mean_pressure_.+)")
+
+
+def read_case(folder):
+    """The root of case.xml, None where there is none to be read."""
+    for name in ("case-used.xml", "case.xml"):
+        try:
+            return xml.parse(os.path.join(folder, name)).getroot()
+        except (OSError, xml.ParseError):
+            continue
+    return None
+
+
+def _readable(value):
+    words = value.strip()
+    return words if len(words) < 90 else words[:80] + " …"
+
+
+def parameters(case):
+    """(heading, rows of name and value) for each list of the case with parameters of its own."""
+    found = []
+
+    def walk(node, path):
+        rows = [(p.get("name"), _readable(p.get("value", ""))) for p in node.findall("Parameter") if p.get("value")]
+        if rows and path:
+            found.append((" / ".join(path), rows))
+        for child in node.findall("ParameterList"):
+            if child.get("name") not in NOT_SHOWN:
+                walk(child, path + [child.get("name")])
+
+    if case is not None:
+        walk(case, [])
+    return found
+
+
+def period(case):
+    """The longest period of an amplitude [ms], None without one."""
+    found = []
+    for node in case.iter("ParameterList") if case is not None else ():
+        for parameter in node.findall("Parameter"):
+            if node.get("name") == "Amplitude" and parameter.get("name") == "period":
+                try:
+                    found.append(float(parameter.get("value")))
+                except (TypeError, ValueError):
+                    pass
+    return max((p for p in found if p > 0), default=None)
+
+
+def changes_per_cycle(steps, length):
+    """(column, relative L2 difference of the last cycle and the one before) for flows and mean pressures. None where
+    there are no two cycles. At rest no step has ended: a cycle that begins there lacks its first one."""
+    times = np.array(steps.get("time", []), dtype=float)
+    if len(times) < 4 or times[-1] + 1e-9 * length < 2 * length:
+        return None
+    last = times[times >= times[-1] - length * (1 + 1e-9)]
+    last = last[last - length >= times[0] - 1e-9 * length]
+    rows = []
+    for column, values in steps.items():
+        if not PERIODIC.match(column) or not all(isinstance(v, float) for v in values):
+            continue
+        now, before = np.interp(last, times, values), np.interp(last - length, times, values)
+        norm = np.sqrt(np.trapz(now**2, last))
+        rows.append((column, np.sqrt(np.trapz((now - before) ** 2, last)) / norm if norm > 0 else float("nan")))
+    return rows

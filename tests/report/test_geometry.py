@@ -1,0 +1,134 @@
+"""Cuts, centrelines and cycles of tunica-report in closed form: test_geometry.py PROGRAM"""
+import os
+import sys
+import unittest
+
+import numpy as np
+
+from synthetic_run import AROUND, INNER, LENGTH, tube
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(sys.argv[1])))  # as the program does
+from report import centreline  # noqa: E402
+from report.case_tables import changes_per_cycle  # noqa: E402
+from report.section import Section, apart_by_region, nodal_means  # noqa: E402
+from report.section_figures import painted  # noqa: E402
+from report.space import kept_half  # noqa: E402
+from report.surfaces import Surface, area_vectors, boundary, pieces  # noqa: E402
+
+RADIUS = 30.0  # of the bend
+
+
+def height(x):
+    """Of the tube's polygon at x, from its corners on one side."""
+    corners = np.pi * np.arange(AROUND // 2 + 1) / (AROUND // 2)
+    return np.interp(-x, -INNER * np.cos(corners), INNER * np.sin(corners))
+
+
+def caps(points, tets, z):
+    """Surfaces at both ends; z: of the straight tube."""
+    faces, _ = boundary(points, tets)
+    return [Surface(points, faces[(abs(z[faces] - end) < 1e-9).all(axis=1)]) for end in (0.0, LENGTH)]
+
+
+class Cut(unittest.TestCase):
+    def setUp(self):
+        self.points, self.tets = tube([1.7, 3.4, INNER], True)
+
+    def test_area_is_that_of_the_cut_prism(self):
+        for plane in (0.0, 1.3, -2.7, 4.9):
+            cut = Section(self.points, self.tets, plane, 0 * self.points)
+            self.assertAlmostEqual(cut.area() / (2 * height(plane) * LENGTH), 1.0, places=9)
+
+    def test_round_off_leaves_no_slivers(self):
+        exact = Section(self.points, self.tets, 0.0, 0 * self.points)
+        noise = 1e-10 * np.random.default_rng(1).standard_normal(self.points.shape)
+        rough = Section(self.points + noise, self.tets, 0.0, 0 * self.points)
+        self.assertEqual(len(rough.triangles), len(exact.triangles))
+        self.assertAlmostEqual(rough.area(), 2 * INNER * LENGTH, places=6)
+        self.assertAlmostEqual(np.linalg.norm(np.diff(rough.outline(), axis=1), axis=2).sum(), 2 * (2 * INNER + LENGTH),
+                               places=6)
+
+    def test_cut_along_the_boundary_is_the_boundary(self):
+        half = self.tets[(self.points[self.tets, 0] > -1e-9).all(axis=1)]
+        cut = Section(self.points, half, 0.0, 0 * self.points)
+        self.assertAlmostEqual(cut.area() / (2 * INNER * LENGTH), 1.0, places=9)
+
+    def test_image_has_the_values_of_the_triangles(self):
+        x, y = np.array([0.0, 4.0, 4.0, 0.0]), np.array([0.0, 0.0, 2.0, 2.0])
+        image, extent = painted(x, y, np.array([[0, 1, 2], [0, 2, 3]]), 3 * x + y, pixels=400)
+        place = np.linspace(extent[0], extent[1], image.shape[1], endpoint=False) + 0.005
+        inside = ~np.isnan(image)
+        self.assertGreater(inside[:-1, :-1].mean(), 0.99)
+        row = np.linspace(extent[2], extent[3], image.shape[0], endpoint=False) + 0.005
+        expected = 3 * place[None, :] + row[:, None]
+        self.assertLess(abs(image - expected)[inside].max(), 1e-9)
+
+    def test_half_of_a_surface_has_half_of_its_area(self):
+        faces, _ = boundary(self.points, self.tets)
+        triangles, edges, weight = kept_half(self.points[:, 0], faces)
+        corners = (1 - weight)[:, None] * self.points[edges[:, 0]] + weight[:, None] * self.points[edges[:, 1]]
+        area = lambda p, t: np.linalg.norm(area_vectors(p, t), axis=1).sum()  # noqa: E731
+        self.assertAlmostEqual(area(corners, triangles) / area(self.points, faces), 0.5, places=9)
+        self.assertLess(corners[:, 0].max(), 1e-9)
+
+    def test_means_at_points_keep_a_jump_between_layers(self):
+        inner = np.linalg.norm(self.points[self.tets].mean(axis=1)[:, :2], axis=1) < 3.3
+        tets, origin = apart_by_region(self.tets, inner.astype(int))
+        means = nodal_means(self.points[origin], tets, np.where(inner, 1.0, 7.0))
+        self.assertEqual(set(np.round(means, 9)), {1.0, 7.0})
+        self.assertTrue(np.array_equal(origin[tets], self.tets))
+
+
+class Line(unittest.TestCase):
+    def setUp(self):
+        self.straight, self.tets = tube([1.7, 3.4, INNER], True)
+        self.side = np.hypot(self.straight[:, 0], self.straight[:, 1]) > INNER - 1e-9
+
+    def test_straight_tube_has_its_axis(self):
+        line = centreline.of_lumen(self.straight, self.tets, caps(self.straight, self.tets, self.straight[:, 2]))
+        self.assertLess(abs(line.centres[:, :2]).max(), 1e-8)
+        points = self.straight[self.side]
+        _, way, away = line.locate(points)
+        radius = np.hypot(points[:, 0], points[:, 1])
+        self.assertLess(abs(way - points[:, 2]).max(), 1e-8)
+        self.assertLess(abs(away[:, :2] - points[:, :2] / radius[:, None]).max(), 1e-8)
+        self.assertEqual(len(line.paths()), 1)
+
+    def test_bent_tube_has_that_of_the_torus(self):
+        angle = self.straight[:, 2] / RADIUS
+        out = RADIUS + self.straight[:, 0]
+        bent = np.column_stack([out * np.cos(angle), self.straight[:, 1], out * np.sin(angle)])
+        line = centreline.of_lumen(bent, self.tets, caps(bent, self.tets, self.straight[:, 2]))
+        self.assertLess(abs(np.hypot(line.centres[:, 0], line.centres[:, 2]) - RADIUS).max(), 0.02)
+        self.assertLess(abs(line.centres[:, 1]).max(), 1e-4)
+        _, way, away = line.locate(bent[self.side])
+        turn = angle[self.side]
+        x, y = self.straight[self.side, 0] / INNER, self.straight[self.side, 1] / INNER
+        exact = np.column_stack([x * np.cos(turn), y, x * np.sin(turn)])
+        begins_at_zero = abs(line.centres[0, 2]) < 1.0  # either cap is the largest
+        self.assertLess(abs(way - (RADIUS * turn if begins_at_zero else LENGTH - RADIUS * turn)).max(),
+                        0.4)  # at corners of the line, 5 mm away
+        self.assertGreater(np.einsum("ij,ij->i", away, exact).min(), 0.998)
+
+    def test_pieces_are_those_that_hang_together(self):
+        ends = caps(self.straight, self.tets, self.straight[:, 2])
+        both = np.concatenate([end.nodes[end.triangles] for end in ends])
+        self.assertEqual(np.bincount(pieces(both)).tolist(), [len(end.triangles) for end in ends])
+
+
+class Cycles(unittest.TestCase):
+    def test_change_is_relative_to_the_last_cycle(self):
+        times = np.linspace(0.01, 3, 300)
+        wave = np.where(times > 2, 1.0, 0.9) * np.sin(2 * np.pi * times)
+        rows = changes_per_cycle({"time": times.tolist(), "inflow_a_mm3_per_ms": wave.tolist(), "step": times.tolist(),
+                                  "mean_pressure_a_kPa": np.sin(2 * np.pi * times).tolist()}, 1.0)
+        self.assertEqual([name for name, _ in rows], ["inflow_a_mm3_per_ms", "mean_pressure_a_kPa"])
+        self.assertAlmostEqual(rows[0][1], 0.1, places=3)
+        self.assertAlmostEqual(rows[1][1], 0.0, places=9)
+
+    def test_less_than_two_cycles_tell_nothing(self):
+        self.assertIsNone(changes_per_cycle({"time": [0.5, 1.0, 1.5, 1.9], "inflow_a": [1.0] * 4}, 1.0))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
