@@ -16,7 +16,7 @@ rm "$flap"
 
 # Lumens by Gmsh, walls by tunica-mesh. Another version of Gmsh makes other elements.
 if ! python3 -c "import gmsh" 2>/dev/null; then
-  echo "make.sh: without python3-gmsh bend.h5, bulge.h5 and bifurcation-wall.h5 stay as they are"
+  echo "make.sh: without python3-gmsh bend.h5, bulge.h5 and bifurcation.h5 stay as they are"
   exit 0
 fi
 lumen=$(mktemp --suffix .msh)
@@ -26,4 +26,4 @@ python3 "$folder/make_bend.py" "$lumen"
 python3 "$folder/make_bulge.py" "$lumen"
 "$tool" wall "$lumen" "$folder/bulge.h5" --layers media=0.3:2,adventitia=0.15:1
 python3 "$folder/make_bifurcation.py" "$lumen"
-"$tool" wall "$lumen" "$folder/bifurcation-wall.h5" --surfaces interface --layers media=0.3:2,adventitia=0.15:1
+"$tool" wall "$lumen" "$folder/bifurcation.h5" --surfaces interface --layers media=0.3:2,adventitia=0.15:1

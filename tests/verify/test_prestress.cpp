@@ -22,7 +22,7 @@ struct Imaged {
   Imaged(const std::string& file, const std::string& law, double imaged_at, int n)
       : list(verify::case_of(file)), radius(verify::exact_radius(law)), pressure(imaged_at),
         mesh(verify::field_of(inflated(n, radius.at(pressure)))) {
-    list.sublist("Wall").sublist("Prestress").set("pressure", pressure);
+    list.sublist("Wall").sublist("Prestress").set("pressure", pressure).set("tolerance", 1e-6);
   }
 
   /// The quarter of a tube whose points have moved from R to r = (R² − R_i² + r_i²)^½.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "tunica/coupling/least_squares.hpp"
+#include "tunica/algebra/least_squares.hpp"
 
 namespace tunica::coupling {
 
@@ -34,7 +34,7 @@ InterfaceVector IqnIls::next(const InterfaceVector& d, const InterfaceVector& re
   const double last_update = is_first_ ? 0.0 : length(difference(d, last_d_));
   remember(answer, residual);
   last_d_ = d;
-  const LeastSquares fit = solve_least_squares(*comm_, V_, residual, filter_);
+  const algebra::LeastSquares fit = algebra::solve_least_squares(*comm_, V_, residual, filter_);
   columns_ = 0;
   // d_next = d − (W − V) c + ω P (r − V c), c the least-squares solution of V c ≈ r
   InterfaceVector next_d(d), left(residual);

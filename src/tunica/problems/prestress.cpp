@@ -2,8 +2,10 @@
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>
+#include <deque>
 #include <sstream>
 
+#include "tunica/algebra/least_squares.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/boundary/registry.hpp"
 
@@ -72,7 +74,10 @@ public:
       found_.from_stress_free = shape_before;
       found_.state.assign(state_before);
       step *= 0.5;
-      if (step < smallest) return Result<Prestress>::failure(text(load) + outcome.reason());
+      if (step < smallest)
+        return Result<Prestress>::failure(text(load) + outcome.reason() +
+                                          ". Where a wall is too soft for the pressure no such "
+                                          "shape exists");
     }
     return std::move(found_);
   }
@@ -99,6 +104,7 @@ private:
     const stepping::Clock start(1e-9, 1);  // other loads are those at the beginning
     SolidProblem equilibrium(static_list(*list_, load * options_->get<double>("pressure")),
                              wall_->mesh(), wall_->elements().frames);
+    model_ = {};
     for (int k = 1; k <= most; ++k) {
       const Outcome shaped = equilibrium.set_stress_free(found_.from_stress_free);
       if (shaped.is_failure()) return shaped;
@@ -106,8 +112,10 @@ private:
       equilibrium.begin_step(start);
       const nonlinear::NewtonReport newton = equilibrium.solve();
       if (!newton.is_converged) return Outcome::failure(newton.reason);
-      const double moved = unload(equilibrium);
-      const double way = largest(found_.from_stress_free, *wall_->mesh().comm);
+      found_.state[1].assign(equilibrium.state()[1]);
+      const std::vector<Vec3> d = equilibrium.displacement();
+      unload(d);
+      const double moved = largest(d, comm()), way = largest(found_.from_stress_free, comm());
       (*report_)({load_step_, k, load, moved, way});
       if (moved <= tolerance * way) return Outcome::success();
     }
@@ -115,19 +123,52 @@ private:
                             " iterations");
   }
 
-  /// X ← X − d; the largest |d|.
-  double unload(const SolidProblem& equilibrium) {
-    const std::vector<Vec3> d = equilibrium.displacement();
-    for (std::size_t a = 0; a < d.size(); ++a) found_.from_stress_free[a] += d[a];
-    found_.state[1].assign(equilibrium.state()[1]);
-    return largest(d, *wall_->mesh().comm);
+  // e ← e + d − Σ_j c_j (Δe_j + Δd_j),   c = argmin |d − Σ_j c_j Δd_j|,   e = x − X:
+  // what did not fall by itself is taken from what the last iterations have changed [DBV].
+  void unload(const std::vector<Vec3>& d) {
+    const std::vector<double> r = numbers(d), e = numbers(found_.from_stress_free);
+    if (!model_.last_r.empty()) {
+      model_.of_r.push_front(difference(r, model_.last_r));
+      model_.of_e.push_front(difference(e, model_.last_e));
+    }
+    if (model_.of_r.size() > 12) {
+      model_.of_r.pop_back();
+      model_.of_e.pop_back();
+    }
+    model_.last_r = r;
+    model_.last_e = e;
+    const auto fit = algebra::solve_least_squares(comm(), model_.of_r, r, 1e-3);
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      double change = r[i];
+      for (std::size_t j = 0; j < model_.of_r.size(); ++j)
+        change -= fit.coefficients[j] * (model_.of_e[j][i] + model_.of_r[j][i]);
+      found_.from_stress_free[i / 3][i % 3] += change;
+    }
   }
+
+  static std::vector<double> numbers(const std::vector<Vec3>& values) {
+    std::vector<double> all;
+    for (const Vec3& v : values) all.insert(all.end(), v.begin(), v.end());
+    return all;
+  }
+  static std::vector<double> difference(std::vector<double> a, const std::vector<double>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+    return a;
+  }
+  const Comm& comm() const { return *wall_->mesh().comm; }
+
+  /// What the iterations of a load step have changed, newest first.
+  struct Model {
+    std::vector<double> last_r, last_e;
+    std::deque<std::vector<double>> of_r, of_e;
+  };
 
   const ParameterList* list_;
   const SolidProblem* wall_;
   const Report* report_;
   const ParameterList* options_;
   Prestress found_;
+  Model model_;
   int load_step_ = 0;
 };
 

@@ -12,8 +12,8 @@ namespace tunica::problems {
 ///   X + d(X) = x,   d(X): equilibrium of the wall that is free of stress in X
 ///
 /// By the fixed point X ← X − (X + d(X) − x), whose error falls by the size of the strain in each
-/// iteration; the pressure is raised in steps. Works with any law, as each iteration is an
-/// equilibrium as any other. Source: [Se11].
+/// iteration, and faster with what the last ones have changed; the pressure is raised in steps.
+/// Works with any law, as each iteration is an equilibrium as any other. Source: [Se11].
 struct Prestress {
   std::vector<Vec3> from_stress_free;  ///< x − X on owned nodes [mm]
   algebra::BlockVector state;          ///< no displacement, and the pressure that bears the load

@@ -36,7 +36,7 @@ TEUCHOS_UNIT_TEST(mesh_shipped, coarse_is_what_its_script_makes) {
 }
 
 TEUCHOS_UNIT_TEST(mesh_shipped, grown_walls_conform) {
-  for (const std::string name : {"bend", "bulge", "bifurcation-wall"}) {
+  for (const std::string name : {"bend", "bulge", "bifurcation"}) {
     const Mesh mesh = read(folder + "/" + name + ".h5");
     TEST_NOTHROW(check_interface(mesh, {"fluid"}, {"media", "adventitia"}, {"interface"}));
     TEST_NOTHROW(surface_index(mesh, "wall_inlet"));

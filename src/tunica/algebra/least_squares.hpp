@@ -1,9 +1,10 @@
 #pragma once
 #include <deque>
+#include <vector>
 
-#include "tunica/coupling/accelerator.hpp"
+#include "tunica/base/types.hpp"
 
-namespace tunica::coupling {
+namespace tunica::algebra {
 
 /// Coefficients c of min |b − Σ_j c_j v_j| over all ranks, by Gram–Schmidt with
 /// reorthogonalisation in the order given. A column that lies within `filter` times its length
@@ -12,7 +13,7 @@ struct LeastSquares {
   std::vector<double> coefficients;  ///< per column; 0 where dropped
   std::vector<char> is_kept;
 };
-LeastSquares solve_least_squares(const Comm& comm, const std::deque<InterfaceVector>& columns,
-                                 const InterfaceVector& b, double filter);
+LeastSquares solve_least_squares(const Comm& comm, const std::deque<std::vector<double>>& columns,
+                                 const std::vector<double>& b, double filter);
 
-}  // namespace tunica::coupling
+}  // namespace tunica::algebra

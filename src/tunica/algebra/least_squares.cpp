@@ -1,15 +1,15 @@
-#include "tunica/coupling/least_squares.hpp"
+#include "tunica/algebra/least_squares.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <cmath>
 
-namespace tunica::coupling {
+namespace tunica::algebra {
 
 namespace {
 
 /// Inner products of v with every vector of the basis, in one reduction.
-std::vector<double> products(const Comm& comm, const std::vector<InterfaceVector>& basis,
-                             const InterfaceVector& v) {
+std::vector<double> products(const Comm& comm, const std::vector<std::vector<double>>& basis,
+                             const std::vector<double>& v) {
   std::vector<double> mine(basis.size(), 0.0), sum(basis.size(), 0.0);
   for (std::size_t j = 0; j < basis.size(); ++j)
     for (std::size_t i = 0; i < v.size(); ++i) mine[j] += basis[j][i] * v[i];
@@ -19,19 +19,23 @@ std::vector<double> products(const Comm& comm, const std::vector<InterfaceVector
   return sum;
 }
 
+double length_of(const Comm& comm, const std::vector<double>& v) {
+  return std::sqrt(products(comm, {v}, v)[0]);
+}
+
 }  // namespace
 
-LeastSquares solve_least_squares(const Comm& comm, const std::deque<InterfaceVector>& columns,
-                                 const InterfaceVector& b, double filter) {
+LeastSquares solve_least_squares(const Comm& comm, const std::deque<std::vector<double>>& columns,
+                                 const std::vector<double>& b, double filter) {
   LeastSquares result{std::vector<double>(columns.size(), 0.0),
                       std::vector<char>(columns.size(), 0)};
-  std::vector<InterfaceVector> Q;
+  std::vector<std::vector<double>> Q;
   std::vector<std::vector<double>> R;  // columns of the triangle
   std::vector<std::size_t> kept;
   for (std::size_t j = 0; j < columns.size(); ++j) {
-    InterfaceVector q = columns[j];
+    std::vector<double> q = columns[j];
     std::vector<double> r(Q.size(), 0.0);
-    const double length = std::sqrt(inner_product(comm, q, q));
+    const double length = length_of(comm, q);
     for (int pass = 0; pass < 2; ++pass) {  // q ← (I − Q Qᵀ) v, twice against round-off
       const std::vector<double> along = products(comm, Q, q);
       for (std::size_t k = 0; k < Q.size(); ++k) {
@@ -39,7 +43,7 @@ LeastSquares solve_least_squares(const Comm& comm, const std::deque<InterfaceVec
         for (std::size_t i = 0; i < q.size(); ++i) q[i] -= along[k] * Q[k][i];
       }
     }
-    const double rest = std::sqrt(inner_product(comm, q, q));
+    const double rest = length_of(comm, q);
     if (!(rest > filter * length)) continue;
     for (double& value : q) value /= rest;
     r.push_back(rest);
@@ -57,4 +61,4 @@ LeastSquares solve_least_squares(const Comm& comm, const std::deque<InterfaceVec
   return result;
 }
 
-}  // namespace tunica::coupling
+}  // namespace tunica::algebra
