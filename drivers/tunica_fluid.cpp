@@ -8,6 +8,7 @@
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/app/surface_report.hpp"
+#include "tunica/app/wall_shear.hpp"
 
 namespace {
 
@@ -18,7 +19,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   // 1. The fluid, from where it goes on after a restart, and what is written of it.
   problems::FluidProblem fluid(app::fluid_list(list), *domain.fluid);
   fluid.linear_solver();  // wrong names in its lists are told before anything is solved
-  app::TimeMarch march(list, {{"fluid", &fluid}}, output);
+  app::WallShear shear(list.sublist("Output"), fluid);
+  app::TimeMarch march(list, {{"fluid", &fluid}, {"wall shear", &shear}}, output);
   march.judge(fluid);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, nullptr);
   const CommPtr comm = domain.fluid->comm;
@@ -38,11 +40,16 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   while (!march.is_done()) {
     const app::StepSummary step = march.make_step(solve, log);
     const stepping::Clock& clock = march.clock();
+    if (step.is_accepted) shear.accept(clock);
     log.step(clock, step,
-             app::joined({fluid.observe(), domain.probes.observe(&fluid, nullptr),
+             app::joined({fluid.observe(), shear.observe(), domain.probes.observe(&fluid, nullptr),
                           surfaces.observe(&fluid, nullptr)}));
     if (!step.is_accepted) return Outcome::failure(step.reason);
-    if (fields.is_due(clock)) fields.write(clock, {{"fluid", app::fluid_arrays(fluid, {}), {}}});
+    if (fields.is_due(clock)) {
+      std::vector<output::Array> arrays = app::fluid_arrays(fluid, {});
+      for (output::Array& array : shear.arrays()) arrays.push_back(std::move(array));
+      fields.write(clock, {{"fluid", arrays, {}}});
+    }
     checkpoints.write_if_due();
   }
   app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);

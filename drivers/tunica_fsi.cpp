@@ -10,6 +10,7 @@
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/app/surface_report.hpp"
+#include "tunica/app/wall_shear.hpp"
 #include "tunica/coupling/registry.hpp"
 
 namespace {
@@ -18,9 +19,11 @@ using namespace tunica;
 
 std::vector<app::GridFields> both_fields(const problems::FluidProblem& fluid,
                                          const problems::MeshMotion& motion,
+                                         const app::WallShear& shear,
                                          const problems::SolidProblem& wall) {
-  return {{"fluid", app::fluid_arrays(fluid, motion.displacement()), {}},
-          {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}};
+  std::vector<output::Array> of_fluid = app::fluid_arrays(fluid, motion.displacement());
+  for (output::Array& array : shear.arrays()) of_fluid.push_back(std::move(array));
+  return {{"fluid", of_fluid, {}}, {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}};
 }
 
 Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
@@ -40,10 +43,14 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
 
   // 3. From where it goes on after a restart; what is written, and when.
   const CommPtr comm = domain.fluid->comm;
-  app::TimeMarch march(
-      list,
-      {{"fluid", &fluid}, {"wall", &wall}, {"mesh motion", &motion}, {"coupling", scheme.get()}},
-      output);
+  app::WallShear shear(list.sublist("Output"), fluid);
+  app::TimeMarch march(list,
+                       {{"fluid", &fluid},
+                        {"wall", &wall},
+                        {"mesh motion", &motion},
+                        {"coupling", scheme.get()},
+                        {"wall shear", &shear}},
+                       output);
   march.judge(fluid);
   march.judge(wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, &*domain.wall);
@@ -67,11 +74,12 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   while (!march.is_done()) {
     const app::StepSummary step = march.make_step(solve, log);
     const stepping::Clock& clock = march.clock();
+    if (step.is_accepted) shear.accept(clock);
     log.step(clock, step,
-             app::joined({wall.observe(), fluid.observe(), domain.probes.observe(&fluid, &wall),
-                          surfaces.observe(&fluid, &wall)}));
+             app::joined({wall.observe(), fluid.observe(), shear.observe(),
+                          domain.probes.observe(&fluid, &wall), surfaces.observe(&fluid, &wall)}));
     if (!step.is_accepted) return Outcome::failure(step.reason);
-    if (fields.is_due(clock)) fields.write(clock, both_fields(fluid, motion, wall));
+    if (fields.is_due(clock)) fields.write(clock, both_fields(fluid, motion, shear, wall));
     checkpoints.write_if_due();
   }
 

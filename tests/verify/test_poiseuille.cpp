@@ -76,9 +76,28 @@ struct Flow {
                      ///< viscous residual
   double leak;       ///< (inflow + outflow) / inflow
   double change;     ///< of the inflow in the last time step, relative
+  double shear;      ///< wall shear stress between the same sections, mean in parts of R G/2
+  double spread;     ///< largest difference from it there, likewise
 
   double bypass() const { return inflow - developed; }
 };
+
+/// Mean of the wall shear stress from 2R to 4R along the axis, and the largest difference from it.
+std::array<double, 2> developed_shear(problems::FluidProblem& fluid) {
+  const fields::FieldMesh& mesh = fluid.mesh();
+  const int wall = mesh.surface_index("interface");
+  const std::vector<Vec3> stress = fluid.wall_shear_stress();
+  const auto at = [&](int a) {
+    const double z = mesh.x[a][2];
+    return mesh.is_on(a, wall) && z > 1.99 * R && z < 4.01 * R ? stress[a][2] : std::nan("");
+  };
+  const double mean = verify::mean_over_nodes(mesh, at);
+  double mine = 0.0;
+  for (int a = 0; a < mesh.n_owned; ++a)
+    if (const double value = at(a); !std::isnan(value))
+      mine = std::max(mine, norm(stress[a] - Vec3{0.0, 0.0, mean}));
+  return {mean, global_max(*mesh.comm, mine)};
+}
 
 Flow flow_on(int n, const std::string& residual = "viscous",
              const std::string& viscous_factor = "4") {
@@ -101,8 +120,14 @@ Flow flow_on(int n, const std::string& residual = "viscous",
     volume += tet.volume;
     h2_volume += tet.volume * std::pow(kernels::element_length(tet.volume), 2);
   }
-  return {Q / exact, developed_flow(fluid) / exact, 2.0 * h2_volume / volume / (R * R),
-          (Q + flow_through(fluid, "outlet")) / Q, (Q - last) / Q};
+  const auto [shear, spread] = developed_shear(fluid);
+  return {Q / exact,
+          developed_flow(fluid) / exact,
+          2.0 * h2_volume / volume / (R * R),
+          (Q + flow_through(fluid, "outlet")) / Q,
+          (Q - last) / Q,
+          shear / (0.5 * R * G),
+          spread / (0.5 * R * G)};
 }
 
 TEUCHOS_UNIT_TEST(poiseuille, flow_rate_converges_to_the_exact_one_at_second_order) {
@@ -122,6 +147,19 @@ TEUCHOS_UNIT_TEST(poiseuille, flow_rate_converges_to_the_exact_one_at_second_ord
   }
   TEST_COMPARE(std::abs(last.inflow - 1.0), <, 0.02);
   TEST_COMPARE(std::abs(last.developed - 1.0), <, 0.03);
+}
+
+TEUCHOS_UNIT_TEST(poiseuille, wall_shear_stress_is_that_of_the_pressure_gradient) {
+  std::vector<Flow> flows;
+  for (const int n : {2, 4}) {
+    flows.push_back(flow_on(n));
+    out << "n " << n << ": wall shear stress " << flows.back().shear << " +- "
+        << flows.back().spread << "\n";
+  }
+  TEST_COMPARE(std::abs(flows[0].shear - 1.0), <, 0.05);
+  TEST_COMPARE(std::abs(flows[1].shear - 1.0), <, 0.01);
+  TEST_COMPARE(flows[0].spread, <, 0.09);
+  TEST_COMPARE(flows[1].spread, <, 0.08);
 }
 
 TEUCHOS_UNIT_TEST(poiseuille, without_the_viscous_residual_the_flow_bypasses_as_predicted) {

@@ -17,6 +17,11 @@ struct NodalShares {
 void add_face(const fields::FieldMesh& mesh, const fields::Face& face, double area,
               const std::array<Vec3, 3>& force, NodalShares& shares);
 
+/// What each surface takes of the reactions of the owned nodes, by the pairs of
+/// FieldMesh::node_surfaces, see reaction_forces() [mN].
+std::vector<Vec3> shared_reactions(const fields::FieldMesh& mesh, const SurfaceTerms& terms,
+                                   const std::vector<Vec3>& reaction, const NodalShares& shares);
+
 /// The field's forces on the surfaces that prescribe its vector unknown, this rank's part, by the
 /// reactions r of owned nodes [mN]. Each component of a reaction goes to the surfaces s of the node
 /// that prescribe it:

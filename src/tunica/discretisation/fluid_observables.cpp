@@ -4,6 +4,8 @@
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/boundary/backflow.hpp"
+#include "tunica/boundary/surface_geometry.hpp"
+#include "tunica/boundary/surface_mass.hpp"
 #include "tunica/boundary/traction.hpp"
 #include "tunica/discretisation/fluid.hpp"
 #include "tunica/kernels/energy.hpp"
@@ -147,6 +149,49 @@ std::vector<Vec3> Fluid::forces(const algebra::BlockVector& x, const std::vector
   }
   for (const int s : surfaces) force[s] += -1.0 * surfaces_.load(surroundings(), s);
   return force;
+}
+
+// The wall takes from the fluid, node by node, the reaction of the momentum residual. Without what
+// the pressure has of it that is the viscous force f, a linear density of which is
+//
+//   Σ_b ∫ N_a N_b da t_b = f_a,   τ = t − (t·n) n
+//
+//   f  viscous force of a node    mN      τ  wall shear stress      kPa
+//   n  normal of the node's triangles, unit
+//
+// It varies less around a vessel than gradients of velocity in the elements, and its integral is
+// the force.
+
+std::vector<Vec3> Fluid::wall_shear_stress(const algebra::BlockVector& x) {
+  const int n_surfaces = static_cast<int>(mesh_->surfaces.size());
+  std::vector<int> walls;
+  for (int s = 0; s < n_surfaces; ++s)
+    if (surfaces_.is_interface(s) || surfaces_.has_condition(s, "no slip")) walls.push_back(s);
+  if (walls.empty() || elements_.tau.empty()) return std::vector<Vec3>(mesh_->n_owned);
+  const std::vector<Vec3> r = reaction(x);
+  const std::vector<Vec3> taken = boundary::shared_reactions(*mesh_, surfaces_, r, tractions());
+  const fields::NodeSurfaces& on = mesh_->node_surfaces;
+  const auto is_wall = [&walls](int s) {
+    return std::find(walls.begin(), walls.end(), s) != walls.end();
+  };
+  std::vector<Vec3> force(mesh_->n_owned);
+  for (int a = 0; a < mesh_->n_owned; ++a)
+    for (int k = on.begin(a); k < on.end(a); ++k)
+      if (is_wall(on.surface(k))) force[a] += taken[k];
+  for (const fields::Face& face : mesh_->faces) {
+    if (!is_wall(face.surface)) continue;
+    const Vec3 n = kernels::area_normal(assembly::gather(position_, face.nodes));
+    const auto p = assembly::gather(local_.p, face.nodes);
+    for (int a = 0; a < 3; ++a)  // − ∫ N_a p n da
+      if (face.nodes[a] < mesh_->n_owned)
+        force[face.nodes[a]] += -(p[0] + p[1] + p[2] + p[a]) / 12.0 * n;
+  }
+  std::vector<Vec3> stress = boundary::surface_density(*mesh_, position_, walls, force);
+  const std::vector<Vec3> normal = boundary::nodal_areas(*mesh_, position_, walls);
+  for (int a = 0; a < mesh_->n_owned; ++a)
+    if (const double squared = dot(normal[a], normal[a]); squared > 0.0)
+      stress[a] += -dot(stress[a], normal[a]) / squared * normal[a];
+  return stress;
 }
 
 Fluid::SurfaceSums Fluid::sums_over(int surface) const {

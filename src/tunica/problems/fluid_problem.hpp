@@ -44,6 +44,9 @@ public:
   /// begins to look for its own.
   void set_initial_pressure(double p);
 
+  /// discretisation::Fluid::wall_shear_stress() of the last solve.
+  std::vector<Vec3> wall_shear_stress() { return fluid_->wall_shear_stress(x_); }
+
   double density() const { return fluid_->density(); }
   std::vector<int> open_surfaces() const { return fluid_->open_surfaces(); }
   const std::vector<Vec3>& positions() const { return fluid_->positions(); }

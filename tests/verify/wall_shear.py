@@ -1,0 +1,68 @@
+"""Averages of the wall shear stress over time, against those of the wall shear stress that the fields of each
+step hold; across a restart on another number of ranks, too.
+
+Usage: wall_shear.py FOLDER_OF_PROGRAMS SCRATCH
+"""
+import pathlib
+import sys
+
+import h5py
+import numpy as np
+from runs import ROOT, Run, Verdict, command, fresh, table
+
+CASE = ROOT / "xml" / "windkessel.xml"
+STEPS, STEP, FROM = 60, 5.0, 152.0  # [ms]; the averages begin within a step
+
+
+def run(verdict, programs, folder, name, ranks=1, words=()):
+    done = Run(command(programs / "tunica-fluid",
+                       [CASE, "--output", name, "--set", f"Output/averages from={FROM}", *words], ranks), folder)
+    verdict.claim(done.status == 0, f"{name}: ends with 0 {done.err}")
+    return folder / name
+
+
+def by_vertex(results, step, name):
+    with h5py.File(results / "fields.h5", "r") as file:
+        values = file[f"step_{step:06}/fluid/{name}"][()]
+        return values[np.argsort(file["fluid/vertices"][()])]
+
+
+def check_averages(verdict, results):
+    weights = {step: min(STEP, STEP * step - FROM) for step in range(1, STEPS + 1) if STEP * step > FROM}
+    stresses = {step: by_vertex(results, step, "wall_shear_stress") for step in weights}
+    total = sum(weights.values())
+    size = sum(weights[k] * np.linalg.norm(stresses[k], axis=1) for k in weights)
+    along = np.linalg.norm(sum(weights[k] * stresses[k] for k in weights), axis=1)
+    on_wall = size > 0.0
+    verdict.claim(0.1 < on_wall.mean() < 0.9, f"{on_wall.mean():.2f} of the vertices have a wall shear stress")
+    expected = {"time_averaged_wss": size / total,
+                "oscillatory_shear_index": np.where(on_wall, 0.5 * (1 - along / np.where(on_wall, size, 1)), 0),
+                "relative_residence_time": np.where(on_wall, total / np.where(on_wall, along, 1), 0)}
+    for name, values in expected.items():
+        found = by_vertex(results, STEPS, name)
+        error = np.abs(found - values).max() / np.abs(values).max()
+        verdict.claim(error < 1e-6, f"{name} is that of {len(weights)} steps to {error:.1e}")
+    osi = expected["oscillatory_shear_index"]
+    verdict.claim(osi.max() > 0.01 and osi.max() <= 0.5, f"the flow turns back somewhere: OSI to {osi.max():.3f}")
+    peaks = table(results / "steps.csv")["max_wall_shear_stress_kPa"]
+    worst = max(abs(np.linalg.norm(stresses[k], axis=1).max() - peaks[k - 1]) for k in weights)
+    verdict.claim(worst < 1e-6 * max(peaks), f"steps.csv has the largest to {worst:.1e} kPa")
+    before = by_vertex(results, 30, "time_averaged_wss")
+    verdict.claim(not before.any(), "there are no averages before their time")
+
+
+def main(programs, scratch):
+    verdict, folder = Verdict(), fresh(scratch)
+    straight = run(verdict, programs, folder, "straight", words=["--steps", STEPS])
+    check_averages(verdict, straight)
+    run(verdict, programs, folder, "broken", words=["--steps", 45])
+    broken = run(verdict, programs, folder, "broken", 2, ["--steps", STEPS, "--restart"])
+    for name in ("time_averaged_wss", "oscillatory_shear_index"):
+        one, other = by_vertex(straight, STEPS, name), by_vertex(broken, STEPS, name)
+        error = np.abs(one - other).max() / np.abs(one).max()
+        verdict.claim(error < 1e-5, f"{name} of a run that went on on two ranks is the same to {error:.1e}")
+    return verdict.status()
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]))
