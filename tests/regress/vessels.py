@@ -18,8 +18,8 @@ PARTITIONED = ["--set", "Coupling/scheme=dirichlet-neumann", "--set", "Coupling/
 TIGHT = ["--set", "Coupling/Newton/linear tolerance=1e-8"]
 
 
-def run(verdict, programs, folder, output, more=(), ranks=1, steps=STEPS):
-    words = [CASE, "--output", output, "--steps", steps, "--set", "Output/checkpoint every=1", *more]
+def run(verdict, programs, folder, output, more=(), ranks=1, steps=STEPS, case=CASE):
+    words = [case, "--output", output, "--steps", steps, "--set", "Output/checkpoint every=1", *more]
     done = Run(command(programs / "tunica-fsi", words, ranks), folder)
     verdict.claim(done.status == 0, f"{output}: ends with 0 ({done.seconds:.1f} s)")
     if done.status != 0:
@@ -117,6 +117,9 @@ def main(programs, scratch):
     stays_where_it_was_imaged(verdict, alone)
     agree_across_schemes(verdict, alone, run(verdict, programs, folder, "partitioned", PARTITIONED))
     goes_on(verdict, programs, folder, alone)
+    for name in ("bend", "bulge"):
+        stays_where_it_was_imaged(verdict, run(verdict, programs, folder, name, steps=2,
+                                               case=CASE.with_name(name + ".xml")))
     compares_smoothers(verdict, programs, folder)
     return verdict.status()
 

@@ -47,6 +47,9 @@ std::vector<std::string> prestress_surfaces(const ParameterList& list) {
 
 namespace {
 
+/// Iterations in which the way from the mesh must have halved.
+constexpr int patience = 10;
+
 /// The way from no load to all of it.
 class Search {
 public:
@@ -105,6 +108,7 @@ private:
     SolidProblem equilibrium(static_list(*list_, load * options_->get<double>("pressure")),
                              wall_->mesh(), wall_->elements().frames);
     model_ = {};
+    std::vector<double> history;  // of the way from the mesh
     for (int k = 1; k <= most; ++k) {
       const Outcome shaped = equilibrium.set_stress_free(found_.from_stress_free);
       if (shaped.is_failure()) return shaped;
@@ -118,6 +122,10 @@ private:
       const double moved = largest(d, comm()), way = largest(found_.from_stress_free, comm());
       (*report_)({load_step_, k, load, moved, way});
       if (moved <= tolerance * way) return Outcome::success();
+      history.push_back(moved);
+      if (k > patience && moved > 0.5 * history[k - 1 - patience])
+        return Outcome::failure("the wall comes no closer to the mesh than " +
+                                std::to_string(moved) + " mm");
     }
     return Outcome::failure("the shape without stress is not found in " + std::to_string(most) +
                             " iterations");
