@@ -4,11 +4,12 @@ Usage: test_parts.py BUILD CMAKE SCRATCH
 """
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 
 BUILD, CMAKE, SCRATCH = sys.argv[1:4]
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from scratch import fresh  # noqa: E402
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]', re.MULTILINE)
 TARGET = re.compile(r"Tunica::(\w+)")
 # What a part may link and whose headers it may include, beside the standard library's.
@@ -44,8 +45,7 @@ def problems_of(part, prefix):
 def main():
     count = 0
     for part in PARTS:
-        prefix = pathlib.Path(SCRATCH) / part
-        shutil.rmtree(prefix, ignore_errors=True)
+        prefix = fresh(pathlib.Path(SCRATCH) / part)
         subprocess.run([CMAKE, "--install", BUILD, "--prefix", prefix, "--component", part],
                        check=True, stdout=subprocess.DEVNULL)
         for problem in problems_of(part, prefix):

@@ -1,6 +1,5 @@
 """What the tests of tunica-import share: its runs, and a folder for each test."""
 import os
-import shutil
 import subprocess
 import sys
 import unittest
@@ -8,6 +7,8 @@ import unittest
 import samples
 
 PROGRAM, PROGRAMS, SCRATCH = sys.argv[1:4]
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from scratch import fresh  # noqa: E402
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
                    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl_vader_single_copy_mechanism="none")
 
@@ -60,6 +61,5 @@ class ImportTest(unittest.TestCase):
 
 
 def run():
-    shutil.rmtree(SCRATCH, ignore_errors=True)
-    os.makedirs(SCRATCH)
+    fresh(SCRATCH)
     unittest.main(module="__main__", argv=sys.argv[:1])

@@ -2,12 +2,14 @@
 import csv
 import os
 import pathlib
-import shutil
 import subprocess
+import sys
 import time
 import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests"))
+from scratch import fresh  # noqa: E402, F401  of all scripts
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
                    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_btl_vader_single_copy_mechanism="none",
@@ -41,14 +43,6 @@ def table(path):
     with open(path, newline="") as file:
         rows = list(csv.DictReader(file))
     return {name: [value(row[name]) for row in rows] for name in (rows[0] if rows else [])}
-
-
-def fresh(folder):
-    """An empty folder of that name."""
-    folder = pathlib.Path(folder).resolve()
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
-    return folder
 
 
 class Verdict:

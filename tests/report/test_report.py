@@ -3,7 +3,6 @@ import base64
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 import unittest
@@ -15,6 +14,8 @@ from matplotlib import image
 from synthetic_run import write_case, write_run, write_solver_run
 
 PROGRAM, SCRATCH = sys.argv[1], sys.argv[2]
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from scratch import fresh  # noqa: E402
 sys.path.insert(0, os.path.dirname(os.path.realpath(PROGRAM)))  # as the program does
 from report.section import name_of_axis, plane_through, section_axes  # noqa: E402
 
@@ -294,6 +295,5 @@ class Report(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    shutil.rmtree(SCRATCH, ignore_errors=True)
-    os.makedirs(SCRATCH)
+    fresh(SCRATCH)
     unittest.main(argv=sys.argv[:1])
