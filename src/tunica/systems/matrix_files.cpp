@@ -1,70 +1,83 @@
 #include "tunica/systems/matrix_files.hpp"
 
-#include <MatrixMarket_Tpetra.hpp>
-#include <Teuchos_DefaultSerialComm.hpp>
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "tunica/base/error.hpp"
-#include "tunica/base/exception_summary.hpp"
-#include "tunica/base/out_of_memory.hpp"
+#include "tunica/systems/matrix_market_reader.hpp"
 
 namespace tunica::systems {
 
 namespace {
 
-using Reader = Tpetra::MatrixMarket::Reader<CrsMatrix>;
+struct Entry {
+  long long row, column;
+  double value;
+};
 
-CommPtr alone() { return Teuchos::rcp(new Teuchos::SerialComm<int>); }
-
-template <class Read>
-auto reading(const std::string& path, const Read& read) {
-  try {
-    return read();
-  } catch (const std::exception& error) {
-    if (is_out_of_memory(error)) throw;
-    const std::string cause =
-        exception_summary(error.what());  // ends with files of Trilinos itself
-    throw Error(path +
-                ": no Matrix Market file that can be read: " + cause.substr(0, cause.find(": /")));
+/// The entries that a file of coordinates lists, and their mirror images where it is symmetric.
+std::vector<Entry> read_entries(MatrixMarketReader& reader, const std::vector<long long>& sizes) {
+  const std::string promise = std::to_string(sizes[2]) + " entries, as the line of sizes says";
+  const auto index = [&reader](const char* what, long long most) {
+    const long long i = reader.integer(what);
+    if (i < 1 || i > most)
+      reader.refuse(std::string(what) + " is " + std::to_string(i) + ", expected 1 to " +
+                    std::to_string(most));
+    return i - 1;
+  };
+  std::vector<Entry> entries;
+  for (long long k = 0; k < sizes[2]; ++k) {
+    reader.next_line(promise);
+    const long long row = index("the row", sizes[0]), column = index("the column", sizes[1]);
+    const double value = reader.number("the value");
+    reader.end_line();
+    entries.push_back({row, column, value});
+    if (reader.is_symmetric() && row != column) entries.push_back({column, row, value});
   }
+  reader.end_file("expected " + promise);
+  return entries;
 }
 
 }  // namespace
 
 FileMatrix read_matrix(const std::string& path) {
-  const auto matrix = reading(path, [&] { return Reader::readSparseFile(path, alone()); });
-  const auto local = matrix->getLocalMatrixHost();
-  FileMatrix A =
-      empty_matrix(static_cast<long long>(matrix->getGlobalNumRows()),
-                   static_cast<long long>(matrix->getDomainMap()->getGlobalNumElements()));
-  std::vector<std::pair<long long, double>> entries;
-  for (int i = 0; i < local.numRows(); ++i) {
-    const auto row = local.rowConst(i);
-    entries.clear();
-    for (int k = 0; k < row.length; ++k) {
-      TUNICA_CHECK(std::isfinite(row.value(k)),
-                   path + ": an entry of row " + std::to_string(i + 1) + " is not finite.");
-      entries.emplace_back(matrix->getColMap()->getGlobalElement(row.colidx(k)), row.value(k));
+  MatrixMarketReader reader(path, "coordinate");
+  const std::vector<long long> sizes = reader.sizes(3);
+  if (reader.is_symmetric() && sizes[0] != sizes[1])
+    reader.refuse("a symmetric matrix has as many rows as columns");
+  std::vector<Entry> entries = read_entries(reader, sizes);
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::pair(a.row, a.column) < std::pair(b.row, b.column);
+  });
+  FileMatrix A = empty_matrix(sizes[0], sizes[1]);
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const Entry& entry = entries[k];
+    const bool is_again =
+        k > 0 && entries[k - 1].row == entry.row && entries[k - 1].column == entry.column;
+    if (is_again) {  // what is listed twice is a sum, as in element matrices
+      A.values.back() += entry.value;
+      continue;
     }
-    std::sort(entries.begin(), entries.end());
-    for (const auto& [column, value] : entries) {
-      A.columns.push_back(column);
-      A.values.push_back(value);
-    }
-    A.start[i + 1] = A.columns.size();
+    A.columns.push_back(entry.column);
+    A.values.push_back(entry.value);
+    ++A.start[entry.row + 1];
   }
+  for (std::size_t i = 0; i + 1 < A.start.size(); ++i) A.start[i + 1] += A.start[i];
   return A;
 }
 
 std::vector<double> read_column(const std::string& path) {
-  Teuchos::RCP<const Map> map;  // the reader makes one
-  const auto vector = reading(path, [&] { return Reader::readDenseFile(path, alone(), map); });
-  TUNICA_CHECK(vector->getNumVectors() == 1,
-               path + ": " + std::to_string(vector->getNumVectors()) + " columns, expected one.");
-  const auto values = vector->getLocalViewHost(read_only);
-  std::vector<double> column(values.extent(0));
-  for (std::size_t i = 0; i < column.size(); ++i) column[i] = values(i, 0);
+  MatrixMarketReader reader(path, "array");
+  const std::vector<long long> sizes = reader.sizes(2);
+  if (sizes[1] != 1)
+    reader.refuse("there are " + std::to_string(sizes[1]) + " columns, expected one");
+  const std::string promise = std::to_string(sizes[0]) + " numbers, as the line of sizes says";
+  std::vector<double> column;
+  for (long long i = 0; i < sizes[0]; ++i) {
+    reader.next_line(promise);
+    column.push_back(reader.number("a number"));
+    reader.end_line();
+  }
+  reader.end_file("expected " + promise);
   return column;
 }
 
