@@ -1,4 +1,5 @@
 #pragma once
+#include <Teuchos_BLAS.hpp>
 #include <Tpetra_Core.hpp>
 
 #include "tunica/base/types.hpp"
@@ -8,9 +9,18 @@ namespace tunica {
 /// MPI and Kokkos live as long as the one object of it, the first in main().
 class Session {
 public:
-  Session() : scope_(&count_, &names_) {}
+  Session() : scope_(&count_, &names_) { warm_up_blas(); }
 
 private:
+  /// OpenBLAS takes its buffer at the first call and keeps it. Where it gets none it asks for ever:
+  /// better here, before there is any work, than later on one of the ranks.
+  static void warm_up_blas() {
+    const double one = 1.0;
+    double x = 1.0;
+    Teuchos::BLAS<int, double>().TRSM(Teuchos::LEFT_SIDE, Teuchos::UPPER_TRI, Teuchos::NO_TRANS,
+                                      Teuchos::NON_UNIT_DIAG, 1, 1, 1.0, &one, 1, &x, 1);
+  }
+
   // Kokkos answers --help itself, at length: it gets no arguments.
   char name_[7] = "tunica";
   char* name_list_[2] = {name_, nullptr};
