@@ -30,14 +30,27 @@ ConditionEntry clamped() {
           }};
 }
 
-ConditionEntry held() {
+namespace {
+
+ConditionEntry held_in(Field field, const std::string& sentence) {
   params::Table table;
-  table.names("components", std::nullopt, "components without displacement, of x, y and z")
-      .check(check_components);
-  return {Field::wall, "held", table,
+  table.names("components", std::nullopt, sentence).check(check_components);
+  return {field, "held", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
             return terms(std::make_unique<Held>(components_of(list)));
           }};
+}
+
+}  // namespace
+
+ConditionEntry held() {
+  return held_in(Field::wall, "components without displacement, of x, y and z");
+}
+
+ConditionEntry held_velocity() {
+  return held_in(Field::fluid,
+                 "components without velocity, of x, y and z; the one along the normal on a plane "
+                 "of symmetry");
 }
 
 ConditionEntry loaded_by_fluid() {

@@ -3,7 +3,8 @@
 
 namespace tunica::boundary {
 
-/// Components of the wall's displacement that stay zero; all of them where it is clamped.
+/// Components of the vector unknown, displacement or velocity, that stay zero; all of them where a
+/// wall is clamped.
 class Held final : public BoundaryTerm {
 public:
   explicit Held(std::vector<int> components) : components_(std::move(components)) {}
@@ -21,5 +22,7 @@ void check_components(const Teuchos::ParameterList& list, const std::string& pat
 ConditionEntry clamped();
 ConditionEntry held();
 ConditionEntry loaded_by_fluid();
+/// "held" of a fluid.
+ConditionEntry held_velocity();
 
 }  // namespace tunica::boundary

@@ -6,6 +6,7 @@
 #include "tunica/boundary/moved.hpp"
 #include "tunica/boundary/prescribed_velocity.hpp"
 #include "tunica/boundary/support.hpp"
+#include "tunica/boundary/surface_data.hpp"
 #include "tunica/boundary/traction.hpp"
 #include "tunica/boundary/windkessel.hpp"
 
@@ -15,22 +16,25 @@ namespace {
 
 const std::vector<ConditionEntry>& conditions() {
   static const std::vector<ConditionEntry> all = {
-      open_traction(),         // "traction" of a fluid
-      open_pressure(),         // "pressure" of a fluid
-      windkessel_condition(),  // "windkessel"
-      resistance_condition(),  // "resistance"
-      velocity_condition(),    // "velocity"
-      flow_rate_condition(),   // "flow rate"
-      no_slip(),               // "no slip"
-      moves_with_wall(),       // "interface" of a fluid
-      clamped(),               // "clamped"
-      held(),                  // "held"
-      moved(),                 // "moved"
-      moves_as_one(),          // "moves as one"
-      dead_traction(),         // "traction" of a wall
-      follower_pressure(),     // "pressure" of a wall
-      support_condition(),     // "support"
-      loaded_by_fluid(),       // "interface" of a wall
+      open_traction(),           // "traction" of a fluid
+      open_pressure(),           // "pressure" of a fluid
+      windkessel_condition(),    // "windkessel"
+      resistance_condition(),    // "resistance"
+      velocity_condition(),      // "velocity"
+      velocity_from_file(),      // "velocity from file"
+      flow_rate_condition(),     // "flow rate"
+      no_slip(),                 // "no slip"
+      held_velocity(),           // "held" of a fluid
+      moves_with_wall(),         // "interface" of a fluid
+      clamped(),                 // "clamped"
+      held(),                    // "held"
+      moved(),                   // "moved"
+      displacement_from_file(),  // "displacement from file"
+      moves_as_one(),            // "moves as one"
+      dead_traction(),           // "traction" of a wall
+      follower_pressure(),       // "pressure" of a wall
+      support_condition(),       // "support"
+      loaded_by_fluid(),         // "interface" of a wall
   };
   return all;
 }

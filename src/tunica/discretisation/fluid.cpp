@@ -31,6 +31,7 @@ Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
   if (options_.has_viscous_residual)
     viscous_ = remember("viscous force", [this] { return viscous_forces(); });
   elements_.geometry = assembly::geometry_of(mesh, mesh.x);
+  find_open_surfaces();
   // Without an open surface the pressure is known up to a constant: pin it at the node with the
   // smallest vertex, the same on any ranks.
   is_closed_ = open_surfaces().empty();
@@ -44,12 +45,22 @@ Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
 
 Fluid::~Fluid() = default;
 
+// Fluid passes a face where a component of the velocity is free along which it has a normal.
+void Fluid::find_open_surfaces() {
+  std::vector<double> passes(mesh_->surfaces.size(), 0.0);
+  for (const fields::Face& face : mesh_->faces) {
+    const Vec3 n = kernels::area_normal(assembly::gather(mesh_->x, face.nodes));
+    for (int i = 0; i < 3; ++i)
+      if (std::abs(n[i]) > 1e-6 * norm(n) && !surfaces_.prescribes(face.surface, i))
+        passes[face.surface] = 1.0;
+  }
+  for (const double found : global_sum(*mesh_->comm, passes)) is_open_.push_back(found > 0.0);
+}
+
 std::vector<int> Fluid::open_surfaces() const {
-  std::vector<int> is_open(mesh_->surfaces.size(), 0), surfaces;
-  for (const fields::Face& face : mesh_->faces)
-    if (surfaces_.is_natural(face.surface)) is_open[face.surface] = 1;
-  for (std::size_t s = 0; s < is_open.size(); ++s)
-    if (global_max(*mesh_->comm, is_open[s]) == 1) surfaces.push_back(static_cast<int>(s));
+  std::vector<int> surfaces;
+  for (std::size_t s = 0; s < is_open_.size(); ++s)
+    if (is_open_[s]) surfaces.push_back(static_cast<int>(s));
   return surfaces;
 }
 

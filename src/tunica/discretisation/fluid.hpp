@@ -52,7 +52,7 @@ public:
   void set_boundary_velocity(boundary::VectorField u) { boundary_velocity_ = std::move(u); }
 
   double density() const { return options_.density; }  ///< [mg/mm³]
-  /// Indices into FieldMesh::surfaces: where the fluid may pass. Collective.
+  /// Indices into FieldMesh::surfaces: where the fluid may pass.
   std::vector<int> open_surfaces() const;
   const std::vector<Vec3>& positions() const { return position_; }  ///< current, local nodes
   const assembly::FluidElements& elements() const { return elements_; }
@@ -91,6 +91,7 @@ private:
   boundary::NodalShares tractions() const;
   /// Forces on the given ones of all surfaces, this rank's part.
   std::vector<Vec3> forces(const algebra::BlockVector& x, const std::vector<int>& surfaces);
+  void find_open_surfaces();
   void observe_open_surfaces(const assembly::FluidFields& state, Observables& found) const;
 
   FluidOptions options_;
@@ -103,6 +104,7 @@ private:
   std::vector<Vec3> predicted_;          ///< velocity expected at the new time, local nodes
   assembly::FluidFields local_;          ///< ghosted copies; u and p at the point of evaluation
   std::unique_ptr<assembly::FluidShapeMatrix> shape_;  ///< null before it is asked for
+  std::vector<char> is_open_;                          ///< per surface: the fluid may pass
   bool is_closed_ = false;                             ///< no surface lets the fluid out
   double time_ = 0.0;
 };

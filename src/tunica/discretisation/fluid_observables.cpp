@@ -56,7 +56,7 @@ void Fluid::observe_open_surfaces(const assembly::FluidFields& state, Observable
                                      {boundary::backflow_power, 0.0}};
   double inflow = 0.0;
   for (const fields::Face& face : mesh_->faces) {
-    if (!face.is_owned || !surfaces_.is_natural(face.surface)) continue;
+    if (!face.is_owned || !is_open_[face.surface]) continue;
     inflow -= options_.density * kernels::kinetic_outflow(assembly::gather(position_, face.nodes),
                                                           assembly::gather(state.u, face.nodes),
                                                           assembly::gather(local_.w, face.nodes));

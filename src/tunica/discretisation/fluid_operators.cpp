@@ -53,7 +53,7 @@ Teuchos::RCP<const CrsMatrix> Fluid::assemble_operator(const std::string& name) 
         is_fixed);
   if (name != laplacian) return Teuchos::null;
   for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s) {
-    if (!surfaces_.is_natural(static_cast<int>(s))) continue;
+    if (!is_open_[s]) continue;
     for (int a = 0; a < mesh_->n_nodes(); ++a)
       if (mesh_->is_on(a, static_cast<int>(s))) is_fixed[a] = 1;
   }

@@ -32,6 +32,8 @@ public:
   const std::vector<Vec3>& from_stress_free() const { return from_stress_free_; }
 
   void begin_step(const stepping::Clock& clock);
+  /// Gives x the prescribed displacements. Collective.
+  void prescribe(algebra::BlockVector& x) { surfaces_.impose(surroundings(), x[0]); }
   /// Nodal forces [mN] on the owned nodes, which stay until the next call.
   void set_nodal_force(const std::vector<Vec3>& force) { nodal_force_ = force; }
   /// The right-hand side of these forces [mN] on owned nodes.

@@ -280,6 +280,7 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
                                                const algebra::BlockVector& wall, bool wants_any) {
   algebra::BlockVector x(space());
   wall_x_.assign(wall);
+  wall_->prescribe(wall_x_);
   if (!is_extrapolated_)  // what is prescribed may depend on where the domain lies
     if (const Outcome outcome = follow_wall(mesh_tolerance_); outcome.is_failure())
       return {{false, outcome.reason(), {}}, false};

@@ -25,6 +25,11 @@ SolidProblem::SolidProblem(std::unique_ptr<discretisation::Solid> wall,
     : FieldProblem(std::move(wall), list),
       wall_(static_cast<discretisation::Solid*>(&discretisation())) {}
 
+nonlinear::NewtonReport SolidProblem::solve() {
+  prescribe(x_);
+  return find_state();
+}
+
 Outcome SolidProblem::set_stress_free(const std::vector<Vec3>& from_stress_free) {
   Vector owned(mesh().vector_map);
   fields::store(from_stress_free, mesh(), owned);

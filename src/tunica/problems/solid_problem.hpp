@@ -26,7 +26,9 @@ public:
   /// Nodal forces [mN] on the owned nodes, which stay until the next call.
   void set_nodal_force(const std::vector<Vec3>& force) { wall_->set_nodal_force(force); }
   /// Solves the step for the present loads, started from the present state.
-  nonlinear::NewtonReport solve() { return find_state(); }
+  nonlinear::NewtonReport solve();
+  /// discretisation::Solid::prescribe().
+  void prescribe(algebra::BlockVector& x) { wall_->prescribe(x); }
 
   /// What nodal forces [mN] on the owned nodes displace the owned nodes by within one time step
   /// [mm], linearised at the present state. Fails, and says why, where the linear solver does.
