@@ -12,6 +12,14 @@ flap=$(mktemp --suffix .msh)
 python3 "$folder/make_flap.py" "$flap"
 "$tool" convert "$flap" "$folder/flap.h5"
 rm "$flap"
+plain=$(mktemp --suffix .msh)
+python3 "$folder/make_obstacle.py" "$plain" "$folder/../xml/benchmarks/obstacle-inlet.csv"
+"$tool" convert "$plain" "$folder/obstacle.h5"
+python3 "$folder/make_ring.py" "$plain"
+"$tool" convert "$plain" "$folder/ring.h5"
+python3 "$folder/make_elastic_tube.py" "$plain"
+"$tool" convert "$plain" "$folder/elastic-tube.h5"
+rm "$plain"
 "$quarter" "$folder/quarter-tube.h5"
 
 # Lumens by Gmsh, walls by tunica-mesh. Another version of Gmsh makes other elements.

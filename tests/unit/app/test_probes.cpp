@@ -18,16 +18,20 @@ void add_probe(Teuchos::ParameterList& list, const std::string& name, const std:
 Vec3 displacement(const Vec3& x) {
   return {0.01 * x[2], 0.02 * x[0] - 0.01, 0.03 * x[1] + 0.002 * x[2]};
 }
+Vec3 velocity(const Vec3& x) { return {0.3 * x[1], 1.0 - 0.2 * x[2], 0.1 * x[0] + 0.5 * x[1]}; }
 double pressure(const Vec3& x) { return 0.7 + 1.3 * x[0] - 2.1 * x[1] + 0.4 * x[2]; }
 
-/// Displacement of the wall and pressure of the fluid, linear in space.
+/// Displacement of the wall, velocity and pressure of the fluid, linear in space.
 struct LinearFields {
   LinearFields()
       : fluid(test::resolved(test::fluid_list(1.0, 0.1), problems::fluid_table()), tube.fluid),
         wall(test::resolved(test::wall_list(), problems::solid_table()), tube.wall) {
     fields::State of_fluid = fluid.save(), of_wall = wall.save();
-    for (int a = 0; a < tube.fluid.n_owned; ++a)
+    for (int a = 0; a < tube.fluid.n_owned; ++a) {
       of_fluid.arrays["pressure"].values[a] = pressure(tube.fluid.x[a]);
+      for (int i = 0; i < 3; ++i)
+        of_fluid.arrays["velocity"].values[3 * a + i] = velocity(tube.fluid.x[a])[i];
+    }
     for (int a = 0; a < tube.wall.n_owned; ++a)
       for (int i = 0; i < 3; ++i)
         of_wall.arrays["displacement"].values[3 * a + i] = displacement(tube.wall.x[a])[i];
@@ -47,9 +51,17 @@ TEUCHOS_UNIT_TEST(probes, linear_fields_are_exact_between_the_vertices) {
   add_probe(list, "b", "wall displacement", in_wall);
   add_probe(list, "c", "radial displacement", in_wall);
   add_probe(list, "d", "wall displacement", vertex);
+  add_probe(list, "e", "wall displacement y", in_wall);
+  add_probe(list, "f", "fluid velocity z", in_fluid);
   const Probes probes(list, &run.tube.fluid, &run.tube.wall);
   const auto found = probes.observe(&run.fluid, &run.wall);
-  TEST_EQUALITY(found.size(), 4);
+  TEST_EQUALITY(found.size(), 6);
+  TEST_COMPARE(
+      std::abs(test::observed(found, "wall_displacement_y_e_mm") - displacement(in_wall)[1]), <,
+      1e-12);
+  TEST_COMPARE(
+      std::abs(test::observed(found, "fluid_velocity_z_f_mm_per_ms") - velocity(in_fluid)[2]), <,
+      1e-12);
   TEST_COMPARE(std::abs(test::observed(found, "fluid_pressure_a_kPa") - pressure(in_fluid)), <,
                1e-12);
   const Vec3 moved = in_wall + displacement(in_wall);
