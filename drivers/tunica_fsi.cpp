@@ -17,13 +17,15 @@ namespace {
 
 using namespace tunica;
 
-std::vector<app::GridFields> both_fields(const problems::FluidProblem& fluid,
+std::vector<app::GridFields> both_fields(const Teuchos::ParameterList& wanted,
+                                         const problems::FluidProblem& fluid,
                                          const problems::MeshMotion& motion,
                                          const app::WallShear& shear,
                                          const problems::SolidProblem& wall) {
   std::vector<output::Array> of_fluid = app::fluid_arrays(fluid, motion.displacement());
   for (output::Array& array : shear.arrays()) of_fluid.push_back(std::move(array));
-  return {{"fluid", of_fluid, {}}, {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}};
+  return {{"fluid", of_fluid, {}},
+          {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall, wanted)}};
 }
 
 Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
@@ -79,7 +81,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
              app::joined({wall.observe(), fluid.observe(), shear.observe(),
                           domain.probes.observe(&fluid, &wall), surfaces.observe(&fluid, &wall)}));
     if (!step.is_accepted) return Outcome::failure(step.reason);
-    if (fields.is_due(clock)) fields.write(clock, both_fields(fluid, motion, shear, wall));
+    if (fields.is_due(clock))
+      fields.write(clock, both_fields(list.sublist("Output"), fluid, motion, shear, wall));
     checkpoints.write_if_due();
   }
 

@@ -46,7 +46,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
                           surfaces.observe(nullptr, &wall)}));
     if (!step.is_accepted) return Outcome::failure(step.reason);
     if (fields.is_due(clock))
-      fields.write(clock, {{"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall)}});
+      fields.write(clock, {{"wall", app::wall_arrays(wall),
+                            app::wall_cell_arrays(wall, list.sublist("Output"))}});
     checkpoints.write_if_due();
   }
   app::record_assembly(output.record, "wall", wall.jacobian_throughput(), *comm);

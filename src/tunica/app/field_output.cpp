@@ -1,8 +1,14 @@
 #include "tunica/app/field_output.hpp"
 
+#include <Teuchos_Array.hpp>
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <map>
 
 #include "tunica/assembly/gather.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/kernels/deformation.hpp"
 #include "tunica/kernels/wall_stress.hpp"
 
 namespace tunica::app {
@@ -71,31 +77,105 @@ std::vector<output::Array> wall_arrays(const problems::SolidProblem& wall) {
           vector_array("velocity", at_points(wall.velocity()), n_points)};
 }
 
-std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall) {
+namespace {
+
+constexpr const char* wall_arrays_key = "wall arrays";
+const std::vector<std::string> kinds_of_wall_arrays = {"stress", "principal", "fibres"};
+
+/// One of the wall's elements as it is deformed.
+struct Strained {
+  const materials::HyperelasticLaw* law;
+  materials::Frame frame;
+  Mat3 F;      ///< deformation gradient
+  Sym3 sigma;  ///< Cauchy stress [kPa]
+};
+
+template <class Numbers>
+void append(const Numbers& values, output::Array& array) {
+  array.values.insert(array.values.end(), values.begin(), values.end());
+}
+
+/// Arrays that are filled element by element.
+class WallArrays {
+public:
+  WallArrays(const Teuchos::Array<std::string>& wanted, bool has_frames) {
+    for (const std::string& kind : wanted) has_[kind] = true;
+    has_["fibres"] = has_["fibres"] && has_frames;
+  }
+
+  void add(const Strained& element) {
+    if (has_["stress"]) {
+      append(element.sigma, stress_);
+      von_mises_.values.push_back(kernels::von_mises(element.sigma));
+    }
+    if (has_["principal"]) {
+      append(kernels::principal_values(element.sigma), principal_stress_);
+      Vec3 stretch = kernels::principal_values(kernels::right_cauchy_green(element.F));
+      for (double& lambda : stretch) lambda = std::sqrt(lambda);
+      append(stretch, principal_stretch_);
+    }
+    if (!has_["fibres"]) return;
+    append(element.frame.circumferential, around_);
+    append(element.frame.axial, along_);
+    const std::vector<Vec3> fibres = element.law->fibre_directions(element.frame);
+    for (std::size_t f = 0; f < fibres_.size(); ++f)  // zero where a layer has none
+      append(f < fibres.size() ? element.F * fibres[f] : Vec3{}, fibres_[f]);
+  }
+
+  std::vector<output::Array> take() {
+    std::vector<output::Array> all;
+    if (has_["stress"]) all.insert(all.end(), {stress_, von_mises_});
+    if (has_["principal"]) all.insert(all.end(), {principal_stress_, principal_stretch_});
+    if (has_["fibres"]) all.insert(all.end(), {around_, along_, fibres_[0], fibres_[1]});
+    return all;
+  }
+
+private:
+  std::map<std::string, bool> has_;
+  output::Array stress_{"cauchy_stress", 6, {}}, von_mises_{"von_mises", 1, {}};
+  output::Array principal_stress_{"principal_stress", 3, {}};
+  output::Array principal_stretch_{"principal_stretch", 3, {}};
+  output::Array around_{"circumferential", 3, {}}, along_{"axial", 3, {}};
+  std::array<output::Array, 2> fibres_{{{"fibre_1", 3, {}}, {"fibre_2", 3, {}}}};
+};
+
+}  // namespace
+
+void add_wall_array_keys(params::Table& table) {
+  table
+      .names(wall_arrays_key, kinds_of_wall_arrays,
+             "what fields.h5 has of the wall's elements: stress (cauchy_stress, von_mises), "
+             "principal (principal_stress, principal_stretch, the largest first), fibres (fibre_1, "
+             "fibre_2 in the deformed wall, as long as they are stretched; circumferential and "
+             "axial in the unloaded one)")
+      .check([](const Teuchos::ParameterList& list, const std::string& path) {
+        const auto& kinds = kinds_of_wall_arrays;
+        for (const auto& kind : list.get<Teuchos::Array<std::string>>(wall_arrays_key))
+          TUNICA_CHECK(std::find(kinds.begin(), kinds.end(), kind) != kinds.end(),
+                       path + ": \"" + wall_arrays_key + "\" holds \"" + kind +
+                           "\", expected stress, principal or fibres.");
+      });
+}
+
+std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall,
+                                            const Teuchos::ParameterList& wanted) {
   const fields::FieldMesh& mesh = wall.mesh();
   auto d = fields::ghosted_vectors(mesh, wall.state()[0]);
   for (std::size_t a = 0; a < d.size(); ++a) d[a] += wall.from_stress_free()[a];
   const auto p = fields::ghosted_scalars(wall.scalar_mesh(), wall.state()[1]);
-  output::Array stress{"cauchy_stress", 6, {}}, von_mises{"von_mises", 1, {}};
-  output::Array around{"circumferential", 3, {}}, along{"axial", 3, {}};
-  const bool has_frames = !wall.elements().frames.empty();
+  WallArrays arrays(wanted.get<Teuchos::Array<std::string>>(wall_arrays_key),
+                    !wall.elements().frames.empty());
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
-    const Sym3 sigma =
-        kernels::cauchy_stress(wall.elements().geometry[e], assembly::gather(d, mesh.tets[e]),
-                               assembly::gather(p, wall.scalar_mesh().tets[e]),
-                               *wall.elements().law[e], wall.elements().frame(e));
-    stress.values.insert(stress.values.end(), sigma.begin(), sigma.end());
-    von_mises.values.push_back(kernels::von_mises(sigma));
-    if (!has_frames) continue;
-    const materials::Frame& frame = wall.elements().frames[e];
-    for (auto& [array, direction] :
-         {std::pair(&around, frame.circumferential), std::pair(&along, frame.axial)})
-      array->values.insert(array->values.end(), direction.begin(), direction.end());
+    const kernels::Tet4& T = wall.elements().geometry[e];
+    const materials::HyperelasticLaw& law = *wall.elements().law[e];
+    const materials::Frame frame = wall.elements().frame(e);
+    const auto d_e = assembly::gather(d, mesh.tets[e]);
+    arrays.add({&law, frame, kernels::deformation_gradient(T, d_e),
+                kernels::cauchy_stress(T, d_e, assembly::gather(p, wall.scalar_mesh().tets[e]), law,
+                                       frame)});
   }
-  std::vector<output::Array> arrays{stress, von_mises};
-  if (has_frames) arrays.insert(arrays.end(), {around, along});
-  return arrays;
+  return arrays.take();
 }
 
 FieldSeries::FieldSeries(const RunOutput& output, const std::vector<output::Grid>& grids,

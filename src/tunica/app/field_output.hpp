@@ -19,9 +19,13 @@ std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
 
 /// Displacement, pressure and velocity at the nodes.
 std::vector<output::Array> wall_arrays(const problems::SolidProblem& wall);
-/// Cauchy stress and von Mises stress of the elements; with fibres the circumferential and the
-/// axial direction in the unloaded wall.
-std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall);
+/// What the list "Output" wants of the elements: stresses; principal stresses and stretches; with
+/// fibres the circumferential and the axial direction in the unloaded wall, and the fibres in the
+/// deformed one, as long as they are stretched.
+std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall,
+                                            const Teuchos::ParameterList& wanted);
+/// The key of that.
+void add_wall_array_keys(params::Table& table);
 
 /// The fields of one grid at one time.
 struct GridFields {

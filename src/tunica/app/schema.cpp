@@ -2,6 +2,7 @@
 
 #include <Teuchos_Array.hpp>
 
+#include "tunica/app/field_output.hpp"
 #include "tunica/app/probes.hpp"
 #include "tunica/app/surface_report.hpp"
 #include "tunica/app/wall_shear.hpp"
@@ -30,7 +31,7 @@ params::Table mesh_table() {
   return table;
 }
 
-params::Table output_table(bool has_fluid) {
+params::Table output_table(bool has_fluid, bool has_wall) {
   params::Table table("What a run leaves behind.");
   table.text("folder", "results", "folder of the results; --output overrides it")
       .integer("fields every", 1, params::non_negative(),
@@ -42,6 +43,7 @@ params::Table output_table(bool has_fluid) {
       .integer("checkpoint every", 1, params::non_negative(),
                "write a checkpoint for --restart after every so many steps; 0 never");
   add_surface_keys(table);
+  if (has_wall) add_wall_array_keys(table);
   if (has_fluid) add_wall_shear_keys(table);
   return table;
 }
@@ -79,7 +81,7 @@ params::Table common_table(const std::string& sentence, bool has_fluid, bool has
   params::Table table(sentence);
   table.sublist("Mesh", mesh_table())
       .sublist("Time", stepping::time_table())
-      .sublist("Output", output_table(has_fluid))
+      .sublist("Output", output_table(has_fluid, has_wall))
       .entries("Probes", probe_table(has_fluid, has_wall),
                "points whose values become columns of steps.csv")
       .check(check_steady);

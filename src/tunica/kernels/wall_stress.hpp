@@ -8,6 +8,10 @@ namespace tunica::kernels {
 Sym3 cauchy_stress(const Tet4& T, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,
                    const materials::HyperelasticLaw& law, const materials::Frame& frame = {});
 
+/// The eigenvalues of a symmetric tensor, the largest first: principal stresses, squares of the
+/// principal stretches. By Jacobi's rotations, to round-off.
+Vec3 principal_values(const Sym3& s);
+
 /// √(3/2 dev σ : dev σ) [kPa].
 double von_mises(const Sym3& sigma);
 

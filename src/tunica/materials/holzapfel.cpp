@@ -85,11 +85,19 @@ double Holzapfel::stabilisation_modulus() const {
   return matrix_.stabilisation_modulus() + k1_ / k2_;
 }
 
+Vec3 Holzapfel::direction(const Frame& frame, int family) const {
+  return cos_angle_ * frame.circumferential +
+         (family == 0 ? sin_angle_ : -sin_angle_) * frame.axial;
+}
+
+std::vector<Vec3> Holzapfel::fibre_directions(const Frame& frame) const {
+  return {direction(frame, 0), direction(frame, 1)};
+}
+
 std::array<Sym3, 2> Holzapfel::structure(const Frame& frame) const {
   std::array<Sym3, 2> H;
   for (int i = 0; i < 2; ++i) {
-    const Vec3 f =
-        cos_angle_ * frame.circumferential + (i == 0 ? sin_angle_ : -sin_angle_) * frame.axial;
+    const Vec3 f = direction(frame, i);
     const double aligned = 1.0 - 3.0 * dispersion_;
     H[i] = {dispersion_ + aligned * f[0] * f[0],
             dispersion_ + aligned * f[1] * f[1],

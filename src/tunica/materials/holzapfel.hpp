@@ -24,8 +24,10 @@ public:
   StressTangent response(const Sym3& C, const Frame& frame) const override;
   double stabilisation_modulus() const override;
   bool has_fibres() const override { return true; }
+  std::vector<Vec3> fibre_directions(const Frame& frame) const override;
 
 private:
+  Vec3 direction(const Frame& frame, int family) const;
   std::array<Sym3, 2> structure(const Frame& frame) const;
 
   MooneyRivlin matrix_;

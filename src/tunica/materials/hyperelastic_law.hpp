@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "tunica/base/tensor.hpp"
 #include "tunica/materials/frame.hpp"
 
@@ -36,6 +38,9 @@ public:
 
   /// True where the frame matters.
   virtual bool has_fibres() const { return false; }
+
+  /// Unit vectors along the families of fibres, in the reference configuration.
+  virtual std::vector<Vec3> fibre_directions(const Frame&) const { return {}; }
 };
 
 }  // namespace tunica::materials

@@ -79,4 +79,25 @@ TEUCHOS_UNIT_TEST(WallStress, von_mises_ignores_pressure_and_counts_shear_with_r
   TEST_FLOATING_EQUALITY(kernels::von_mises({-5, 0, 0, 0, 0, 0}), 5.0, 1e-15);
 }
 
+TEUCHOS_UNIT_TEST(WallStress, principal_values_are_those_of_a_turned_tensor) {
+  const double c = std::cos(0.7), w = std::sin(0.7);
+  const Mat3 about_z{{{c, -w, 0.0}, {w, c, 0.0}, {0.0, 0.0, 1.0}}};
+  const Mat3 about_x{{{1.0, 0.0, 0.0}, {0.0, c, -w}, {0.0, w, c}}};
+  for (const Vec3 values : {Vec3{5.0, 2.0, -3.0}, Vec3{1.0, 1.0, 1.0 - 1e-9}, Vec3{1e6, 1.0, 1e-6},
+                            Vec3{4.0, 4.0, 4.0}, Vec3{0.0, 0.0, 0.0}}) {
+    Mat3 A{};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k) {  // R diag Rᵀ with R = about_z about_x
+          const Vec3 column{about_x[0][k], about_x[1][k], about_x[2][k]};
+          const Vec3 r = about_z * column;
+          A[i][j] += r[i] * values[k] * r[j];
+        }
+    const Vec3 found =
+        kernels::principal_values({A[0][0], A[1][1], A[2][2], A[0][1], A[1][2], A[2][0]});
+    for (int k = 0; k < 3; ++k)
+      TEST_COMPARE(std::abs(found[k] - values[k]), <=, 2e-15 * std::abs(values[0]) + 1e-300);
+  }
+}
+
 }  // namespace
