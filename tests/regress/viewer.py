@@ -70,6 +70,35 @@ def read(reader, path, output):
     return None
 
 
+def check_vtu(verdict, programs, results, file):
+    """tunica-report --vtu, read by VTK."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+    done = Run(command(programs / "tunica-report", [results, "--vtu"]), results)
+    verdict.claim(done.status == 0, f"--vtu ends with 0 {done.err}")
+    steps = sorted(name for name in file if name.startswith("step_"))
+    for name in ("fluid", "wall"):
+        series = xml.parse(results / "vtu" / f"{name}.pvd").getroot().findall("Collection/DataSet")
+        verdict.claim([float(s.get("timestep")) for s in series] == [file[s].attrs["time"] for s in steps],
+                      f"{name}.pvd: the times")
+        for step, entry in zip(steps, series):
+            reader = vtkXMLUnstructuredGridReader()
+            reader.SetFileName(str(results / "vtu" / entry.get("file")))
+            reader.Update()
+            grid = reader.GetOutput()
+            same = np.array_equal(vtk_to_numpy(grid.GetPoints().GetData()), file[f"{name}/points"][...])
+            for array, stored in file[f"{step}/{name}"].items():
+                data = grid.GetPointData() if len(stored) == grid.GetNumberOfPoints() else grid.GetCellData()
+                values, expected = vtk_to_numpy(data.GetArray(array)), stored[...]
+                if expected.ndim == 2 and expected.shape[1] == 6:  # xx, xy, xz, yy, yz, zz and VTK's xx, yy, zz, xy, yz, xz
+                    expected = expected[:, [0, 3, 5, 1, 4, 2]]
+                same = same and np.array_equal(values, expected)
+            count = grid.GetCellType(0) == 10 and grid.GetNumberOfCells() == len(file[f"{name}/tets"])
+            verdict.claim(same and count, f"{entry.get('file')} has what fields.h5 has, {len(file[f'{step}/{name}'])} arrays")
+    refused = Run(command(programs / "tunica-report", [results.parent, "--vtu"]), results)
+    verdict.claim(refused.status == 1 and "run.json is missing" in refused.err, refused.err.strip())
+
+
 def main(programs, scratch):
     verdict = Verdict()
     folder = fresh(scratch)
@@ -80,6 +109,7 @@ def main(programs, scratch):
     verdict.claim(run.status == 0, "the run is done")
     check_structure(verdict, results)
     with h5py.File(results / "fields.h5", "r") as file:
+        check_vtu(verdict, programs, results, file)
         for name, reader in READERS.items():
             found = read(reader, results / name, folder / f"{reader}.npz")
             if found is None:
