@@ -87,14 +87,7 @@ Outcome Fluid::set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d
     local_.w[a] = scheme_->rate() * (d[a] - d_past[a]);  // w = (d − d̃)/Δt
   }
   elements_.geometry = assembly::geometry_of(*mesh_, position_);
-  double smallest = 1.0;
-  int worst = -1;
-  for (std::size_t e = 0; e < elements_.geometry.size() && !std::isnan(smallest); ++e)
-    if (worst < 0 || !(elements_.geometry[e].volume >= smallest)) {
-      smallest = elements_.geometry[e].volume;
-      worst = static_cast<int>(e);
-    }
-  return check_inversion(*mesh_, smallest, worst, "volume in mm^3");
+  return check_volumes(*mesh_, elements_.geometry);
 }
 
 boundary::Surroundings Fluid::surroundings() const {

@@ -3,6 +3,7 @@
 
 #include "tunica/base/outcome.hpp"
 #include "tunica/fields/field_mesh.hpp"
+#include "tunica/kernels/tet4.hpp"
 
 namespace tunica::discretisation {
 
@@ -11,5 +12,8 @@ namespace tunica::discretisation {
 /// measure: what smallest is, "det F". Collective; the same on all ranks.
 Outcome check_inversion(const fields::FieldMesh& mesh, double smallest, int element,
                         const std::string& measure);
+
+/// The same for the volumes of elements [mm³], one for each local tetrahedron.
+Outcome check_volumes(const fields::FieldMesh& mesh, const std::vector<kernels::Tet4>& geometry);
 
 }  // namespace tunica::discretisation

@@ -87,14 +87,7 @@ Outcome Solid::set_stress_free(const std::vector<Vec3>& from_stress_free) {
   std::vector<Vec3> X(mesh_->x);
   for (std::size_t a = 0; a < X.size(); ++a) X[a] += -1.0 * from_stress_free[a];
   std::vector<kernels::Tet4> geometry = assembly::geometry_of(*mesh_, X);
-  double smallest = 1.0;
-  int worst = -1;
-  for (std::size_t e = 0; e < geometry.size(); ++e)
-    if (worst < 0 || !(geometry[e].volume >= smallest)) {
-      smallest = geometry[e].volume;
-      worst = static_cast<int>(e);
-    }
-  const Outcome outcome = check_inversion(*mesh_, smallest, worst, "volume in mm^3");
+  const Outcome outcome = check_volumes(*mesh_, geometry);
   if (outcome.is_failure()) return outcome.at("the wall where it is free of stress");
   elements_.geometry = std::move(geometry);
   from_stress_free_ = from_stress_free;
