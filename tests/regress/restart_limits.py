@@ -91,9 +91,9 @@ def goes_further(verdict, programs, folder):
     verdict.claim(table(folder / "results" / "steps.csv")["step"] == [1.0, 2.0, 3.0],
                   "more --steps prolong the run")
     record = json.loads((folder / "results" / "run.json").read_text())
-    restarts = list(record["restarts"].values())
-    verdict.claim(record["status"] == "done" and "after step 2 at" in restarts[-1],
-                  f"run.json knows {len(restarts)} restarts and the end")
+    legs = record["history"]
+    verdict.claim(record["status"] == "done" and [leg["after step"] for leg in legs] == [0, 2],
+                  f"run.json knows {len(legs)} legs and the end")
     verdict.claim(record["timings"]["march from the first step"] > record["timings"]["march"],
                   "run.json counts the time before the restart")
 
@@ -135,16 +135,25 @@ def keeps_its_own_case(verdict, programs, folder):
     verdict.claim(other.status == 1 and "home/case.xml: a case that is not that of this run" in other.err
                   and [path.name for path in home.iterdir()] == ["case.xml"],
                   "the case of another run is not replaced")
-    for case, output, more in (("home/case.xml", "home", ["--steps", 1]),
-                               ("linked.xml", "link", ["--steps", 1, "--overwrite"]),
-                               ("link/../home/case.xml", "./home", ["--steps", 2, "--restart"]),
-                               (CASE, "home", ["--steps", 3, "--restart"])):
+    for case, output, more, name in (
+            ("home/case.xml", "home", ["--steps", 1], "case-used.xml"),
+            ("linked.xml", "link", ["--steps", 1, "--overwrite"], "case-used.xml"),
+            ("link/../home/case.xml", "./home", ["--steps", 2, "--restart"], "case-used-2.xml"),
+            (CASE, "home", ["--steps", 3, "--restart"], "case-used-3.xml"),
+            (CASE, "home", ["--steps", 1, "--overwrite"], "case-used.xml")):
         done = run(case, output, *more)
-        used = (home / "case-used.xml").read_text()
+        used = (home / name).read_text()
         verdict.claim(done.status == 0 and (home / "case.xml").read_text() == text,
                       f"{case} into {output}: the case stays as it is {done.err}")
         verdict.claim(f'name="steps" type="int" value="{more[1]}"' in used,
-                      f"{case} into {output}: case-used.xml has what was used")
+                      f"{case} into {output}: {name} has what was used")
+    verdict.claim(sorted(path.name for path in home.glob("case*")) == ["case-used.xml", "case.xml"],
+                  "--overwrite removes the parameters of the legs before")
+    shutil.copy(home / "case.xml", folder / "case-used.xml")
+    mine = run("case-used.xml", ".", "--steps", 1)
+    verdict.claim(mine.status == 0 and (folder / "case-used.xml").read_text() == text and
+                  'value="1"' in (folder / "case.xml").read_text(),
+                  f"a case of that name in the folder of the results is not taken for a result {mine.err}")
 
 
 def one_field_goes_on(verdict, programs, folder, program, case, *words):

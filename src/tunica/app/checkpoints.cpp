@@ -39,8 +39,8 @@ void Checkpoints::write_if_due() const {
   fault_point("checkpoint");
   const double before = output_->restart ? output_->restart->head.seconds : 0.0;
   const output::CheckpointHead head{
-      output_->fingerprint,    clock.step(),  clock.time(), march_->fixed_step(),
-      before + run_.seconds(), march_->save()};
+      output_->fingerprint,    clock.step(),   clock.time(),       march_->fixed_step(),
+      before + run_.seconds(), march_->save(), output_->parameters};
   output::States states;
   for (const auto& [name, part] : march_->parts()) states.emplace_back(name, part->save());
   const std::string& folder = output_->folder.path();

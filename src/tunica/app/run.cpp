@@ -1,6 +1,7 @@
 #include "tunica/app/run.hpp"
 
 #include <Teuchos_Array.hpp>
+#include <filesystem>
 #include <iostream>
 
 #include "tunica/app/extent.hpp"
@@ -106,6 +107,24 @@ bool is_over(const output::CheckpointHead& head, const Teuchos::ParameterList& l
   return true;
 }
 
+/// What begins now, with the history of a run that goes on taken over. On rank 0.
+output::Leg next_leg(RunOutput& output, const std::string& case_file) {
+  const std::string& folder = output.folder.path();
+  const std::vector<output::Leg> history = history_of(folder);
+  if (!output.restart || history.empty()) {
+    remove_parameters(folder, history, case_file);
+    const std::string name = name_for_parameters(folder, case_file);
+    return {output.steps_done(), "", 1, name.empty() ? name_for_changed(folder, "case.xml") : name};
+  }
+  output.record.take_over(history);
+  output::Leg leg{output.steps_done()};
+  for (const params::Difference& change : output.restart->changes)
+    leg.changes.push_back({change.path, change.before, change.after});
+  leg.parameters = leg.changes.empty() ? output::leg_of_step(history, leg.after_step).parameters
+                                       : name_for_changed(folder, history.front().parameters);
+  return leg;
+}
+
 std::string folder_of(const Teuchos::ParameterList& list) {
   return list.sublist("Output").get<std::string>("folder");
 }
@@ -131,7 +150,11 @@ int solve(const Program& program, const CommandLine& command, const March& march
   print_extent(domain.extent, program.name, *comm);
   describe_domain(domain, *comm);
   std::optional<Restart> restart;
-  if (command.restart) restart = find_restart(list, domain);
+  if (command.restart) {
+    restart = find_restart(list, domain);
+    restart->changes =
+        accepted_changes(restart->head, restart->file, list, program.table, command, *comm);
+  }
   if (restart && is_over(restart->head, list, *comm)) return exit_done;
   if (command.dry_run) {
     check_directions(list, domain);
@@ -166,12 +189,15 @@ RunOutput::RunOutput(const Program& program, const CommandLine& command,
     : folder(folder_of(list), comm),
       record(folder.file("run.json"), program.name, TUNICA_VERSION, comm),
       fields_every(every(list, "fields every")), checkpoint_every(every(list, "checkpoint every")),
-      has_asked_times(has_asked_times_in(list.sublist("Output"))), restart(std::move(from)) {
-  if (restart) record.take_over(steps_done());
+      has_asked_times(has_asked_times_in(list.sublist("Output"))), restart(std::move(from)),
+      parameters(params::to_xml(list)) {
   record.set("case", "file", command.case_file);
   on_root_or_fault(*comm, [&] {
-    const std::string name = name_for_parameters(folder.path(), command.case_file);
-    return io::replace_file(folder.file(name), params::to_xml(list));
+    const output::Leg leg = next_leg(*this, command.case_file);
+    record.begin_leg(leg);
+    const std::string path = folder.file(leg.parameters);
+    const bool is_kept = restart && std::filesystem::exists(path);
+    return is_kept ? Outcome::success() : io::replace_file(path, parameters);
   });
 }
 

@@ -34,6 +34,7 @@ struct RunOutput {
   int fields_every, checkpoint_every;
   bool has_asked_times;            ///< the case wants fields at times
   std::optional<Restart> restart;  ///< from where the run goes on
+  std::string parameters;          ///< the resolved case, XML
   std::string fingerprint{};       ///< of the mesh
   int unconverged_steps = 0;       ///< that were accepted
 };

@@ -116,12 +116,15 @@ Teuchos::ParameterList read_xml(const std::string& path) {
   TUNICA_CHECK(file.good(), path + ": cannot be read; check its permissions");
   std::ostringstream text;
   text << file.rdbuf();
+  return from_xml(text.str(), path);
+}
 
-  const XMLObject root = parse(text.str(), path);
+Teuchos::ParameterList from_xml(const std::string& text, const std::string& where) {
+  const XMLObject root = parse(text, where);
   TUNICA_CHECK(root.getTag() == "ParameterList",
-               path + ": starts with <" + root.getTag() + ">, expected <ParameterList>");
+               where + ": starts with <" + root.getTag() + ">, expected <ParameterList>");
   Teuchos::ParameterList list(root.hasAttribute("name") ? root.getAttribute("name") : "");
-  Builder(path).build(root, list, "");
+  Builder(where).build(root, list, "");
   return list;
 }
 
