@@ -74,6 +74,13 @@ void check_results_folder(const std::string& folder, const CommandLine& command,
   });
 }
 
+void lock_results_folder(io::FolderLock& lock, const std::string& folder, const Comm& comm) {
+  on_root(comm, [&] {
+    const Outcome taken = lock.take(folder);
+    TUNICA_CHECK(taken.is_success(), taken.reason());
+  });
+}
+
 std::vector<output::Leg> history_of(const std::string& folder) {
   std::error_code ignored;
   const std::string record = folder + "/run.json";

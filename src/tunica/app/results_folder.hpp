@@ -4,6 +4,7 @@
 
 #include "tunica/app/command_line.hpp"
 #include "tunica/base/types.hpp"
+#include "tunica/io/folder_lock.hpp"
 #include "tunica/output/run_record.hpp"
 
 namespace tunica::app {
@@ -13,6 +14,10 @@ namespace tunica::app {
 /// case above all, whatever they say. Collective.
 void check_results_folder(const std::string& folder, const CommandLine& command,
                           const std::string& program, const Comm& comm);
+
+/// Keeps other runs out of the folder, if it is there. Throws Error, before anything is written,
+/// where one is in it. Collective.
+void lock_results_folder(io::FolderLock& lock, const std::string& folder, const Comm& comm);
 
 /// The history of the run in the folder; of one that has not kept it what can be known. Empty where
 /// there is no run. Not collective.

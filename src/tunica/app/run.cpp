@@ -141,11 +141,18 @@ bool has_asked_times_in(const Teuchos::ParameterList& output) {
           output.get<double>("fields interval") > 0.0);
 }
 
+/// Keeps others out of the folder, and looks whether the run may write there.
+void enter(const std::string& folder, const Call& call, const Comm& comm, io::FolderLock& lock) {
+  lock_results_folder(lock, folder, comm);
+  check_results_folder(folder, call.command, call.program.name, comm);
+}
+
 int solve(const Program& program, const CommandLine& command, const March& march,
           const CommPtr& comm) {
   const Stopwatch set_up;
   const Teuchos::ParameterList list = read_case(command, program.table, *comm);
-  if (!command.dry_run) check_results_folder(folder_of(list), command, program.name, *comm);
+  io::FolderLock lock;
+  if (!command.dry_run) enter(folder_of(list), {program, command}, *comm, lock);
   const Domain domain = load_domain(list, comm);
   print_extent(domain.extent, program.name, *comm);
   describe_domain(domain, *comm);
@@ -161,7 +168,7 @@ int solve(const Program& program, const CommandLine& command, const March& march
     return exit_done;
   }
   linear::check_direct_solver(comm);
-  RunOutput output(program, command, list, comm, restart);
+  RunOutput output({program, command}, list, comm, lock, restart);
   output.fingerprint = domain.fingerprint;
   record_sizes(domain, output.record);
   output.record.add_time("set-up", set_up.seconds());
@@ -172,28 +179,29 @@ int solve(const Program& program, const CommandLine& command, const Alternative&
           const CommPtr& comm) {
   const Stopwatch set_up;
   const Teuchos::ParameterList list = read_case(command, alternative.table, *comm);
-  if (!command.dry_run) check_results_folder(folder_of(list), command, program.name, *comm);
+  io::FolderLock lock;
+  if (!command.dry_run) enter(folder_of(list), {program, command}, *comm, lock);
   const auto work = alternative.load(list, comm);
   if (command.dry_run) return exit_done;
   linear::check_direct_solver(comm);
-  RunOutput output(program, command, list, comm);
+  RunOutput output({program, command}, list, comm, lock);
   output.record.add_time("set-up", set_up.seconds());
   return conclude(program, output, *comm, [&] { return work(output); });
 }
 
 }  // namespace
 
-RunOutput::RunOutput(const Program& program, const CommandLine& command,
-                     const Teuchos::ParameterList& list, const CommPtr& comm,
-                     std::optional<Restart> from)
+RunOutput::RunOutput(const Call& call, const Teuchos::ParameterList& list, const CommPtr& comm,
+                     io::FolderLock& lock, std::optional<Restart> from)
     : folder(folder_of(list), comm),
-      record(folder.file("run.json"), program.name, TUNICA_VERSION, comm),
+      record(folder.file("run.json"), call.program.name, TUNICA_VERSION, comm),
       fields_every(every(list, "fields every")), checkpoint_every(every(list, "checkpoint every")),
       has_asked_times(has_asked_times_in(list.sublist("Output"))), restart(std::move(from)),
       parameters(params::to_xml(list)) {
-  record.set("case", "file", command.case_file);
+  enter(folder.path(), call, *comm, lock);  // again, for it may be new
+  record.set("case", "file", call.command.case_file);
   on_root_or_fault(*comm, [&] {
-    const output::Leg leg = next_leg(*this, command.case_file);
+    const output::Leg leg = next_leg(*this, call.command.case_file);
     record.begin_leg(leg);
     const std::string path = folder.file(leg.parameters);
     const bool is_kept = restart && std::filesystem::exists(path);

@@ -8,6 +8,7 @@
 #include "tunica/app/domain.hpp"
 #include "tunica/app/restart.hpp"
 #include "tunica/base/outcome.hpp"
+#include "tunica/io/folder_lock.hpp"
 #include "tunica/output/field_writer.hpp"
 #include "tunica/output/run_folder.hpp"
 #include "tunica/output/run_record.hpp"
@@ -21,11 +22,19 @@ struct Program {
   params::Table table;   ///< every key of its cases
 };
 
+/// A program as it was called.
+struct Call {
+  const Program& program;
+  const CommandLine& command;
+};
+
 /// What every run writes beside its tables. Made when the case and the mesh are known to be
 /// good, so that a bad input leaves nothing behind.
 struct RunOutput {
-  RunOutput(const Program& program, const CommandLine& command, const Teuchos::ParameterList& list,
-            const CommPtr& comm, std::optional<Restart> from = {});
+  /// lock: of the folder, taken if it was there before. Throws Error where another run has begun in
+  /// it meanwhile.
+  RunOutput(const Call& call, const Teuchos::ParameterList& list, const CommPtr& comm,
+            io::FolderLock& lock, std::optional<Restart> from = {});
 
   int steps_done() const { return restart ? restart->head.step : 0; }
 
