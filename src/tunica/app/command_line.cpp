@@ -126,7 +126,9 @@ std::string usage(const std::string& program, const std::string& sentence) {
   }
   return text +
          "\nExit status: 0 done, 1 bad input, 2 not converged, 3 a fault of the program "
-         "or the machine, 4 done with steps that were accepted unconverged.\n";
+         "or the machine, 4 done with steps that were accepted unconverged, 5 stopped by a signal "
+         "or "
+         "the wall limit, to go on with --restart.\n";
 }
 
 }  // namespace tunica::app

@@ -70,6 +70,7 @@ bool may_change_freely(const std::string& path) {
                                              "Time / end time",
                                              "Time / newton increment",
                                              "Time / steps",
+                                             "Time / wall limit",
                                              "Wall / Linear Solver",
                                              "Wall / Newton"};
   static const std::vector<std::string> bound{"Coupling / geometry", "Coupling / scheme",

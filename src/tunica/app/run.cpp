@@ -78,15 +78,20 @@ int conclude(const Program& program, RunOutput& output, const Comm& comm,
   if (output.restart)
     output.record.add_time("march from the first step",
                            output.restart->head.seconds + marching.seconds());
-  const std::string message =
-      outcome.is_success() ? about_unconverged(output.unconverged_steps) : outcome.reason();
-  output.record.finish(
-      outcome.is_success() ? output::RunStatus::done : output::RunStatus::not_converged, message);
+  const bool is_stopped = outcome.is_success() && !output.stopped.empty();
+  const std::string message = outcome.is_failure() ? outcome.reason()
+                              : is_stopped         ? output.stopped
+                                                   : about_unconverged(output.unconverged_steps);
+  output.record.finish(outcome.is_failure() ? output::RunStatus::not_converged
+                       : is_stopped         ? output::RunStatus::stopped
+                                            : output::RunStatus::done,
+                       message);
   if (comm.getRank() == 0) {
     if (!message.empty()) std::cerr << program.name << ": " << message << std::endl;
     std::cout << "results in " << output.folder.path() << std::endl;
   }
   if (outcome.is_failure()) return exit_not_converged;
+  if (is_stopped) return exit_stopped;
   return message.empty() ? exit_done : exit_unconverged_steps;
 }
 
@@ -168,7 +173,7 @@ int solve(const Program& program, const CommandLine& command, const March& march
     return exit_done;
   }
   linear::check_direct_solver(comm);
-  RunOutput output({program, command}, list, comm, lock, restart);
+  RunOutput output({program, command, set_up}, list, comm, lock, restart);
   output.fingerprint = domain.fingerprint;
   record_sizes(domain, output.record);
   output.record.add_time("set-up", set_up.seconds());
@@ -184,7 +189,7 @@ int solve(const Program& program, const CommandLine& command, const Alternative&
   const auto work = alternative.load(list, comm);
   if (command.dry_run) return exit_done;
   linear::check_direct_solver(comm);
-  RunOutput output({program, command}, list, comm, lock);
+  RunOutput output({program, command, set_up}, list, comm, lock);
   output.record.add_time("set-up", set_up.seconds());
   return conclude(program, output, *comm, [&] { return work(output); });
 }
@@ -197,7 +202,7 @@ RunOutput::RunOutput(const Call& call, const Teuchos::ParameterList& list, const
       record(folder.file("run.json"), call.program.name, TUNICA_VERSION, comm),
       fields_every(every(list, "fields every")), checkpoint_every(every(list, "checkpoint every")),
       has_asked_times(has_asked_times_in(list.sublist("Output"))), restart(std::move(from)),
-      parameters(params::to_xml(list)) {
+      parameters(params::to_xml(list)), since_start(call.since_start) {
   enter(folder.path(), call, *comm, lock);  // again, for it may be new
   record.set("case", "file", call.command.case_file);
   on_root_or_fault(*comm, [&] {

@@ -8,6 +8,7 @@
 #include "tunica/app/domain.hpp"
 #include "tunica/app/restart.hpp"
 #include "tunica/base/outcome.hpp"
+#include "tunica/base/timer.hpp"
 #include "tunica/io/folder_lock.hpp"
 #include "tunica/output/field_writer.hpp"
 #include "tunica/output/run_folder.hpp"
@@ -26,6 +27,7 @@ struct Program {
 struct Call {
   const Program& program;
   const CommandLine& command;
+  Stopwatch since_start{};
 };
 
 /// What every run writes beside its tables. Made when the case and the mesh are known to be
@@ -46,6 +48,8 @@ struct RunOutput {
   std::string parameters;          ///< the resolved case, XML
   std::string fingerprint{};       ///< of the mesh
   int unconverged_steps = 0;       ///< that were accepted
+  Stopwatch since_start;           ///< of the program
+  std::string stopped{};           ///< why the run ends before its end; empty if it does not
 };
 
 /// The work of a run; a failure is one to converge.

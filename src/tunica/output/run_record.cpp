@@ -49,6 +49,8 @@ const char* name_of(RunStatus status) {
       return "running";
     case RunStatus::done:
       return "done";
+    case RunStatus::stopped:
+      return "stopped";
     case RunStatus::not_converged:
       return "not converged";
     case RunStatus::failed:

@@ -9,7 +9,7 @@
 
 namespace tunica::output {
 
-enum class RunStatus { running, done, not_converged, failed };
+enum class RunStatus { running, done, stopped, not_converged, failed };
 
 /// A part of a run, from its beginning or a restart on: an entry of "history".
 struct Leg {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tunica/base/error.hpp"
+#include "tunica/stepping/wall_limit.hpp"
 
 namespace tunica::stepping {
 
@@ -253,6 +254,7 @@ params::Table time_table() {
       .variant("step control", "fixed",
                {{"fixed", fixed}, {"adaptive", adaptive_table()}, {"steady", steady_table()}},
                "how long the steps are; steady: a fluid alone, in pseudo-time");
+  add_wall_limit(table);
   return table;
 }
 
