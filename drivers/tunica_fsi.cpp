@@ -69,6 +69,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
         scheme->solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
           log.coupling({clock.step(), clock.time(), k, attempt}, iteration);
         });
+    if (!report.remark.empty()) log.warn(report.remark);
     return app::summary_of(report, scheme->fields());
   };
   while (!march.is_done()) {
