@@ -24,7 +24,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   march.judge(fluid);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, nullptr);
   const CommPtr comm = domain.fluid->comm;
-  const app::Checkpoints checkpoints(output, march, comm);
+  app::Checkpoints checkpoints(output, march, app::wall_limit(list), comm);
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, {"fluid"}, {});
   app::FieldSeries fields(output, {app::grid_of(*domain.fluid, "fluid")}, comm);
@@ -44,13 +44,13 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     log.step(clock, step,
              app::joined({fluid.observe(), shear.observe(), domain.probes.observe(&fluid, nullptr),
                           surfaces.observe(&fluid, nullptr)}));
-    if (!step.is_accepted) return Outcome::failure(step.reason);
+    if (!step.is_accepted) return checkpoints.give_up(step.reason);
     if (fields.is_due(clock)) {
       std::vector<output::Array> arrays = app::fluid_arrays(fluid, {});
       for (output::Array& array : shear.arrays()) arrays.push_back(std::move(array));
       fields.write(clock, {{"fluid", arrays, {}}});
     }
-    checkpoints.write_if_due();
+    checkpoints.end_step();
   }
   app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);
   return march.outcome();

@@ -56,7 +56,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   march.judge(fluid);
   march.judge(wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, &*domain.wall);
-  const app::Checkpoints checkpoints(output, march, comm);
+  app::Checkpoints checkpoints(output, march, app::wall_limit(list), comm);
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, scheme->fields(), scheme->stages());
   app::FieldSeries fields(
@@ -71,6 +71,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
         scheme->solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
           log.coupling({clock.step(), clock.time(), k, attempt}, iteration);
         });
+    if (!report.remark.empty()) log.warn(report.remark);
     return app::summary_of(report, scheme->fields());
   };
   while (!march.is_done()) {
@@ -80,10 +81,10 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     log.step(clock, step,
              app::joined({wall.observe(), fluid.observe(), shear.observe(),
                           domain.probes.observe(&fluid, &wall), surfaces.observe(&fluid, &wall)}));
-    if (!step.is_accepted) return Outcome::failure(step.reason);
+    if (!step.is_accepted) return checkpoints.give_up(step.reason);
     if (fields.is_due(clock))
       fields.write(clock, both_fields(list.sublist("Output"), fluid, motion, shear, wall));
-    checkpoints.write_if_due();
+    checkpoints.end_step();
   }
 
   // 5. Report.

@@ -5,11 +5,13 @@
 ///   tunica-mesh wall lumen.msh vessel.h5 --surfaces lumen_wall --layers
 ///   media=0.26:2,adventitia=0.13:1 tunica-mesh info tube.h5 --interface interface tunica-mesh
 ///   COMMAND --help
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/standard_output.hpp"
 #include "tunica/params/nearest.hpp"
 #include "tunica_mesh/commands.hpp"
 
@@ -51,8 +53,11 @@ void run(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   try {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
     run({argv + 1, argv + argc});
-    return 0;
+    const std::string lost = tunica::lost_output();
+    if (!lost.empty()) std::cerr << "tunica-mesh: " << lost << "\n";
+    return lost.empty() ? 0 : 3;
   } catch (const tunica::Error& error) {
     std::cerr << error.what() << "\n";
     return 1;

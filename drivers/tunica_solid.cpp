@@ -25,7 +25,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   march.judge(wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), nullptr, &*domain.wall);
   const CommPtr comm = domain.wall->comm;
-  const app::Checkpoints checkpoints(output, march, comm);
+  app::Checkpoints checkpoints(output, march, app::wall_limit(list), comm);
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, {"wall"}, {});
   app::FieldSeries fields(output, {app::grid_of(wall.scalar_mesh(), "wall")}, comm);
@@ -44,11 +44,11 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     log.step(clock, step,
              app::joined({wall.observe(), domain.probes.observe(nullptr, &wall),
                           surfaces.observe(nullptr, &wall)}));
-    if (!step.is_accepted) return Outcome::failure(step.reason);
+    if (!step.is_accepted) return checkpoints.give_up(step.reason);
     if (fields.is_due(clock))
       fields.write(clock, {{"wall", app::wall_arrays(wall),
                             app::wall_cell_arrays(wall, list.sublist("Output"))}});
-    checkpoints.write_if_due();
+    checkpoints.end_step();
   }
   app::record_assembly(output.record, "wall", wall.jacobian_throughput(), *comm);
   return Outcome::success();

@@ -1,4 +1,5 @@
 """Tables about the case: its parameters, and whether a load with a period has made the run periodic."""
+import json
 import os
 import re
 import xml.etree.ElementTree as xml
@@ -10,9 +11,18 @@ NOT_SHOWN = {"Linear Solver", "Output", "Probes", "Solvers"}
 PERIODIC = re.compile(r"(inflow_.+|mean_pressure_.+)")
 
 
+def _last_parameters(folder):
+    """Name of the file with the parameters that the run used last, as run.json tells."""
+    try:
+        with open(os.path.join(folder, "run.json"), encoding="utf-8") as file:
+            return [json.load(file)["history"][-1]["parameters"]]
+    except (OSError, ValueError, LookupError, TypeError):
+        return []
+
+
 def read_case(folder):
-    """The root of case.xml, None where there is none to be read."""
-    for name in ("case-used.xml", "case.xml"):
+    """The root of the parameters that were used last, None where there are none to be read."""
+    for name in _last_parameters(folder) + ["case-used.xml", "case.xml"]:
         try:
             return xml.parse(os.path.join(folder, name)).getroot()
         except (OSError, xml.ParseError):

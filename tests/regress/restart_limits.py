@@ -8,7 +8,6 @@ import json
 import pathlib
 import resource
 import shutil
-import signal
 import subprocess
 import sys
 import time
@@ -64,10 +63,9 @@ def survives_a_full_disk(verdict, programs, folder):
     """From the first checkpoint on no file grows beyond 120 kB; a checkpoint needs more."""
     results = folder / "full"
     words = [CASE, "--output", "full", "--steps", 6, "--set", "Output/fields every=0"]
-    process = subprocess.Popen(
+    process = subprocess.Popen(  # with what the system does where a file may not grow, which is to kill
         command(programs / "tunica-fsi", words), cwd=folder, env=ENVIRONMENT, text=True,
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-        preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     while process.poll() is None and not checkpoints(results):
         time.sleep(0.01)
     resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (120000, resource.RLIM_INFINITY))
@@ -83,6 +81,18 @@ def survives_a_full_disk(verdict, programs, folder):
                   f"full disk: with room again the run goes on after step {last}")
 
 
+def tells_of_lost_words(verdict, programs, folder):
+    for name, words in (("tunica-fsi", [CASE, "--output", "unheard", "--steps", 1]), ("tunica-check", [CASE]),
+                        ("tunica-mesh", ["info", MESHES / "tube-tiny.h5"])):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run(command(programs / name, words), cwd=folder, env=ENVIRONMENT, text=True,
+                                  stdout=full, stderr=subprocess.PIPE)
+        verdict.claim(done.returncode == 3 and "standard output could not be written" in done.stderr,
+                      f"{name} > /dev/full: exit status {done.returncode} is 3: {done.stderr.strip()}")
+    record = json.loads((folder / "unheard" / "run.json").read_text())
+    verdict.claim(record["status"] == "done", "tunica-fsi > /dev/full: the results are whole")
+
+
 def goes_further(verdict, programs, folder):
     run = fsi(programs, folder, 3, ["--restart", "--set", "Coupling/accelerator=aitken",
                                     "--set", "Coupling/tolerance=1e-5"])
@@ -91,9 +101,9 @@ def goes_further(verdict, programs, folder):
     verdict.claim(table(folder / "results" / "steps.csv")["step"] == [1.0, 2.0, 3.0],
                   "more --steps prolong the run")
     record = json.loads((folder / "results" / "run.json").read_text())
-    restarts = list(record["restarts"].values())
-    verdict.claim(record["status"] == "done" and "after step 2 at" in restarts[-1],
-                  f"run.json knows {len(restarts)} restarts and the end")
+    legs = record["history"]
+    verdict.claim(record["status"] == "done" and [leg["after step"] for leg in legs] == [0, 2],
+                  f"run.json knows {len(legs)} legs and the end")
     verdict.claim(record["timings"]["march from the first step"] > record["timings"]["march"],
                   "run.json counts the time before the restart")
 
@@ -135,16 +145,25 @@ def keeps_its_own_case(verdict, programs, folder):
     verdict.claim(other.status == 1 and "home/case.xml: a case that is not that of this run" in other.err
                   and [path.name for path in home.iterdir()] == ["case.xml"],
                   "the case of another run is not replaced")
-    for case, output, more in (("home/case.xml", "home", ["--steps", 1]),
-                               ("linked.xml", "link", ["--steps", 1, "--overwrite"]),
-                               ("link/../home/case.xml", "./home", ["--steps", 2, "--restart"]),
-                               (CASE, "home", ["--steps", 3, "--restart"])):
+    for case, output, more, name in (
+            ("home/case.xml", "home", ["--steps", 1], "case-used.xml"),
+            ("linked.xml", "link", ["--steps", 1, "--overwrite"], "case-used.xml"),
+            ("link/../home/case.xml", "./home", ["--steps", 2, "--restart"], "case-used-2.xml"),
+            (CASE, "home", ["--steps", 3, "--restart"], "case-used-3.xml"),
+            (CASE, "home", ["--steps", 1, "--overwrite"], "case-used.xml")):
         done = run(case, output, *more)
-        used = (home / "case-used.xml").read_text()
+        used = (home / name).read_text()
         verdict.claim(done.status == 0 and (home / "case.xml").read_text() == text,
                       f"{case} into {output}: the case stays as it is {done.err}")
         verdict.claim(f'name="steps" type="int" value="{more[1]}"' in used,
-                      f"{case} into {output}: case-used.xml has what was used")
+                      f"{case} into {output}: {name} has what was used")
+    verdict.claim(sorted(path.name for path in home.glob("case*")) == ["case-used.xml", "case.xml"],
+                  "--overwrite removes the parameters of the legs before")
+    shutil.copy(home / "case.xml", folder / "case-used.xml")
+    mine = run("case-used.xml", ".", "--steps", 1)
+    verdict.claim(mine.status == 0 and (folder / "case-used.xml").read_text() == text and
+                  'value="1"' in (folder / "case.xml").read_text(),
+                  f"a case of that name in the folder of the results is not taken for a result {mine.err}")
 
 
 def one_field_goes_on(verdict, programs, folder, program, case, *words):
@@ -168,7 +187,7 @@ def main(programs, scratch):
     folder = fresh(scratch)
     run = fsi(programs, folder, 2)
     verdict.claim(run.status == 0, f"the first two steps end with 0 ({run.seconds:.1f} s)")
-    for part in (refuses, knows_its_end, survives_a_full_disk, goes_further, begins_anew,
+    for part in (refuses, knows_its_end, survives_a_full_disk, tells_of_lost_words, goes_further, begins_anew,
                  one_result_is_enough, keeps_its_own_case):
         part(verdict, programs, folder)
     one_field_goes_on(verdict, programs, folder, "tunica-solid", ROOT / "xml" / "inflation.xml",

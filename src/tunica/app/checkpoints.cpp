@@ -1,24 +1,28 @@
 #include "tunica/app/checkpoints.hpp"
 
 #include <iostream>
+#include <sstream>
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/fault_point.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/base/stop_signals.hpp"
 #include "tunica/output/checkpoint.hpp"
 #include "tunica/output/checkpoint_series.hpp"
 
 namespace tunica::app {
 
-Checkpoints::Checkpoints(RunOutput& output, TimeMarch& march, const CommPtr& comm)
-    : output_(&output), march_(&march), comm_(comm) {}
+Checkpoints::Checkpoints(RunOutput& output, TimeMarch& march, double limit, const CommPtr& comm)
+    : output_(&output), march_(&march), limit_(limit), comm_(comm), written_(output.steps_done()) {}
 
-void Checkpoints::begin() const {
+void Checkpoints::begin() {
   const auto& restart = output_->restart;
   if (restart) restore(restart->file);
   if (restart) march_->restore(restart->head.control);
   if (comm_->getRank() == 0)
     output::prune_checkpoints(output_->folder.path(), output_->steps_done(),
                               restart ? output::kept_checkpoints : 0);
+  catch_stop_signals();
 }
 
 void Checkpoints::restore(const std::string& file) const {
@@ -31,22 +35,54 @@ void Checkpoints::restore(const std::string& file) const {
   }
 }
 
-void Checkpoints::write_if_due() const {
+std::string Checkpoints::why_to_stop() {
+  constexpr int by_the_clock = 1 << 20;  // beyond all signals
+  const double now = output_->since_start.seconds(), step = run_.seconds() - last_;
+  last_ = run_.seconds();
+  const int mine = now + step > limit_ ? by_the_clock : stop_signal();
+  const int wish = static_cast<int>(global_max(*comm_, mine));
+  if (wish == 0 || march_->is_done()) return "";
+  std::ostringstream text;
+  text << "stopped by " << (wish == by_the_clock ? "\"wall limit\"" : signal_name(wish))
+       << " after step " << march_->clock().step() << ", at " << march_->clock().time() << " ms";
+  text << (output_->checkpoint_every > 0
+               ? ". Go on with --restart."
+               : ", without a checkpoint, since \"checkpoint every\" is 0.");
+  return text.str();
+}
+
+void Checkpoints::end_step() {
   const stepping::Clock& clock = march_->clock();
   const int every = output_->checkpoint_every;
-  if (every == 0 || (!clock.is_every(every) && !clock.is_last())) return;
+  output_->stopped = why_to_stop();
+  const bool is_stopped = !output_->stopped.empty();
+  if (is_stopped) march_->stop();
+  if (every > 0 && (clock.is_every(every) || clock.is_last() || is_stopped))
+    write({clock.step(), clock.time(), march_->save()});
+}
+
+Outcome Checkpoints::give_up(const std::string& reason) {
+  if (output_->checkpoint_every > 0) {
+    const TimeMarch::Place place = march_->undo();
+    if (place.step > written_) write(place);
+  }
+  return Outcome::failure(reason);
+}
+
+void Checkpoints::write(const TimeMarch::Place& place) {
   const Stopwatch writing;
   fault_point("checkpoint");
   const double before = output_->restart ? output_->restart->head.seconds : 0.0;
   const output::CheckpointHead head{
-      output_->fingerprint,    clock.step(),  clock.time(), march_->fixed_step(),
-      before + run_.seconds(), march_->save()};
+      output_->fingerprint,    place.step,    place.time,         march_->fixed_step(),
+      before + run_.seconds(), place.numbers, output_->parameters};
   output::States states;
   for (const auto& [name, part] : march_->parts()) states.emplace_back(name, part->save());
   const std::string& folder = output_->folder.path();
-  output::write_checkpoint(output::checkpoint_path(folder, clock.step()), head, states, comm_);
+  output::write_checkpoint(output::checkpoint_path(folder, place.step), head, states, comm_);
   if (comm_->getRank() == 0)
-    output::prune_checkpoints(folder, clock.step(), output::kept_checkpoints);
+    output::prune_checkpoints(folder, place.step, output::kept_checkpoints);
+  written_ = place.step;
   output_->record.add_time("checkpoints", writing.seconds());
 }
 

@@ -7,30 +7,40 @@
 namespace tunica::app {
 
 /// The checkpoints of a run: takes the newest one where the run goes on, writes new ones as often
-/// as the case wants them, and keeps the last two.
+/// as the case wants them and where the run ends before its time, and keeps the last two.
 class Checkpoints {
 public:
-  /// march must outlive the object.
-  Checkpoints(RunOutput& output, TimeMarch& march, const CommPtr& comm);
+  /// limit: seconds that the program may take. march must outlive the object.
+  Checkpoints(RunOutput& output, TimeMarch& march, double limit, const CommPtr& comm);
 
   /// Brings the march and its parts to where the run goes on. A new run stays at its beginning and
   /// removes the checkpoints that --overwrite gives up: no later restart must take them for its
-  /// own. Comes when all parts are made, and before any table is replaced. Throws Error if the
-  /// checkpoint lacks something. Collective.
-  void begin() const;
+  /// own. Comes when all parts are made, and before any table is replaced. From now on signals stop
+  /// the run. Throws Error if the checkpoint lacks something. Collective.
+  void begin();
 
-  /// Writes the last step of the march if it is due. run.json tells how long it took.
-  /// Collective. Throws MachineFault on all ranks if the disk refuses; the checkpoints before
-  /// remain.
-  void write_if_due() const;
+  /// Ends a step that was accepted: writes a checkpoint if it is due, or if a signal to any rank or
+  /// the clock on the wall stops the march here. run.json tells how long it took. Collective.
+  /// Throws MachineFault on all ranks if the disk refuses; the checkpoints before remain.
+  void end_step();
+
+  /// Leaves a checkpoint of the last step that was accepted, where the next one was not. The
+  /// failure of the run. Collective, throws as end_step().
+  Outcome give_up(const std::string& reason);
 
 private:
   void restore(const std::string& file) const;
+  /// Why the march ends here, agreed by all ranks; empty where it does not.
+  std::string why_to_stop();
+  void write(const TimeMarch::Place& place);
 
   RunOutput* output_;
   TimeMarch* march_;
+  double limit_;
   CommPtr comm_;
   Stopwatch run_;
+  double last_ = 0.0;  ///< seconds of the run at the end of the last step
+  int written_ = 0;    ///< step of the newest checkpoint
 };
 
 }  // namespace tunica::app

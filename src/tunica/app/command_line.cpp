@@ -28,7 +28,8 @@ std::vector<Option> options_of(const std::string& program) {
                    {"--overwrite", "", "replace the results of an earlier run in the folder"});
   if (program == "tunica-fsi" || program == "tunica-solid" || program == "tunica-fluid")
     options.insert(options.begin() + 2,
-                   {"--restart", "", "go on from the folder's last checkpoint"});
+                   {{"--restart", "", "go on from the folder's last checkpoint"},
+                    {"--allow-changes", "", "also where the case is another one than before"}});
   if (program == "tunica-check")
     options.push_back({"--reference", "", "print the parameter reference (Markdown)"});
   if (program == "tunica-solvers")
@@ -60,6 +61,7 @@ void store(CommandLine& line, const std::string& name, const std::string& value)
   if (name == "--set") line.set.push_back(value);
   if (name == "--dry-run") line.dry_run = true;
   if (name == "--restart") line.restart = true;
+  if (name == "--allow-changes") line.allow_changes = true;
   if (name == "--overwrite") line.overwrite = true;
   if (name == "--print-defaults") line.print_defaults = true;
   if (name == "--help") line.help = true;
@@ -101,6 +103,7 @@ CommandLine parse(int argc, char** argv, const std::string& program, const std::
   const bool needs_case = !line.help && !line.print_defaults && !line.reference;
   TUNICA_CHECK(!needs_case || !line.case_file.empty(),
                "the case file is missing\n\n" + usage(program, sentence));
+  TUNICA_CHECK(line.restart || !line.allow_changes, "--allow-changes is for --restart");
   TUNICA_CHECK(!line.restart || !line.overwrite,
                "--restart goes on with earlier results, --overwrite replaces them: expected one of "
                "the two");
@@ -123,7 +126,9 @@ std::string usage(const std::string& program, const std::string& sentence) {
   }
   return text +
          "\nExit status: 0 done, 1 bad input, 2 not converged, 3 a fault of the program "
-         "or the machine, 4 done with steps that were accepted unconverged.\n";
+         "or the machine, 4 done with steps that were accepted unconverged, 5 stopped by a signal "
+         "or "
+         "the wall limit, to go on with --restart.\n";
 }
 
 }  // namespace tunica::app

@@ -12,6 +12,7 @@ struct CommandLine {
   std::optional<int> steps;        ///< stop after so many time steps
   bool dry_run = false;            ///< everything but the solve
   bool restart = false;            ///< go on from the newest checkpoint of the folder
+  bool allow_changes = false;      ///< the restart may change what is solved
   bool overwrite = false;          ///< replace the results of an earlier run
   bool print_defaults = false;     ///< a complete, commented XML; no case file needed
   bool help = false;               ///< no case file needed

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -14,6 +15,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/exception_summary.hpp"
 #include "tunica/base/out_of_memory.hpp"
+#include "tunica/base/standard_output.hpp"
 
 namespace tunica::app {
 
@@ -118,7 +120,16 @@ void mpi_failed(MPI_Comm*, int* code, ...) {
   abort_all();
 }
 
+/// The status of a program, and a fault of the machine where its words are lost.
+int with_output(const std::string& program, int status) {
+  const std::string lost = lost_output();
+  if (lost.empty()) return status;
+  std::cerr << program << ": " << lost << std::endl;
+  return status == exit_done ? exit_fault : status;
+}
+
 void watch_ends(const std::string& program, int rank) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
   catch_fatal_signals(program, rank);
   set_memory_aside();
   std::set_terminate(terminated);
@@ -133,7 +144,7 @@ int guarded(const std::string& program, const Comm& comm, const std::function<in
   watch_ends(program, comm.getRank());
   side_channel(comm);
   try {
-    return work();
+    return with_output(program, work());
   } catch (...) {
     Ending ending = ending_of();
     ending.message = program + ": " + ending.message;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tunica/app/domain.hpp"
+#include "tunica/app/restart_changes.hpp"
 #include "tunica/output/checkpoint.hpp"
 
 namespace tunica::app {
@@ -11,6 +12,7 @@ namespace tunica::app {
 struct Restart {
   std::string file;
   output::CheckpointHead head;
+  Changes changes{};  ///< of the case; on rank 0
 };
 
 /// The newest checkpoint in the folder of the case that can be read whole, and says so on the

@@ -1,5 +1,6 @@
 #include "tunica/app/results_folder.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "tunica/base/agreement.hpp"
@@ -34,32 +35,83 @@ std::string results_in(const std::string& folder) {
   return names;
 }
 
+/// A run has written it; its own input it never writes.
+bool is_result(const std::vector<output::Leg>& history, const std::string& name) {
+  return std::any_of(history.begin(), history.end(),
+                     [&](const output::Leg& leg) { return leg.parameters == name; });
+}
+
+/// May take the parameters of a run: nobody would miss what is there.
+bool is_free(const std::string& folder, const std::string& name, const std::string& case_file) {
+  std::error_code ignored;
+  const std::string path = folder + "/" + name;
+  if (!std::filesystem::exists(path, ignored)) return true;
+  return is_result(history_of(folder), name) && !is_same_file(case_file, path);
+}
+
 }  // namespace
 
 void check_results_folder(const std::string& folder, const CommandLine& command,
                           const std::string& program, const Comm& comm) {
-  if (command.restart || command.overwrite) return;
+  if (command.restart) return;
   on_root(comm, [&] {
     const std::string names = results_in(folder);
     const std::string go_on =
         takes(program, "--restart") ? "Go on with --restart, choose" : "Choose";
-    TUNICA_CHECK(names.empty(), "\"" + folder + "\" holds results of an earlier run (" + names +
-                                    "). " + go_on +
-                                    " another --output, or replace them with --overwrite.");
+    TUNICA_CHECK(command.overwrite || names.empty(),
+                 "\"" + folder + "\" holds results of an earlier run (" + names + "). " + go_on +
+                     " another --output, or replace them with --overwrite.");
     const std::string case_there = folder + "/" + case_name;
-    std::error_code ignored;
-    TUNICA_CHECK(!std::filesystem::exists(case_there, ignored) ||
-                     name_for_parameters(folder, command.case_file) != case_name,
+    TUNICA_CHECK(is_free(folder, case_name, command.case_file) ||
+                     is_same_file(command.case_file, case_there) ||
+                     is_result(history_of(folder), used_name),
                  case_there +
-                     ": a case that is not that of this run would be replaced by the parameters "
-                     "that it uses. Choose another --output, or replace it with --overwrite.");
+                     ": a case that is not that of this run stands where the parameters that it "
+                     "uses are kept. Choose another --output.");
+    TUNICA_CHECK(!name_for_parameters(folder, command.case_file).empty(),
+                 folder + ": " + case_name + " and " + used_name +
+                     " are cases that no run has written. Choose another --output.");
   });
 }
 
-std::string name_for_parameters(const std::string& folder, const std::string& case_file) {
+void lock_results_folder(io::FolderLock& lock, const std::string& folder, const Comm& comm) {
+  on_root(comm, [&] {
+    const Outcome taken = lock.take(folder);
+    TUNICA_CHECK(taken.is_success(), taken.reason());
+  });
+}
+
+std::vector<output::Leg> history_of(const std::string& folder) {
   std::error_code ignored;
+  const std::string record = folder + "/run.json";
+  std::vector<output::Leg> history = output::read_history(record);
+  if (!history.empty() || !std::filesystem::exists(record, ignored)) return history;
   const bool was_input = std::filesystem::exists(folder + "/" + used_name, ignored);
-  return was_input || is_same_file(case_file, folder + "/" + case_name) ? used_name : case_name;
+  return {{0, "", 1, was_input ? used_name : case_name}};
+}
+
+std::string name_for_parameters(const std::string& folder, const std::string& case_file) {
+  for (const char* name : {case_name, used_name})
+    if (is_free(folder, name, case_file)) return name;
+  return "";
+}
+
+std::string name_for_changed(const std::string& folder, const std::string& first) {
+  const std::string stem = std::filesystem::path(first).stem().string();
+  std::string name = stem + "-2.xml";
+  for (int n = 3; std::filesystem::exists(folder + "/" + name); ++n)
+    name = stem + "-" + std::to_string(n) + ".xml";
+  return name;
+}
+
+void remove_parameters(const std::string& folder, const std::vector<output::Leg>& history,
+                       const std::string& case_file) {
+  for (const output::Leg& leg : history) {
+    const std::string path = folder + "/" + leg.parameters;
+    std::error_code ignored;
+    if (leg.parameters != history.front().parameters && !is_same_file(path, case_file))
+      std::filesystem::remove(path, ignored);
+  }
 }
 
 }  // namespace tunica::app

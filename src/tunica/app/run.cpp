@@ -1,6 +1,7 @@
 #include "tunica/app/run.hpp"
 
 #include <Teuchos_Array.hpp>
+#include <filesystem>
 #include <iostream>
 
 #include "tunica/app/extent.hpp"
@@ -77,15 +78,20 @@ int conclude(const Program& program, RunOutput& output, const Comm& comm,
   if (output.restart)
     output.record.add_time("march from the first step",
                            output.restart->head.seconds + marching.seconds());
-  const std::string message =
-      outcome.is_success() ? about_unconverged(output.unconverged_steps) : outcome.reason();
-  output.record.finish(
-      outcome.is_success() ? output::RunStatus::done : output::RunStatus::not_converged, message);
+  const bool is_stopped = outcome.is_success() && !output.stopped.empty();
+  const std::string message = outcome.is_failure() ? outcome.reason()
+                              : is_stopped         ? output.stopped
+                                                   : about_unconverged(output.unconverged_steps);
+  output.record.finish(outcome.is_failure() ? output::RunStatus::not_converged
+                       : is_stopped         ? output::RunStatus::stopped
+                                            : output::RunStatus::done,
+                       message);
   if (comm.getRank() == 0) {
     if (!message.empty()) std::cerr << program.name << ": " << message << std::endl;
     std::cout << "results in " << output.folder.path() << std::endl;
   }
   if (outcome.is_failure()) return exit_not_converged;
+  if (is_stopped) return exit_stopped;
   return message.empty() ? exit_done : exit_unconverged_steps;
 }
 
@@ -106,6 +112,24 @@ bool is_over(const output::CheckpointHead& head, const Teuchos::ParameterList& l
   return true;
 }
 
+/// What begins now, with the history of a run that goes on taken over. On rank 0.
+output::Leg next_leg(RunOutput& output, const std::string& case_file) {
+  const std::string& folder = output.folder.path();
+  const std::vector<output::Leg> history = history_of(folder);
+  if (!output.restart || history.empty()) {
+    remove_parameters(folder, history, case_file);
+    const std::string name = name_for_parameters(folder, case_file);
+    return {output.steps_done(), "", 1, name.empty() ? name_for_changed(folder, "case.xml") : name};
+  }
+  output.record.take_over(history);
+  output::Leg leg{output.steps_done()};
+  for (const params::Difference& change : output.restart->changes)
+    leg.changes.push_back({change.path, change.before, change.after});
+  leg.parameters = leg.changes.empty() ? output::leg_of_step(history, leg.after_step).parameters
+                                       : name_for_changed(folder, history.front().parameters);
+  return leg;
+}
+
 std::string folder_of(const Teuchos::ParameterList& list) {
   return list.sublist("Output").get<std::string>("folder");
 }
@@ -122,23 +146,34 @@ bool has_asked_times_in(const Teuchos::ParameterList& output) {
           output.get<double>("fields interval") > 0.0);
 }
 
+/// Keeps others out of the folder, and looks whether the run may write there.
+void enter(const std::string& folder, const Call& call, const Comm& comm, io::FolderLock& lock) {
+  lock_results_folder(lock, folder, comm);
+  check_results_folder(folder, call.command, call.program.name, comm);
+}
+
 int solve(const Program& program, const CommandLine& command, const March& march,
           const CommPtr& comm) {
   const Stopwatch set_up;
   const Teuchos::ParameterList list = read_case(command, program.table, *comm);
-  if (!command.dry_run) check_results_folder(folder_of(list), command, program.name, *comm);
+  io::FolderLock lock;
+  if (!command.dry_run) enter(folder_of(list), {program, command}, *comm, lock);
   const Domain domain = load_domain(list, comm);
   print_extent(domain.extent, program.name, *comm);
   describe_domain(domain, *comm);
   std::optional<Restart> restart;
-  if (command.restart) restart = find_restart(list, domain);
+  if (command.restart) {
+    restart = find_restart(list, domain);
+    restart->changes =
+        accepted_changes(restart->head, restart->file, list, program.table, command, *comm);
+  }
   if (restart && is_over(restart->head, list, *comm)) return exit_done;
   if (command.dry_run) {
     check_directions(list, domain);
     return exit_done;
   }
   linear::check_direct_solver(comm);
-  RunOutput output(program, command, list, comm, restart);
+  RunOutput output({program, command, set_up}, list, comm, lock, restart);
   output.fingerprint = domain.fingerprint;
   record_sizes(domain, output.record);
   output.record.add_time("set-up", set_up.seconds());
@@ -149,29 +184,33 @@ int solve(const Program& program, const CommandLine& command, const Alternative&
           const CommPtr& comm) {
   const Stopwatch set_up;
   const Teuchos::ParameterList list = read_case(command, alternative.table, *comm);
-  if (!command.dry_run) check_results_folder(folder_of(list), command, program.name, *comm);
+  io::FolderLock lock;
+  if (!command.dry_run) enter(folder_of(list), {program, command}, *comm, lock);
   const auto work = alternative.load(list, comm);
   if (command.dry_run) return exit_done;
   linear::check_direct_solver(comm);
-  RunOutput output(program, command, list, comm);
+  RunOutput output({program, command, set_up}, list, comm, lock);
   output.record.add_time("set-up", set_up.seconds());
   return conclude(program, output, *comm, [&] { return work(output); });
 }
 
 }  // namespace
 
-RunOutput::RunOutput(const Program& program, const CommandLine& command,
-                     const Teuchos::ParameterList& list, const CommPtr& comm,
-                     std::optional<Restart> from)
+RunOutput::RunOutput(const Call& call, const Teuchos::ParameterList& list, const CommPtr& comm,
+                     io::FolderLock& lock, std::optional<Restart> from)
     : folder(folder_of(list), comm),
-      record(folder.file("run.json"), program.name, TUNICA_VERSION, comm),
+      record(folder.file("run.json"), call.program.name, TUNICA_VERSION, comm),
       fields_every(every(list, "fields every")), checkpoint_every(every(list, "checkpoint every")),
-      has_asked_times(has_asked_times_in(list.sublist("Output"))), restart(std::move(from)) {
-  if (restart) record.take_over(steps_done());
-  record.set("case", "file", command.case_file);
+      has_asked_times(has_asked_times_in(list.sublist("Output"))), restart(std::move(from)),
+      parameters(params::to_xml(list)), since_start(call.since_start) {
+  enter(folder.path(), call, *comm, lock);  // again, for it may be new
+  record.set("case", "file", call.command.case_file);
   on_root_or_fault(*comm, [&] {
-    const std::string name = name_for_parameters(folder.path(), command.case_file);
-    return io::replace_file(folder.file(name), params::to_xml(list));
+    const output::Leg leg = next_leg(*this, call.command.case_file);
+    record.begin_leg(leg);
+    const std::string path = folder.file(leg.parameters);
+    const bool is_kept = restart && std::filesystem::exists(path);
+    return is_kept ? Outcome::success() : io::replace_file(path, parameters);
   });
 }
 

@@ -8,6 +8,8 @@
 #include "tunica/app/domain.hpp"
 #include "tunica/app/restart.hpp"
 #include "tunica/base/outcome.hpp"
+#include "tunica/base/timer.hpp"
+#include "tunica/io/folder_lock.hpp"
 #include "tunica/output/field_writer.hpp"
 #include "tunica/output/run_folder.hpp"
 #include "tunica/output/run_record.hpp"
@@ -21,11 +23,20 @@ struct Program {
   params::Table table;   ///< every key of its cases
 };
 
+/// A program as it was called.
+struct Call {
+  const Program& program;
+  const CommandLine& command;
+  Stopwatch since_start{};
+};
+
 /// What every run writes beside its tables. Made when the case and the mesh are known to be
 /// good, so that a bad input leaves nothing behind.
 struct RunOutput {
-  RunOutput(const Program& program, const CommandLine& command, const Teuchos::ParameterList& list,
-            const CommPtr& comm, std::optional<Restart> from = {});
+  /// lock: of the folder, taken if it was there before. Throws Error where another run has begun in
+  /// it meanwhile.
+  RunOutput(const Call& call, const Teuchos::ParameterList& list, const CommPtr& comm,
+            io::FolderLock& lock, std::optional<Restart> from = {});
 
   int steps_done() const { return restart ? restart->head.step : 0; }
 
@@ -34,8 +45,11 @@ struct RunOutput {
   int fields_every, checkpoint_every;
   bool has_asked_times;            ///< the case wants fields at times
   std::optional<Restart> restart;  ///< from where the run goes on
+  std::string parameters;          ///< the resolved case, XML
   std::string fingerprint{};       ///< of the mesh
   int unconverged_steps = 0;       ///< that were accepted
+  Stopwatch since_start;           ///< of the program
+  std::string stopped{};           ///< why the run ends before its end; empty if it does not
 };
 
 /// The work of a run; a failure is one to converge.

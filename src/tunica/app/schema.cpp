@@ -1,6 +1,7 @@
 #include "tunica/app/schema.hpp"
 
 #include <Teuchos_Array.hpp>
+#include <sstream>
 
 #include "tunica/app/field_output.hpp"
 #include "tunica/app/probes.hpp"
@@ -76,6 +77,17 @@ void check_steady(const Teuchos::ParameterList& list, const std::string&) {
                "flow; the last step is always written.");
 }
 
+/// Times at which fields are wanted are kept in memory.
+void check_interval(const Teuchos::ParameterList& list, const std::string&) {
+  constexpr double most = 1e6;
+  const double interval = list.sublist("Output").get<double>("fields interval");
+  const double end = stepping::step_control_options(list.sublist("Time")).end;
+  std::ostringstream text;
+  text << "Output: \"fields interval\" is " << interval << " ms in a run of " << end
+       << " ms, expected at least " << end / most << " ms.";
+  TUNICA_CHECK(interval == 0.0 || interval * most >= end, text.str());
+}
+
 /// Keys that every case has.
 params::Table common_table(const std::string& sentence, bool has_fluid, bool has_wall) {
   params::Table table(sentence);
@@ -84,7 +96,8 @@ params::Table common_table(const std::string& sentence, bool has_fluid, bool has
       .sublist("Output", output_table(has_fluid, has_wall))
       .entries("Probes", probe_table(has_fluid, has_wall),
                "points whose values become columns of steps.csv")
-      .check(check_steady);
+      .check(check_steady)
+      .check(check_interval);
   return table;
 }
 

@@ -6,6 +6,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/stepping/time_function.hpp"
+#include "tunica/stepping/wall_limit.hpp"
 
 namespace tunica::app {
 
@@ -41,6 +42,10 @@ stepping::StepControl step_control(const Teuchos::ParameterList& list) {
       options.pseudo_time ? std::vector<double>() : asked_for(list.sublist("Output"), options.end)};
 }
 
+double wall_limit(const Teuchos::ParameterList& list) {
+  return stepping::seconds_of(list.sublist("Time").get<std::string>("wall limit"));
+}
+
 Teuchos::ParameterList fluid_list(const Teuchos::ParameterList& list) {
   Teuchos::ParameterList fluid(list.sublist("Fluid"));
   const Teuchos::ParameterList& time = list.sublist("Time");
@@ -56,7 +61,8 @@ TimeMarch::TimeMarch(const Teuchos::ParameterList& list, const Parts& parts, Run
 }
 
 Outcome TimeMarch::outcome() const {
-  if (!control_.is_steady_sought() || control_.is_steady()) return Outcome::success();
+  if (is_stopped_ || !control_.is_steady_sought() || control_.is_steady())
+    return Outcome::success();
   std::ostringstream reason;
   reason << "the flow is not steady after " << made_.step() << " steps: the last one, of "
          << made_.step_size() << " ms, has changed it by " << eta_ << " times what is permitted";
@@ -95,13 +101,19 @@ void TimeMarch::restore(const Numbers& numbers) {
 
 std::vector<fields::State> TimeMarch::save_parts() const {
   std::vector<fields::State> states;
-  if (control_.may_repeat())
+  if (control_.may_repeat() || output_->checkpoint_every > 0)
     for (const auto& [name, part] : parts_) states.push_back(part->save());
   return states;
 }
 
-void TimeMarch::restore_parts(const std::vector<fields::State>& states) const {
-  auto state = states.begin();
+TimeMarch::Place TimeMarch::undo() {
+  restore_parts();
+  return {static_cast<int>(numbers_before_.at("steps").at(0)), numbers_before_.at("start").at(0),
+          numbers_before_};
+}
+
+void TimeMarch::restore_parts() const {
+  auto state = before_.begin();
   for (const auto& [name, part] : parts_) part->restore(*state++);
 }
 
@@ -154,14 +166,15 @@ void TimeMarch::accept(const StepSummary& step) {
 }
 
 StepSummary TimeMarch::make_step(const Solve& solve, RunLog& log) {
-  const std::vector<fields::State> before = save_parts();
+  before_ = save_parts();
+  numbers_before_ = save();
   StepSummary step;
   for (int attempt = 1;; ++attempt) {
     made_ = control_.clock();
     step = solve(made_, attempt);
     step.rejected = attempt - 1;
     if (!is_to_repeat(step, log)) break;
-    restore_parts(before);
+    restore_parts();
   }
   if (step.is_accepted) accept(step);
   if (control_.is_done()) made_.end_here();  // as one may know only now

@@ -18,6 +18,9 @@ using Parts = std::vector<std::pair<std::string, fields::Restartable*>>;
 /// The step control of a resolved case, which knows when its loads have kinks.
 stepping::StepControl step_control(const Teuchos::ParameterList& list);
 
+/// Seconds that a resolved case gives to the program.
+double wall_limit(const Teuchos::ParameterList& list);
+
 /// The "Fluid" list of a resolved case; on the way to a steady flow Newton's method stops earlier.
 Teuchos::ParameterList fluid_list(const Teuchos::ParameterList& list);
 
@@ -43,7 +46,9 @@ public:
 
   /// Size of fixed steps [ms]; zero where they are of any.
   double fixed_step() const { return control_.fixed_step(); }
-  bool is_done() const { return control_.is_done(); }
+  bool is_done() const { return is_stopped_ || control_.is_done(); }
+  /// No further step, although it is not done.
+  void stop() { is_stopped_ = true; }
   /// Success, or that no steady flow was found where one was sought; when all steps are made.
   Outcome outcome() const;
   /// The step made last; before the first, the first.
@@ -56,13 +61,22 @@ public:
   /// what was repeated, or accepted in spite of something. Collective.
   StepSummary make_step(const Solve& solve, RunLog& log);
 
+  /// Where the march stood: after that step, with the numbers of save().
+  struct Place {
+    int step;
+    double time;
+    Numbers numbers;
+  };
+  /// Gives up the step made last, which was not accepted: all is as before it. Collective.
+  Place undo();
+
 private:
   bool is_to_repeat(StepSummary& step, const RunLog& log);
   bool is_too_inaccurate(StepSummary& step, const RunLog& log);
   void accept(const StepSummary& step);
   void tell_repeat(const RunLog& log, const std::string& reason) const;
   std::vector<fields::State> save_parts() const;
-  void restore_parts(const std::vector<fields::State>& states) const;
+  void restore_parts() const;
 
   /// Steps and attempts so far, those of the run that goes on among them.
   struct Counts {
@@ -76,6 +90,9 @@ private:
   stepping::Clock made_;
   std::optional<problems::StepTolerance> tolerance_;  ///< of steps of any size
   std::vector<std::pair<std::string, std::unique_ptr<problems::StepError>>> errors_;
+  std::vector<fields::State> before_;  ///< of the parts, at the start of the step made last
+  Numbers numbers_before_;
+  bool is_stopped_ = false;
   double eta_ = 0.0;  ///< of the present step, see stepping::StepControl
   Counts counts_;
 };

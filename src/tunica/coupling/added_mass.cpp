@@ -51,7 +51,10 @@ InterfaceVector AddedMass::apply(const InterfaceVector& residual) {
   }
   p_.putScalar(0.0);
   InterfaceVector result(residual);
-  if (!(solver_->solve(right_side_, p_) < usable)) return result;
+  if (!(solver_->solve(right_side_, p_) < usable)) {
+    has_failed_ = true;
+    return result;
+  }
   const auto p = p_.getLocalViewHost(read_only);
   for (int k = 0; k < interface_->n_owned(); ++k) {
     const double taken_back = compliance_[k] * p(interface_->fluid_nodes[k], 0);

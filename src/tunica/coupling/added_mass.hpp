@@ -47,6 +47,8 @@ public:
 
   /// P r; r itself where the linear solver fails, which is no worse than no P. Collective.
   InterfaceVector apply(const InterfaceVector& residual);
+  /// apply() has given a residual back as it was.
+  bool has_failed() const { return has_failed_; }
 
 private:
   const fields::InterfaceTransfer* interface_;
@@ -55,6 +57,7 @@ private:
   std::vector<double> weight_;  ///< m times their area, 0 on open surfaces
   std::unique_ptr<linear::ScalarSolver> solver_;
   MultiVector right_side_, p_;
+  bool has_failed_ = false;
 };
 
 /// The normal displacement of the owned interface nodes under unit pressure on the whole interface

@@ -36,15 +36,17 @@ Outcome DirichletNeumann::prepare(const stepping::Clock& clock) {
   for (int a = 0; a < mesh.n_nodes(); ++a) model.positions[a] += motion_->old_displacement()[a];
   model.area = boundary::nodal_areas(mesh, model.positions, interface_->surfaces);
   const auto compliance = wall_compliance(clock, *interface_, model.area, *wall_);
-  if (compliance.is_failure() && preconditioner_)
-    return Outcome::success();  // that of an earlier step is near enough
-  if (compliance.is_failure()) {
-    std::ostringstream where;
-    where << "time " << clock.time() << " ms: the wall under unit pressure, for the coupling's "
-          << "preconditioner";
-    return compliance.outcome().at(where.str());
+  std::ostringstream where;
+  where << "time " << clock.time() << " ms: the wall under unit pressure, for the coupling's "
+        << "preconditioner";
+  if (compliance.is_success()) compliance_ = compliance.value();
+  if (!compliance_) return compliance.outcome().at(where.str());
+  if (compliance.is_failure() && !has_told_compliance_) {
+    remark_ = compliance.outcome().at(where.str()).reason() +
+              "; the compliance of an earlier step is in its place, now and later";
+    has_told_compliance_ = true;
   }
-  model.compliance = compliance.value();
+  model.compliance = *compliance_;
   preconditioner_ =
       std::make_unique<AddedMass>(*added_mass_, fluid_->last_jacobian(), *interface_, model);
   accelerator_->set_preconditioner(
@@ -124,6 +126,7 @@ fields::State DirichletNeumann::save() const {
   state.arrays["displacements"] = packed(history_);
   state.numbers["displacements"] = {static_cast<double>(history_.size())};
   state.texts["accelerator"] = accelerator_kind_;
+  if (compliance_) state.arrays["compliance"] = {1, *compliance_};
   accelerator_->save(state);
   return state;
 }
@@ -131,6 +134,8 @@ fields::State DirichletNeumann::save() const {
 std::string DirichletNeumann::restore(const fields::State& state) {
   const int kept = static_cast<int>(state.number_list("displacements").at(0));
   history_ = unpacked(state.array("displacements", 3 * kept));
+  compliance_.reset();
+  if (state.has_array("compliance")) compliance_ = state.array("compliance", 1).values;
   const std::string& kind = state.text("accelerator");
   if (kind == accelerator_kind_) {
     accelerator_->restore(state);
@@ -169,6 +174,19 @@ std::string DirichletNeumann::why_unconverged(double time, const Report& report)
   return reason.str();
 }
 
+std::string DirichletNeumann::remark_on(double time) {
+  std::string remark;
+  remark.swap(remark_);
+  if (!preconditioner_ || !preconditioner_->has_failed() || has_told_relaxation_) return remark;
+  has_told_relaxation_ = true;
+  std::ostringstream text;
+  text
+      << remark << (remark.empty() ? "" : "; ") << "time " << time
+      << " ms: the Laplace problem of the coupling's preconditioner could not be solved; residuals "
+         "are taken as they are, here and wherever it fails";
+  return text.str();
+}
+
 Report DirichletNeumann::solve_step(const stepping::Clock& clock, const Watch& watch) {
   Report report;
   TUNICA_ASSERT(preconditioner_ || !added_mass_, "prepare() comes before each step");
@@ -194,11 +212,13 @@ Report DirichletNeumann::solve_step(const stepping::Clock& clock, const Watch& w
       std::ostringstream where;
       where << "time " << clock.time() << " ms, coupling iteration " << k;
       report.reason = solved.at(where.str()).reason();
+      report.remark = remark_on(clock.time());
       return report;
     }
   }
   report.is_accepted = report.is_converged || options_.accepts_unconverged;
   if (!report.is_converged) report.reason = why_unconverged(clock.time(), report);
+  report.remark = remark_on(clock.time());
   if (report.is_accepted) accept();
   return report;
 }

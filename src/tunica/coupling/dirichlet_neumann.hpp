@@ -38,8 +38,8 @@ public:
   std::vector<std::pair<std::string, problems::SystemSource*>> systems() override {
     return {{"fluid", fluid_}, {"wall", wall_}};
   }
-  /// Makes the preconditioner from fluid and wall as they lie; keeps that of an earlier step where
-  /// the wall cannot be solved. Fails where there is none.
+  /// Makes the preconditioner from fluid and wall as they lie; with the compliance of an earlier
+  /// step where the wall cannot be solved. Fails where there is none.
   Outcome prepare(const stepping::Clock& clock) override;
   Report solve_step(const stepping::Clock& clock, const Watch& watch) override;
 
@@ -61,6 +61,8 @@ private:
   InterfaceVector wall_displacement() const;
   double size_of(const InterfaceVector& residual) const;
   void accept();
+  /// What the preconditioner did not do is told once.
+  std::string remark_on(double time);
 
   CouplingOptions options_;
   const fields::InterfaceTransfer* interface_;
@@ -69,6 +71,10 @@ private:
   problems::MeshMotion* motion_;
   std::optional<Teuchos::ParameterList> added_mass_;  ///< solver; none: residuals stay as they are
   std::unique_ptr<AddedMass> preconditioner_;
+  /// Of the wall, as it was found last: should it not be found again, also after a restart.
+  std::optional<std::vector<double>> compliance_;
+  std::string remark_;  ///< to be told with the next report
+  bool has_told_compliance_ = false, has_told_relaxation_ = false;
   std::string accelerator_kind_;
   std::unique_ptr<Accelerator> accelerator_;
   std::deque<InterfaceVector> history_;  ///< accepted displacements, newest first, at most 3

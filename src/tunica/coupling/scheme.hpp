@@ -45,6 +45,7 @@ struct Report {
   bool is_converged = false;
   bool is_accepted = false;  ///< converged, or not and accepted as the options say
   std::string reason;        ///< why not
+  std::string remark;        ///< on what it went on in spite of; told once in a run
   std::vector<Iteration> iterations;
 
   int newton_steps(const std::string& field) const;

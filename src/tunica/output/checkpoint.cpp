@@ -48,15 +48,17 @@ CheckpointFile::CheckpointFile(const std::string& path) : path_(path) {
   const auto sums = in.strings("array_checksums");
   const auto counts = in.integers("number_counts"), columns = in.integers("array_columns");
   const auto numbers = in.reals("numbers", 1);
+  const auto parameters =
+      in.has("parameters") ? in.strings("parameters") : std::vector<std::string>();
   TUNICA_CHECK(text_names.size() == texts.size() && number_names.size() == counts.size() &&
                    array_names.size() == columns.size() && array_names.size() == sums.size(),
                path + ": names and values are not of the same number");
   const auto promised = in.strings("head_checksum");
-  TUNICA_CHECK(promised.size() == 1 &&
-                   promised.front() ==
-                       head_checksum({&text_names, &texts, &number_names, &array_names, &sums},
-                                     {&counts, &columns}, numbers),
-               path + ": its head is damaged: the checksum does not fit");
+  TUNICA_CHECK(
+      promised.size() == 1 && promised.front() == head_checksum({&text_names, &texts, &number_names,
+                                                                 &array_names, &sums, &parameters},
+                                                                {&counts, &columns}, numbers),
+      path + ": its head is damaged: the checksum does not fit");
   for (std::size_t i = 0; i < texts.size(); ++i) texts_[text_names[i]] = texts[i];
   for (std::size_t i = 0, first = 0; i < counts.size(); first += counts[i++]) {
     TUNICA_CHECK(first + counts[i] <= numbers.size(), path + ": numbers are missing");
@@ -66,6 +68,7 @@ CheckpointFile::CheckpointFile(const std::string& path) : path_(path) {
   for (std::size_t i = 0; i < sums.size(); ++i) arrays_[array_names[i]] = {columns[i], sums[i]};
   head_ = {text("run/mesh"), static_cast<int>(number("run/step")), number("run/time"),
            number("run/step size"), number("run/seconds")};
+  for (const std::string& piece : parameters) head_.parameters += piece;
   const std::string control = "run/" + std::string(control_prefix);
   for (const auto& [name, values] : numbers_)
     if (name.compare(0, control.size(), control) == 0)

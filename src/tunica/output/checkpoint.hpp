@@ -17,6 +17,7 @@ struct CheckpointHead {
   double seconds = 0.0;                ///< spent on the steps up to here
   /// What the step control needs to go on, by name.
   std::map<std::string, std::vector<double>> control{};
+  std::string parameters{};  ///< with which the step was made, XML; empty in older files
 };
 
 /// Under which the numbers of the control stand among those of the part "run".
@@ -31,6 +32,7 @@ using States = std::vector<std::pair<std::string, fields::State>>;
 ///   /text_names  /texts                                         strings
 ///   /number_names  /number_counts  /numbers
 ///   /array_names  /array_columns  /array_checksums
+///   /parameters                                                 XML, in pieces
 ///   /head_checksum                                              of all above
 ///   `/<part>/vertices`                                            int32, vertex of each row
 ///   `/<part>/<array>`                                             float64, rows × columns

@@ -21,6 +21,8 @@ namespace tunica::output {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 std::string now() {
   const std::time_t seconds = std::time(nullptr);
   std::array<char, 32> date;
@@ -47,12 +49,47 @@ const char* name_of(RunStatus status) {
       return "running";
     case RunStatus::done:
       return "done";
+    case RunStatus::stopped:
+      return "stopped";
     case RunStatus::not_converged:
       return "not converged";
     case RunStatus::failed:
       return "failed";
   }
   return "failed";
+}
+
+std::string text_in(const Json& object, const char* name, const std::string& otherwise) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
+}
+
+int number_in(const Json& object, const char* name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_number_integer() ? found->get<int>() : 0;
+}
+
+Leg leg_in(const Json& entry) {
+  Leg leg{number_in(entry, "after step"), text_in(entry, "at", ""), number_in(entry, "ranks"),
+          text_in(entry, "parameters", "")};
+  const auto changes = entry.find("changes");
+  if (changes != entry.end() && changes->is_array())
+    for (const Json& change : *changes)
+      if (change.is_object())
+        leg.changes.push_back({text_in(change, "key", ""), text_in(change, "before", ""),
+                               text_in(change, "now", "")});
+  return leg;
+}
+
+Json as_json(const Leg& leg) {
+  Json entry{{"after step", leg.after_step},
+             {"at", leg.at},
+             {"ranks", leg.ranks},
+             {"parameters", leg.parameters}};
+  for (const Leg::Change& change : leg.changes)
+    entry["changes"].push_back(
+        {{"key", change.key}, {"before", change.before}, {"now", change.now}});
+  return entry;
 }
 
 /// The entry of that name, appended if new.
@@ -64,6 +101,24 @@ Value& entry_of(std::vector<std::pair<std::string, Value>>& list, const std::str
 }
 
 }  // namespace
+
+std::vector<Leg> read_history(const std::string& path) {
+  const Json record = Json::parse(std::ifstream(path), nullptr, false);
+  std::vector<Leg> history;
+  if (!record.is_object() || !record.contains("history") || !record["history"].is_array())
+    return history;
+  for (const Json& entry : record["history"])
+    if (entry.is_object() && !text_in(entry, "parameters", "").empty())
+      history.push_back(leg_in(entry));
+  return history;
+}
+
+const Leg& leg_of_step(const std::vector<Leg>& history, int step) {
+  const Leg* found = &history.front();
+  for (const Leg& leg : history)
+    if (leg.after_step < step) found = &leg;
+  return *found;
+}
 
 RunRecord::RunRecord(const std::string& path, const std::string& program,
                      const std::string& version, const CommPtr& comm)
@@ -86,7 +141,8 @@ RunRecord::~RunRecord() {
 }
 
 void RunRecord::set(const std::string& section, const std::string& key, Value value) {
-  for (const char* name : {"program", "status", "message", "started", "ended", "ranks", "memory"}) {
+  for (const char* name :
+       {"program", "status", "message", "started", "ended", "ranks", "memory", "history"}) {
     if (section == name) throw std::logic_error("run record: \"" + section + "\" is no section");
   }
   entry_of(entry_of(sections_, section), key) = std::move(value);
@@ -98,20 +154,16 @@ void RunRecord::add_time(const std::string& name, double seconds) {
   total = (before != nullptr ? *before : 0.0) + seconds;
 }
 
-void RunRecord::take_over(int step) {
-  const auto earlier = nlohmann::ordered_json::parse(std::ifstream(path_), nullptr, false);
-  int count = 0;
-  if (earlier.is_object()) {
-    const auto started = earlier.find("started");
-    if (started != earlier.end() && started->is_string()) started_ = *started;
-    const auto restarts = earlier.find("restarts");
-    if (restarts != earlier.end() && restarts->is_object())
-      for (const auto& [key, value] : restarts->items())
-        if (value.is_string()) set("restarts", std::to_string(++count), value.get<std::string>());
-  }
-  set("restarts", std::to_string(++count),
-      "after step " + std::to_string(step) + " at " + now() + " on " +
-          std::to_string(comm_->getSize()) + (comm_->getSize() == 1 ? " rank" : " ranks"));
+void RunRecord::take_over(const std::vector<Leg>& history) {
+  const auto earlier = Json::parse(std::ifstream(path_), nullptr, false);
+  if (earlier.is_object()) started_ = text_in(earlier, "started", started_);
+  history_ = history;
+}
+
+void RunRecord::begin_leg(Leg leg) {
+  leg.at = now();
+  leg.ranks = comm_->getSize();
+  history_.push_back(std::move(leg));
 }
 
 void RunRecord::save() {
@@ -146,12 +198,12 @@ std::string RunRecord::text() const {
   out["ranks"] = comm_->getSize();
   out["memory"] = {{"peak of one rank [MB]", memory_of_one_},
                    {"peak of all ranks [MB]", memory_of_all_}};
+  for (const Leg& leg : history_) out["history"].push_back(as_json(leg));
   for (const auto& [section, entries] : sections_) {
     for (const auto& [key, value] : entries) {
       std::visit([&, &s = section, &k = key](const auto& v) { out[s][k] = v; }, value);
     }
   }
-  using Json = nlohmann::ordered_json;
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -9,12 +9,31 @@
 
 namespace tunica::output {
 
-enum class RunStatus { running, done, not_converged, failed };
+enum class RunStatus { running, done, stopped, not_converged, failed };
+
+/// A part of a run, from its beginning or a restart on: an entry of "history".
+struct Leg {
+  int after_step = 0;  ///< it begins behind this one
+  std::string at{};    ///< UTC
+  int ranks = 1;
+  std::string parameters{};  ///< file of the folder that holds them
+  struct Change {
+    std::string key, before, now;
+  };
+  std::vector<Change> changes{};  ///< against the leg that made its first checkpoint
+};
+
+/// The history in a run.json, oldest first; nothing where there is none. Not collective.
+std::vector<Leg> read_history(const std::string& path);
+
+/// The one that made the checkpoint of a step, which is not empty.
+const Leg& leg_of_step(const std::vector<Leg>& history, int step);
 
 /// What a run was and how it went: "run.json".
 ///
 ///   program, status, message, started, ended   texts; dates in UTC; ended null while running
 ///   ranks, memory                              peak resident memory [MB] of one rank and of all
+///   history                                    legs of the run, each with what a restart changed
 ///   versions, sizes, timings [s], …            one object per section
 ///
 /// The file is replaced as a whole, so that readers never meet a part of it.
@@ -35,9 +54,11 @@ public:
   /// Adds seconds to an entry of "timings".
   void add_time(const std::string& name, double seconds);
 
-  /// Goes on with the record of the run that is restarted after that step: keeps when it was
-  /// started and adds this restart to those of the section "restarts".
-  void take_over(int step);
+  /// Goes on with the record of the run that is restarted: keeps when it was started, and its
+  /// history. On rank 0.
+  void take_over(const std::vector<Leg>& history);
+  /// Adds what begins now to the history.
+  void begin_leg(Leg leg);
 
   /// Writes with status "running". Collective. Throws MachineFault on all ranks if the
   /// disk refuses.
@@ -59,6 +80,7 @@ private:
   RunStatus status_ = RunStatus::running;
   double memory_of_one_ = 0.0, memory_of_all_ = 0.0;  ///< [MB]
   std::vector<std::pair<std::string, Section>> sections_;
+  std::vector<Leg> history_;
 };
 
 }  // namespace tunica::output

@@ -37,9 +37,18 @@ fields::State state_of(const CheckpointHead& head) {
   return run;
 }
 
+/// Of a length that HDF5's strings can have.
+std::vector<std::string> pieces(const std::string& text) {
+  constexpr std::size_t length = 1000;
+  std::vector<std::string> all;
+  for (std::size_t at = 0; at < text.size(); at += length) all.push_back(text.substr(at, length));
+  return all;
+}
+
 /// Everything but the values of the arrays.
 struct Contents {
-  std::vector<std::string> text_names, texts, number_names, array_names, array_checksums;
+  std::vector<std::string> text_names, texts, number_names, array_names, array_checksums,
+      parameters;
   std::vector<int> number_counts, array_columns;
   std::vector<double> numbers;
 
@@ -60,8 +69,9 @@ struct Contents {
     }
   }
   std::string checksum() const {
-    return head_checksum({&text_names, &texts, &number_names, &array_names, &array_checksums},
-                         {&number_counts, &array_columns}, numbers);
+    return head_checksum(
+        {&text_names, &texts, &number_names, &array_names, &array_checksums, &parameters},
+        {&number_counts, &array_columns}, numbers);
   }
   /// Composed on one rank.
   std::string image(const std::string& path) const {
@@ -75,6 +85,7 @@ struct Contents {
     out.write("array_names", array_names);
     out.write("array_columns", array_columns.data(), array_columns.size());
     out.write("array_checksums", array_checksums);
+    if (!parameters.empty()) out.write("parameters", parameters);
     out.write("head_checksum", std::vector<std::string>{checksum()});
     return out.image();
   }
@@ -123,6 +134,7 @@ void write_checkpoint(const std::string& path, const CheckpointHead& head, const
       Contents contents;
       for (const auto& [part, state] : states) contents.add(part, state, sums);
       contents.add("run", state_of(head), {});
+      contents.parameters = pieces(head.parameters);
       file.emplace(path);
       file->add(contents.image(path));
       return file->close();

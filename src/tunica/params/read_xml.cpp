@@ -13,7 +13,7 @@
 #include "tunica/params/content.hpp"
 #include "tunica/params/nearest.hpp"
 #include "tunica/params/value.hpp"
-#include "tunica/params/xml_depth.hpp"
+#include "tunica/params/xml_scan.hpp"
 
 namespace tunica::params {
 
@@ -99,7 +99,13 @@ XMLObject parse(const std::string& text, const std::string& path) {
                               " lists are nested more than " + std::to_string(deepest_list) +
                               " deep, expected at most " + std::to_string(deepest_list) + ".");
   try {
-    return Teuchos::StringInputSource(text).getObject();
+    const XMLObject root = Teuchos::StringInputSource(text).getObject();
+    const int stray = line_of_lost_tag(text);
+    TUNICA_CHECK(stray == 0, path + ": at line " + std::to_string(stray) +
+                                 " there is a part of a tag among the text: is a \"<\" lost?");
+    return root;
+  } catch (const Error&) {
+    throw;
   } catch (const std::exception& error) {
     if (is_out_of_memory(error)) throw;
     throw Error(path + ": not well-formed XML: " + trimmed(essence(error.what())));
@@ -116,12 +122,15 @@ Teuchos::ParameterList read_xml(const std::string& path) {
   TUNICA_CHECK(file.good(), path + ": cannot be read; check its permissions");
   std::ostringstream text;
   text << file.rdbuf();
+  return from_xml(text.str(), path);
+}
 
-  const XMLObject root = parse(text.str(), path);
+Teuchos::ParameterList from_xml(const std::string& text, const std::string& where) {
+  const XMLObject root = parse(text, where);
   TUNICA_CHECK(root.getTag() == "ParameterList",
-               path + ": starts with <" + root.getTag() + ">, expected <ParameterList>");
+               where + ": starts with <" + root.getTag() + ">, expected <ParameterList>");
   Teuchos::ParameterList list(root.hasAttribute("name") ? root.getAttribute("name") : "");
-  Builder(path).build(root, list, "");
+  Builder(where).build(root, list, "");
   return list;
 }
 

@@ -11,6 +11,9 @@ namespace tunica::params {
 /// (Teuchos reads `1,5` as 1 and `abc` as 0; here they are errors).
 Teuchos::ParameterList read_xml(const std::string& path);
 
+/// The same of a text; messages begin with `where` in place of the file.
+Teuchos::ParameterList from_xml(const std::string& text, const std::string& where);
+
 /// Sets one value from the command line: "Fluid/Surfaces/inlet/pressure=1.3".
 ///
 /// The table tells whether the key exists (in whichever case of a variant) and its type.

@@ -31,7 +31,8 @@ public:
   void prescribe(algebra::BlockVector& x) { wall_->prescribe(x); }
 
   /// What nodal forces [mN] on the owned nodes displace the owned nodes by within one time step
-  /// [mm], linearised at the present state. Fails, and says why, where the linear solver does.
+  /// [mm], linearised at the present state. Fails, and says why, where the linear solver comes
+  /// nowhere near.
   /// Begins the clock's present step and sets up the solver for its Jacobian. Collective.
   Result<std::vector<Vec3>> solve_linearised(const stepping::Clock& clock,
                                              const std::vector<Vec3>& force);

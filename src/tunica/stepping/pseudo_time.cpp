@@ -58,7 +58,7 @@ params::Table steady_table() {
               "the velocity (root mean square)")
       .number("velocity scale", 1e-3, params::positive(), "mm/ms",
               "smaller velocities are judged as if they were of this size")
-      .number("load time", 0.0, params::non_negative(), "ms",
+      .number("load time", 0.0, params::between(0.0, 1e12), "ms",
               "the instant whose loads act; pseudo-time does not move them")
       .number("smallest growth", 1.5, params::Range{1.0, 100.0, true, false}, "1",
               "a step is at least so many times as long as the one before, unless that was cut")

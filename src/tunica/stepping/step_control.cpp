@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tunica/base/error.hpp"
+#include "tunica/stepping/wall_limit.hpp"
 
 namespace tunica::stepping {
 
@@ -197,7 +198,9 @@ namespace {
 params::Table adaptive_table() {
   const params::Range below_one{0.0, 1.0, true, true};
   params::Table table("steps as long as the error estimate permits");
-  table.number("end time", std::nullopt, params::positive(), "ms", "end of the run")
+  table
+      .number("end time", std::nullopt, params::Range{0.0, 1e12, true, false}, "ms",
+              "end of the run")
       .integer("steps", 0, params::non_negative(), "end after so many steps, if not before; 0: any")
       .number("tolerance", 0.01, below_one, "1",
               "error that may add up while the solution changes by its own size, relative to the "
@@ -246,11 +249,12 @@ params::Table time_table() {
                "to their size; 0: the run ends");
   params::Table table("Time steps.");
   table
-      .number("step size", std::nullopt, params::positive(), "ms",
+      .number("step size", std::nullopt, params::between(1e-12, 1e9), "ms",
               "time step; of adaptive or pseudo-time steps the first one")
       .variant("step control", "fixed",
                {{"fixed", fixed}, {"adaptive", adaptive_table()}, {"steady", steady_table()}},
                "how long the steps are; steady: a fluid alone, in pseudo-time");
+  add_wall_limit(table);
   return table;
 }
 

@@ -202,6 +202,10 @@ std::vector<double> TimeFunction::kinks_of_table() const {
 std::vector<double> TimeFunction::kinks(double end) const {
   const std::vector<double> once = kinks_of_table();
   if (period_ == 0.0 || once.empty()) return once;
+  constexpr double most = 1e7;
+  TUNICA_CHECK(static_cast<double>(once.size()) * (end / period_) < most,
+               "Amplitude: \"period\" is so short that steps would have to end at more than ten "
+               "million kinks of the load. Set \"hit kinks\" of \"Time\" to false.");
   std::vector<double> all;
   const double first = std::floor(-times_.front() / period_);
   for (double k = first; once.front() + k * period_ <= end; ++k)

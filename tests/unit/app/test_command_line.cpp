@@ -57,6 +57,9 @@ TEUCHOS_UNIT_TEST(command_line, restart_belongs_to_what_marches) {
   for (const char* program : {"tunica-fsi", "tunica-solid", "tunica-fluid"})
     TEST_ASSERT(parsed({"case.xml", "--restart"}, program).restart);
   TEST_THROW(parsed({"case.xml", "--restart"}, "tunica-solvers"), tunica::Error);
+  TEST_ASSERT(!parsed({"case.xml", "--restart"}).allow_changes);
+  TEST_ASSERT(parsed({"case.xml", "--restart", "--allow-changes"}).allow_changes);
+  TEST_EQUALITY(refusal({"case.xml", "--allow-changes"}), "--allow-changes is for --restart");
 }
 
 TEUCHOS_UNIT_TEST(command_line, overwrite_belongs_to_what_solves_and_excludes_restart) {

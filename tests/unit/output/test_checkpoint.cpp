@@ -31,7 +31,8 @@ fields::State some_state(int count = 20) {
   return state;
 }
 
-const CheckpointHead head{"0123456789abcdef", 16, 2.0, 0.125, 7.5};
+const CheckpointHead head{
+    "0123456789abcdef", 16, 2.0, 0.125, 7.5, {}, std::string(4500, '<') + "case/>\n"};
 
 std::string written(const std::string& folder) {
   const std::string path = checkpoint_path(RunFolder(scratch(folder), world()).path(), 16);
@@ -68,6 +69,7 @@ TEUCHOS_UNIT_TEST(checkpoint, comes_back_on_other_ranks_in_another_order) {
   TEST_EQUALITY(file.head().time, 2.0);
   TEST_EQUALITY(file.head().step_size, 0.125);
   TEST_EQUALITY(file.head().seconds, 7.5);
+  TEST_EQUALITY(file.head().parameters, head.parameters);
   TEST_ASSERT(file.has("part") && file.has("part two") && !file.has("par"));
 
   const std::vector<int> wanted{57, 0, 30};

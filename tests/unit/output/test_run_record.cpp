@@ -65,19 +65,37 @@ TEUCHOS_UNIT_TEST(run_record, tells_how_the_run_ended) {
   TEST_ASSERT(!std::filesystem::exists(path + ".tmp"));
 }
 
-TEUCHOS_UNIT_TEST(run_record, remembers_when_the_run_began_and_its_restarts) {
-  const std::string path = record_file("restarts");
+TEUCHOS_UNIT_TEST(run_record, remembers_when_the_run_began_and_its_legs) {
+  const std::string path = record_file("legs");
   if (world()->getRank() == 0)
-    std::ofstream(path) << R"({"started": "2001-02-03T04:05:06Z", "restarts": {"1": "early"}})";
+    std::ofstream(path) << R"({"started": "2001-02-03T04:05:06Z", "history": [
+      {"after step": 0, "at": "early", "ranks": 3, "parameters": "case.xml"}, "damaged", {}]})";
   world()->barrier();
   RunRecord record(path, "tunica-fsi", "0.1.0", world());
-  record.take_over(7);
+  record.take_over(read_history(path));
   world()->barrier();
+  record.begin_leg({7, "", 0, "case-2.xml", {{"Fluid / viscosity", "0.0035", "0.004"}}});
   record.finish(RunStatus::done);
   const auto json = parse(path);
   TEST_EQUALITY(json["started"].get<std::string>(), "2001-02-03T04:05:06Z");
-  TEST_EQUALITY(json["restarts"]["1"].get<std::string>(), "early");
-  TEST_ASSERT(json["restarts"]["2"].get<std::string>().find("after step 7 at ") == 0);
+  const std::vector<Leg> history = read_history(path);
+  TEST_EQUALITY(history.size(), 2u);
+  TEST_EQUALITY(history.at(0).at, "early");
+  TEST_EQUALITY(history.at(0).ranks, 3);
+  TEST_EQUALITY(history.at(1).after_step, 7);
+  TEST_EQUALITY(history.at(1).ranks, world()->getSize());
+  TEST_EQUALITY(history.at(1).parameters, "case-2.xml");
+  TEST_EQUALITY(history.at(1).changes.at(0).key, "Fluid / viscosity");
+  TEST_EQUALITY(history.at(1).changes.at(0).now, "0.004");
+}
+
+TEUCHOS_UNIT_TEST(run_record, knows_which_leg_has_made_a_checkpoint) {
+  // After step 8 it went on as B, which came to nothing; then as C from the checkpoint before.
+  const std::vector<Leg> history{{0, "", 1, "A"}, {8, "", 1, "B"}, {7, "", 1, "C"}};
+  TEST_EQUALITY(leg_of_step(history, 7).parameters, "A");
+  TEST_EQUALITY(leg_of_step(history, 8).parameters, "C");
+  TEST_EQUALITY(leg_of_step(history, 9).parameters, "C");
+  TEST_ASSERT(read_history("/nowhere/run.json").empty());
 }
 
 TEUCHOS_UNIT_TEST(run_record, that_nobody_finished_says_failed) {

@@ -194,4 +194,11 @@ TEUCHOS_UNIT_TEST(print_markdown, each_key_is_one_row) {
   TEST_ASSERT(!has("viscosity mu"));
 }
 
+TEUCHOS_UNIT_TEST(read_xml, a_parameter_whose_first_character_is_lost_is_refused_with_its_line) {
+  const Folder folder;
+  TEST_EQUALITY(read_message(folder, "Parameter name=\"a\" type=\"int\" value=\"1\"/>")
+                    .find("at line 2 there is a part of a tag"),
+                0u);
+}
+
 }  // namespace

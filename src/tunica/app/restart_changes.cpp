@@ -1,0 +1,106 @@
+#include "tunica/app/restart_changes.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/params/read_xml.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+/// A list with all that is in it, or a key.
+bool is_in(const std::string& path, const std::vector<std::string>& places) {
+  return std::any_of(places.begin(), places.end(), [&](const std::string& place) {
+    return path == place || path.compare(0, place.size() + 3, place + " / ") == 0;
+  });
+}
+
+/// The same mesh may lie elsewhere: without it the older case would not even be complete.
+void move_mesh(Teuchos::ParameterList& was, const Teuchos::ParameterList& list) {
+  if (was.isSublist("Mesh"))
+    was.sublist("Mesh").set("file", list.sublist("Mesh").get<std::string>("file"));
+}
+
+std::string lines_of(const Changes& changes) {
+  constexpr std::size_t shown = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(shown, changes.size()); ++i)
+    text += "\n  " + params::text_of(changes[i]);
+  if (changes.size() > shown)
+    text += "\n  ... and " + std::to_string(changes.size() - shown) + " more";
+  return text;
+}
+
+Changes tell_changes(const output::CheckpointHead& head, const std::string& file,
+                     const Teuchos::ParameterList& list, const params::Table& table, bool allowed) {
+  const std::string advice =
+      "Take the case of the steps before, or go on all the same with "
+      "--allow-changes.";
+  TUNICA_CHECK(allowed || !head.parameters.empty(),
+               "--restart: " + file +
+                   " does not tell with which case it was made, so that nobody "
+                   "knows what has changed since. Go on all the same with --allow-changes.");
+  if (head.parameters.empty()) return {{"case", "unknown", "as in this file"}};
+  const Changes changes = changes_since(head, list, table);
+  Changes bound;
+  for (const params::Difference& change : changes)
+    if (!may_change_freely(change.path)) bound.push_back(change);
+  TUNICA_CHECK(allowed || bound.empty(),
+               "--restart: " + file +
+                   " was made with a case that says otherwise:" + lines_of(bound) + "\n" + advice);
+  if (!changes.empty())
+    std::cout << "changed after step " << head.step << ":" << lines_of(changes) << std::endl;
+  return changes;
+}
+
+}  // namespace
+
+bool may_change_freely(const std::string& path) {
+  static const std::vector<std::string> free{"Coupling",
+                                             "Fluid / Linear Solver",
+                                             "Fluid / Newton",
+                                             "Mesh / file",
+                                             "Mesh Motion / Linear Solver",
+                                             "Output",
+                                             "Probes",
+                                             "Time / cuts",
+                                             "Time / end time",
+                                             "Time / newton increment",
+                                             "Time / steps",
+                                             "Time / wall limit",
+                                             "Wall / Linear Solver",
+                                             "Wall / Newton"};
+  static const std::vector<std::string> bound{"Coupling / geometry", "Coupling / scheme",
+                                              "Output / averages from"};
+  return is_in(path, free) && !is_in(path, bound);
+}
+
+Changes changes_since(const output::CheckpointHead& head, const Teuchos::ParameterList& list,
+                      const params::Table& table) {
+  Teuchos::ParameterList was;
+  try {
+    was = params::from_xml(head.parameters, "the case in the checkpoint");
+    move_mesh(was, list);
+    table.resolve(was, "", "");
+  } catch (const Error&) {  // of another version of this program: compared as it is
+  }
+  Changes changes = params::differences(was, list);
+  const auto is_place = [](const params::Difference& change) {
+    return change.path == "Output / folder";
+  };
+  changes.erase(std::remove_if(changes.begin(), changes.end(), is_place), changes.end());
+  return changes;
+}
+
+Changes accepted_changes(const output::CheckpointHead& head, const std::string& file,
+                         const Teuchos::ParameterList& list, const params::Table& table,
+                         const CommandLine& command, const Comm& comm) {
+  Changes changes;
+  on_root(comm, [&] { changes = tell_changes(head, file, list, table, command.allow_changes); });
+  return changes;
+}
+
+}  // namespace tunica::app

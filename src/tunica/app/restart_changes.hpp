@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tunica/app/command_line.hpp"
+#include "tunica/base/types.hpp"
+#include "tunica/output/checkpoint.hpp"
+#include "tunica/params/differences.hpp"
+#include "tunica/params/table.hpp"
+
+namespace tunica::app {
+
+/// What a restart changes in the case.
+using Changes = std::vector<params::Difference>;
+
+/// True for keys that say how long a run goes, what it writes and how its equations are solved;
+/// false for those that say what is solved: physics, loads, discretisation in space and time.
+bool may_change_freely(const std::string& path);
+
+/// The difference between the case that the checkpoint was made with and that of this run. Both are
+/// complete: what the older one lacks has the default of the table. Where the folder of the results
+/// and the mesh lie does not count, the mesh itself is compared by its fingerprint. Not collective.
+Changes changes_since(const output::CheckpointHead& head, const Teuchos::ParameterList& list,
+                      const params::Table& table);
+
+/// Says what has changed since the checkpoint in the file; on rank 0, which gets it. Throws Error
+/// where that is not free and --allow-changes is not given. Collective.
+Changes accepted_changes(const output::CheckpointHead& head, const std::string& file,
+                         const Teuchos::ParameterList& list, const params::Table& table,
+                         const CommandLine& command, const Comm& comm);
+
+}  // namespace tunica::app

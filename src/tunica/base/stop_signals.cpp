@@ -1,0 +1,40 @@
+#include "tunica/base/stop_signals.hpp"
+
+#include <csignal>
+
+namespace tunica {
+
+namespace {
+
+volatile std::sig_atomic_t wish = 0, urgent_wishes = 0;
+
+void take_down(int number) {
+  if (wish == 0) wish = number;
+  if (number == SIGUSR1) return;
+  urgent_wishes = urgent_wishes + 1;
+  if (urgent_wishes < 2) return;
+  std::signal(number, SIG_DFL);
+  std::raise(number);  // comes when this function returns
+}
+
+}  // namespace
+
+void catch_stop_signals() {
+  struct sigaction action {};
+  action.sa_handler = take_down;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  for (const int number : {SIGTERM, SIGINT, SIGUSR1}) sigaddset(&action.sa_mask, number);
+  for (const int number : {SIGTERM, SIGINT, SIGUSR1}) sigaction(number, &action, nullptr);
+}
+
+int stop_signal() { return wish; }
+
+std::string signal_name(int number) {
+  if (number == SIGTERM) return "SIGTERM";
+  if (number == SIGINT) return "SIGINT";
+  if (number == SIGUSR1) return "SIGUSR1";
+  return "signal " + std::to_string(number);
+}
+
+}  // namespace tunica

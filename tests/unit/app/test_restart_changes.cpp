@@ -1,0 +1,52 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "tunica/app/restart_changes.hpp"
+#include "tunica/app/schema.hpp"
+#include "tunica/params/read_xml.hpp"
+
+namespace {
+
+using namespace tunica;
+
+Teuchos::ParameterList shipped(const std::string& name) {
+  return params::read_xml(std::string(TUNICA_TEST_DATA) + "/../../xml/" + name);
+}
+
+TEUCHOS_UNIT_TEST(restart_changes, are_free_where_they_do_not_change_what_is_solved) {
+  for (const char* path : {"Time / steps", "Time / end time", "Output / checkpoint every",
+                           "Output / fields every", "Fluid / Newton / relative increment",
+                           "Wall / Linear Solver / MueLu / verbosity", "Coupling / tolerance",
+                           "Coupling / Added Mass Solver / tolerance", "Probes / tip / position"})
+    TEST_ASSERT(app::may_change_freely(path));
+  for (const char* path :
+       {"Time / step size", "Time / tolerance", "Fluid / viscosity",
+        "Fluid / Surfaces / Newton / pressure", "Wall / Layers / media / law", "Wall / Newtonian",
+        "Coupling / geometry", "Coupling / scheme", "Mesh / scale", "Mesh Motion / stiffening",
+        "Output / averages from", "Outputs"})
+    TEST_ASSERT(!app::may_change_freely(path));
+}
+
+TEUCHOS_UNIT_TEST(restart_changes, are_found_in_a_case_that_defaults_have_completed) {
+  Teuchos::ParameterList was = shipped("pulse-tiny.xml");
+  output::CheckpointHead head;
+  head.parameters = params::to_xml(was);
+  Teuchos::ParameterList now = was;
+  app::fsi_table().resolve(now, "", std::string(TUNICA_TEST_DATA) + "/../../xml");
+  TEST_ASSERT(app::changes_since(head, now, app::fsi_table()).empty());
+  now.sublist("Output").set("folder", "elsewhere");
+  TEST_ASSERT(app::changes_since(head, now, app::fsi_table()).empty());
+  now.sublist("Fluid").set("stabilisation", "inertial");
+  const app::Changes changes = app::changes_since(head, now, app::fsi_table());
+  TEST_EQUALITY(changes.size(), 1u);
+  TEST_EQUALITY(params::text_of(changes.at(0)), "Fluid / stabilisation: dynamic -> inertial");
+}
+
+TEUCHOS_UNIT_TEST(restart_changes, to_a_case_that_nobody_can_read_are_all_there_is) {
+  output::CheckpointHead head;
+  head.parameters = "<Parameter";
+  Teuchos::ParameterList now("Case");
+  now.sublist("Fluid").set("viscosity", 1.0);
+  TEST_EQUALITY(app::changes_since(head, now, app::fsi_table()).size(), 1u);
+}
+
+}  // namespace
