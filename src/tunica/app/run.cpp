@@ -6,6 +6,7 @@
 #include "tunica/app/extent.hpp"
 #include "tunica/app/guard.hpp"
 #include "tunica/app/results_folder.hpp"
+#include "tunica/app/sanity/sanity.hpp"
 #include "tunica/app/time_march.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/reduce.hpp"
@@ -125,6 +126,7 @@ bool has_asked_times_in(const Teuchos::ParameterList& output) {
 int solve(const Program& program, const CommandLine& command, const March& march,
           const CommPtr& comm) {
   const Stopwatch set_up;
+  const bool is_root = comm->getRank() == 0;
   const Teuchos::ParameterList list = read_case(command, program.table, *comm);
   if (!command.dry_run) check_results_folder(folder_of(list), command, program.name, *comm);
   const Domain domain = load_domain(list, comm);
@@ -135,8 +137,10 @@ int solve(const Program& program, const CommandLine& command, const March& march
   if (restart && is_over(restart->head, list, *comm)) return exit_done;
   if (command.dry_run) {
     check_directions(list, domain);
+    if (is_root) print_table(judge(list, domain.vessel));
     return exit_done;
   }
+  if (is_root) print_brief(judge(list, domain.vessel));
   linear::check_direct_solver(comm);
   RunOutput output(program, command, list, comm, restart);
   output.fingerprint = domain.fingerprint;
