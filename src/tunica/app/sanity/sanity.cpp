@@ -288,7 +288,7 @@ void Judge::brief() {
 }
 
 void print_doubts(const Sanity& sanity) {
-  for (const std::string& doubt : sanity.doubts) std::cerr << "warning: " << doubt << std::endl;
+  for (const std::string& doubt : sanity.doubts) std::cout << "warning: " << doubt << std::endl;
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ VesselSurfaces vessel_surfaces(const Teuchos::ParameterList& list);
 /// list: the resolved case.
 Sanity judge(const Teuchos::ParameterList& list, const Vessel& vessel);
 
-/// The table and the doubts, or a line and the doubts; doubts on the error stream.
+/// The table and the doubts, or a line and the doubts.
 void print_table(const Sanity& sanity);
 void print_brief(const Sanity& sanity);
 
