@@ -164,10 +164,11 @@ void Judge::held() {
 void Judge::loads() {
   if (loads_.are_zero)
     doubts_.push_back(
-        text("all loads are zero during the run, up to %.4g ms: nothing will move. "
-             "Give a surface of the fluid a pressure, a velocity or a flow rate, and "
-             "look at the Amplitudes' times, which are in ms.",
-             loads_.end));
+        text("all loads are zero during the run, up to %.4g ms: nothing will move. Give a surface "
+             "%s, and look at the Amplitudes' times, which are in ms.",
+             loads_.end,
+             vessel_.fluid ? "of the fluid a pressure, a velocity or a flow rate"
+                           : "of the wall a pressure"));
   if (loads_.peak_pressure > 0.0)
     row("largest pressure given",
         text("%.3g kPa = %.3g mmHg", loads_.peak_pressure, loads_.peak_pressure * 7.50062),
