@@ -193,6 +193,8 @@ void measure_wall(const Part& part, const VesselSurfaces& surfaces, Vessel& vess
   vessel.thickness = thickness_of(vessel.wall->volume, area_of(mesh, sides), vessel.radius);
 }
 
+ElementShapes shapes_of(const Part& part);
+
 }  // namespace
 
 double least_dihedral_angle(const std::array<Vec3, 4>& x) {
@@ -210,7 +212,13 @@ double least_dihedral_angle(const std::array<Vec3, 4>& x) {
 
 ElementShapes element_shapes(const mesh::Mesh& mesh, const std::vector<int>& regions) {
   const std::vector<mesh::Face> faces = mesh::faces(mesh);
-  const Part part(mesh, faces, regions);
+  return shapes_of({mesh, faces, regions});
+}
+
+namespace {
+
+ElementShapes shapes_of(const Part& part) {
+  const mesh::Mesh& mesh = part.mesh;
   ElementShapes shapes;
   std::vector<double> qualities, edges;
   double smallest = 1e300, largest = 0.0;
@@ -237,17 +245,21 @@ ElementShapes element_shapes(const mesh::Mesh& mesh, const std::vector<int>& reg
   return shapes;
 }
 
+}  // namespace
+
 Vessel vessel_of(const mesh::Mesh& mesh, const std::vector<int>& fluid,
                  const std::vector<int>& wall, const VesselSurfaces& surfaces) {
   const std::vector<mesh::Face> faces = mesh::faces(mesh);
   Vessel vessel;
   if (!fluid.empty()) {
-    vessel.fluid = element_shapes(mesh, fluid);
-    measure_lumen({mesh, faces, fluid}, surfaces, vessel);
+    const Part part(mesh, faces, fluid);
+    vessel.fluid = shapes_of(part);
+    measure_lumen(part, surfaces, vessel);
   }
   if (!wall.empty()) {
-    vessel.wall = element_shapes(mesh, wall);
-    measure_wall({mesh, faces, wall}, surfaces, vessel);
+    const Part part(mesh, faces, wall);
+    vessel.wall = shapes_of(part);
+    measure_wall(part, surfaces, vessel);
     vessel.region_shares.assign(wall.size(), 0.0);
     for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t)
       for (std::size_t k = 0; k < wall.size(); ++k)

@@ -115,10 +115,11 @@ void Watch::look_at_outlets(const discretisation::Observables& observables, doub
 void Watch::look_at_iterations(const StepSummary& step) {
   const auto near_cap = [&](int made, int most, const char* what, const char* key) {
     if (most < 10 || made < 0.8 * most) return;
-    say("iterations", text("the step took %d %s of at most %d; usual are a third of that and less. "
-                           "Shorter steps (Time / cuts = 4 halves those that fail), a load that "
-                           "rises more slowly, or a higher \"%s\".",
-                           made, what, most, key));
+    say("iterations",
+        text("the step took %d %s, where an attempt ends at %d; usual are a third of "
+             "that and less. Shorter steps (Time / cuts = 4 halves those that fail), a "
+             "load that rises more slowly, or a higher \"%s\".",
+             made, what, most, key));
   };
   near_cap(step.coupling_iterations, most_iterations_, "coupling iterations",
            "Coupling / max iterations");
