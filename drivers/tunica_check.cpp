@@ -2,17 +2,21 @@
 //
 //   tunica-check xml/pulse.xml
 //   tunica-check --reference > xml/PARAMETERS.md
+//   tunica-check --reference Fluid/Surfaces
 
 #include <iostream>
+#include <sstream>
 
 #include "tunica/app/case.hpp"
 #include "tunica/app/domain.hpp"
 #include "tunica/app/extent.hpp"
 #include "tunica/app/guard.hpp"
+#include "tunica/app/sanity/sanity.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/session.hpp"
 #include "tunica/params/read_xml.hpp"
+#include "tunica/params/section.hpp"
 #include "tunica/systems/read_system.hpp"
 
 namespace {
@@ -35,14 +39,32 @@ params::Table table_for(const std::string& file, const Comm& comm) {
   return app::fsi_table();
 }
 
-void print_reference() {
+void print_reference(const std::string& list) {
+  std::ostringstream own;
+  app::solvers_table().print_markdown(own, "Case");
+  if (!list.empty()) {
+    std::cout << params::section_of(own.str(), list);
+    return;
+  }
   std::cout << "# Parameters\n\n"
                "Printed by `tunica-check --reference`. `tunica-solvers` reads all lists, "
                "`tunica-fsi` leaves out\nSolvers, `tunica-solid` also Fluid, Mesh Motion and "
-               "Coupling, `tunica-fluid` Wall, Mesh Motion and\nCoupling.\n\n";
-  app::solvers_table().print_markdown(std::cout, "Case");
+               "Coupling, `tunica-fluid` Wall, Mesh Motion and\nCoupling.\n\n"
+            << own.str();
   std::cout << "\n`tunica-solvers` on a linear system of another program reads these instead.\n\n";
   app::system_solvers_table().print_markdown(std::cout, "System Case");
+}
+
+/// The case completed, or every key there is.
+void print_defaults(const app::CommandLine& command, const Comm& comm) {
+  if (command.case_file.empty()) {
+    if (comm.getRank() == 0) app::fsi_table().print_xml(std::cout, "Case");
+    return;
+  }
+  const bool is_foreign = app::has_list(command.case_file, "System", comm);
+  const Teuchos::ParameterList list = app::read_case(
+      command, is_foreign ? app::system_solvers_table() : table_for(command.case_file, comm), comm);
+  if (comm.getRank() == 0) std::cout << params::to_xml(list);
 }
 
 int check(const app::CommandLine& command, const std::string& name) {
@@ -57,6 +79,7 @@ int check(const app::CommandLine& command, const std::string& name) {
     const app::Domain domain = app::load_domain(list, comm);
     app::print_extent(domain.extent, name, *comm);
     app::check_directions(list, domain);
+    if (comm->getRank() == 0) app::print_table(app::judge(list, domain.vessel));
   }
   if (comm->getRank() == 0)
     std::cout << command.case_file << ": the case and its " << (is_foreign ? "files" : "mesh")
@@ -73,8 +96,8 @@ int main(int argc, char** argv) {
   return app::guarded(name, *all_ranks(), [&] {
     const app::CommandLine command = app::parse(argc, argv, name, sentence);
     if (command.help && is_root) std::cout << app::usage(name, sentence);
-    if (command.reference && is_root) print_reference();
-    if (command.print_defaults && is_root) app::fsi_table().print_xml(std::cout, "Case");
+    if (command.reference) on_root(*all_ranks(), [&] { print_reference(command.case_file); });
+    if (command.print_defaults) print_defaults(command, *all_ranks());
     if (command.help || command.reference || command.print_defaults) return app::exit_done;
     return check(command, name);
   });

@@ -6,6 +6,7 @@
 #include "tunica/app/field_output.hpp"
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
+#include "tunica/app/sanity/watch.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/app/surface_report.hpp"
 #include "tunica/app/wall_shear.hpp"
@@ -27,6 +28,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   app::Checkpoints checkpoints(output, march, app::wall_limit(list), comm);
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, {"fluid"}, {});
+  app::Watch watch(list);
   app::FieldSeries fields(output, {app::grid_of(*domain.fluid, "fluid")}, comm);
 
   // 2. March; to a steady flow in pseudo-time.
@@ -41,9 +43,11 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     const app::StepSummary step = march.make_step(solve, log);
     const stepping::Clock& clock = march.clock();
     if (step.is_accepted) shear.accept(clock);
-    log.step(clock, step,
-             app::joined({fluid.observe(), shear.observe(), domain.probes.observe(&fluid, nullptr),
-                          surfaces.observe(&fluid, nullptr)}));
+    const discretisation::Observables observed =
+        app::joined({fluid.observe(), shear.observe(), domain.probes.observe(&fluid, nullptr),
+                     surfaces.observe(&fluid, nullptr)});
+    log.step(clock, step, observed);
+    watch.tell(log, clock, step, observed);
     if (!step.is_accepted) return checkpoints.give_up(step.reason);
     if (fields.is_due(clock)) {
       std::vector<output::Array> arrays = app::fluid_arrays(fluid, {});

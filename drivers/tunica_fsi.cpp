@@ -8,6 +8,7 @@
 #include "tunica/app/prestress.hpp"
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
+#include "tunica/app/sanity/watch.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/app/surface_report.hpp"
 #include "tunica/app/wall_shear.hpp"
@@ -59,6 +60,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   app::Checkpoints checkpoints(output, march, app::wall_limit(list), comm);
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, scheme->fields(), scheme->stages());
+  app::Watch watch(list);
   app::FieldSeries fields(
       output, {app::grid_of(*domain.fluid, "fluid"), app::grid_of(wall.scalar_mesh(), "wall")},
       comm);
@@ -78,9 +80,11 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     const app::StepSummary step = march.make_step(solve, log);
     const stepping::Clock& clock = march.clock();
     if (step.is_accepted) shear.accept(clock);
-    log.step(clock, step,
-             app::joined({wall.observe(), fluid.observe(), shear.observe(),
-                          domain.probes.observe(&fluid, &wall), surfaces.observe(&fluid, &wall)}));
+    const discretisation::Observables observed =
+        app::joined({wall.observe(), fluid.observe(), shear.observe(),
+                     domain.probes.observe(&fluid, &wall), surfaces.observe(&fluid, &wall)});
+    log.step(clock, step, observed);
+    watch.tell(log, clock, step, observed, &fluid.mesh(), motion.displacement());
     if (!step.is_accepted) return checkpoints.give_up(step.reason);
     if (fields.is_due(clock))
       fields.write(clock, both_fields(list.sublist("Output"), fluid, motion, shear, wall));

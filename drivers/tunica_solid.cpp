@@ -7,6 +7,7 @@
 #include "tunica/app/prestress.hpp"
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
+#include "tunica/app/sanity/watch.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/app/surface_report.hpp"
 
@@ -28,6 +29,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   app::Checkpoints checkpoints(output, march, app::wall_limit(list), comm);
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, {"wall"}, {});
+  app::Watch watch(list);
   app::FieldSeries fields(output, {app::grid_of(wall.scalar_mesh(), "wall")}, comm);
 
   // 2. March; in statics each step is an equilibrium.
@@ -41,9 +43,10 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   while (!march.is_done()) {
     const app::StepSummary step = march.make_step(solve, log);
     const stepping::Clock& clock = march.clock();
-    log.step(clock, step,
-             app::joined({wall.observe(), domain.probes.observe(nullptr, &wall),
-                          surfaces.observe(nullptr, &wall)}));
+    const discretisation::Observables observed = app::joined(
+        {wall.observe(), domain.probes.observe(nullptr, &wall), surfaces.observe(nullptr, &wall)});
+    log.step(clock, step, observed);
+    watch.tell(log, clock, step, observed);
     if (!step.is_accepted) return checkpoints.give_up(step.reason);
     if (fields.is_due(clock))
       fields.write(clock, {{"wall", app::wall_arrays(wall),

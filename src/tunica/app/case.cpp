@@ -2,7 +2,9 @@
 
 #include <Teuchos_XMLParameterListHelpers.hpp>
 #include <filesystem>
+#include <iostream>
 
+#include "tunica/app/one_field.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/params/read_xml.hpp"
@@ -14,6 +16,8 @@ namespace {
 
 Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Table& table) {
   Teuchos::ParameterList list = params::read_xml(command.case_file);
+  const std::string remark = leave_one_field(list, command.program);
+  if (!remark.empty()) std::cout << "note: " << remark << std::endl;
   for (const std::string& assignment : command.set) params::set_from_text(list, table, assignment);
   const std::filesystem::path folder =
       std::filesystem::absolute(command.case_file).lexically_normal().parent_path();

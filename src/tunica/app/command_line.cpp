@@ -21,7 +21,10 @@ std::vector<Option> options_of(const std::string& program) {
       {"--steps", "N", "stop after N time steps"},
       {"--set", "\"A/b=c\"", "set parameter b of list A to c; may be repeated"},
       {"--dry-run", "", "do everything but the solve"},
-      {"--print-defaults", "", "print a complete, commented case file"},
+      {"--print-defaults", "",
+       program == "tunica-check" ? "print the case completed with all defaults; without a case "
+                                   "every key, commented"
+                                 : "print a complete, commented case file"},
       {"--help", "", "print this text"}};
   if (program != "tunica-check")
     options.insert(options.begin() + 2,
@@ -31,7 +34,9 @@ std::vector<Option> options_of(const std::string& program) {
                    {{"--restart", "", "go on from the folder's last checkpoint"},
                     {"--allow-changes", "", "also where the case is another one than before"}});
   if (program == "tunica-check")
-    options.push_back({"--reference", "", "print the parameter reference (Markdown)"});
+    options.push_back({"--reference", "",
+                       "print the parameter reference (Markdown); --reference Fluid/Surfaces: of a "
+                       "list or key"});
   if (program == "tunica-solvers")
     options.push_back({"--export", "DIR", "write the systems there as Matrix Market files"});
   return options;
@@ -81,6 +86,7 @@ CommandLine parse(int argc, char** argv, const std::string& program, const std::
   const std::vector<Option> options = options_of(program);
   const std::vector<std::string> words(argv + 1, argv + argc);
   CommandLine line;
+  line.program = program;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i].rfind('-', 0) != 0) {
       store_case(line, words[i]);

@@ -7,6 +7,7 @@ namespace tunica::app {
 
 /// What the drivers accept: tunica-fsi CASE.xml --output DIR --set "Fluid/density=1.06"
 struct CommandLine {
+  std::string program{};  ///< the driver's name
   std::string case_file;
   std::string output;              ///< folder of the results; "" if not given
   std::optional<int> steps;        ///< stop after so many time steps
@@ -14,9 +15,9 @@ struct CommandLine {
   bool restart = false;            ///< go on from the newest checkpoint of the folder
   bool allow_changes = false;      ///< the restart may change what is solved
   bool overwrite = false;          ///< replace the results of an earlier run
-  bool print_defaults = false;     ///< a complete, commented XML; no case file needed
+  bool print_defaults = false;     ///< a complete XML; without a case file that of any, commented
   bool help = false;               ///< no case file needed
-  bool reference = false;          ///< tunica-check only; no case file needed
+  bool reference = false;          ///< tunica-check only; the case file, if any, names a list of it
   std::string export_folder;       ///< tunica-solvers only; "" if not given
   std::vector<std::string> set{};  ///< assignments in their order, see params::set_from_text
 };

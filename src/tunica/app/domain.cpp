@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tunica/app/extent.hpp"
+#include "tunica/app/sanity/sanity.hpp"
 #include "tunica/app/surface_report.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
@@ -113,6 +114,7 @@ void check_surfaces(const mesh::Mesh& mesh, const std::vector<std::string>& name
 struct Shares {
   mesh::Mesh mesh;
   std::vector<int> fluid, wall;  ///< regions
+  Vessel vessel;
 };
 
 Shares read_and_check(const Teuchos::ParameterList& list, const MeshRequirements& requirements,
@@ -142,6 +144,7 @@ Shares read_and_check(const Teuchos::ParameterList& list, const MeshRequirements
   } catch (const Error& error) {
     throw Error(file + ": " + error.what());
   }
+  shares.vessel = vessel_of(shares.mesh, shares.fluid, shares.wall, vessel_surfaces(list));
   return shares;
 }
 
@@ -172,6 +175,7 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
   shares.wall = region_indices(shares.mesh, requirements.wall_regions, "Wall / Layers");
 
   Domain domain;
+  domain.vessel = shares.vessel;
   fault_point("field mesh");
   domain.fingerprint = mesh::fingerprint(shares.mesh);
   domain.extent = extent(shares.mesh);

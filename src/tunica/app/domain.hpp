@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "tunica/app/probes.hpp"
+#include "tunica/app/sanity/vessel.hpp"
 #include "tunica/fields/field_mesh.hpp"
 #include "tunica/fields/interface_transfer.hpp"
 
@@ -18,6 +19,7 @@ struct Domain {
   Vec3 extent;                          ///< of the mesh, in mm
   std::vector<int> interface_surfaces;  ///< indices into FieldMesh::surfaces
   Probes probes;
+  Vessel vessel;  ///< on rank 0
 };
 
 /// Reads and checks the mesh against the case (names of regions and surfaces, conforming

@@ -7,6 +7,7 @@
 #include "tunica/app/extent.hpp"
 #include "tunica/app/guard.hpp"
 #include "tunica/app/results_folder.hpp"
+#include "tunica/app/sanity/sanity.hpp"
 #include "tunica/app/time_march.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/reduce.hpp"
@@ -155,6 +156,7 @@ void enter(const std::string& folder, const Call& call, const Comm& comm, io::Fo
 int solve(const Program& program, const CommandLine& command, const March& march,
           const CommPtr& comm) {
   const Stopwatch set_up;
+  const bool is_root = comm->getRank() == 0;
   const Teuchos::ParameterList list = read_case(command, program.table, *comm);
   io::FolderLock lock;
   if (!command.dry_run) enter(folder_of(list), {program, command}, *comm, lock);
@@ -170,8 +172,10 @@ int solve(const Program& program, const CommandLine& command, const March& march
   if (restart && is_over(restart->head, list, *comm)) return exit_done;
   if (command.dry_run) {
     check_directions(list, domain);
+    if (is_root) print_table(judge(list, domain.vessel));
     return exit_done;
   }
+  if (is_root) print_brief(judge(list, domain.vessel));
   linear::check_direct_solver(comm);
   RunOutput output({program, command, set_up}, list, comm, lock, restart);
   output.fingerprint = domain.fingerprint;

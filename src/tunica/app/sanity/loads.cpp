@@ -1,0 +1,231 @@
+#include "tunica/app/sanity/loads.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "tunica/boundary/registry.hpp"
+#include "tunica/stepping/step_control.hpp"
+#include "tunica/stepping/time_function.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+double length(const Teuchos::ParameterList& list, const std::string& key) {
+  double sum = 0.0;
+  for (const double x : list.get<Teuchos::Array<double>>(key)) sum += x * x;
+  return std::sqrt(sum);
+}
+
+double number(const Teuchos::ParameterList& list, const std::string& key) {
+  return list.isParameter(key) ? list.get<double>(key) : 0.0;
+}
+
+std::vector<double> sample_times(const Teuchos::ParameterList& list, double end) {
+  constexpr int n = 2000;
+  std::vector<double> times;
+  for (int k = 0; k <= n; ++k) times.push_back(end * k / n);
+  const double slack = 1e-6 * end;  // a table of steps has its next value behind a kink
+  for (const double t : stepping::kinks(list, end))
+    for (const double s : {t - slack, t, t + slack})
+      if (s >= 0.0 && s <= end) times.push_back(s);
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+/// Of one condition: its size times the amplitude.
+class Course {
+public:
+  Course(const Teuchos::ParameterList& condition, double size) : size_(size) {
+    if (condition.isSublist("Amplitude"))
+      amplitude_ = stepping::TimeFunction(condition.sublist("Amplitude"));
+  }
+  double operator()(double time) const { return size_ * amplitude_(time); }
+  double peak(const std::vector<double>& times) const {
+    double most = 0.0;
+    for (const double t : times) most = std::max(most, std::abs((*this)(t)));
+    return most;
+  }
+
+private:
+  double size_;
+  stepping::TimeFunction amplitude_;
+};
+
+double area_of(const std::vector<Vessel::Opening>& openings, const std::string& surface) {
+  for (const Vessel::Opening& o : openings)
+    if (o.surface == surface) return o.area;
+  return 0.0;
+}
+
+void note_pressure(double peak, const std::string& where, Loads& loads) {
+  if (peak <= loads.peak_pressure) return;
+  loads.peak_pressure = peak;
+  loads.pressure_surface = where;
+}
+
+void note_flow(double peak, double area, const std::string& surface, Loads& loads) {
+  if (peak == 0.0 || area == 0.0) return;
+  loads.peak_speed = std::max(loads.peak_speed, peak / area);
+  if (peak <= loads.peak_flow) return;
+  loads.peak_flow = peak;
+  loads.flow_area = area;
+  loads.flow_surface = surface;
+}
+
+/// Pressure behind an outlet before anything flows.
+double initial_pressure(const Teuchos::ParameterList& list) {
+  if (const double Q = number(list, "mean flow"); Q != 0.0)
+    return number(list, "distal pressure") + number(list, "distal resistance") * Q;
+  return list.isParameter("initial pressure") ? number(list, "initial pressure")
+                                              : number(list, "distal pressure");
+}
+
+/// What presses on the openings, in time.
+std::vector<Course> visit_fluid(const Teuchos::ParameterList& fluid,
+                                const std::vector<Vessel::Opening>& openings,
+                                const std::vector<double>& times, Loads& loads) {
+  std::vector<Course> pressing;
+  std::vector<std::string> named;
+  for (const boundary::Condition& c : boundary::conditions_of(fluid.sublist("Surfaces"))) {
+    const std::string kind = c.kind(), where = "Fluid / Surfaces / " + c.surface;
+    named.push_back(c.surface);
+    const double area = area_of(openings, c.surface);
+    if (kind == "velocity") {
+      const bool is_parabolic = c.list.get<std::string>("profile") == "parabolic";
+      const Course speed(c.list, (is_parabolic ? 0.5 : 1.0) * length(c.list, "velocity"));
+      note_flow(area * speed.peak(times), area, c.surface, loads);
+    } else if (kind == "flow rate") {
+      note_flow(Course(c.list, c.list.get<double>("flow rate")).peak(times), area, c.surface,
+                loads);
+    } else if (kind == "traction" || kind == "pressure") {
+      pressing.emplace_back(
+          c.list, kind == "pressure" ? c.list.get<double>("pressure") : length(c.list, "traction"));
+      note_pressure(pressing.back().peak(times), where, loads);
+    } else if (kind == "windkessel" || kind == "resistance") {
+      pressing.emplace_back(c.list, initial_pressure(c.list));
+      note_pressure(pressing.back().peak(times), where, loads);
+    }
+  }
+  for (const Vessel::Opening& o : openings)
+    if (std::find(named.begin(), named.end(), o.surface) == named.end())
+      pressing.emplace_back(Teuchos::ParameterList(), 0.0);
+  return pressing;
+}
+
+void visit_wall(const Teuchos::ParameterList& wall, const std::vector<double>& times,
+                Loads& loads) {
+  for (const boundary::Condition& c : boundary::conditions_of(wall.sublist("Surfaces"))) {
+    const std::string kind = c.kind(), where = "Wall / Surfaces / " + c.surface;
+    double size = 0.0;
+    if (kind == "pressure" || kind == "support") size = number(c.list, "pressure");
+    note_pressure(Course(c.list, size).peak(times), where, loads);
+    for (const char* key : {"traction", "displacement", "force"})
+      if (c.list.isType<Teuchos::Array<double>>(key)) size = std::max(size, length(c.list, key));
+    if (Course(c.list, size).peak(times) > 0.0) loads.are_zero = false;
+  }
+  const double imaged = number(wall.sublist("Prestress"), "pressure");
+  note_pressure(imaged, "Wall / Prestress", loads);
+}
+
+void note_difference(const std::vector<Course>& pressing, const std::vector<double>& times,
+                     Loads& loads) {
+  if (pressing.empty()) return;
+  double impulse = 0.0, last_time = 0.0, last = 0.0;
+  for (const double t : times) {
+    double low = 1e300, high = pressing.size() > 1 ? -1e300 : 0.0;
+    for (const Course& p : pressing) {
+      low = std::min(low, p(t));
+      high = std::max(high, p(t));
+    }
+    if (pressing.size() == 1) low = std::min(low, 0.0);
+    const double difference = high - low;
+    loads.pressure_difference = std::max(loads.pressure_difference, difference);
+    impulse += 0.5 * (difference + last) * (t - last_time);
+    last_time = t;
+    last = difference;
+  }
+  loads.impulse = impulse;
+}
+
+/// How far an amplitude strays from a straight line within steps of dt.
+double strays(const stepping::TimeFunction& amplitude, double dt, double end) {
+  const double steps = std::min(std::ceil(end / dt), 1e5);
+  double most = 0.0;
+  const auto look = [&](double n, double s) {
+    const double line = (1.0 - s) * amplitude(n * dt) + s * amplitude((n + 1.0) * dt);
+    most = std::max(most, std::abs(amplitude((n + s) * dt) - line));
+  };
+  for (double n = 0.0; n < steps; ++n)
+    for (const double s : {0.25, 0.5, 0.75}) look(n, s);
+  for (const double t : amplitude.kinks(end))
+    if (t > 0.0 && t < end) look(std::floor(t / dt), t / dt - std::floor(t / dt));
+  return most > 1e-9 ? most : 0.0;
+}
+
+/// 1 where a table of steps changes twice within dt.
+double skips(const stepping::TimeFunction& amplitude, double dt, double end) {
+  double before = 0.0;
+  for (const double t : amplitude.kinks(end)) {
+    if (t <= 0.0 || t >= end) continue;
+    if (t - before < 0.99 * dt) return 1.0;
+    before = t;
+  }
+  return 0.0;
+}
+
+void visit_amplitude(const Teuchos::ParameterList& list, double dt, Loads& loads) {
+  const stepping::TimeFunction amplitude(list);
+  const double period = amplitude.period();
+  if (period > 0.0 &&
+      std::find(loads.periods.begin(), loads.periods.end(), period) == loads.periods.end())
+    loads.periods.push_back(period);
+  constexpr int n = 2000;
+  double low = amplitude(0.0), high = low, slope = 0.0;
+  for (int k = 1; k <= n; ++k) {
+    const double value = amplitude(loads.end * k / n);
+    slope = std::max(slope, std::abs(value - amplitude(loads.end * (k - 1) / n)) * n / loads.end);
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (slope == 0.0) return;
+  if (loads.rise == 0.0 || (high - low) / slope < loads.rise) loads.rise = (high - low) / slope;
+  if (dt == 0.0) return;
+  const bool has_steps =
+      list.isParameter("interpolation") && list.get<std::string>("interpolation") == "steps";
+  const double largest = std::max(std::abs(low), std::abs(high));
+  loads.missed =
+      std::max(loads.missed, has_steps ? skips(amplitude, dt, loads.end)
+                                       : std::min(1.0, strays(amplitude, dt, loads.end) / largest));
+}
+
+/// The amplitudes in the list and below it.
+void visit_amplitudes(const Teuchos::ParameterList& list, double dt, Loads& loads) {
+  for (auto it = list.begin(); it != list.end(); ++it) {
+    if (!list.isSublist(list.name(it))) continue;
+    const Teuchos::ParameterList& inner = list.sublist(list.name(it));
+    if (list.name(it) == "Amplitude")
+      visit_amplitude(inner, dt, loads);
+    else
+      visit_amplitudes(inner, dt, loads);
+  }
+}
+
+}  // namespace
+
+Loads loads_of(const Teuchos::ParameterList& list, const std::vector<Vessel::Opening>& openings) {
+  Loads loads;
+  const auto time = stepping::step_control_options(list.sublist("Time"));
+  const bool is_fixed = !time.is_adaptive && !time.pseudo_time;
+  loads.end = time.end;
+  const std::vector<double> times = sample_times(list, loads.end);
+  if (list.isSublist("Fluid"))
+    note_difference(visit_fluid(list.sublist("Fluid"), openings, times, loads), times, loads);
+  if (list.isSublist("Wall")) visit_wall(list.sublist("Wall"), times, loads);
+  visit_amplitudes(list, is_fixed ? time.first_step : 0.0, loads);
+  loads.are_zero = loads.are_zero && loads.peak_pressure == 0.0 && loads.peak_flow == 0.0;
+  return loads;
+}
+
+}  // namespace tunica::app

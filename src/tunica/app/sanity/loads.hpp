@@ -1,0 +1,34 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+#include <vector>
+
+#include "tunica/app/sanity/vessel.hpp"
+
+namespace tunica::app {
+
+/// What a resolved case drives its vessel by, in the time of the run.
+struct Loads {
+  double end = 0.0;        ///< of the run [ms]
+  bool are_zero = true;    ///< nothing pushes, pulls or flows
+  double peak_flow = 0.0;  ///< largest that is prescribed through an opening [mm³/ms]
+  double flow_area = 0.0;  ///< of this opening [mm²]
+  std::string flow_surface{};
+  double peak_speed = 0.0;           ///< largest mean velocity that is prescribed [mm/ms]
+  double peak_pressure = 0.0;        ///< largest on openings of the fluid and on the wall [kPa]
+  std::string pressure_surface{};    ///< with the list that names it
+  double pressure_difference = 0.0;  ///< largest between openings [kPa]
+  double impulse = 0.0;              ///< largest that it gives: its integral over time [kPa ms]
+  std::vector<double> periods{};     ///< of the amplitudes, each once [ms]
+  double rise =
+      0.0;  ///< of the fastest amplitude: its range over its largest slope; 0: constant [ms]
+  /// What fixed steps do not see of an amplitude: how far it strays within one from a straight
+  /// line, over its largest value. Tables of steps count where they change faster than that.
+  double missed = 0.0;
+};
+
+/// Amplitudes count at their kinks and at 2000 times. What an opening's traction does beside
+/// pressing, and what a windkessel makes of the flow, is left out.
+Loads loads_of(const Teuchos::ParameterList& list, const std::vector<Vessel::Opening>& openings);
+
+}  // namespace tunica::app

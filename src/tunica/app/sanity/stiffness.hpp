@@ -1,0 +1,14 @@
+#pragma once
+#include "tunica/materials/hyperelastic_law.hpp"
+
+namespace tunica::app {
+
+/// Young's modulus around the circumference of a wall of this law and bulk modulus κ [kPa], where
+/// it begins to widen at constant length: fibres that then are stretched carry.
+///
+///   E = 1/(D⁻¹)_θθ,   D = D' + κ I⊗I
+///
+///   D'  tangent of the isochoric law     kPa     θ   around the circumference
+double circumferential_modulus(const materials::HyperelasticLaw& law, double kappa);
+
+}  // namespace tunica::app

@@ -1,0 +1,160 @@
+#include "tunica/app/sanity/watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tunica/app/sanity/stiffness.hpp"
+#include "tunica/assembly/gather.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/boundary/registry.hpp"
+#include "tunica/coupling/registry.hpp"
+#include "tunica/discretisation/solid_options.hpp"
+#include "tunica/mesh/faces.hpp"
+
+namespace tunica::app {
+
+namespace {
+
+template <typename... Values>
+std::string text(const char* format, Values... values) {
+  char line[500];
+  std::snprintf(line, sizeof line, format, values...);
+  return line;
+}
+
+double volume(const std::array<Vec3, 4>& x) { return signed_volume(x[0], x[1], x[2], x[3]); }
+
+/// mesh::quality() of four corners.
+double quality(const std::array<Vec3, 4>& x) {
+  double sum = 0.0;
+  for (const auto& e : mesh::tet_edges) sum += dot(x[e[1]] - x[e[0]], x[e[1]] - x[e[0]]);
+  return 12.0 * std::cbrt(std::pow(3.0 * std::max(volume(x), 0.0), 2)) / sum;
+}
+
+/// κ beyond 50 times the shear modulus: ν above 0.49.
+bool are_nearly_incompressible(const Teuchos::ParameterList& wall) {
+  for (const auto& layer : discretisation::solid_options(wall).layers) {
+    const double E = circumferential_modulus(*discretisation::law_of(layer), layer.bulk_modulus);
+    if (layer.bulk_modulus < 50.0 * E / 3.0) return false;
+  }
+  return true;
+}
+
+const double* find(const discretisation::Observables& all, const std::string& name) {
+  for (const auto& o : all)
+    if (o.name == name) return &o.value;
+  return nullptr;
+}
+
+}  // namespace
+
+Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<Vec3>& d) {
+  Deformation worst;
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    auto x = assembly::gather(mesh.x, mesh.tets[e]);
+    const double V = volume(x), q = quality(x);
+    for (int a = 0; a < 4; ++a) x[a] += d[mesh.tets[e][a]];
+    const double now = quality(x);
+    worst.quality = std::min(worst.quality, now);
+    worst.part_of_quality = std::min(worst.part_of_quality, now / q);
+    worst.part_of_volume = std::min(worst.part_of_volume, volume(x) / V);
+  }
+  return {global_min(*mesh.comm, worst.quality), global_min(*mesh.comm, worst.part_of_quality),
+          global_min(*mesh.comm, worst.part_of_volume)};
+}
+
+Watch::Watch(const Teuchos::ParameterList& list) {
+  if (list.isSublist("Wall"))
+    is_nearly_incompressible_ = are_nearly_incompressible(list.sublist("Wall"));
+  if (list.isSublist("Fluid"))
+    for (const auto& c : boundary::conditions_of(list.sublist("Fluid").sublist("Surfaces")))
+      if (!c.list.isParameter("backflow stabilisation") ||
+          c.list.get<double>("backflow stabilisation") > 0.0)
+        guarded_.insert(c.surface);
+  if (!list.isSublist("Coupling")) return;
+  const Teuchos::ParameterList& coupling = list.sublist("Coupling");
+  if (coupling::is_monolithic(coupling))
+    most_newton_ = coupling.sublist("Newton").get<int>("max iterations");
+  else
+    most_iterations_ = coupling.get<int>("max iterations");
+}
+
+void Watch::say(const std::string& kind, const std::string& line) {
+  if (said_.insert(kind).second) lines_.push_back(line);
+}
+
+void Watch::look_at_volume(const discretisation::Observables& observables) {
+  const double *low = find(observables, "min_det_F"), *high = find(observables, "max_det_F");
+  if (!is_nearly_incompressible_ || low == nullptr || high == nullptr) return;
+  if (*low >= 0.9 && *high <= 1.1) return;
+  say("volume", text("elements of the wall have %.3g to %.3g times their volume (det F); usual is "
+                     "0.9 to 1.1 with its bulk modulus. A finer mesh, or \"volumetric "
+                     "stabilisation\" = 1 in Wall; is the load as large as it should be?",
+                     *low, *high));
+}
+
+void Watch::look_at_outlets(const discretisation::Observables& observables, double step_size) {
+  const std::string head = "inflow_", tail = "_mm3_per_ms";
+  for (const auto& o : observables) {
+    if (o.name.rfind(head, 0) != 0 || o.name.size() <= head.size() + tail.size()) continue;
+    const std::string name = o.name.substr(head.size(), o.name.size() - head.size() - tail.size());
+    largest_flow_ = std::max(largest_flow_, std::abs(o.value));
+    if (guarded_.count(name) > 0) continue;
+    double& out = volume_out_[name];
+    if (out > 0.0 && o.value > 0.1 * largest_flow_)
+      say("backflow " + name,
+          text("flow comes back through %s, at %.3g mm^3/ms, and no backflow stabilisation is "
+               "there to take out what it brings in; it may grow without bound. \"backflow "
+               "stabilisation\" = 0.2 in Fluid / Surfaces / %s.",
+               name.c_str(), o.value, name.c_str()));
+    out -= o.value * step_size;
+  }
+}
+
+void Watch::look_at_iterations(const StepSummary& step) {
+  const auto near_cap = [&](int made, int most, const char* what, const char* key) {
+    if (most < 10 || made < 0.8 * most) return;
+    say("iterations",
+        text("the step took %d %s, where an attempt ends at %d; usual are a third of "
+             "that and less. Shorter steps (Time / cuts = 4 halves those that fail), a "
+             "load that rises more slowly, or a higher \"%s\".",
+             made, what, most, key));
+  };
+  near_cap(step.coupling_iterations, most_iterations_, "coupling iterations",
+           "Coupling / max iterations");
+  int newton = 0;
+  for (const StepSummary::Solves& field : step.fields) newton = std::max(newton, field.newton);
+  near_cap(newton, most_newton_, "Newton steps", "Coupling / Newton / max iterations");
+}
+
+void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>& d) {
+  const Deformation worst = worst_deformation(mesh, d);
+  if (worst.part_of_quality > 0.3 && worst.part_of_volume > 0.1) return;
+  say("mesh",
+      text("an element of the fluid's mesh has %.2g of the quality that it had, one %.2g of "
+           "its volume, the worst is of quality %.2g; usual are 0.5 and more. It will soon "
+           "be inverted: larger elements beside the interface, where it moves far.",
+           worst.part_of_quality, worst.part_of_volume, worst.quality));
+}
+
+std::vector<std::string> Watch::look(const StepSummary& step, double step_size,
+                                     const discretisation::Observables& observables,
+                                     const fields::FieldMesh* fluid, const std::vector<Vec3>& d) {
+  lines_.clear();
+  look_at_volume(observables);
+  look_at_outlets(observables, step_size);
+  look_at_iterations(step);
+  if (fluid != nullptr && !d.empty() && said_.count("mesh") == 0) look_at_mesh(*fluid, d);
+  return lines_;
+}
+
+void Watch::tell(const RunLog& log, const stepping::Clock& clock, const StepSummary& step,
+                 const discretisation::Observables& observables, const fields::FieldMesh* fluid,
+                 const std::vector<Vec3>& d) {
+  if (!step.is_accepted) return;
+  for (const std::string& line : look(step, clock.step_size(), observables, fluid, d))
+    log.note("warning: " + line);
+}
+
+}  // namespace tunica::app

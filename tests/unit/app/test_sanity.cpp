@@ -1,0 +1,226 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
+
+#include "sanity_cases.hpp"
+#include "tunica/app/domain.hpp"
+#include "tunica/app/sanity/sanity.hpp"
+#include "tunica/app/sanity/stiffness.hpp"
+#include "tunica/app/sanity/units.hpp"
+#include "tunica/base/session.hpp"
+#include "tunica/materials/registry.hpp"
+#include "tunica/mesh/tube.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::condition;
+using test::number;
+using test::TubeCase;
+
+/// A corner of unit edges, and a second one far away that may be twice as large.
+mesh::Mesh two_corners(double size) {
+  mesh::Mesh m;
+  for (const auto& [x, s] : {std::pair(0.0, 1.0), std::pair(10.0, size)}) {
+    const int first = static_cast<int>(m.vertices.size());
+    m.vertices.insert(m.vertices.end(), {{x, 0, 0}, {x + s, 0, 0}, {x, s, 0}, {x, 0, s}});
+    m.tets.push_back({first, first + 1, first + 2, first + 3});
+    m.tet_region.push_back(0);
+  }
+  m.regions = {{1, "fluid"}};
+  return m;
+}
+
+/// Round as a circle of 64 sides, with two layers of 2 and 1 elements.
+mesh::Tube fine_tube() {
+  mesh::Tube tube;
+  tube.around = 64;
+  tube.axial = 4;
+  tube.length = 10.0;
+  return tube;
+}
+
+app::VesselSurfaces names_of_tube() {
+  return {{"interface"}, {"interface"}, {"struct_in", "struct_out"}};
+}
+
+/// A tube of radius 1, length 40 and a wall of 0.1, as if it were measured.
+app::Vessel ideal_tube() {
+  app::Vessel vessel;
+  vessel.fluid.emplace();
+  vessel.fluid->pieces = {1};
+  vessel.fluid->volume = 40.0 * M_PI;
+  vessel.fluid->edge = 0.2;
+  vessel.wall = vessel.fluid;
+  vessel.openings = {{"inlet", M_PI, 12}, {"outlet", M_PI, 12}};
+  vessel.radius = 1.0;
+  vessel.length = 40.0;
+  vessel.elements_across_lumen = 12;
+  vessel.thickness = 0.1;
+  vessel.elements_across_wall = 3;
+  vessel.region_shares = {0.6, 0.4};
+  return vessel;
+}
+
+bool doubts(const TubeCase& tube, const std::string& part, std::ostream& out) {
+  for (const std::string& doubt : app::judge(tube.resolved(), ideal_tube()).doubts) {
+    if (doubt.find(part) != std::string::npos) return true;
+    out << doubt << "\n";
+  }
+  return false;
+}
+
+TEUCHOS_UNIT_TEST(vessel, angles_between_faces_are_those_of_known_tetrahedra) {
+  const double degrees = 180.0 / M_PI;
+  TEST_FLOATING_EQUALITY(
+      app::least_dihedral_angle({{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}}),
+      std::acos(1.0 / 3.0) * degrees, 1e-12);
+  TEST_FLOATING_EQUALITY(app::least_dihedral_angle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}),
+                         std::acos(1.0 / std::sqrt(3.0)) * degrees, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(vessel, pieces_and_volumes_are_counted) {
+  const app::ElementShapes shapes = app::element_shapes(two_corners(2.0), {0});
+  TEST_EQUALITY(shapes.tets, 2);
+  TEST_COMPARE_ARRAYS(shapes.pieces, (std::vector<int>{1, 1}));
+  TEST_FLOATING_EQUALITY(shapes.volume_ratio, 8.0, 1e-14);
+  TEST_FLOATING_EQUALITY(shapes.volume, 9.0 / 6.0, 1e-14);
+  const mesh::Mesh tube = mesh::make_tube({});
+  TEST_EQUALITY(app::element_shapes(tube, {1, 2}).pieces.size(), 1);
+  TEST_EQUALITY(app::element_shapes(tube, {1}).pieces.size(), 1);
+}
+
+TEUCHOS_UNIT_TEST(vessel, tube_is_measured_as_it_was_made) {
+  const mesh::Tube tube = fine_tube();
+  const app::Vessel vessel = app::vessel_of(mesh::make_tube(tube), {0}, {1, 2}, names_of_tube());
+  TEST_FLOATING_EQUALITY(vessel.radius, tube.radius, 2e-3);
+  TEST_FLOATING_EQUALITY(vessel.length, tube.length, 2e-3);
+  TEST_FLOATING_EQUALITY(vessel.thickness, tube.media + tube.adventitia, 5e-3);
+  TEST_EQUALITY(vessel.elements_across_lumen, tube.around / 4);
+  TEST_EQUALITY(vessel.elements_across_wall, 3);
+  TEST_EQUALITY(vessel.openings.size(), 2);
+  TEST_FLOATING_EQUALITY(vessel.openings[0].area, M_PI * tube.radius * tube.radius, 5e-3);
+  TEST_FLOATING_EQUALITY(vessel.region_shares[0] + vessel.region_shares[1], 1.0, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(vessel, is_the_same_on_any_number_of_ranks) {
+  const CommPtr comm = all_ranks();
+  const app::Domain domain = app::load_domain(TubeCase().resolved(), comm);
+  if (comm->getRank() != 0) return;
+  TEST_EQUALITY(domain.vessel.fluid->tets, 972);
+  TEST_EQUALITY(domain.vessel.wall->tets, 3888);
+  TEST_EQUALITY(domain.vessel.elements_across_wall, 3);
+  TEST_EQUALITY(domain.vessel.elements_across_lumen, 2);
+}
+
+TEUCHOS_UNIT_TEST(stiffness, is_youngs_modulus_of_isotropic_laws) {
+  const double mu = 6.0, kappa = 50.0;
+  const auto law = materials::make_law("neo-hookean", {{"c10", mu}});
+  TEST_FLOATING_EQUALITY(app::circumferential_modulus(*law, kappa),
+                         9.0 * kappa * mu / (3.0 * kappa + mu), 1e-5);
+}
+
+TEUCHOS_UNIT_TEST(stiffness, fibres_around_carry_and_those_along_do_not) {
+  const auto modulus = [](double angle) {
+    const auto law = materials::make_law(
+        "holzapfel", {{"c10", 1.0}, {"k1", 10.0}, {"k2", 1.0}, {"fibre angle", angle}});
+    return app::circumferential_modulus(*law, 1e9);
+  };
+  // 3 c10 of the matrix; a family along the stretch adds 4 k1, two of them 8 k1.
+  TEST_FLOATING_EQUALITY(modulus(0.0), 3.0 + 80.0, 1e-5);
+  TEST_FLOATING_EQUALITY(modulus(90.0), 3.0, 1e-5);
+}
+
+TEUCHOS_UNIT_TEST(sanity, numbers_are_those_of_the_formulas) {
+  TubeCase tube;
+  tube.inlet = condition(
+      "inlet", "flow rate",
+      number("flow rate", "2") + test::table_of("0, 400", "0.5, 1", number("period", "800")));
+  const app::Sanity s = app::judge(tube.resolved(), ideal_tube());
+  const double U = 2.0 * 0.625 / M_PI;  // the amplitude at the end, 100 ms
+  TEST_FLOATING_EQUALITY(s.speed, U, 1e-12);
+  TEST_FLOATING_EQUALITY(s.reynolds, U * 2.0 / 0.004, 1e-12);
+  TEST_FLOATING_EQUALITY(s.womersley, std::sqrt(2.0 * M_PI / 800.0 / 0.004), 1e-12);
+  TEST_FLOATING_EQUALITY(s.cfl, 2.0 * U * 1.0 / 0.2, 1e-12);
+  TEST_FLOATING_EQUALITY(s.modulus, 100.0, 1e-4);
+  TEST_FLOATING_EQUALITY(s.wave_speed, std::sqrt(5.0), 1e-4);
+  TEST_FLOATING_EQUALITY(s.steps_per_transit, 40.0 / std::sqrt(5.0), 1e-4);
+  TEST_EQUALITY(s.doubts.size(), 0);
+}
+
+TEUCHOS_UNIT_TEST(sanity, pressures_drive_what_the_least_bound_permits) {
+  const auto speed = [](const std::string& pressure, const std::string& amplitude) {
+    TubeCase tube;
+    tube.inlet = condition("inlet", "pressure", number("pressure", pressure) + amplitude);
+    return app::judge(tube.resolved(), ideal_tube()).speed;
+  };
+  TEST_FLOATING_EQUALITY(speed("0.001", ""), 0.001 / (8.0 * 0.004 * 40.0), 1e-12);  // Poiseuille
+  // A wave, as the impulse of 1 kPa ms gives less than Δp/(ρ c).
+  TEST_FLOATING_EQUALITY(speed("1", test::table_of("0, 1", "1, 0")), 1.0 / std::sqrt(5.0), 1e-4);
+  TEST_FLOATING_EQUALITY(speed("20", ""), std::sqrt(40.0), 1e-12);  // Bernoulli
+}
+
+TEUCHOS_UNIT_TEST(sanity, values_in_other_units_are_doubted) {
+  TubeCase tube;
+  tube.viscosity = "1e-12";
+  TEST_ASSERT(doubts(tube, "Fluid / viscosity is 1e-12", out));
+  tube = {};
+  tube.density = "1000";
+  TEST_ASSERT(doubts(tube, "1000 kg/m^3 = 1 mg/mm^3", out));
+  tube = {};
+  tube.inlet = condition("inlet", "pressure", number("pressure", "120"));
+  TEST_ASSERT(doubts(tube, "120 mmHg = 16 kPa", out));
+  TEST_ASSERT(doubts(tube, "would widen a linear wall", out));
+  tube = {};
+  tube.inlet = condition("inlet", "flow rate", number("flow rate", "2000"));
+  TEST_ASSERT(doubts(tube, "mm^3/ms (= ml/s)", out));
+  tube = {};
+  tube.c10 = "1e6";
+  TEST_ASSERT(doubts(tube, "media: Young's modulus", out));
+}
+
+TEUCHOS_UNIT_TEST(sanity, loads_that_do_nothing_or_are_not_seen_are_doubted) {
+  TubeCase tube;
+  tube.inlet = condition("inlet", "flow rate", number("flow rate", "0"));
+  TEST_ASSERT(doubts(tube, "all loads are zero", out));
+  const auto with_flow = [&](const std::string& amplitude) {
+    tube.inlet = condition("inlet", "flow rate", number("flow rate", "2") + amplitude);
+  };
+  with_flow(test::table_of("0, 500, 600", "0, 0, 1"));  // begins behind the end of the run
+  TEST_ASSERT(doubts(tube, "all loads are zero", out));
+  with_flow(test::table_of("0, 10, 10.4, 10.8", "0, 0, 1, 0"));
+  TEST_ASSERT(doubts(tube, "which the run does not see", out));
+  with_flow(test::table_of("0, 10, 20, 30", "0, 0, 1, 0"));
+  TEST_ASSERT(!doubts(tube, "which the run does not see", out));
+  with_flow(test::table_of("0, 0.4", "1, 2", number("period", "0.8")));
+  TEST_ASSERT(doubts(tube, "0.8 s = 800 ms", out));
+}
+
+TEUCHOS_UNIT_TEST(sanity, steps_that_are_too_long_are_doubted) {
+  TubeCase tube;
+  tube.step_size = "20";
+  TEST_ASSERT(doubts(tube, "crosses about 1.3e+02 elements", out));
+  tube.inlet =
+      condition("inlet", "pressure", number("pressure", "0.1") + test::table_of("0, 20", "0, 1"));
+  TEST_ASSERT(doubts(tube, "a wave runs through the vessel in 17.9 ms", out));
+}
+
+TEUCHOS_UNIT_TEST(sanity, meshes_that_do_not_hang_together_or_are_coarse_are_doubted) {
+  app::Vessel vessel = ideal_tube();
+  vessel.fluid->pieces = {700, 300};
+  vessel.elements_across_lumen = 4;
+  vessel.elements_across_wall = 1;
+  vessel.wall->least_angle = 1.0;
+  const app::Sanity s = app::judge(TubeCase().resolved(), vessel);
+  TEST_EQUALITY(s.doubts.size(), 4);
+  TEST_INEQUALITY(s.doubts[0].find("2 pieces that do not touch, of 700 and 300"),
+                  std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(sanity, wall_that_floats_is_doubted) {
+  TubeCase tube;
+  TEST_ASSERT(!doubts(tube, "no surface holds the wall", out));
+  tube.ends = "";
+  TEST_ASSERT(doubts(tube, "no surface holds the wall", out));
+}
+
+}  // namespace

@@ -1,0 +1,100 @@
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "sanity_cases.hpp"
+#include "tunica/app/sanity/watch.hpp"
+#include "unit/fields/small_tube.hpp"
+
+namespace {
+
+using namespace tunica;
+using test::condition;
+using test::number;
+using test::TubeCase;
+
+app::StepSummary after(int coupling_iterations) {
+  app::StepSummary step;
+  step.is_converged = step.is_accepted = true;
+  step.coupling_iterations = coupling_iterations;
+  step.fields = {{"system", coupling_iterations, 10}};
+  return step;
+}
+
+/// How many lines each of the steps gives.
+std::vector<int> counts(app::Watch& watch, const std::vector<discretisation::Observables>& steps) {
+  std::vector<int> found;
+  for (const auto& observables : steps)
+    found.push_back(static_cast<int>(watch.look(after(1), 1.0, observables).size()));
+  return found;
+}
+
+using Counts = std::vector<int>;
+
+discretisation::Observables volumes(double low, double high) {
+  return {{"min_det_F", low}, {"max_det_F", high}};
+}
+
+TEUCHOS_UNIT_TEST(watch, wall_that_loses_volume_is_told_once) {
+  app::Watch watch(TubeCase().resolved());
+  const Counts found = counts(watch, {volumes(0.95, 1.05), volumes(0.8, 1.05), volumes(0.7, 1.05)});
+  TEST_COMPARE_ARRAYS(found, (Counts{0, 1, 0}));
+}
+
+TEUCHOS_UNIT_TEST(watch, compressible_wall_may_lose_volume) {
+  TubeCase tube;
+  tube.c10 = "1e9";  // of the size of the bulk modulus
+  app::Watch watch(tube.resolved());
+  TEST_EQUALITY(watch.look(after(1), 1.0, volumes(0.5, 1.5)).size(), 0);
+}
+
+TEUCHOS_UNIT_TEST(watch, backflow_counts_where_nothing_takes_it_out) {
+  const auto flow = [](double value) {
+    return discretisation::Observables{{"inflow_inlet_mm3_per_ms", 2.0},
+                                       {"inflow_outlet_mm3_per_ms", value}};
+  };
+  TubeCase tube;
+  app::Watch bare(tube.resolved());
+  // An inlet so far; an outlet; hardly anything; too much; once only.
+  const Counts found = counts(bare, {flow(1.0), flow(-2.0), flow(0.1), flow(0.5), flow(0.6)});
+  TEST_COMPARE_ARRAYS(found, (Counts{0, 0, 0, 1, 0}));
+  tube.outlet = condition("outlet", "pressure",
+                          number("pressure", "0") + number("backflow stabilisation", "0.2"));
+  app::Watch guarded(tube.resolved());
+  const Counts none = counts(guarded, {flow(-2.0), flow(1.0)});
+  TEST_COMPARE_ARRAYS(none, (Counts{0, 0}));
+}
+
+TEUCHOS_UNIT_TEST(watch, iterations_near_their_cap_are_told) {
+  const Teuchos::ParameterList list = TubeCase().resolved();
+  const int most = list.sublist("Coupling").sublist("Newton").get<int>("max iterations");
+  app::Watch watch(list);
+  const auto few = watch.look(after(most / 2), 1.0, {}), many = watch.look(after(most), 1.0, {});
+  TEST_EQUALITY(few.size(), 0);
+  TEST_EQUALITY(many.size(), 1);
+}
+
+TEUCHOS_UNIT_TEST(watch, deformation_is_that_of_a_stretch_on_any_number_of_ranks) {
+  const test::SmallTube tube;
+  const auto stretched = [&](double factor) {
+    std::vector<Vec3> d;
+    for (const Vec3& x : tube.fluid.x) d.push_back({0.0, 0.0, (factor - 1.0) * x[2]});
+    return app::worst_deformation(tube.fluid, d);
+  };
+  const app::Deformation none = stretched(1.0), flat = stretched(0.05);
+  TEST_FLOATING_EQUALITY(none.part_of_quality, 1.0, 1e-12);
+  TEST_FLOATING_EQUALITY(none.part_of_volume, 1.0, 1e-12);
+  TEST_FLOATING_EQUALITY(flat.part_of_volume, 0.05, 1e-10);
+  TEST_COMPARE(flat.part_of_quality, <, 0.3);
+  TEST_FLOATING_EQUALITY(stretched(-1.0).part_of_volume, -1.0, 1e-10);
+  TEST_EQUALITY(stretched(-1.0).quality, 0.0);
+
+  app::Watch watch(TubeCase().resolved());
+  std::vector<Vec3> d(tube.fluid.x.size());
+  Counts found;
+  for (const double part : {0.0, 0.95, 0.96}) {
+    for (std::size_t a = 0; a < d.size(); ++a) d[a] = {0.0, 0.0, -part * tube.fluid.x[a][2]};
+    found.push_back(static_cast<int>(watch.look(after(1), 1.0, {}, &tube.fluid, d).size()));
+  }
+  TEST_COMPARE_ARRAYS(found, (Counts{0, 1, 0}));
+}
+
+}  // namespace
