@@ -40,7 +40,7 @@ mesh::Tube fine_tube() {
 }
 
 app::VesselSurfaces names_of_tube() {
-  return {{"interface"}, {"interface"}, {"struct_in", "struct_out"}};
+  return {{"interface"}, {}, {"interface"}, {"struct_in", "struct_out"}};
 }
 
 /// A tube of radius 1, length 40 and a wall of 0.1, as if it were measured.
@@ -182,6 +182,9 @@ TEUCHOS_UNIT_TEST(sanity, loads_that_do_nothing_or_are_not_seen_are_doubted) {
   TubeCase tube;
   tube.inlet = condition("inlet", "flow rate", number("flow rate", "0"));
   TEST_ASSERT(doubts(tube, "all loads are zero", out));
+  tube.inlet =
+      condition("inlet", "velocity from file", test::text("file", TUNICA_MESHES "/tube-tiny.h5"));
+  TEST_ASSERT(!doubts(tube, "all loads are zero", out));
   const auto with_flow = [&](const std::string& amplitude) {
     tube.inlet = condition("inlet", "flow rate", number("flow rate", "2") + amplitude);
   };

@@ -82,6 +82,11 @@ double initial_pressure(const Teuchos::ParameterList& list) {
                                               : number(list, "distal pressure");
 }
 
+/// What a file holds is not looked at: it is taken for more than nothing.
+void note_file(const Teuchos::ParameterList& condition, Loads& loads) {
+  if (condition.isParameter("file")) loads.are_zero = false;
+}
+
 /// What presses on the openings, in time.
 std::vector<Course> visit_fluid(const Teuchos::ParameterList& fluid,
                                 const std::vector<Vessel::Opening>& openings,
@@ -91,6 +96,7 @@ std::vector<Course> visit_fluid(const Teuchos::ParameterList& fluid,
   for (const boundary::Condition& c : boundary::conditions_of(fluid.sublist("Surfaces"))) {
     const std::string kind = c.kind(), where = "Fluid / Surfaces / " + c.surface;
     named.push_back(c.surface);
+    note_file(c.list, loads);
     const double area = area_of(openings, c.surface);
     if (kind == "velocity") {
       const bool is_parabolic = c.list.get<std::string>("profile") == "parabolic";
@@ -118,6 +124,7 @@ void visit_wall(const Teuchos::ParameterList& wall, const std::vector<double>& t
                 Loads& loads) {
   for (const boundary::Condition& c : boundary::conditions_of(wall.sublist("Surfaces"))) {
     const std::string kind = c.kind(), where = "Wall / Surfaces / " + c.surface;
+    note_file(c.list, loads);
     double size = 0.0;
     if (kind == "pressure" || kind == "support") size = number(c.list, "pressure");
     note_pressure(Course(c.list, size).peak(times), where, loads);

@@ -296,10 +296,15 @@ void print_doubts(const Sanity& sanity) {
 
 VesselSurfaces vessel_surfaces(const Teuchos::ParameterList& list) {
   VesselSurfaces surfaces;
+  std::vector<boundary::Condition> of_fluid;
   if (list.isSublist("Fluid"))
-    for (const auto& c : boundary::conditions_of(list.sublist("Fluid").sublist("Surfaces")))
-      if (c.kind() == "no slip" || c.kind() == boundary::interface_condition)
-        surfaces.lumen_sides.push_back(c.surface);
+    of_fluid = boundary::conditions_of(list.sublist("Fluid").sublist("Surfaces"));
+  for (const boundary::Condition& c : of_fluid) {
+    if (c.kind() == "no slip" || c.kind() == boundary::interface_condition)
+      surfaces.lumen_sides.push_back(c.surface);
+    else if (c.kind() == "held")
+      surfaces.lumen_planes.push_back(c.surface);
+  }
   if (!list.isSublist("Wall")) return surfaces;
   for (const auto& c : boundary::conditions_of(list.sublist("Wall").sublist("Surfaces"))) {
     const std::string kind = c.kind();

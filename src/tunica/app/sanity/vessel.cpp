@@ -133,7 +133,10 @@ void measure_lumen(const Part& part, const VesselSurfaces& surfaces, Vessel& ves
   const std::vector<int> sides = joined(mesh, triangles, surfaces.lumen_sides);
   const std::vector<int> edges = edges_to(part, vertices_of(mesh, sides));
   for (std::size_t s = 0; s < triangles.size(); ++s) {
-    if (triangles[s].empty() || contains(surfaces.lumen_sides, mesh.surfaces[s].name)) continue;
+    const std::string& name = mesh.surfaces[s].name;
+    const bool is_closed =
+        contains(surfaces.lumen_sides, name) || contains(surfaces.lumen_planes, name);
+    if (triangles[s].empty() || is_closed) continue;
     int deepest = 0;
     for (const int i : triangles[s])
       for (const int v : mesh.triangles[i]) deepest = std::max(deepest, edges[v]);

@@ -30,8 +30,9 @@ double least_dihedral_angle(const std::array<Vec3, 4>& x);
 struct VesselSurfaces {
   std::vector<std::string>
       lumen_sides;  ///< of the fluid: where it passes along, no slip or interface
-  std::vector<std::string> wall_inside;  ///< of the wall: where the blood presses
-  std::vector<std::string> wall_ends;    ///< of the wall: where it is held
+  std::vector<std::string> lumen_planes;  ///< of the fluid: planes of symmetry
+  std::vector<std::string> wall_inside;   ///< of the wall: where the blood presses
+  std::vector<std::string> wall_ends;     ///< of the wall: where it is held
 };
 
 /// A vessel as one would draw it. Zero, or nothing, is what cannot be told.
