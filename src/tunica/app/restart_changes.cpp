@@ -1,6 +1,7 @@
 #include "tunica/app/restart_changes.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include "tunica/base/agreement.hpp"
@@ -22,6 +23,15 @@ bool is_in(const std::string& path, const std::vector<std::string>& places) {
 void move_mesh(Teuchos::ParameterList& was, const Teuchos::ParameterList& list) {
   if (was.isSublist("Mesh"))
     was.sublist("Mesh").set("file", list.sublist("Mesh").get<std::string>("file"));
+}
+
+/// A file of the same name, elsewhere.
+bool is_moved_file(const params::Difference& change) {
+  constexpr const char* key = " / file";
+  const std::size_t at = change.path.rfind(key);
+  return at != std::string::npos && at + std::string(key).size() == change.path.size() &&
+         std::filesystem::path(change.before).filename() ==
+             std::filesystem::path(change.after).filename();
 }
 
 std::string lines_of(const Changes& changes) {
@@ -89,7 +99,7 @@ Changes changes_since(const output::CheckpointHead& head, const Teuchos::Paramet
   }
   Changes changes = params::differences(was, list);
   const auto is_place = [](const params::Difference& change) {
-    return change.path == "Output / folder";
+    return change.path == "Output / folder" || is_moved_file(change);
   };
   changes.erase(std::remove_if(changes.begin(), changes.end(), is_place), changes.end());
   return changes;

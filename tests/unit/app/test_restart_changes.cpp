@@ -41,6 +41,20 @@ TEUCHOS_UNIT_TEST(restart_changes, are_found_in_a_case_that_defaults_have_comple
   TEST_EQUALITY(params::text_of(changes.at(0)), "Fluid / stabilisation: dynamic -> inertial");
 }
 
+TEUCHOS_UNIT_TEST(restart_changes, do_not_count_where_files_lie) {
+  Teuchos::ParameterList now = shipped("benchmarks/obstacle.xml");
+  app::fsi_table().resolve(now, "", std::string(TUNICA_TEST_DATA) + "/../../xml/benchmarks");
+  Teuchos::ParameterList was = now;
+  const auto changes_from = [&](const std::string& file) {
+    was.sublist("Fluid").sublist("Surfaces").sublist("inlet").set("file", file);
+    output::CheckpointHead head;
+    head.parameters = params::to_xml(was);
+    return app::changes_since(head, now, app::fsi_table()).size();
+  };
+  TEST_EQUALITY(changes_from("/elsewhere/obstacle-inlet.csv"), 0u);
+  TEST_EQUALITY(changes_from("/elsewhere/another.csv"), 1u);
+}
+
 TEUCHOS_UNIT_TEST(restart_changes, to_a_case_that_nobody_can_read_are_all_there_is) {
   output::CheckpointHead head;
   head.parameters = "<Parameter";
