@@ -78,7 +78,7 @@ int check(const app::CommandLine& command, const std::string& name) {
   } else {
     const app::Domain domain = app::load_domain(list, comm);
     app::print_extent(domain.extent, name, *comm);
-    app::check_directions(list, domain);
+    app::check_fields(list, domain);
     if (comm->getRank() == 0) app::print_table(app::judge(list, domain.vessel));
   }
   if (comm->getRank() == 0)

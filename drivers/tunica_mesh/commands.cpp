@@ -65,7 +65,13 @@ void show_info(const Arguments& arguments) {
   std::cout << mesh::to_text(mesh::inspect(subject));
   const auto interface = arguments.names("interface");
   if (interface.empty()) return;
-  mesh::check_interface(subject, arguments.names("fluid"), arguments.names("wall"), interface);
+  const auto fluid = arguments.names("fluid");
+  auto wall = arguments.names("wall");
+  if (wall.empty())
+    for (const mesh::Tag& region : subject.regions)
+      if (std::find(fluid.begin(), fluid.end(), region.name) == fluid.end())
+        wall.push_back(region.name);
+  mesh::check_interface(subject, fluid, wall, interface);
   std::cout << "the interface conforms\n";
 }
 
@@ -150,7 +156,7 @@ const std::vector<Subcommand>& subcommands() {
         {"MESH"},
         "Shows counts, volumes, areas and quality of a mesh; checks the interface if it is named.",
         {{"fluid", "fluid", "regions of the fluid, separated by commas"},
-         {"wall", "media,adventitia", "regions of the wall"},
+         {"wall", "", "regions of the wall; all others if it is empty"},
          {"interface", "", "surfaces between them; empty: no check"}}},
        show_info},
       {{"refine",

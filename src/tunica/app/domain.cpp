@@ -9,6 +9,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/fault_point.hpp"
 #include "tunica/boundary/registry.hpp"
+#include "tunica/boundary/surface_terms.hpp"
 #include "tunica/coupling/registry.hpp"
 #include "tunica/discretisation/fluid_options.hpp"
 #include "tunica/discretisation/solid_options.hpp"
@@ -198,8 +199,14 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
   return domain;
 }
 
-void check_directions(const Teuchos::ParameterList& list, const Domain& domain) {
+void check_fields(const Teuchos::ParameterList& list, const Domain& domain) {
   if (domain.wall) problems::frames_of_wall(list.sublist("Wall"), *domain.wall);
+  const auto check = [&list](const char* field, const auto& registry, const auto& mesh) {
+    const auto conditions = boundary::conditions_of(list.sublist(field).sublist("Surfaces"));
+    const boundary::SurfaceTerms terms(conditions, registry, mesh);
+  };
+  if (domain.fluid) check("Fluid", boundary::fluid_conditions(), *domain.fluid);
+  if (domain.wall) check("Wall", boundary::wall_conditions(), *domain.wall);
 }
 
 }  // namespace tunica::app

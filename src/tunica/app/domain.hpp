@@ -27,8 +27,8 @@ struct Domain {
 /// Throws Error on all ranks alike. Collective.
 Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm);
 
-/// What a run would find on that domain before its first step: the directions of the wall's fibres.
-/// Throws Error on all ranks alike. Collective.
-void check_directions(const Teuchos::ParameterList& list, const Domain& domain);
+/// What a run would find on that domain before its first step: the directions of the wall's fibres,
+/// the conditions of all surfaces with their files. Throws Error on all ranks alike. Collective.
+void check_fields(const Teuchos::ParameterList& list, const Domain& domain);
 
 }  // namespace tunica::app

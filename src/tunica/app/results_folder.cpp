@@ -56,8 +56,8 @@ void check_results_folder(const std::string& folder, const CommandLine& command,
   if (command.restart) return;
   on_root(comm, [&] {
     const std::string names = results_in(folder);
-    const std::string go_on =
-        takes(program, "--restart") ? "Go on with --restart, choose" : "Choose";
+    const bool can_go_on = takes(program, "--restart") && !output::checkpoints_in(folder).empty();
+    const std::string go_on = can_go_on ? "Go on with --restart, choose" : "Choose";
     TUNICA_CHECK(command.overwrite || names.empty(),
                  "\"" + folder + "\" holds results of an earlier run (" + names + "). " + go_on +
                      " another --output, or replace them with --overwrite.");

@@ -43,6 +43,9 @@ class BoundaryTerm {
 public:
   virtual ~BoundaryTerm() = default;
 
+  /// True where the term makes a profile of the whole section of a vessel: no plane of symmetry may
+  /// cut its surface.
+  virtual bool wants_whole_section() const { return false; }
   /// Components of the vector unknown that the term prescribes at its nodes.
   virtual std::vector<int> prescribed_components() const { return {}; }
   /// Comes before prescribed() of the same surroundings. Collective.

@@ -25,6 +25,7 @@ public:
 
   void prepare(const Surroundings& s) override;
   Vec3 prescribed(const Surroundings& s, int node) const override;
+  bool wants_whole_section() const override { return true; }
   int precedence() const override { return 1; }
 
 private:

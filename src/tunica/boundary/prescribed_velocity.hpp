@@ -20,6 +20,7 @@ public:
   PrescribedVelocity(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
                      int surface);
 
+  bool wants_whole_section() const override { return round_.has_value(); }
   Vec3 prescribed(const Surroundings& s, int node) const override;
   int precedence() const override { return 1; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/reduce.hpp"
 
 namespace tunica::boundary {
 
@@ -21,6 +22,32 @@ SurfaceTerms::SurfaceTerms(const std::vector<Condition>& conditions,
     for (auto& term : entry->make(condition.list, mesh, surface)) {
       highest_precedence_ = std::max(highest_precedence_, term->precedence());
       terms_[surface].push_back(std::move(term));
+    }
+  }
+  check_sections();
+}
+
+void SurfaceTerms::check_sections() const {
+  const auto is_plane = [this](int s) {
+    const int held = prescribes(s, 0) + prescribes(s, 1) + prescribes(s, 2);
+    return held == 1 || held == 2;
+  };
+  const int n = static_cast<int>(terms_.size());
+  for (int s = 0; s < n; ++s) {
+    const auto wants = [](const auto& term) { return term->wants_whole_section(); };
+    if (std::none_of(terms_[s].begin(), terms_[s].end(), wants)) continue;
+    for (int t = 0; t < n; ++t) {
+      if (!is_plane(t)) continue;
+      double meets = 0.0;
+      for (int a = 0; a < mesh_->n_owned; ++a)
+        if (mesh_->is_on(a, s) && mesh_->is_on(a, t)) meets = 1.0;
+      TUNICA_CHECK(global_max(*mesh_->comm, meets) == 0.0,
+                   "Surfaces / " + mesh_->surfaces[s] + ": the condition \"" +
+                       conditions_[s].front()->kind() +
+                       "\" makes a profile of the whole section of a vessel, but \"" +
+                       mesh_->surfaces[t] +
+                       "\", a plane of symmetry, cuts it. Give a uniform velocity, a pressure, or "
+                       "\"velocity from file\".");
     }
   }
 }

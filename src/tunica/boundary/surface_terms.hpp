@@ -51,6 +51,8 @@ public:
   std::string restore(const fields::State& state);
 
 private:
+  /// Throws Error where a profile would be made of a part of a section. Collective.
+  void check_sections() const;
   std::vector<double> state_of(int surface) const;
   /// Under which it is saved.
   std::string name_of_state(int surface) const;

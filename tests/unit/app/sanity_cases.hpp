@@ -32,6 +32,7 @@ struct TubeCase {
   std::string inlet = condition("inlet", "flow rate", number("flow rate", "2"));
   std::string outlet = condition("outlet", "pressure", number("pressure", "0"));
   std::string c10 = "33.3333333333";
+  std::string prestress = "0";
   std::string ends = condition("struct_in", "clamped") + condition("struct_out", "clamped");
 
   Teuchos::ParameterList resolved() const {
@@ -39,14 +40,15 @@ struct TubeCase {
     const std::string law =
         text("law", "neo-hookean") + number("c10", c10) + number("bulk modulus", "1e9");
     Teuchos::ParameterList list = *Teuchos::getParametersFromXmlString(sublist(
-        "Case",
-        sublist("Mesh", text("file", TUNICA_MESHES "/tube-tiny.h5")) +
-            sublist("Time", number("step size", step_size) +
-                                "<Parameter name=\"steps\" type=\"int\" value=\"100\"/>") +
-            sublist("Fluid", number("density", density) + number("viscosity", viscosity) +
-                                 sublist("Surfaces", inlet + outlet + interface)) +
-            sublist("Wall", sublist("Layers", sublist("media", law) + sublist("adventitia", law)) +
-                                sublist("Surfaces", ends + interface))));
+        "Case", sublist("Mesh", text("file", TUNICA_MESHES "/tube-tiny.h5")) +
+                    sublist("Time", number("step size", step_size) +
+                                        "<Parameter name=\"steps\" type=\"int\" value=\"100\"/>") +
+                    sublist("Fluid", number("density", density) + number("viscosity", viscosity) +
+                                         sublist("Surfaces", inlet + outlet + interface)) +
+                    sublist("Wall", sublist("Prestress", number("pressure", prestress)) +
+                                        sublist("Layers", sublist("media", law) +
+                                                              sublist("adventitia", law)) +
+                                        sublist("Surfaces", ends + interface))));
     app::fsi_table().resolve(list, "", "");
     return list;
   }

@@ -198,6 +198,23 @@ TEUCHOS_UNIT_TEST(sanity, loads_that_do_nothing_or_are_not_seen_are_doubted) {
   TEST_ASSERT(doubts(tube, "0.8 s = 800 ms", out));
 }
 
+TEUCHOS_UNIT_TEST(sanity, outlets_begin_with_the_pressure_of_the_image) {
+  TubeCase tube;
+  tube.prestress = "10";
+  const auto outlet_of = [&](const std::string& pressure) {
+    tube.outlet = condition("outlet", "windkessel",
+                            number("proximal resistance", "1") + number("distal resistance", "10") +
+                                number("capacitance", "1") + number("initial pressure", pressure));
+  };
+  outlet_of("0");
+  TEST_ASSERT(doubts(tube, "outlet begins with a pressure of 0 kPa", out));
+  outlet_of("9");
+  TEST_ASSERT(!doubts(tube, "begins with a pressure", out));
+  tube.prestress = "0";
+  outlet_of("0");
+  TEST_ASSERT(!doubts(tube, "begins with a pressure", out));
+}
+
 TEUCHOS_UNIT_TEST(sanity, steps_that_are_too_long_are_doubted) {
   TubeCase tube;
   tube.step_size = "20";

@@ -130,4 +130,18 @@ TEUCHOS_UNIT_TEST(flow_rate, womersleys_profile_wants_a_period) {
              Error);
 }
 
+TEUCHOS_UNIT_TEST(flow_rate, is_refused_where_a_plane_of_symmetry_cuts_the_section) {
+  const SmallTube tube;
+  Teuchos::ParameterList held;
+  held.set("condition", "held");
+  held.set("components", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("x")));
+  boundary::condition_table("", boundary::fluid_conditions()).resolve(held, "plane", "");
+  const auto registry = boundary::fluid_conditions();
+  const auto make = [&](const std::string& plane) {
+    boundary::SurfaceTerms({flow_rate("parabolic"), {plane, held}}, registry, tube.fluid);
+  };
+  TEST_THROW(make("interface"), Error);  // touches the inlet
+  TEST_NOTHROW(make("outlet"));
+}
+
 }  // namespace

@@ -82,9 +82,11 @@ double initial_pressure(const Teuchos::ParameterList& list) {
                                               : number(list, "distal pressure");
 }
 
-/// What a file holds is not looked at: it is taken for more than nothing.
+/// What a file holds is taken for more than nothing.
 void note_file(const Teuchos::ParameterList& condition, Loads& loads) {
-  if (condition.isParameter("file")) loads.are_zero = false;
+  if (!condition.isParameter("file")) return;
+  loads.are_zero = false;
+  loads.has_data = true;
 }
 
 /// What presses on the openings, in time.
@@ -109,8 +111,10 @@ std::vector<Course> visit_fluid(const Teuchos::ParameterList& fluid,
       pressing.emplace_back(
           c.list, kind == "pressure" ? c.list.get<double>("pressure") : length(c.list, "traction"));
       note_pressure(pressing.back().peak(times), where, loads);
+      if (kind == "pressure") loads.first_pressures.emplace_back(c.surface, pressing.back()(0.0));
     } else if (kind == "windkessel" || kind == "resistance") {
       pressing.emplace_back(c.list, initial_pressure(c.list));
+      loads.first_pressures.emplace_back(c.surface, initial_pressure(c.list));
       note_pressure(pressing.back().peak(times), where, loads);
     }
   }

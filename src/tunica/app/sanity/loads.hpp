@@ -1,6 +1,7 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tunica/app/sanity/vessel.hpp"
@@ -11,6 +12,7 @@ namespace tunica::app {
 struct Loads {
   double end = 0.0;        ///< of the run [ms]
   bool are_zero = true;    ///< nothing pushes, pulls or flows
+  bool has_data = false;   ///< some come from files, which are not looked at
   double peak_flow = 0.0;  ///< largest that is prescribed through an opening [mm³/ms]
   double flow_area = 0.0;  ///< of this opening [mm²]
   std::string flow_surface{};
@@ -18,8 +20,10 @@ struct Loads {
   double peak_pressure = 0.0;        ///< largest on openings of the fluid and on the wall [kPa]
   std::string pressure_surface{};    ///< with the list that names it
   double pressure_difference = 0.0;  ///< largest between openings [kPa]
-  double impulse = 0.0;              ///< largest that it gives: its integral over time [kPa ms]
-  std::vector<double> periods{};     ///< of the amplitudes, each once [ms]
+  /// Of openings with a pressure in the beginning [kPa].
+  std::vector<std::pair<std::string, double>> first_pressures{};
+  double impulse = 0.0;           ///< largest that it gives: its integral over time [kPa ms]
+  std::vector<double> periods{};  ///< of the amplitudes, each once [ms]
   double rise =
       0.0;  ///< of the fastest amplitude: its range over its largest slope; 0: constant [ms]
   /// What fixed steps do not see of an amplitude: how far it strays within one from a straight

@@ -40,6 +40,7 @@ public:
     shape();
     if (vessel_.wall) stiffness();
     loads();
+    if (vessel_.wall && vessel_.fluid) prestress();
     if (vessel_.fluid) flow();
     if (has_fixed_steps()) steps();
     found_.rows = std::move(rows_);
@@ -58,6 +59,7 @@ private:
   void mesh(const char* field, const ElementShapes& shapes);
   void shape();
   void stiffness();
+  void prestress();
   void held();
   void loads();
   void flow();
@@ -178,9 +180,22 @@ void Judge::loads() {
         text("%.3g mm^3/ms (ml/s) in %s", loads_.peak_flow, loads_.flow_surface.c_str()), "");
 }
 
+// Where the vessel was imaged under pressure, the blood begins with it.
+void Judge::prestress() {
+  const double imaged = list_.sublist("Wall").sublist("Prestress").get<double>("pressure");
+  if (imaged == 0.0) return;
+  for (const auto& [surface, p] : loads_.first_pressures)
+    if (std::abs(p - imaged) > 0.25 * std::abs(imaged))
+      doubts_.push_back(
+          text("%s begins with a pressure of %.3g kPa, but the wall was imaged under %.3g kPa "
+               "(Wall / Prestress): the vessel jumps in its first steps. Begin with that pressure "
+               "(a windkessel: \"initial pressure\" or \"mean flow\").",
+               surface.c_str(), p, imaged));
+}
+
 double Judge::driven_speed(std::string& how) const {
   const double dp = loads_.pressure_difference, R = vessel_.radius, L = vessel_.length;
-  if (dp == 0.0 || R == 0.0) return 0.0;
+  if (dp == 0.0 || R == 0.0 || loads_.has_data) return 0.0;
   const double rho = fluid_.density;
   double inertia = loads_.impulse / (rho * L);
   const char* by_inertia = "its impulse";

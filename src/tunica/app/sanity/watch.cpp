@@ -113,19 +113,20 @@ void Watch::look_at_outlets(const discretisation::Observables& observables, doub
 }
 
 void Watch::look_at_iterations(const StepSummary& step) {
-  const auto near_cap = [&](int made, int most, const char* what, const char* key) {
+  const auto near_cap = [&](int made, int most, const char* what, const char* cure) {
     if (most < 10 || made < 0.8 * most) return;
     say("iterations",
         text("the step took %d %s, where an attempt ends at %d; usual are a third of "
              "that and less. Shorter steps (Time / cuts = 4 halves those that fail), a "
-             "load that rises more slowly, or a higher \"%s\".",
-             made, what, most, key));
+             "load that rises more slowly, or %s.",
+             made, what, most, cure));
   };
   near_cap(step.coupling_iterations, most_iterations_, "coupling iterations",
-           "Coupling / max iterations");
+           "a higher \"Coupling / max iterations\"");
   int newton = 0;
   for (const StepSummary::Solves& field : step.fields) newton = std::max(newton, field.newton);
-  near_cap(newton, most_newton_, "Newton steps", "Coupling / Newton / max iterations");
+  near_cap(newton, most_newton_, "Newton steps",
+           "Coupling / geometry = \"newton\", whose Jacobian knows how the domain moves");
 }
 
 void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>& d) {
