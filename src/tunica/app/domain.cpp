@@ -81,11 +81,17 @@ std::vector<int> region_indices(const mesh::Mesh& mesh, const std::vector<std::s
   return indices;
 }
 
+struct MeshWithFaces {
+  const mesh::Mesh& mesh;
+  std::vector<mesh::Face> faces;
+};
+
 /// Every surface the case names must exist and bound the field, or one of the fields, each of which
 /// is given by its regions.
-void check_surfaces(const mesh::Mesh& mesh, const std::vector<std::string>& names,
+void check_surfaces(const MeshWithFaces& with_faces, const std::vector<std::string>& names,
                     const std::vector<std::vector<int>>& fields, const std::string& where) {
-  const std::vector<mesh::Face> faces = mesh::faces(mesh);
+  const mesh::Mesh& mesh = with_faces.mesh;
+  const std::vector<mesh::Face>& faces = with_faces.faces;
   const auto is_between = [&](const mesh::Face& face, const std::vector<int>& regions) {
     const auto is_in_field = [&](int tet) {
       return tet >= 0 && std::count(regions.begin(), regions.end(), mesh.tet_region[tet]) > 0;
@@ -124,14 +130,15 @@ Shares read_and_check(const Teuchos::ParameterList& list, const MeshRequirements
   Shares shares;
   shares.mesh = mesh::read(file);
   scale(shares.mesh, list.sublist("Mesh").get<double>("scale"));
+  const MeshWithFaces with_faces{shares.mesh, mesh::faces(shares.mesh)};
   try {
     shares.fluid = region_indices(shares.mesh, requirements.fluid_regions, "Fluid / regions");
     shares.wall = region_indices(shares.mesh, requirements.wall_regions, "Wall / Layers");
-    check_surfaces(shares.mesh, requirements.fluid_surfaces, {shares.fluid}, "Fluid / Surfaces");
-    check_surfaces(shares.mesh, requirements.wall_surfaces, {shares.wall}, "Wall / Surfaces");
-    check_surfaces(shares.mesh, requirements.frame_surfaces, {shares.wall}, "Wall / Fibre Frame");
-    check_surfaces(shares.mesh, requirements.prestress_surfaces, {shares.wall}, "Wall / Prestress");
-    check_surfaces(shares.mesh, requirements.reported_surfaces, {shares.fluid, shares.wall},
+    check_surfaces(with_faces, requirements.fluid_surfaces, {shares.fluid}, "Fluid / Surfaces");
+    check_surfaces(with_faces, requirements.wall_surfaces, {shares.wall}, "Wall / Surfaces");
+    check_surfaces(with_faces, requirements.frame_surfaces, {shares.wall}, "Wall / Fibre Frame");
+    check_surfaces(with_faces, requirements.prestress_surfaces, {shares.wall}, "Wall / Prestress");
+    check_surfaces(with_faces, requirements.reported_surfaces, {shares.fluid, shares.wall},
                    "Output / surfaces");
     for (const int r : shares.fluid)
       TUNICA_CHECK(std::count(shares.wall.begin(), shares.wall.end(), r) == 0,
@@ -145,7 +152,8 @@ Shares read_and_check(const Teuchos::ParameterList& list, const MeshRequirements
   } catch (const Error& error) {
     throw Error(file + ": " + error.what());
   }
-  shares.vessel = vessel_of(shares.mesh, shares.fluid, shares.wall, vessel_surfaces(list));
+  shares.vessel =
+      vessel_of(shares.mesh, with_faces.faces, shares.fluid, shares.wall, vessel_surfaces(list));
   return shares;
 }
 

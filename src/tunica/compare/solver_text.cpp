@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <cstdio>
 
+#include "tunica/base/formatted.hpp"
 #include "tunica/compare/solver_table.hpp"
 
 namespace tunica::compare {
@@ -16,14 +16,6 @@ struct Line {
   bool is_ever_converged = false;
   multigrid::Levels levels;
 };
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  std::string text(256, '\0');
-  text.resize(static_cast<std::size_t>(
-      std::max(0, std::snprintf(text.data(), text.size(), format, values...))));
-  return text;
-}
 
 std::string padded(const std::string& text, std::size_t width) {
   return text.size() < width ? std::string(width - text.size(), ' ') + text : text;

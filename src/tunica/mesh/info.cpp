@@ -156,11 +156,25 @@ void measure_box(const Mesh& mesh, Info& info) {
 
 }  // namespace
 
-double quality(const Mesh& mesh, int tet) {
-  const auto x = corners(mesh, tet);
+double quality(const Mesh& mesh, int tet) { return quality(corners(mesh, tet)); }
+
+double quality(const std::array<Vec3, 4>& x) {
   double sum = 0.0;
   for (const auto& e : tet_edges) sum += dot(x[e[1]] - x[e[0]], x[e[1]] - x[e[0]]);
-  return 12.0 * std::cbrt(std::pow(3.0 * volume(mesh, tet), 2)) / sum;
+  return 12.0 * std::cbrt(std::pow(3.0 * signed_volume(x[0], x[1], x[2], x[3]), 2)) / sum;
+}
+
+double least_dihedral_angle(const std::array<Vec3, 4>& x) {
+  std::array<Vec3, 4> normals;
+  for (int f = 0; f < 4; ++f) {
+    const auto& v = tet_faces[f];
+    const Vec3 normal = cross(x[v[1]] - x[v[0]], x[v[2]] - x[v[0]]);
+    normals[f] = (1.0 / norm(normal)) * normal;
+  }
+  double most = -1.0;  // cosine of the angle within
+  for (int f = 0; f < 4; ++f)
+    for (int g = 0; g < f; ++g) most = std::max(most, -dot(normals[f], normals[g]));
+  return std::acos(std::min(1.0, most)) * 180.0 / std::acos(-1.0);
 }
 
 Info inspect(const Mesh& mesh) {

@@ -47,6 +47,10 @@ Info inspect(const Mesh& mesh);
 
 /// Mean-ratio quality 12 (3V)^(2/3) / Σ l² of a tetrahedron: 1 if regular, 0 if flat.
 double quality(const Mesh& mesh, int tet);
+/// The same of four corners.
+double quality(const std::array<Vec3, 4>& x);
+/// The least of the six angles between faces of a tetrahedron [degrees].
+double least_dihedral_angle(const std::array<Vec3, 4>& x);
 
 /// Several lines of text.
 std::string to_text(const Info& info);

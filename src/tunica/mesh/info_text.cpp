@@ -1,5 +1,4 @@
-#include <cstdio>
-
+#include "tunica/base/formatted.hpp"
 #include "tunica/mesh/info.hpp"
 #include "tunica/mesh/text.hpp"
 
@@ -8,9 +7,7 @@ namespace {
 
 template <typename... Values>
 std::string line(const char* format, Values... values) {
-  char text[512];
-  std::snprintf(text, sizeof text, format, values...);
-  return std::string(text) + "\n";
+  return formatted(format, values...) + "\n";
 }
 
 std::string joined(const std::vector<std::string>& names) {

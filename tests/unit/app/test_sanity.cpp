@@ -8,6 +8,7 @@
 #include "tunica/app/sanity/units.hpp"
 #include "tunica/base/session.hpp"
 #include "tunica/materials/registry.hpp"
+#include "tunica/mesh/info.hpp"
 #include "tunica/mesh/tube.hpp"
 
 namespace {
@@ -72,9 +73,9 @@ bool doubts(const TubeCase& tube, const std::string& part, std::ostream& out) {
 TEUCHOS_UNIT_TEST(vessel, angles_between_faces_are_those_of_known_tetrahedra) {
   const double degrees = 180.0 / M_PI;
   TEST_FLOATING_EQUALITY(
-      app::least_dihedral_angle({{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}}),
+      mesh::least_dihedral_angle({{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}}),
       std::acos(1.0 / 3.0) * degrees, 1e-12);
-  TEST_FLOATING_EQUALITY(app::least_dihedral_angle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}),
+  TEST_FLOATING_EQUALITY(mesh::least_dihedral_angle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}),
                          std::acos(1.0 / std::sqrt(3.0)) * degrees, 1e-12);
 }
 
@@ -91,7 +92,8 @@ TEUCHOS_UNIT_TEST(vessel, pieces_and_volumes_are_counted) {
 
 TEUCHOS_UNIT_TEST(vessel, tube_is_measured_as_it_was_made) {
   const mesh::Tube tube = fine_tube();
-  const app::Vessel vessel = app::vessel_of(mesh::make_tube(tube), {0}, {1, 2}, names_of_tube());
+  const mesh::Mesh made = mesh::make_tube(tube);
+  const app::Vessel vessel = app::vessel_of(made, mesh::faces(made), {0}, {1, 2}, names_of_tube());
   TEST_FLOATING_EQUALITY(vessel.radius, tube.radius, 2e-3);
   TEST_FLOATING_EQUALITY(vessel.length, tube.length, 2e-3);
   TEST_FLOATING_EQUALITY(vessel.thickness, tube.media + tube.adventitia, 5e-3);

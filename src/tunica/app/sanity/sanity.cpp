@@ -7,6 +7,7 @@
 
 #include "tunica/app/sanity/stiffness.hpp"
 #include "tunica/app/sanity/units.hpp"
+#include "tunica/base/formatted.hpp"
 #include "tunica/boundary/registry.hpp"
 #include "tunica/discretisation/fluid_options.hpp"
 #include "tunica/discretisation/solid_options.hpp"
@@ -15,13 +16,6 @@
 namespace tunica::app {
 
 namespace {
-
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char line[400];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
-}
 
 class Judge {
 public:
@@ -81,52 +75,54 @@ private:
 };
 
 void Judge::mesh(const char* field, const ElementShapes& s) {
-  row(text("%s, quality of elements", field),
-      text("worst %.3f, median %.2f", s.worst_quality, s.median_quality), "above 0.1, 0.6");
-  row(text("%s, least angle between faces", field), text("%.1f degrees", s.least_angle), "above 8");
-  row(text("%s, largest to smallest volume", field), text("%.3g", s.volume_ratio), "below 1000");
+  row(formatted("%s, quality of elements", field),
+      formatted("worst %.3f, median %.2f", s.worst_quality, s.median_quality), "above 0.1, 0.6");
+  row(formatted("%s, least angle between faces", field), formatted("%.1f degrees", s.least_angle),
+      "above 8");
+  row(formatted("%s, largest to smallest volume", field), formatted("%.3g", s.volume_ratio),
+      "below 1000");
   const Vec3& x = s.worst_place;
   if (s.worst_quality < 0.05 || s.least_angle < 3.0)
-    doubts_.push_back(
-        text("the %s has an element of quality %.3f at (%.3g, %.3g, %.3g), and angles down to %.1f "
-             "degrees; usual are 0.1 and 8 degrees. Mesh anew or smooth there: solvers slow down, "
-             "and it is the first to be inverted.",
-             field, s.worst_quality, x[0], x[1], x[2], s.least_angle));
+    doubts_.push_back(formatted(
+        "the %s has an element of quality %.3f at (%.3g, %.3g, %.3g), and angles down to %.1f "
+        "degrees; usual are 0.1 and 8 degrees. Mesh anew or smooth there: solvers slow down, "
+        "and it is the first to be inverted.",
+        field, s.worst_quality, x[0], x[1], x[2], s.least_angle));
   if (s.volume_ratio > 1e5)
     doubts_.push_back(
-        text("the largest element of the %s has %.2g times the volume of the "
-             "smallest; usual is below 1000. Look for a speck of tiny elements.",
-             field, s.volume_ratio));
+        formatted("the largest element of the %s has %.2g times the volume of the "
+                  "smallest; usual is below 1000. Look for a speck of tiny elements.",
+                  field, s.volume_ratio));
   if (s.pieces.size() > 1)
     doubts_.push_back(
-        text("the %s consists of %d pieces that do not touch, of %d and %d tetrahedra "
-             "at most; a vessel is one. Join vertices that stand at the same place "
-             "(tunica-import --merge), or take the others out.",
-             field, static_cast<int>(s.pieces.size()), s.pieces[0], s.pieces[1]));
+        formatted("the %s consists of %d pieces that do not touch, of %d and %d tetrahedra "
+                  "at most; a vessel is one. Join vertices that stand at the same place "
+                  "(tunica-import --merge), or take the others out.",
+                  field, static_cast<int>(s.pieces.size()), s.pieces[0], s.pieces[1]));
 }
 
 void Judge::shape() {
   const Vessel& v = vessel_;
   if (v.radius > 0.0)
-    row("lumen as a tube", text("radius %.3g, length %.3g mm", v.radius, v.length), "");
+    row("lumen as a tube", formatted("radius %.3g, length %.3g mm", v.radius, v.length), "");
   if (v.elements_across_lumen > 0) {
-    row("elements across the lumen", text("%d", v.elements_across_lumen), "10 and more");
+    row("elements across the lumen", formatted("%d", v.elements_across_lumen), "10 and more");
     if (v.elements_across_lumen < 8)
       doubts_.push_back(
-          text("the lumen has %d elements across where it has fewest; usual are 10 "
-               "and more, for shear at the wall 20. Refine the mesh (tunica-mesh "
-               "refine) before numbers are believed.",
-               v.elements_across_lumen));
+          formatted("the lumen has %d elements across where it has fewest; usual are 10 "
+                    "and more, for shear at the wall 20. Refine the mesh (tunica-mesh "
+                    "refine) before numbers are believed.",
+                    v.elements_across_lumen));
   }
   if (v.elements_across_wall == 0) return;
-  row("wall", text("%.3g mm, %d elements across", v.thickness, v.elements_across_wall),
+  row("wall", formatted("%.3g mm, %d elements across", v.thickness, v.elements_across_wall),
       "3 and more");
   if (v.elements_across_wall < 3)
     doubts_.push_back(
-        text("the wall has %d element%s across; usual are 3 and more, or bending and "
-             "the stress through the wall are lost. Grow it with more (tunica-mesh "
-             "wall --layers), or refine the mesh.",
-             v.elements_across_wall, v.elements_across_wall == 1 ? "" : "s"));
+        formatted("the wall has %d element%s across; usual are 3 and more, or bending and "
+                  "the stress through the wall are lost. Grow it with more (tunica-mesh "
+                  "wall --layers), or refine the mesh.",
+                  v.elements_across_wall, v.elements_across_wall == 1 ? "" : "s"));
 }
 
 void Judge::stiffness() {
@@ -135,20 +131,21 @@ void Judge::stiffness() {
     found_.modulus += vessel_.region_shares[k] *
                       circumferential_modulus(*discretisation::law_of(layer), layer.bulk_modulus);
   }
-  row("wall, small-strain Young's modulus", text("%.3g kPa", found_.modulus), "20 to 5000 kPa");
+  row("wall, small-strain Young's modulus", formatted("%.3g kPa", found_.modulus),
+      "20 to 5000 kPa");
   if (vessel_.thickness > 0.0 && vessel_.radius > 0.0) {
     const double E = found_.modulus, h = vessel_.thickness, R = vessel_.radius;
     found_.wave_speed = std::sqrt(E * h / (2.0 * fluid_.density * R));
-    row("wave speed, Moens-Korteweg", text("%.3g mm/ms", found_.wave_speed), "2 to 15 mm/ms");
+    row("wave speed, Moens-Korteweg", formatted("%.3g mm/ms", found_.wave_speed), "2 to 15 mm/ms");
     const double borne = list_.sublist("Wall").sublist("Prestress").get<double>("pressure");
     const double strain = (loads_.peak_pressure - borne) * R / (E * h);
-    if (strain > 0.0) row("p R/(E h), strain around", text("%.2g", strain), "below 0.3");
+    if (strain > 0.0) row("p R/(E h), strain around", formatted("%.2g", strain), "below 0.3");
     if (strain > 1.0)
-      doubts_.push_back(
-          text("%.3g kPa would widen a linear wall of %.3g kPa to %.2g times its radius; usual is "
-               "1.1 to 1.3. Check the units of the wall's constants (kPa) and of the pressure; was "
-               "the vessel imaged under pressure (Wall / Prestress)?",
-               loads_.peak_pressure, E, 1.0 + strain));
+      doubts_.push_back(formatted(
+          "%.3g kPa would widen a linear wall of %.3g kPa to %.2g times its radius; usual is "
+          "1.1 to 1.3. Check the units of the wall's constants (kPa) and of the pressure; was "
+          "the vessel imaged under pressure (Wall / Prestress)?",
+          loads_.peak_pressure, E, 1.0 + strain));
   }
   held();
 }
@@ -165,19 +162,19 @@ void Judge::held() {
 
 void Judge::loads() {
   if (loads_.are_zero)
-    doubts_.push_back(
-        text("all loads are zero during the run, up to %.4g ms: nothing will move. Give a surface "
-             "%s, and look at the Amplitudes' times, which are in ms.",
-             loads_.end,
-             vessel_.fluid ? "of the fluid a pressure, a velocity or a flow rate"
-                           : "of the wall a pressure"));
+    doubts_.push_back(formatted(
+        "all loads are zero during the run, up to %.4g ms: nothing will move. Give a surface "
+        "%s, and look at the Amplitudes' times, which are in ms.",
+        loads_.end,
+        vessel_.fluid ? "of the fluid a pressure, a velocity or a flow rate"
+                      : "of the wall a pressure"));
   if (loads_.peak_pressure > 0.0)
     row("largest pressure given",
-        text("%.3g kPa = %.3g mmHg", loads_.peak_pressure, loads_.peak_pressure * 7.50062),
+        formatted("%.3g kPa = %.3g mmHg", loads_.peak_pressure, loads_.peak_pressure * 7.50062),
         "up to 30 kPa");
   if (loads_.peak_flow > 0.0)
     row("largest flow given",
-        text("%.3g mm^3/ms (ml/s) in %s", loads_.peak_flow, loads_.flow_surface.c_str()), "");
+        formatted("%.3g mm^3/ms (ml/s) in %s", loads_.peak_flow, loads_.flow_surface.c_str()), "");
 }
 
 // Where the vessel was imaged under pressure, the blood begins with it.
@@ -186,11 +183,11 @@ void Judge::prestress() {
   if (imaged == 0.0) return;
   for (const auto& [surface, p] : loads_.first_pressures)
     if (std::abs(p - imaged) > 0.25 * std::abs(imaged))
-      doubts_.push_back(
-          text("%s begins with a pressure of %.3g kPa, but the wall was imaged under %.3g kPa "
-               "(Wall / Prestress): the vessel jumps in its first steps. Begin with that pressure "
-               "(a windkessel: \"initial pressure\" or \"mean flow\").",
-               surface.c_str(), p, imaged));
+      doubts_.push_back(formatted(
+          "%s begins with a pressure of %.3g kPa, but the wall was imaged under %.3g kPa "
+          "(Wall / Prestress): the vessel jumps in its first steps. Begin with that pressure "
+          "(a windkessel: \"initial pressure\" or \"mean flow\").",
+          surface.c_str(), p, imaged));
 }
 
 double Judge::driven_speed(std::string& how) const {
@@ -209,12 +206,12 @@ double Judge::driven_speed(std::string& how) const {
       {std::sqrt(2.0 * dp / rho), "Bernoulli"},
       {time_.pseudo_time ? 1e300 : inertia, by_inertia}};
   const auto least = std::min_element(std::begin(bounds), std::end(bounds));
-  how = text("from %.3g kPa, by %s", dp, least->second);
+  how = formatted("from %.3g kPa, by %s", dp, least->second);
   return least->first;
 }
 
 void Judge::flow() {
-  std::string how = text("given in %s", loads_.flow_surface.c_str());
+  std::string how = formatted("given in %s", loads_.flow_surface.c_str());
   double R = std::sqrt(loads_.flow_area / M_PI);
   found_.speed = loads_.peak_speed;
   if (found_.speed == 0.0) {
@@ -224,36 +221,36 @@ void Judge::flow() {
   if (found_.speed == 0.0) return;
   const double nu = fluid_.viscosity / fluid_.density;
   found_.reynolds = found_.speed * 2.0 * R / nu;
-  row("mean velocity expected", text("%.3g mm/ms (%s)", found_.speed, how.c_str()),
+  row("mean velocity expected", formatted("%.3g mm/ms (%s)", found_.speed, how.c_str()),
       "0.05 to 1.5 mm/ms");
-  row("Reynolds number", text("%.3g", found_.reynolds), "up to 4000");
+  row("Reynolds number", formatted("%.3g", found_.reynolds), "up to 4000");
   if (found_.speed > 5.0)
     doubts_.push_back(
-        text("a mean velocity of %.3g mm/ms (m/s) is to be expected, %s; usual is up "
-             "to 1.5. Check the units: mm/ms, mm^3/ms (= ml/s), kPa.",
-             found_.speed, how.c_str()));
+        formatted("a mean velocity of %.3g mm/ms (m/s) is to be expected, %s; usual is up "
+                  "to 1.5. Check the units: mm/ms, mm^3/ms (= ml/s), kPa.",
+                  found_.speed, how.c_str()));
   else if (found_.reynolds > 10000.0)
     doubts_.push_back(
-        text("the Reynolds number is about %.3g; usual is up to 4000. Flow beyond is "
-             "turbulent, and no model of that exists here. Check velocity and "
-             "viscosity (kPa ms, blood has 0.0035).",
-             found_.reynolds));
+        formatted("the Reynolds number is about %.3g; usual is up to 4000. Flow beyond is "
+                  "turbulent, and no model of that exists here. Check velocity and "
+                  "viscosity (kPa ms, blood has 0.0035).",
+                  found_.reynolds));
   if (loads_.periods.empty()) return;
   const double longest = *std::max_element(loads_.periods.begin(), loads_.periods.end());
   found_.womersley = R * std::sqrt(2.0 * M_PI / (longest * nu));
-  row("Womersley number", text("%.3g (period %.4g ms)", found_.womersley, longest), "1 to 25");
+  row("Womersley number", formatted("%.3g (period %.4g ms)", found_.womersley, longest), "1 to 25");
 }
 
 void Judge::steps() {
   const double dt = time_.first_step;
   if (vessel_.fluid && found_.speed > 0.0) {
     found_.cfl = 2.0 * found_.speed * dt / vessel_.fluid->edge;
-    row("CFL, by twice that velocity", text("%.2g", found_.cfl), "about 1");
+    row("CFL, by twice that velocity", formatted("%.2g", found_.cfl), "about 1");
     // Beyond R²/(5.78 ν) a flow has forgotten how it began: such steps seek a steady one.
     const double memory =
         vessel_.radius * vessel_.radius * fluid_.density / (5.78 * fluid_.viscosity);
     if (found_.cfl > 10.0 && dt < memory)
-      doubts_.push_back(text(
+      doubts_.push_back(formatted(
           "in a step of %.3g ms the fluid crosses about %.2g elements; usual is about 1, and "
           "vortices are lost and solvers slow above 10. A step of %.2g ms, or \"step control\" "
           "= \"adaptive\".",
@@ -263,44 +260,44 @@ void Judge::steps() {
   for (const double period : loads_.periods)
     if (period < 40.0 * dt)
       doubts_.push_back(
-          text("a load of period %.4g ms has %.3g steps of %.3g ms in it; usual are "
-               "100 and more. Shorten \"Time / step size\", in ms.",
-               period, period / dt, dt));
+          formatted("a load of period %.4g ms has %.3g steps of %.3g ms in it; usual are "
+                    "100 and more. Shorten \"Time / step size\", in ms.",
+                    period, period / dt, dt));
   if (loads_.rise > 0.0)
-    row("load within a step, off a straight line", text("%.0f %%", 100.0 * loads_.missed),
+    row("load within a step, off a straight line", formatted("%.0f %%", 100.0 * loads_.missed),
         "below 10 %");
   if (loads_.missed > 0.25)
     doubts_.push_back(
-        text("within a step of %.3g ms a load strays from a straight line by %.0f %% "
-             "of its largest value, which the run does not see; usual is below 10 %%. "
-             "Shorten \"Time / step size\", or \"step control\" = \"adaptive\"; are "
-             "the times in ms?",
-             dt, 100.0 * loads_.missed));
+        formatted("within a step of %.3g ms a load strays from a straight line by %.0f %% "
+                  "of its largest value, which the run does not see; usual is below 10 %%. "
+                  "Shorten \"Time / step size\", or \"step control\" = \"adaptive\"; are "
+                  "the times in ms?",
+                  dt, 100.0 * loads_.missed));
 }
 
 void Judge::waves() {
   const double dt = time_.first_step, transit = vessel_.length / found_.wave_speed;
   found_.steps_per_transit = transit / dt;
-  row("steps while a wave runs through", text("%.3g", found_.steps_per_transit),
+  row("steps while a wave runs through", formatted("%.3g", found_.steps_per_transit),
       "20, if waves matter");
   // Loads that take long beside the transit fill the vessel evenly, and no wave is to be seen.
   const double scale = loads_.rise > 0.0 ? loads_.rise : loads_.end;
   if (found_.steps_per_transit < 4.0 && scale < 2.0 * transit)
     doubts_.push_back(
-        text("a wave runs through the vessel in %.3g ms, %.2g steps of %.3g ms, and "
-             "loads change as fast; usual are 20 steps. Shorten \"Time / step size\" "
-             "to %.2g ms.",
-             transit, found_.steps_per_transit, dt, transit / 20.0));
+        formatted("a wave runs through the vessel in %.3g ms, %.2g steps of %.3g ms, and "
+                  "loads change as fast; usual are 20 steps. Shorten \"Time / step size\" "
+                  "to %.2g ms.",
+                  transit, found_.steps_per_transit, dt, transit / 20.0));
 }
 
 void Judge::brief() {
   const auto add = [this](const std::string& part) {
     found_.brief += (found_.brief.empty() ? "expected: " : ", ") + part;
   };
-  if (found_.reynolds > 0.0) add(text("Re %.3g", found_.reynolds));
-  if (found_.womersley > 0.0) add(text("Womersley %.3g", found_.womersley));
-  if (found_.cfl > 0.0) add(text("CFL %.2g", found_.cfl));
-  if (found_.wave_speed > 0.0) add(text("wave speed %.3g mm/ms", found_.wave_speed));
+  if (found_.reynolds > 0.0) add(formatted("Re %.3g", found_.reynolds));
+  if (found_.womersley > 0.0) add(formatted("Womersley %.3g", found_.womersley));
+  if (found_.cfl > 0.0) add(formatted("CFL %.2g", found_.cfl));
+  if (found_.wave_speed > 0.0) add(formatted("wave speed %.3g mm/ms", found_.wave_speed));
 }
 
 void print_doubts(const Sanity& sanity) {

@@ -200,19 +200,6 @@ ElementShapes shapes_of(const Part& part);
 
 }  // namespace
 
-double least_dihedral_angle(const std::array<Vec3, 4>& x) {
-  std::array<Vec3, 4> n;
-  for (int i = 0; i < 4; ++i) {
-    const auto& f = mesh::tet_faces[i];
-    const Vec3 normal = cross(x[f[1]] - x[f[0]], x[f[2]] - x[f[0]]);
-    n[i] = 1.0 / norm(normal) * normal;
-  }
-  double largest = -1.0;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < i; ++j) largest = std::max(largest, -dot(n[i], n[j]));
-  return std::acos(std::clamp(largest, -1.0, 1.0)) * 180.0 / M_PI;
-}
-
 ElementShapes element_shapes(const mesh::Mesh& mesh, const std::vector<int>& regions) {
   const std::vector<mesh::Face> faces = mesh::faces(mesh);
   return shapes_of({mesh, faces, regions});
@@ -235,7 +222,7 @@ ElementShapes shapes_of(const Part& part) {
     }
     qualities.push_back(q);
     for (const auto& e : mesh::tet_edges) edges.push_back(norm(x[e[1]] - x[e[0]]));
-    shapes.least_angle = std::min(shapes.least_angle, least_dihedral_angle(x));
+    shapes.least_angle = std::min(shapes.least_angle, mesh::least_dihedral_angle(x));
     shapes.volume += V;
     smallest = std::min(smallest, V);
     largest = std::max(largest, V);
@@ -250,9 +237,9 @@ ElementShapes shapes_of(const Part& part) {
 
 }  // namespace
 
-Vessel vessel_of(const mesh::Mesh& mesh, const std::vector<int>& fluid,
-                 const std::vector<int>& wall, const VesselSurfaces& surfaces) {
-  const std::vector<mesh::Face> faces = mesh::faces(mesh);
+Vessel vessel_of(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces,
+                 const std::vector<int>& fluid, const std::vector<int>& wall,
+                 const VesselSurfaces& surfaces) {
   Vessel vessel;
   if (!fluid.empty()) {
     const Part part(mesh, faces, fluid);

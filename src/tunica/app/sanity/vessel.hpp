@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tunica/mesh/mesh.hpp"
+#include "tunica/mesh/faces.hpp"
 
 namespace tunica::app {
 
@@ -22,9 +22,6 @@ struct ElementShapes {
 
 /// The part of a mesh that fills these regions (indices into mesh.regions).
 ElementShapes element_shapes(const mesh::Mesh& mesh, const std::vector<int>& regions);
-
-/// The least of the six angles between faces of a tetrahedron [degrees].
-double least_dihedral_angle(const std::array<Vec3, 4>& x);
 
 /// What the surfaces of a field are to a vessel: names.
 struct VesselSurfaces {
@@ -56,8 +53,10 @@ struct Vessel {
   std::vector<double> region_shares{};  ///< of each region of the wall in its volume
 };
 
-/// fluid, wall: regions of the fields, in the case's order; empty where there is none.
-Vessel vessel_of(const mesh::Mesh& mesh, const std::vector<int>& fluid,
-                 const std::vector<int>& wall, const VesselSurfaces& surfaces);
+/// faces: those of the mesh; fluid, wall: regions of the fields, in the case's order; empty where
+/// there is none.
+Vessel vessel_of(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces,
+                 const std::vector<int>& fluid, const std::vector<int>& wall,
+                 const VesselSurfaces& surfaces);
 
 }  // namespace tunica::app

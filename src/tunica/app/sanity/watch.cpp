@@ -2,35 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "tunica/app/sanity/stiffness.hpp"
 #include "tunica/assembly/gather.hpp"
+#include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/boundary/registry.hpp"
 #include "tunica/coupling/registry.hpp"
 #include "tunica/discretisation/solid_options.hpp"
-#include "tunica/mesh/faces.hpp"
+#include "tunica/mesh/info.hpp"
 
 namespace tunica::app {
 
 namespace {
 
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char line[500];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
-}
-
 double volume(const std::array<Vec3, 4>& x) { return signed_volume(x[0], x[1], x[2], x[3]); }
 
-/// mesh::quality() of four corners.
-double quality(const std::array<Vec3, 4>& x) {
-  double sum = 0.0;
-  for (const auto& e : mesh::tet_edges) sum += dot(x[e[1]] - x[e[0]], x[e[1]] - x[e[0]]);
-  return 12.0 * std::cbrt(std::pow(3.0 * std::max(volume(x), 0.0), 2)) / sum;
-}
+/// Zero where the element is inverted.
+double quality(const std::array<Vec3, 4>& x) { return volume(x) > 0.0 ? mesh::quality(x) : 0.0; }
 
 /// κ beyond 50 times the shear modulus: ν above 0.49.
 bool are_nearly_incompressible(const Teuchos::ParameterList& wall) {
@@ -88,10 +77,11 @@ void Watch::look_at_volume(const discretisation::Observables& observables) {
   const double *low = find(observables, "min_det_F"), *high = find(observables, "max_det_F");
   if (!is_nearly_incompressible_ || low == nullptr || high == nullptr) return;
   if (*low >= 0.9 && *high <= 1.1) return;
-  say("volume", text("elements of the wall have %.3g to %.3g times their volume (det F); usual is "
-                     "0.9 to 1.1 with its bulk modulus. A finer mesh, or \"volumetric "
-                     "stabilisation\" = 1 in Wall; is the load as large as it should be?",
-                     *low, *high));
+  say("volume",
+      formatted("elements of the wall have %.3g to %.3g times their volume (det F); usual is "
+                "0.9 to 1.1 with its bulk modulus. A finer mesh, or \"volumetric "
+                "stabilisation\" = 1 in Wall; is the load as large as it should be?",
+                *low, *high));
 }
 
 void Watch::look_at_outlets(const discretisation::Observables& observables, double step_size) {
@@ -104,10 +94,10 @@ void Watch::look_at_outlets(const discretisation::Observables& observables, doub
     double& out = volume_out_[name];
     if (out > 0.0 && o.value > 0.1 * largest_flow_)
       say("backflow " + name,
-          text("flow comes back through %s, at %.3g mm^3/ms, and no backflow stabilisation is "
-               "there to take out what it brings in; it may grow without bound. \"backflow "
-               "stabilisation\" = 0.2 in Fluid / Surfaces / %s.",
-               name.c_str(), o.value, name.c_str()));
+          formatted("flow comes back through %s, at %.3g mm^3/ms, and no backflow stabilisation is "
+                    "there to take out what it brings in; it may grow without bound. \"backflow "
+                    "stabilisation\" = 0.2 in Fluid / Surfaces / %s.",
+                    name.c_str(), o.value, name.c_str()));
     out -= o.value * step_size;
   }
 }
@@ -116,10 +106,10 @@ void Watch::look_at_iterations(const StepSummary& step) {
   const auto near_cap = [&](int made, int most, const char* what, const char* cure) {
     if (most < 10 || made < 0.8 * most) return;
     say("iterations",
-        text("the step took %d %s, where an attempt ends at %d; usual are a third of "
-             "that and less. Shorter steps (Time / cuts = 4 halves those that fail), a "
-             "load that rises more slowly, or %s.",
-             made, what, most, cure));
+        formatted("the step took %d %s, where an attempt ends at %d; usual are a third of "
+                  "that and less. Shorter steps (Time / cuts = 4 halves those that fail), a "
+                  "load that rises more slowly, or %s.",
+                  made, what, most, cure));
   };
   near_cap(step.coupling_iterations, most_iterations_, "coupling iterations",
            "a higher \"Coupling / max iterations\"");
@@ -133,10 +123,10 @@ void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>&
   const Deformation worst = worst_deformation(mesh, d);
   if (worst.part_of_quality > 0.3 && worst.part_of_volume > 0.1) return;
   say("mesh",
-      text("an element of the fluid's mesh has %.2g of the quality that it had, one %.2g of "
-           "its volume, the worst is of quality %.2g; usual are 0.5 and more. It will soon "
-           "be inverted: larger elements beside the interface, where it moves far.",
-           worst.part_of_quality, worst.part_of_volume, worst.quality));
+      formatted("an element of the fluid's mesh has %.2g of the quality that it had, one %.2g of "
+                "its volume, the worst is of quality %.2g; usual are 0.5 and more. It will soon "
+                "be inverted: larger elements beside the interface, where it moves far.",
+                worst.part_of_quality, worst.part_of_volume, worst.quality));
 }
 
 std::vector<std::string> Watch::look(const StepSummary& step, double step_size,

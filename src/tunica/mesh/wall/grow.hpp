@@ -61,7 +61,4 @@ Grown grow(const Mesh& lumen, const Options& options);
 /// Several lines of text.
 std::string to_text(const Report& report);
 
-/// The least angle between two faces of a tetrahedron, degrees.
-double least_dihedral_angle(const Mesh& mesh, int tet);
-
 }  // namespace tunica::mesh::wall

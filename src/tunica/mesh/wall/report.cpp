@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "tunica/base/formatted.hpp"
 #include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/info.hpp"
 #include "tunica/mesh/text.hpp"
@@ -48,7 +48,7 @@ void measure_elements(const Mesh& mesh, int region, Report& report, Report::Laye
     if (mesh.tet_region[t] != region) continue;
     ++layer.tets;
     layer.worst_quality = std::min(layer.worst_quality, quality(mesh, t));
-    const double angle = least_dihedral_angle(mesh, t);
+    const double angle = least_dihedral_angle(corners(mesh, t));
     layer.least_angle = std::min(layer.least_angle, angle);
     if (angle >= report.least_angle) continue;
     report.least_angle = angle;
@@ -96,26 +96,10 @@ void measure_limits(const Plan& plan, const std::vector<double>& thickness, Repo
 /// A line of text by printf's rules.
 template <typename... Values>
 std::string line(const char* format, Values... values) {
-  char buffer[256];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return std::string(buffer) + "\n";
+  return formatted(format, values...) + "\n";
 }
 
 }  // namespace
-
-double least_dihedral_angle(const Mesh& mesh, int tet) {
-  const auto x = corners(mesh, tet);
-  std::array<Vec3, 4> normals;
-  for (int f = 0; f < 4; ++f) {
-    const auto& v = tet_faces[f];
-    const Vec3 normal = cross(x[v[1]] - x[v[0]], x[v[2]] - x[v[0]]);
-    normals[f] = (1.0 / norm(normal)) * normal;
-  }
-  double most = -1.0;  // cosine of the angle within
-  for (int f = 0; f < 4; ++f)
-    for (int g = 0; g < f; ++g) most = std::max(most, -dot(normals[f], normals[g]));
-  return std::acos(std::min(1.0, most)) * 180.0 / std::acos(-1.0);
-}
 
 Report make_report(const Mesh& mesh, const Plan& plan, const Options& options) {
   Report report{};

@@ -1,0 +1,18 @@
+#pragma once
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+namespace tunica {
+
+/// A text of any length by printf's rules.
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  const int size = std::snprintf(nullptr, 0, format, values...);
+  std::string text(static_cast<std::size_t>(std::max(size, 0)) + 1, '\0');
+  std::snprintf(text.data(), text.size(), format, values...);
+  text.pop_back();  // the zero at the end
+  return text;
+}
+
+}  // namespace tunica
