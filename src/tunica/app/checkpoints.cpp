@@ -62,7 +62,7 @@ void Checkpoints::end_step() {
 }
 
 Outcome Checkpoints::give_up(const std::string& reason) {
-  if (output_->checkpoint_every > 0) {
+  if (output_->checkpoint_every > 1) {  // else there is none, or that of each step
     const TimeMarch::Place place = march_->undo();
     if (place.step > written_) write(place);
   }

@@ -101,7 +101,8 @@ void TimeMarch::restore(const Numbers& numbers) {
 
 std::vector<fields::State> TimeMarch::save_parts() const {
   std::vector<fields::State> states;
-  if (control_.may_repeat() || output_->checkpoint_every > 0)
+  // With a checkpoint after each step the last good one is on the disk.
+  if (control_.may_repeat() || output_->checkpoint_every > 1)
     for (const auto& [name, part] : parts_) states.push_back(part->save());
   return states;
 }
