@@ -1,4 +1,5 @@
-/// tunica-mesh: make, inspect, refine, convert and partition meshes. Runs on one rank.
+/// tunica-mesh: make, inspect, refine, convert and partition meshes. refine and partition also run
+/// with mpirun.
 ///
 ///   tunica-mesh tube tube.h5 --around 20 --axial 62
 ///   tunica-mesh block block.h5 --patch-x 4 --patch-y 4
@@ -59,7 +60,7 @@ int main(int argc, char** argv) {
     if (!lost.empty()) std::cerr << "tunica-mesh: " << lost << "\n";
     return lost.empty() ? 0 : 3;
   } catch (const tunica::Error& error) {
-    std::cerr << error.what() << "\n";
+    if (*error.what() != '\0') std::cerr << error.what() << "\n";  // another rank says it
     return 1;
   } catch (const std::exception& error) {
     std::cerr << "tunica-mesh: a fault of this program or of the machine: " << error.what() << "\n";

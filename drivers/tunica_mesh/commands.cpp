@@ -8,25 +8,18 @@
 #include "tunica/mesh/block.hpp"
 #include "tunica/mesh/gmsh.hpp"
 #include "tunica/mesh/info.hpp"
-#include "tunica/mesh/partition.hpp"
 #include "tunica/mesh/read.hpp"
-#include "tunica/mesh/refine.hpp"
 #include "tunica/mesh/tube.hpp"
 #include "tunica/mesh/validate.hpp"
 #include "tunica/mesh/write.hpp"
+#include "tunica_mesh/parallel_commands.hpp"
+#include "tunica_mesh/report.hpp"
 #include "tunica_mesh/wall_command.hpp"
 
 namespace {
 
 using namespace tunica;
 using mesh::Mesh;
-
-/// One line on what was written, with the worst element.
-void report(const Mesh& result, const std::string& path) {
-  const mesh::Info info = mesh::inspect(result);
-  std::printf("%s: %d vertices, %d tetrahedra, %d triangles, worst quality %.4f\n", path.c_str(),
-              info.vertices, info.tets, info.triangles, info.worst_quality);
-}
 
 void make_tube(const Arguments& arguments) {
   mesh::Tube tube;
@@ -75,16 +68,6 @@ void show_info(const Arguments& arguments) {
   std::cout << "the interface conforms\n";
 }
 
-void refine(const Arguments& arguments) {
-  const int times = arguments.integer("times");
-  TUNICA_CHECK(times >= 1 && times <= 8,
-               "tunica-mesh refine: --times is " + std::to_string(times) + ", expected 1..8");
-  Mesh result = mesh::read(arguments.file(0));
-  for (int i = 0; i < times; ++i) result = mesh::refine(result, arguments.names("project"));
-  mesh::write(result, arguments.file(1));
-  report(result, arguments.file(1));
-}
-
 void convert(const Arguments& arguments) {
   const std::string gmsh = arguments.text("gmsh");
   TUNICA_CHECK(gmsh == "2.2" || gmsh == "4.1",
@@ -97,23 +80,6 @@ void convert(const Arguments& arguments) {
   else
     mesh::write(subject, path);
   report(subject, path);
-}
-
-void split(const Arguments& arguments) {
-  const Mesh subject = mesh::read(arguments.file(0));
-  const int parts = arguments.integer("parts");
-  std::vector<bool> is_fluid(subject.regions.size(), false);
-  for (const std::string& name : arguments.names("fluid"))
-    is_fluid[mesh::region_index(subject, name)] = true;
-  const mesh::Partition result = mesh::partition(subject, parts, is_fluid);
-  mesh::write(subject, arguments.file(1), &result);
-  std::vector<int> fluid(parts, 0), wall(parts, 0), owned(parts, 0);
-  for (std::size_t t = 0; t < subject.tets.size(); ++t)
-    ++(is_fluid[subject.tet_region[t]] ? fluid : wall)[result.tet_part[t]];
-  for (const int owner : result.vertex_owner) ++owned[owner];
-  std::printf("%6s %12s %12s %12s\n", "part", "fluid tets", "wall tets", "vertices");
-  for (int p = 0; p < parts; ++p)
-    std::printf("%6d %12d %12d %12d\n", p, fluid[p], wall[p], owned[p]);
 }
 
 std::vector<Arguments::Option> tube_options() {
@@ -159,21 +125,12 @@ const std::vector<Subcommand>& subcommands() {
          {"wall", "", "regions of the wall; all others if it is empty"},
          {"interface", "", "surfaces between them; empty: no check"}}},
        show_info},
-      {{"refine",
-        {"MESH", "OUT"},
-        "Cuts every tetrahedron into 8.",
-        {{"times", "1", "how often"},
-         {"project", "", "surfaces to be rounded to cylinders about the z axis"}}},
-       refine},
+      {refine_command(), refine_mesh},
       {{"convert",
         {"MESH", "OUT"},
         "Reads .msh, .vol or .h5 and writes .msh, .h5 or .vtu.",
         {{"gmsh", "2.2", "version of a .msh file: 2.2 or 4.1"}}},
        convert},
-      {{"partition",
-        {"MESH", "OUT"},
-        "Splits a mesh into parts of equal work in fluid and wall; writes .h5 or .vtu.",
-        {{"parts", "2", "how many"}, {"fluid", "fluid", "regions of the fluid, or none"}}},
-       split}};
+      {partition_command(), show_partition}};
   return all;
 }

@@ -8,20 +8,23 @@
 
 #include "tunica/base/reduce.hpp"
 #include "tunica/fields/field_mesh.hpp"
-#include "tunica/mesh/partition.hpp"
+#include "tunica/mesh/distributed/share.hpp"
 #include "tunica/mesh/tube.hpp"
 #include "tunica/params/table.hpp"
 
 namespace tunica::verify {
 
-/// The calling rank's share of a mesh that belongs to one field as a whole.
-inline fields::FieldMesh field_of(const mesh::Mesh& mesh) {
-  const CommPtr comm = Tpetra::getDefaultComm();
-  const mesh::Partition partition =
-      mesh::partition(mesh, comm->getSize(), std::vector<bool>(mesh.regions.size(), true));
+/// The calling rank's share of a mesh that rank 0 has and that belongs to one field as a whole.
+inline fields::FieldMesh field_of(const mesh::Mesh& mesh,
+                                  const CommPtr& comm = Tpetra::getDefaultComm()) {
+  mesh::Slab slab = mesh::slab_of(mesh, comm);
+  const std::vector<bool> is_fluid(mesh.regions.size(), true);
+  const auto vertices = mesh::vertex_fields(slab, is_fluid, "mesh");
+  const auto partition =
+      mesh::partition(slab, is_fluid, vertices, mesh::Partitioner::automatic, "mesh");
   std::vector<int> regions;
   for (int r = 0; r < static_cast<int>(mesh.regions.size()); ++r) regions.push_back(r);
-  return fields::make_field_mesh(mesh, partition, regions, comm);
+  return fields::make_field_mesh(mesh::distribute(std::move(slab), partition, "mesh"), regions);
 }
 
 /// The list with these entries ("<Parameter .../>", "<ParameterList ...>") and all defaults.

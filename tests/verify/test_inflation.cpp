@@ -188,8 +188,7 @@ private:
 /// Where the pressures of the whole mesh are, on every rank.
 struct PressurePlaces {
   PressurePlaces(const mesh::Mesh& mesh, const Study& study)
-      : field(fields::make_field_mesh(mesh, mesh::partition(mesh, 1, {true, true}), {0, 1},
-                                      Teuchos::rcp(new Teuchos::SerialComm<int>))),
+      : field(verify::field_of(mesh, Teuchos::rcp(new Teuchos::SerialComm<int>))),
         split(fields::split_mesh(
             field, discretisation::material_of_regions(
                        discretisation::solid_options(study.list.sublist("Wall")).layers, field))),

@@ -8,16 +8,13 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/fault_point.hpp"
+#include "tunica/base/reduce.hpp"
 #include "tunica/boundary/registry.hpp"
 #include "tunica/boundary/surface_terms.hpp"
 #include "tunica/coupling/registry.hpp"
 #include "tunica/discretisation/fluid_options.hpp"
 #include "tunica/discretisation/solid_options.hpp"
-#include "tunica/fields/broadcast_mesh.hpp"
-#include "tunica/mesh/faces.hpp"
-#include "tunica/mesh/fingerprint.hpp"
-#include "tunica/mesh/partition.hpp"
-#include "tunica/mesh/read.hpp"
+#include "tunica/mesh/distributed/share.hpp"
 #include "tunica/mesh/validate.hpp"
 #include "tunica/problems/fibre_frames.hpp"
 #include "tunica/problems/prestress.hpp"
@@ -81,23 +78,32 @@ std::vector<int> region_indices(const mesh::Mesh& mesh, const std::vector<std::s
   return indices;
 }
 
-struct MeshWithFaces {
-  const mesh::Mesh& mesh;
-  std::vector<mesh::Face> faces;
+/// Regions of the fields.
+struct Regions {
+  std::vector<int> fluid, wall;
 };
 
+Regions regions_of(const mesh::Mesh& mesh, const MeshRequirements& requirements) {
+  Regions regions{region_indices(mesh, requirements.fluid_regions, "Fluid / regions"),
+                  region_indices(mesh, requirements.wall_regions, "Wall / Layers")};
+  for (const int r : regions.fluid)
+    TUNICA_CHECK(std::count(regions.wall.begin(), regions.wall.end(), r) == 0,
+                 "the region \"" + mesh.regions[r].name + "\" is both fluid and wall.");
+  return regions;
+}
+
 /// Every surface the case names must exist and bound the field, or one of the fields, each of which
-/// is given by its regions.
-void check_surfaces(const MeshWithFaces& with_faces, const std::vector<std::string>& names,
+/// is given by its regions. Collective.
+void check_surfaces(const mesh::Share& share, const std::vector<std::string>& names,
                     const std::vector<std::vector<int>>& fields, const std::string& where) {
-  const mesh::Mesh& mesh = with_faces.mesh;
-  const std::vector<mesh::Face>& faces = with_faces.faces;
-  const auto is_between = [&](const mesh::Face& face, const std::vector<int>& regions) {
-    const auto is_in_field = [&](int tet) {
-      return tet >= 0 && std::count(regions.begin(), regions.end(), mesh.tet_region[tet]) > 0;
-    };
-    return is_in_field(face.tets[0]) != is_in_field(face.tets[1]);
-  };
+  const mesh::Mesh& mesh = share.mesh;
+  std::vector<double> bounds(mesh.surfaces.size(), 0.0);
+  for (const std::vector<int>& regions : fields) {
+    const std::vector<char> is_in = mesh::marked_regions(mesh, regions);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      if (share.is_between(i, is_in)) bounds[mesh.triangle_surface[i]] = 1.0;
+  }
+  bounds = global_sum(*share.comm, bounds);
   for (const std::string& name : names) {
     int surface = 0;
     try {
@@ -105,62 +111,46 @@ void check_surfaces(const MeshWithFaces& with_faces, const std::vector<std::stri
     } catch (const Error& error) {
       throw Error(where + ": " + error.what());
     }
-    bool bounds_field = false;
-    for (std::size_t t = 0; t < mesh.triangles.size() && !bounds_field; ++t) {
-      if (mesh.triangle_surface[t] != surface) continue;
-      const mesh::Face& face = *mesh::find_face(faces, mesh.triangles[t]);  // a valid mesh has it
-      bounds_field = std::any_of(fields.begin(), fields.end(),
-                                 [&](const auto& regions) { return is_between(face, regions); });
-    }
-    TUNICA_CHECK(bounds_field, where + ": the surface \"" + name + "\" does not bound " +
-                                   (fields.size() == 1 ? "this field" : "fluid or wall") +
-                                   ": it lies outside or inside.");
+    TUNICA_CHECK(bounds[surface] > 0.0, where + ": the surface \"" + name + "\" does not bound " +
+                                            (fields.size() == 1 ? "this field" : "fluid or wall") +
+                                            ": it lies outside or inside.");
   }
 }
 
-struct Shares {
-  mesh::Mesh mesh;
-  std::vector<int> fluid, wall;  ///< regions
-  Vessel vessel;
-};
-
-Shares read_and_check(const Teuchos::ParameterList& list, const MeshRequirements& requirements,
-                      int ranks) {
-  const auto& file = list.sublist("Mesh").get<std::string>("file");
-  Shares shares;
-  shares.mesh = mesh::read(file);
-  scale(shares.mesh, list.sublist("Mesh").get<double>("scale"));
-  const MeshWithFaces with_faces{shares.mesh, mesh::faces(shares.mesh)};
-  try {
-    shares.fluid = region_indices(shares.mesh, requirements.fluid_regions, "Fluid / regions");
-    shares.wall = region_indices(shares.mesh, requirements.wall_regions, "Wall / Layers");
-    check_surfaces(with_faces, requirements.fluid_surfaces, {shares.fluid}, "Fluid / Surfaces");
-    check_surfaces(with_faces, requirements.wall_surfaces, {shares.wall}, "Wall / Surfaces");
-    check_surfaces(with_faces, requirements.frame_surfaces, {shares.wall}, "Wall / Fibre Frame");
-    check_surfaces(with_faces, requirements.prestress_surfaces, {shares.wall}, "Wall / Prestress");
-    check_surfaces(with_faces, requirements.reported_surfaces, {shares.fluid, shares.wall},
-                   "Output / surfaces");
-    for (const int r : shares.fluid)
-      TUNICA_CHECK(std::count(shares.wall.begin(), shares.wall.end(), r) == 0,
-                   "the region \"" + shares.mesh.regions[r].name + "\" is both fluid and wall.");
-    if (!requirements.interface.empty())
-      mesh::check_interface(shares.mesh, requirements.fluid_regions, requirements.wall_regions,
-                            requirements.interface);
-    TUNICA_CHECK(ranks <= static_cast<int>(shares.mesh.tets.size()),
-                 "more ranks than elements: " + std::to_string(ranks) + " ranks, " +
-                     std::to_string(shares.mesh.tets.size()) + " tetrahedra.");
-  } catch (const Error& error) {
-    throw Error(file + ": " + error.what());
-  }
-  shares.vessel =
-      vessel_of(shares.mesh, with_faces.faces, shares.fluid, shares.wall, vessel_surfaces(list));
-  return shares;
+void check_case(const mesh::Share& share, const MeshRequirements& requirements,
+                const Regions& regions) {
+  const auto check = [&](const std::vector<std::string>& names,
+                         const std::vector<std::vector<int>>& fields,
+                         const std::string& where) { check_surfaces(share, names, fields, where); };
+  check(requirements.fluid_surfaces, {regions.fluid}, "Fluid / Surfaces");
+  check(requirements.wall_surfaces, {regions.wall}, "Wall / Surfaces");
+  check(requirements.frame_surfaces, {regions.wall}, "Wall / Fibre Frame");
+  check(requirements.prestress_surfaces, {regions.wall}, "Wall / Prestress");
+  check(requirements.reported_surfaces, {regions.fluid, regions.wall}, "Output / surfaces");
+  if (!requirements.interface.empty())
+    mesh::check_interface(share, requirements.fluid_regions, requirements.wall_regions,
+                          requirements.interface);
 }
 
 std::vector<bool> marks(const std::vector<int>& regions, std::size_t count) {
   std::vector<bool> is_marked(count, false);
   for (const int r : regions) is_marked[r] = true;
   return is_marked;
+}
+
+/// Checks of the case do not know the file.
+std::string with_file(const std::string& message, const std::string& file) {
+  return message.compare(0, file.size(), file) == 0 ? message : file + ": " + message;
+}
+
+void make_fields(const Teuchos::ParameterList& list, const mesh::Share& share,
+                 const Regions& regions, Domain& domain) {
+  if (!regions.fluid.empty()) domain.fluid = fields::make_field_mesh(share, regions.fluid);
+  if (!regions.wall.empty()) domain.wall = fields::make_field_mesh(share, regions.wall);
+  if (!list.isSublist("Coupling") || !coupling::is_monolithic(list.sublist("Coupling"))) return;
+  std::vector<int> all(regions.fluid);
+  all.insert(all.end(), regions.wall.begin(), regions.wall.end());
+  domain.common = fields::make_field_mesh(share, all);
 }
 
 Probes probes_of(const Teuchos::ParameterList& list, const Domain& domain) {
@@ -176,31 +166,36 @@ Probes probes_of(const Teuchos::ParameterList& list, const Domain& domain) {
 
 Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
   const MeshRequirements requirements = mesh_requirements_of(list);
-  Shares shares;
-  fault_point("mesh reading");
-  on_root(*comm, [&] { shares = read_and_check(list, requirements, comm->getSize()); });
-  fields::broadcast_mesh(*comm, shares.mesh);
-  shares.fluid = region_indices(shares.mesh, requirements.fluid_regions, "Fluid / regions");
-  shares.wall = region_indices(shares.mesh, requirements.wall_regions, "Wall / Layers");
-
+  const Teuchos::ParameterList& options = list.sublist("Mesh");
+  const auto& file = options.get<std::string>("file");
   Domain domain;
-  domain.vessel = shares.vessel;
-  fault_point("field mesh");
-  domain.fingerprint = mesh::fingerprint(shares.mesh);
-  domain.extent = extent(shares.mesh);
-  const mesh::Partition partition = mesh::partition(
-      shares.mesh, comm->getSize(), marks(shares.fluid, shares.mesh.regions.size()));
-  if (!shares.fluid.empty())
-    domain.fluid = fields::make_field_mesh(shares.mesh, partition, shares.fluid, comm);
-  if (!shares.wall.empty())
-    domain.wall = fields::make_field_mesh(shares.mesh, partition, shares.wall, comm);
-  if (list.isSublist("Coupling") && coupling::is_monolithic(list.sublist("Coupling"))) {
-    std::vector<int> all(shares.fluid);
-    all.insert(all.end(), shares.wall.begin(), shares.wall.end());
-    domain.common = fields::make_field_mesh(shares.mesh, partition, all, comm);
+  try {
+    domain.memory.end("program", *comm);
+    fault_point("mesh reading");
+    mesh::Slab slab = mesh::read_slab(file, comm);
+    scale(slab.rows, options.get<double>("scale"));
+    domain.memory.end("rows of the mesh", *comm);
+    domain.fingerprint = mesh::fingerprint(slab);
+    domain.extent = mesh::extent(slab);
+    const Regions regions = regions_of(slab.rows, requirements);
+    const auto is_fluid = marks(regions.fluid, slab.rows.regions.size());
+    const auto by = mesh::partitioner_of(options.get<std::string>("partitioner"));
+    const auto fields = mesh::vertex_fields(slab, is_fluid, file);
+    const mesh::SlabPartition partition = mesh::partition(slab, is_fluid, fields, by, file);
+    domain.memory.end("partition", *comm);
+    const mesh::Share share = mesh::distribute(std::move(slab), partition, file);
+    domain.memory.end("shares", *comm);
+    check_case(share, requirements, regions);
+    domain.vessel = vessel_of(share, regions.fluid, regions.wall, vessel_surfaces(list));
+    domain.memory.end("checks", *comm);
+    fault_point("field mesh");
+    make_fields(list, share, regions, domain);
+    domain.memory.end("fields", *comm);
+    for (const std::string& name : requirements.interface)
+      domain.interface_surfaces.push_back(mesh::surface_index(share.mesh, name));
+  } catch (const Error& error) {
+    throw Error(with_file(error.what(), file));
   }
-  for (const std::string& name : requirements.interface)
-    domain.interface_surfaces.push_back(mesh::surface_index(shares.mesh, name));
   if (domain.fluid && domain.wall)
     domain.interface.emplace(*domain.fluid, *domain.wall, domain.interface_surfaces);
   domain.probes = probes_of(list, domain);

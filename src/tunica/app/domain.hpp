@@ -5,6 +5,7 @@
 
 #include "tunica/app/probes.hpp"
 #include "tunica/app/sanity/vessel.hpp"
+#include "tunica/base/memory.hpp"
 #include "tunica/fields/field_mesh.hpp"
 #include "tunica/fields/interface_transfer.hpp"
 
@@ -19,7 +20,8 @@ struct Domain {
   Vec3 extent;                          ///< of the mesh, in mm
   std::vector<int> interface_surfaces;  ///< indices into FieldMesh::surfaces
   Probes probes;
-  Vessel vessel;  ///< on rank 0
+  Vessel vessel;
+  MemoryByPhase memory;  ///< up to the fields
 };
 
 /// Reads and checks the mesh against the case (names of regions and surfaces, conforming

@@ -29,17 +29,6 @@ void scale(mesh::Mesh& mesh, double factor) {
   for (Vec3& x : mesh.vertices) x = factor * x;
 }
 
-Vec3 extent(const mesh::Mesh& mesh) {
-  if (mesh.vertices.empty()) return {};
-  Vec3 low = mesh.vertices.front(), high = low;
-  for (const Vec3& x : mesh.vertices)
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], x[i]);
-      high[i] = std::max(high[i], x[i]);
-    }
-  return high - low;
-}
-
 std::string extent_text(const Vec3& extent) {
   const int decimals = decimals_of(extent);
   return number(extent[0], decimals) + " x " + number(extent[1], decimals) + " x " +

@@ -10,9 +10,6 @@ namespace tunica::app {
 /// Multiplies the vertices: what a case's "Mesh / scale" asks for.
 void scale(mesh::Mesh& mesh, double factor);
 
-/// Lengths of the box about the vertices.
-Vec3 extent(const mesh::Mesh& mesh);
-
 /// "3.0 x 3.0 x 15.0 mm": three digits of the longest.
 std::string extent_text(const Vec3& extent);
 

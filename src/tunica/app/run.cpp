@@ -180,6 +180,8 @@ int solve(const Program& program, const CommandLine& command, const March& march
   RunOutput output({program, command, set_up}, list, comm, lock, restart);
   output.fingerprint = domain.fingerprint;
   record_sizes(domain, output.record);
+  for (const auto& [phase, peak] : domain.memory.phases())
+    output.record.set(output::memory_section, phase, peak);
   output.record.add_time("set-up", set_up.seconds());
   return conclude(program, output, *comm, [&] { return march(list, domain, output); });
 }

@@ -12,6 +12,7 @@
 #include "tunica/compare/system_capture.hpp"
 #include "tunica/compare/system_export.hpp"
 #include "tunica/coupling/registry.hpp"
+#include "tunica/mesh/distributed/partition_slab.hpp"
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/mesh_motion.hpp"
 #include "tunica/problems/solid_problem.hpp"
@@ -28,7 +29,10 @@ params::Table mesh_table() {
       .file("file", std::nullopt,
             "Gmsh 2.2 or 4.1, Netgen .vol, or our HDF5; lengths in mm, or see scale")
       .number("scale", 1.0, params::positive(), "",
-              "the vertices are multiplied by it; 1000 for a mesh in m, 10 for one in cm");
+              "the vertices are multiplied by it; 1000 for a mesh in m, 10 for one in cm")
+      .choice("partitioner", "automatic", mesh::partitioner_names(),
+              "who cuts the mesh for several ranks: metis, for which one rank reads all of it; "
+              "geometric, by planes and without; automatic, the first up to 100,000 tetrahedra");
   return table;
 }
 

@@ -167,6 +167,8 @@ void TimeMarch::accept(const StepSummary& step) {
 }
 
 StepSummary TimeMarch::make_step(const Solve& solve, RunLog& log) {
+  const bool is_first = !has_made_step_;
+  if (is_first) output_->record.note_memory("solvers");
   before_ = save_parts();
   numbers_before_ = save();
   StepSummary step;
@@ -186,6 +188,8 @@ StepSummary TimeMarch::make_step(const Solve& solve, RunLog& log) {
   note("failed and repeated", counts_.failed);
   note("inaccurate and repeated", counts_.inaccurate);
   output_->unconverged_steps = counts_.unconverged;
+  if (is_first) output_->record.note_memory("first step");
+  has_made_step_ = true;
   return step;
 }
 

@@ -92,7 +92,7 @@ private:
   std::vector<std::pair<std::string, std::unique_ptr<problems::StepError>>> errors_;
   std::vector<fields::State> before_;  ///< of the parts, at the start of the step made last
   Numbers numbers_before_;
-  bool is_stopped_ = false;
+  bool is_stopped_ = false, has_made_step_ = false;
   double eta_ = 0.0;  ///< of the present step, see stepping::StepControl
   Counts counts_;
 };

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "tunica/base/reduce.hpp"
+#include "tunica/mesh/distributed/share.hpp"
 #include "tunica/mesh/faces.hpp"
-#include "tunica/mesh/partition.hpp"
 
 namespace tunica::fields {
 
@@ -18,104 +18,124 @@ Triple sorted(Triple t) {
   return t;
 }
 
-/// Numbers of the field's nodes for the whole mesh: contiguous on each rank.
-struct Numbering {
-  std::vector<long long> global;    ///< per mesh vertex; -1 outside the field
-  std::vector<long long> first;     ///< per rank, and the total at the end
-  std::vector<int> owned_vertices;  ///< of the calling rank, in the order of their numbers
-};
+constexpr GlobalOrdinal absent = -1;
 
-Numbering number_nodes(const mesh::Mesh& mesh, const mesh::Partition& partition,
-                       const std::vector<char>& is_in_field, int rank, int ranks) {
-  std::vector<char> is_used(mesh.vertices.size(), 0);
+/// Numbers of the field's nodes at the vertices of a share: contiguous on each rank. A ghost has
+/// one wherever its owner knows it as a vertex of the field.
+std::vector<GlobalOrdinal> number_nodes(const mesh::Share& share, const std::vector<char>& is_in) {
+  const mesh::Mesh& mesh = share.mesh;
+  std::vector<GlobalOrdinal> numbers(mesh.vertices.size(), absent);
   for (std::size_t e = 0; e < mesh.tets.size(); ++e)
-    if (is_in_field[mesh.tet_region[e]])
-      for (const int v : mesh.tets[e]) is_used[v] = 1;
-  Numbering n;
-  n.first.assign(ranks + 1, 0);
-  for (std::size_t v = 0; v < is_used.size(); ++v)
-    if (is_used[v]) ++n.first[partition.vertex_owner[v] + 1];
-  for (int r = 0; r < ranks; ++r) n.first[r + 1] += n.first[r];
-  n.global.assign(is_used.size(), -1);
-  std::vector<long long> next(n.first.begin(), n.first.end() - 1);
-  for (std::size_t v = 0; v < is_used.size(); ++v) {
-    if (!is_used[v]) continue;
-    n.global[v] = next[partition.vertex_owner[v]]++;
-    if (partition.vertex_owner[v] == rank) n.owned_vertices.push_back(static_cast<int>(v));
-  }
-  return n;
+    if (is_in[mesh.tet_region[e]])
+      for (const int v : mesh.tets[e]) numbers[v] = 0;
+  const auto is_mine = [&](std::size_t v) { return share.is_owned[v] && numbers[v] != absent; };
+  long long mine = 0, up_to_here = 0;
+  for (std::size_t v = 0; v < numbers.size(); ++v) mine += is_mine(v);
+  Teuchos::scan(*share.comm, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
+  GlobalOrdinal next = up_to_here - mine;
+  for (std::size_t v = 0; v < numbers.size(); ++v)
+    if (is_mine(v)) numbers[v] = next++;
+  share.ghosts.update(numbers);
+  return numbers;
 }
 
-/// Adds the rank's nodes: owned ones in order, ghosts by their global number.
-std::vector<int> add_nodes(const mesh::Mesh& mesh, const Numbering& n, const std::vector<int>& tets,
-                           FieldMesh& field) {
-  std::vector<int> local(mesh.vertices.size(), -1);
-  field.vertex = n.owned_vertices;
-  field.n_owned = static_cast<int>(field.vertex.size());
-  for (int i = 0; i < field.n_owned; ++i) local[field.vertex[i]] = i;
-  std::vector<int> ghosts;
+/// Adds the rank's nodes: owned ones in order, ghosts by their global number. Returns the node at
+/// each vertex of the share.
+std::vector<int> add_nodes(const mesh::Share& share, const std::vector<GlobalOrdinal>& numbers,
+                           const std::vector<int>& tets, FieldMesh& field) {
+  std::vector<int> local(numbers.size(), -1), nodes;
+  for (std::size_t v = 0; v < numbers.size(); ++v)
+    if (share.is_owned[v] && numbers[v] != absent) {
+      local[v] = static_cast<int>(nodes.size());
+      nodes.push_back(static_cast<int>(v));
+    }
+  field.n_owned = static_cast<int>(nodes.size());
   for (const int e : tets)
-    for (const int v : mesh.tets[e])
+    for (const int v : share.mesh.tets[e])
       if (local[v] < 0) {
         local[v] = 0;
-        ghosts.push_back(v);
+        nodes.push_back(v);
       }
-  std::sort(ghosts.begin(), ghosts.end(), [&n](int a, int b) { return n.global[a] < n.global[b]; });
-  for (const int v : ghosts) {
-    local[v] = static_cast<int>(field.vertex.size());
-    field.vertex.push_back(v);
+  std::sort(nodes.begin() + field.n_owned, nodes.end(),
+            [&numbers](int a, int b) { return numbers[a] < numbers[b]; });
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    local[nodes[a]] = static_cast<int>(a);
+    field.vertex.push_back(share.numbers.vertices[nodes[a]]);
+    field.x.push_back(share.mesh.vertices[nodes[a]]);
   }
-  for (const int v : field.vertex) field.x.push_back(mesh.vertices[v]);
   return local;
 }
 
-/// Boundary triangles and the surfaces each node of the mesh lies on. A triangle between two
-/// tetrahedra of the field, as on a layer boundary, is not part of the field's boundary.
-void add_faces(const mesh::Mesh& mesh, const mesh::Partition& partition,
-               const std::vector<char>& is_in_field, const std::vector<int>& local,
-               FieldMesh& field) {
-  struct Owner {
-    int surface;
-    int tets = 0;
-    int tet = -1;
-    Triple outward{};
-  };
-  std::map<Triple, Owner> owners;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    owners[sorted(mesh.triangles[t])].surface = mesh.triangle_surface[t];
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    if (!is_in_field[mesh.tet_region[e]]) continue;
+/// Which of the share's triangles bound the field. A triangle between two tetrahedra of the field,
+/// as on a layer boundary, is none of them.
+std::vector<int> boundary_of(const mesh::Share& share, const std::vector<char>& is_in) {
+  std::vector<int> triangles;
+  for (std::size_t i = 0; i < share.mesh.triangles.size(); ++i)
+    if (share.is_between(i, is_in)) triangles.push_back(static_cast<int>(i));
+  return triangles;
+}
+
+/// The surfaces that the nodes lie on. The owner of a vertex knows all triangles around it and
+/// tells the others.
+NodeSurfaces surfaces_of_nodes(const mesh::Share& share, const std::vector<int>& boundary,
+                               const std::vector<int>& local, int n_nodes) {
+  const mesh::Mesh& mesh = share.mesh;
+  std::vector<std::pair<int, int>> at_vertices;
+  for (const int i : boundary)
+    for (const int v : mesh.triangles[i])
+      if (share.is_owned[v]) at_vertices.emplace_back(v, mesh.triangle_surface[i]);
+  const NodeSurfaces owned(static_cast<int>(mesh.vertices.size()), std::move(at_vertices));
+  int most = 0;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    most = std::max(most, owned.end(static_cast<int>(v)) - owned.begin(static_cast<int>(v)));
+  most = static_cast<int>(global_max(*share.comm, most));
+  std::vector<std::pair<int, int>> pairs;
+  std::vector<int> surface(mesh.vertices.size());
+  for (int k = 0; k < most; ++k) {
+    for (std::size_t v = 0; v < surface.size(); ++v) {
+      const int pair = owned.begin(static_cast<int>(v)) + k;
+      surface[v] = pair < owned.end(static_cast<int>(v)) ? owned.surface(pair) : -1;
+    }
+    share.ghosts.update(surface);
+    for (std::size_t v = 0; v < surface.size(); ++v)
+      if (surface[v] >= 0 && local[v] >= 0) pairs.emplace_back(local[v], surface[v]);
+  }
+  return {n_nodes, std::move(pairs)};
+}
+
+/// A tetrahedron of the field at a boundary triangle.
+struct Beside {
+  int surface;
+  int tet = -1;
+  Triple outward{};
+};
+
+/// Boundary triangles at nodes of the rank or on tetrahedra of its part. tets: those of the field.
+void add_faces(const mesh::Share& share, const std::vector<int>& boundary,
+               const std::vector<int>& tets, const std::vector<int>& local, FieldMesh& field) {
+  const mesh::Mesh& mesh = share.mesh;
+  std::map<Triple, Beside> besides;
+  for (const int i : boundary)
+    besides[sorted(mesh.triangles[i])].surface = mesh.triangle_surface[i];
+  for (std::size_t e = 0; e < tets.size(); ++e)
     for (const auto& f : mesh::tet_faces) {
-      const Triple face{mesh.tets[e][f[0]], mesh.tets[e][f[1]], mesh.tets[e][f[2]]};
-      const auto found = owners.find(sorted(face));
-      if (found == owners.end()) continue;
-      ++found->second.tets;
+      const auto& tet = mesh.tets[tets[e]];
+      const Triple face{tet[f[0]], tet[f[1]], tet[f[2]]};
+      const auto found = besides.find(sorted(face));
+      if (found == besides.end()) continue;
       found->second.tet = static_cast<int>(e);
       found->second.outward = face;
     }
-  }
-  std::vector<std::pair<int, int>> on_surfaces;
-  const int rank = field.comm->getRank();
-  for (const auto& [key, owner] : owners) {
-    if (owner.tets != 1) continue;
-    Face face{{}, owner.surface, partition.tet_part[owner.tet] == rank, -1};
+  for (const auto& [vertices, beside] : besides) {
+    if (beside.tet < 0) continue;
+    Face face{{}, beside.surface, share.counts(tets[beside.tet]), beside.tet};
     bool touches_owned = face.is_owned;
-    bool is_local = true;
     for (int k = 0; k < 3; ++k) {
-      face.nodes[k] = local[owner.outward[k]];
-      is_local = is_local && face.nodes[k] >= 0;
-      if (face.nodes[k] >= 0) {
-        on_surfaces.emplace_back(face.nodes[k], owner.surface);
-        touches_owned = touches_owned || face.nodes[k] < field.n_owned;
-      }
+      face.nodes[k] = local[beside.outward[k]];
+      touches_owned = touches_owned || face.nodes[k] < field.n_owned;
     }
-    if (!is_local || !touches_owned) continue;
-    const auto& numbers = field.tet_number;  // they ascend
-    const auto tet = std::lower_bound(numbers.begin(), numbers.end(), owner.tet + 1);
-    face.tet = static_cast<int>(tet - numbers.begin());
-    field.faces.push_back(face);
+    if (touches_owned) field.faces.push_back(face);
   }
-  field.node_surfaces = NodeSurfaces(field.n_nodes(), std::move(on_surfaces));
 }
 
 /// Numbers that ascend without gaps from rank to rank become a contiguous map, which needs no
@@ -165,40 +185,36 @@ void set_maps(const std::vector<GlobalOrdinal>& numbers, FieldMesh& mesh) {
   mesh.vector_import = Teuchos::rcp(new Import(mesh.vector_map, mesh.ghosted_vector_map));
 }
 
-FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partition,
-                          const std::vector<int>& regions, const CommPtr& comm) {
+FieldMesh make_field_mesh(const mesh::Share& share, const std::vector<int>& regions) {
+  const mesh::Mesh& mesh = share.mesh;
   FieldMesh field;
-  field.comm = comm;
+  field.comm = share.comm;
   for (const mesh::Tag& tag : mesh.regions) field.regions.push_back(tag.name);
   for (const mesh::Tag& tag : mesh.surfaces) field.surfaces.push_back(tag.name);
-  std::vector<char> is_in_field(mesh.regions.size(), 0);
-  for (const int r : regions) is_in_field[r] = 1;
+  const std::vector<char> is_in = mesh::marked_regions(mesh, regions);
 
-  const int rank = comm->getRank();
-  const Numbering n = number_nodes(mesh, partition, is_in_field, rank, comm->getSize());
   std::vector<int> tets;
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    if (!is_in_field[mesh.tet_region[e]]) continue;
-    const auto& t = mesh.tets[e];
-    if (partition.tet_part[e] == rank ||
-        std::any_of(t.begin(), t.end(), [&](int v) { return partition.vertex_owner[v] == rank; }))
-      tets.push_back(static_cast<int>(e));
-  }
-  const std::vector<int> local = add_nodes(mesh, n, tets, field);
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
+    if (is_in[mesh.tet_region[e]]) tets.push_back(static_cast<int>(e));
+  const std::vector<GlobalOrdinal> vertex_numbers = number_nodes(share, is_in);
+  const std::vector<int> local = add_nodes(share, vertex_numbers, tets, field);
   for (const int e : tets) {
     const auto& t = mesh.tets[e];
     field.tets.push_back({local[t[0]], local[t[1]], local[t[2]], local[t[3]]});
     field.region.push_back(mesh.tet_region[e]);
-    field.tet_number.push_back(e + 1);
-    field.is_owned.push_back(partition.tet_part[e] == rank);
+    field.tet_number.push_back(static_cast<int>(share.numbers.tets[e]) + 1);
+    field.is_owned.push_back(share.counts(e));
   }
-  for (const mesh::TetVectors& whole : mesh.tet_vectors) {
-    auto& mine = field.tet_vectors.emplace_back(mesh::TetVectors{whole.name, {}});
-    for (const int e : tets) mine.values.push_back(whole.values[e]);
+  for (const mesh::TetVectors& all : mesh.tet_vectors) {
+    auto& mine = field.tet_vectors.emplace_back(mesh::TetVectors{all.name, {}});
+    for (const int e : tets) mine.values.push_back(all.values[e]);
   }
-  add_faces(mesh, partition, is_in_field, local, field);
-  std::vector<GlobalOrdinal> numbers;
-  for (const int v : field.vertex) numbers.push_back(n.global[v]);
+  const std::vector<int> boundary = boundary_of(share, is_in);
+  field.node_surfaces = surfaces_of_nodes(share, boundary, local, field.n_nodes());
+  add_faces(share, boundary, tets, local, field);
+  std::vector<GlobalOrdinal> numbers(field.vertex.size());
+  for (std::size_t v = 0; v < local.size(); ++v)
+    if (local[v] >= 0) numbers[local[v]] = vertex_numbers[v];
   set_maps(numbers, field);
   return field;
 }

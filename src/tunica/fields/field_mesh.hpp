@@ -9,7 +9,7 @@
 #include "tunica/mesh/mesh.hpp"
 
 namespace tunica::mesh {
-struct Partition;
+struct Share;
 }
 
 namespace tunica::fields {
@@ -88,8 +88,7 @@ struct FieldMesh {
 
 /// The share of the calling rank in the field that fills the given regions (indices into
 /// mesh.regions). Collective.
-FieldMesh make_field_mesh(const mesh::Mesh& mesh, const mesh::Partition& partition,
-                          const std::vector<int>& regions, const CommPtr& comm);
+FieldMesh make_field_mesh(const mesh::Share& share, const std::vector<int>& regions);
 
 /// Sets the maps of a mesh whose owned and ghost nodes have these numbers. Collective.
 void set_maps(const std::vector<GlobalOrdinal>& numbers, FieldMesh& mesh);

@@ -24,14 +24,6 @@ hid_t create_in_memory() {
   return H5Fcreate("tunica.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access);
 }
 
-Hdf5Handle string_type(std::size_t length) {
-  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, std::max<std::size_t>(length, 1));
-  H5Tset_strpad(type, H5T_STR_NULLPAD);
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  return type;
-}
-
 std::string trimmed(const char* text, std::size_t length) {
   return std::string(text, std::find(text, text + length, '\0'));
 }
@@ -77,7 +69,7 @@ Hdf5Handle Hdf5Reader::open(const std::string& dataset) const {
   return handle;
 }
 
-std::size_t Hdf5Reader::rows(hid_t id, const std::string& dataset, hsize_t columns) const {
+std::size_t Hdf5Reader::rows_of(hid_t id, const std::string& dataset, hsize_t columns) const {
   const Hdf5Handle space(H5Dget_space(id), H5Sclose);
   const Hdf5Handle type(H5Dget_type(id), H5Tclose);
   const int expected = columns == 1 ? 1 : 2;
@@ -92,29 +84,59 @@ std::size_t Hdf5Reader::rows(hid_t id, const std::string& dataset, hsize_t colum
                        static_cast<double>(H5Tget_size(type));
   const double stored = static_cast<double>(
       std::min<std::uintmax_t>(H5Dget_storage_size(id), std::filesystem::file_size(path_)));
-  if (size[0] > 2147483647 || bytes > most_compression * stored)
+  if (bytes > most_compression * stored)
     fail(dataset,
          "has " + std::to_string(size[0]) + " rows, more than the file can hold. Is it damaged?");
   return size[0];
 }
 
-std::vector<int> Hdf5Reader::integers(const std::string& dataset, hsize_t columns) const {
+std::size_t Hdf5Reader::rows(const std::string& dataset, hsize_t columns) const {
+  return rows_of(open(dataset), dataset, columns);
+}
+
+void Hdf5Reader::read_any(hid_t id, hid_t type, const std::string& dataset, hsize_t columns,
+                          hsize_t first, hsize_t count, void* to) const {
+  const hsize_t all = rows_of(id, dataset, columns);
+  if (first + count > all)
+    fail(dataset, "has " + std::to_string(all) + " rows, expected at least " +
+                      std::to_string(first + count));
+  if (count == 0) return;
+  const std::array<hsize_t, 2> corner{first, 0}, size{count, columns};
+  const Hdf5Handle on_disk(H5Dget_space(id), H5Sclose);
+  const Hdf5Handle in_memory(H5Screate_simple(columns == 1 ? 1 : 2, size.data(), nullptr),
+                             H5Sclose);
+  H5Sselect_hyperslab(on_disk, H5S_SELECT_SET, corner.data(), nullptr, size.data(), nullptr);
+  if (H5Dread(id, type, in_memory, on_disk, H5P_DEFAULT, to) < 0)
+    fail(dataset, "cannot be read. Is it damaged?");
+}
+
+void Hdf5Reader::read(const std::string& dataset, hsize_t columns, hsize_t first, hsize_t count,
+                      int* to) const {
   const Hdf5Handle handle = open(dataset);
   const Hdf5Handle type(H5Dget_type(handle), H5Tclose);
   if (H5Tget_class(type) != H5T_INTEGER) fail(dataset, "does not hold integers");
-  std::vector<int> values(rows(handle, dataset, columns) * columns);
-  if (H5Dread(handle, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
-    fail(dataset, "cannot be read. Is it damaged?");
+  read_any(handle, H5T_NATIVE_INT, dataset, columns, first, count, to);
+}
+
+void Hdf5Reader::read(const std::string& dataset, hsize_t columns, hsize_t first, hsize_t count,
+                      double* to) const {
+  const Hdf5Handle handle = open(dataset);
+  const Hdf5Handle type(H5Dget_type(handle), H5Tclose);
+  if (H5Tget_class(type) != H5T_FLOAT) fail(dataset, "does not hold real numbers");
+  read_any(handle, H5T_NATIVE_DOUBLE, dataset, columns, first, count, to);
+}
+
+std::vector<int> Hdf5Reader::integers(const std::string& dataset, hsize_t columns) const {
+  const std::size_t all = rows(dataset, columns);
+  std::vector<int> values(all * columns);
+  read(dataset, columns, 0, all, values.data());
   return values;
 }
 
 std::vector<double> Hdf5Reader::reals(const std::string& dataset, hsize_t columns) const {
-  const Hdf5Handle handle = open(dataset);
-  const Hdf5Handle type(H5Dget_type(handle), H5Tclose);
-  if (H5Tget_class(type) != H5T_FLOAT) fail(dataset, "does not hold real numbers");
-  std::vector<double> values(rows(handle, dataset, columns) * columns);
-  if (H5Dread(handle, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
-    fail(dataset, "cannot be read. Is it damaged?");
+  const std::size_t all = rows(dataset, columns);
+  std::vector<double> values(all * columns);
+  read(dataset, columns, 0, all, values.data());
   return values;
 }
 
@@ -123,7 +145,7 @@ std::vector<std::string> Hdf5Reader::strings(const std::string& dataset) const {
   const Hdf5Handle type(H5Dget_type(handle), H5Tclose);
   const std::size_t length = string_length(type);
   if (length == 0) fail(dataset, "does not hold strings of fixed length");
-  const std::size_t n = rows(handle, dataset, 1);
+  const std::size_t n = rows_of(handle, dataset, 1);
   std::vector<char> text(n * length);
   if (H5Dread(handle, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
     fail(dataset, "cannot be read. Is it damaged?");
@@ -137,7 +159,7 @@ Hdf5Writer::Hdf5Writer(const std::string& path) : path_(path), file_(create_in_m
 }
 
 void Hdf5Writer::attribute(const std::string& name, const std::string& value) {
-  const Hdf5Handle type = string_type(value.size());
+  const Hdf5Handle type = hdf5_string_type(value.size());
   const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
   const Hdf5Handle attribute(H5Acreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
                              H5Aclose);
@@ -179,12 +201,9 @@ void Hdf5Writer::write(const std::string& dataset, const double* values, hsize_t
 }
 
 void Hdf5Writer::write(const std::string& dataset, const std::vector<std::string>& values) {
-  std::size_t length = 1;
-  for (const std::string& value : values) length = std::max(length, value.size());
-  std::vector<char> text(values.size() * length + 1, '\0');
-  for (std::size_t i = 0; i < values.size(); ++i)
-    std::copy(values[i].begin(), values[i].end(), &text[i * length]);
-  write_any(dataset, string_type(length), text.data(), values.size(), 1);
+  const std::size_t length = hdf5_string_length(values);
+  const std::vector<char> text = hdf5_text(values, length);
+  write_any(dataset, hdf5_string_type(length), text.data(), values.size(), 1);
 }
 
 std::string Hdf5Writer::image() const {

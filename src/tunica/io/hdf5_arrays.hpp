@@ -13,16 +13,25 @@ public:
   explicit Hdf5Reader(const std::string& path);
   std::string attribute(const std::string& name) const;
   bool has(const std::string& dataset) const;
-  /// A dataset of rows × columns (columns 1: one-dimensional), row by row.
+  /// How many rows a dataset of so many columns has (columns 1: one-dimensional).
+  std::size_t rows(const std::string& dataset, hsize_t columns = 1) const;
+  /// A dataset of rows × columns, row by row.
   std::vector<int> integers(const std::string& dataset, hsize_t columns = 1) const;
   std::vector<double> reals(const std::string& dataset, hsize_t columns) const;
+  /// Some rows of such a dataset, to where there is room for them.
+  void read(const std::string& dataset, hsize_t columns, hsize_t first, hsize_t count,
+            int* to) const;
+  void read(const std::string& dataset, hsize_t columns, hsize_t first, hsize_t count,
+            double* to) const;
   std::vector<std::string> strings(const std::string& dataset) const;
 
 private:
   [[noreturn]] void fail(const std::string& dataset, const std::string& message) const;
   Hdf5Handle open(const std::string& dataset) const;
   /// Number of rows; the size must fit the columns and what is stored.
-  std::size_t rows(hid_t id, const std::string& dataset, hsize_t columns) const;
+  std::size_t rows_of(hid_t id, const std::string& dataset, hsize_t columns) const;
+  void read_any(hid_t id, hid_t type, const std::string& dataset, hsize_t columns, hsize_t first,
+                hsize_t count, void* to) const;
 
   Hdf5Silence silence_;
   std::string path_;

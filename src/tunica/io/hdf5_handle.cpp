@@ -1,5 +1,7 @@
 #include "tunica/io/hdf5_handle.hpp"
 
+#include <algorithm>
+
 namespace tunica::io {
 
 Hdf5Silence::Hdf5Silence() {
@@ -9,6 +11,27 @@ Hdf5Silence::Hdf5Silence() {
 }
 
 Hdf5Silence::~Hdf5Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+
+Hdf5Handle hdf5_string_type(std::size_t length) {
+  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, std::max<std::size_t>(length, 1));
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
+std::size_t hdf5_string_length(const std::vector<std::string>& values) {
+  std::size_t length = 1;
+  for (const std::string& value : values) length = std::max(length, value.size());
+  return length;
+}
+
+std::vector<char> hdf5_text(const std::vector<std::string>& values, std::size_t length) {
+  std::vector<char> text(values.size() * length + 1, '\0');
+  for (std::size_t i = 0; i < values.size(); ++i)
+    std::copy(values[i].begin(), values[i].end(), &text[i * length]);
+  return text;
+}
 
 std::string hdf5_failure(const std::string& path, const std::string& action) {
   std::string cause;

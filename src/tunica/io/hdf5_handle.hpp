@@ -2,6 +2,7 @@
 #include <hdf5.h>
 
 #include <string>
+#include <vector>
 
 namespace tunica::io {
 
@@ -48,6 +49,12 @@ private:
   H5E_auto2_t function_ = nullptr;
   void* data_ = nullptr;
 };
+
+/// The type of strings of fixed length, UTF-8, filled up with zeros; the length that holds all of
+/// some, and these one behind the other.
+Hdf5Handle hdf5_string_type(std::size_t length);
+std::size_t hdf5_string_length(const std::vector<std::string>& values);
+std::vector<char> hdf5_text(const std::vector<std::string>& values, std::size_t length);
 
 /// "fields.h5: cannot write /step_000001 (unable to …)": what HDF5 has just refused, with the
 /// innermost entry of its error stack, which names the cause.

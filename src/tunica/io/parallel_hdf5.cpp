@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <Teuchos_DefaultMpiComm.hpp>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -11,16 +10,11 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/attempt.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/exchange.hpp"
 
 namespace tunica::io {
 
 namespace {
-
-MPI_Comm mpi_of(const CommPtr& comm) {
-  const auto mpi = Teuchos::rcp_dynamic_cast<const Teuchos::MpiComm<int>>(comm);
-  if (mpi.is_null()) return MPI_COMM_SELF;
-  return *mpi->getRawMpiComm();
-}
 
 /// Takes room behind the end of a file, which HDF5 gives back on closing as far as it is not
 /// needed. A failure leaves the file as it was.
@@ -45,7 +39,7 @@ hid_t open(const std::string& path, Hdf5File::Mode mode, long long bytes_to_come
       agreed(*comm, takes_room ? take_room(path, bytes_to_come) : Outcome::success());
   if (room.is_failure()) throw NoRoom(room.reason());
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_mpio(access, mpi_of(comm), MPI_INFO_NULL);
+  H5Pset_fapl_mpio(access, mpi_comm(*comm), MPI_INFO_NULL);
   H5Pset_all_coll_metadata_ops(access, true);
   H5Pset_coll_metadata_write(access, true);
   return is_new ? H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
@@ -111,6 +105,19 @@ void Hdf5File::attribute(const std::string& object, const std::string& name, lon
   attribute_any(object, name, H5T_NATIVE_LLONG, &value);
 }
 
+void Hdf5File::attribute(const std::string& object, const std::string& name,
+                         const std::string& value) {
+  attribute_any(object, name, hdf5_string_type(value.size()), value.c_str());
+}
+
+void Hdf5File::write(const std::string& name, const std::vector<std::string>& values) {
+  const std::size_t length = hdf5_string_length(values);
+  const std::vector<char> text = hdf5_text(values, length);
+  const auto total = static_cast<long long>(values.size());
+  write_any(name, {total, 0, comm_->getRank() == 0 ? total : 0, 1}, hdf5_string_type(length),
+            text.data());
+}
+
 void Hdf5File::write(const std::string& name, const Rows& rows, const double* values) {
   write_any(name, rows, H5T_NATIVE_DOUBLE, values);
 }
@@ -133,25 +140,28 @@ void Hdf5File::attribute_any(const std::string& object, const std::string& name,
   noted(H5Awrite(entry, type, value), "write attribute " + name);
 }
 
-void Hdf5File::write_any(const std::string& name, const Rows& rows, hid_t type,
-                         const void* values) {
+Hdf5Handle Hdf5File::make_dataset(const std::string& name, long long total, int columns,
+                                  hid_t type) {
+  const std::array<hsize_t, 2> whole{static_cast<hsize_t>(total), static_cast<hsize_t>(columns)};
+  const Hdf5Handle on_disk(H5Screate_simple(columns == 1 ? 1 : 2, whole.data(), nullptr), H5Sclose);
+  const Hdf5Handle parents(with_parents(), H5Pclose);
+  const Hdf5Handle storage(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_fill_time(storage, H5D_FILL_TIME_NEVER);  // every row is written
+  return {noted(H5Dcreate2(file_, name.c_str(), type, on_disk, parents, storage, H5P_DEFAULT),
+                "create " + name),
+          H5Dclose};
+}
+
+void Hdf5File::write_rows(hid_t dataset, const std::string& name, const Rows& rows, hid_t type,
+                          const void* values) {
+  if (rows.total == 0) return;
   const int rank = rows.columns == 1 ? 1 : 2;
   const auto width = static_cast<hsize_t>(rows.columns);
   const std::array<hsize_t, 2> whole{static_cast<hsize_t>(rows.total), width};
   const std::array<hsize_t, 2> first{static_cast<hsize_t>(rows.first), 0};
   const std::array<hsize_t, 2> count{static_cast<hsize_t>(rows.count), width};
-
   const Hdf5Handle on_disk(H5Screate_simple(rank, whole.data(), nullptr), H5Sclose);
   const Hdf5Handle in_memory(H5Screate_simple(rank, count.data(), nullptr), H5Sclose);
-  const Hdf5Handle parents(with_parents(), H5Pclose);
-  const Hdf5Handle storage(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  H5Pset_fill_time(storage, H5D_FILL_TIME_NEVER);  // every row is written below
-  const Hdf5Handle dataset(
-      noted(H5Dcreate2(file_, name.c_str(), type, on_disk, parents, storage, H5P_DEFAULT),
-            "create " + name),
-      H5Dclose);
-  if (rows.total == 0) return;
-
   if (rows.count == 0) {
     H5Sselect_none(on_disk);
     H5Sselect_none(in_memory);
@@ -161,6 +171,20 @@ void Hdf5File::write_any(const std::string& name, const Rows& rows, hid_t type,
   const Hdf5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
   H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
   noted(H5Dwrite(dataset, type, in_memory, on_disk, transfer, values), "write " + name);
+}
+
+void Hdf5File::write_any(const std::string& name, const Rows& rows, hid_t type,
+                         const void* values) {
+  const Hdf5Handle dataset = make_dataset(name, rows.total, rows.columns, type);
+  write_rows(dataset, name, rows, type, values);
+}
+
+void Hdf5File::write(const std::string& name, long long total, int columns,
+                     const std::vector<Part>& parts) {
+  const Hdf5Handle dataset = make_dataset(name, total, columns, H5T_NATIVE_DOUBLE);
+  for (const Part& part : parts)
+    write_rows(dataset, name, {total, part.first, part.count, columns}, H5T_NATIVE_DOUBLE,
+               part.values);
 }
 
 void Hdf5File::close() {

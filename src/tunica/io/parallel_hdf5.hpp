@@ -30,6 +30,12 @@ public:
     long long count;
     int columns;
   };
+  /// Rows that a rank has among those of a dataset.
+  struct Part {
+    long long first;
+    long long count;
+    const double* values;
+  };
 
   /// Throws MachineFault on all ranks if the file cannot be created or opened, NoRoom if the
   /// disk has no room for the bytes to come. Room is taken beforehand because Open MPI does not
@@ -50,15 +56,23 @@ public:
   /// Attribute of a group or dataset.
   void attribute(const std::string& object, const std::string& name, double value);
   void attribute(const std::string& object, const std::string& name, long long value);
+  void attribute(const std::string& object, const std::string& name, const std::string& value);
   /// Creates a dataset (with parent groups) and writes it.
   void write(const std::string& name, const Rows& rows, const double* values);
   void write(const std::string& name, const Rows& rows, const long long* values);
   void write(const std::string& name, const Rows& rows, const int* values);
+  /// The same from several places; all ranks have as many parts.
+  void write(const std::string& name, long long total, int columns, const std::vector<Part>& parts);
+  /// Strings that all ranks know, of fixed length as Hdf5Reader reads them.
+  void write(const std::string& name, const std::vector<std::string>& values);
 
   /// Flushes and closes. Throws MachineFault on all ranks if anything has failed on any.
   void close();
 
 private:
+  Hdf5Handle make_dataset(const std::string& name, long long total, int columns, hid_t type);
+  void write_rows(hid_t dataset, const std::string& name, const Rows& rows, hid_t type,
+                  const void* values);
   void write_any(const std::string& name, const Rows& rows, hid_t type, const void* values);
   void attribute_any(const std::string& object, const std::string& name, hid_t type,
                      const void* value);

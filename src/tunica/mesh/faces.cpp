@@ -30,44 +30,98 @@ Side make_side(std::array<int, 3> v, int tet) {
   return {v, tet, is_even};
 }
 
-std::vector<Side> sorted_sides(const Mesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(4 * mesh.tets.size());
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    const auto& tet = mesh.tets[t];
-    for (const auto& f : tet_faces)
-      sides.push_back(make_side({tet[f[0]], tet[f[1]], tet[f[2]]}, static_cast<int>(t)));
+constexpr std::size_t sides_at_once = std::size_t{1} << 20;
+
+/// Joins the sides of a face, of which two are right and come one after the other.
+class FaceBuilder {
+public:
+  FaceBuilder(const Excerpt& part, const std::string& name,
+              const std::function<void(const Face&)>& visit)
+      : part_(part), name_(name), visit_(visit) {}
+
+  void add(const Side& side) {
+    if (!is_begun_ || face_.vertices != side.vertices) {
+      finish();
+      is_begun_ = true;
+      face_ = {side.vertices, {side.tet, -1}};
+      is_even_ = side.is_even;
+      return;
+    }
+    const auto where = [&] { return " at " + show(centre(part_.mesh, face_.vertices)); };
+    TUNICA_CHECK(face_.is_boundary(), name_ + ": the face" + where() + " belongs to tetrahedra " +
+                                          part_.tet(face_.tets[0]) + ", " +
+                                          part_.tet(face_.tets[1]) + " and " + part_.tet(side.tet) +
+                                          ", expected at most two. Remove duplicate elements.");
+    TUNICA_CHECK(is_even_ != side.is_even,
+                 name_ + ": tetrahedra " + part_.tet(face_.tets[0]) + " and " +
+                     part_.tet(side.tet) + " lie on the same side of their common face" + where() +
+                     ". The mesh overlaps itself; make it anew.");
+    face_.tets[1] = side.tet;
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.vertices, a.tet) < std::tie(b.vertices, b.tet);
-  });
-  return sides;
+
+  void finish() {
+    if (is_begun_) visit_(face_);
+    is_begun_ = false;
+  }
+
+private:
+  const Excerpt& part_;
+  const std::string& name_;
+  const std::function<void(const Face&)>& visit_;
+  bool is_begun_ = false, is_even_ = false;
+  Face face_{};
+};
+
+/// Up to which lowest vertices the sides of faces are taken at a time.
+std::vector<int> portions(const Excerpt& part) {
+  const Mesh& mesh = part.mesh;
+  std::vector<int> sides(mesh.vertices.size(), 0);
+  for (const auto& tet : mesh.tets)
+    for (const auto& f : tet_faces) ++sides[std::min({tet[f[0]], tet[f[1]], tet[f[2]]})];
+  std::vector<int> ends;
+  std::size_t taken = 0;
+  for (std::size_t v = 0; v < sides.size(); ++v) {
+    if (!part.has(static_cast<int>(v))) continue;
+    taken += static_cast<std::size_t>(sides[v]);
+    if (taken < sides_at_once) continue;
+    ends.push_back(static_cast<int>(v) + 1);
+    taken = 0;
+  }
+  ends.push_back(static_cast<int>(sides.size()));
+  return ends;
 }
 
 }  // namespace
 
-std::vector<Face> faces(const Mesh& mesh, const std::string& name) {
-  const std::vector<Side> sides = sorted_sides(mesh);
-  std::vector<Face> result;
-  result.reserve(sides.size() / 2 + 1);
-  for (const Side& side : sides) {
-    if (result.empty() || result.back().vertices != side.vertices) {
-      result.push_back({side.vertices, {side.tet, -1}});
-      continue;
+void for_each_face(const Excerpt& part, const std::string& name,
+                   const std::function<void(const Face&)>& visit) {
+  const Mesh& mesh = part.mesh;
+  std::vector<Side> sides;
+  int first = 0;
+  for (const int end : portions(part)) {
+    sides.clear();
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+      const auto& tet = mesh.tets[t];
+      for (const auto& f : tet_faces) {
+        const int lowest = std::min({tet[f[0]], tet[f[1]], tet[f[2]]});
+        if (lowest < first || lowest >= end || !part.has(lowest)) continue;
+        sides.push_back(make_side({tet[f[0]], tet[f[1]], tet[f[2]]}, static_cast<int>(t)));
+      }
     }
-    Face& face = result.back();
-    const auto where = [&] { return " at " + show(centre(mesh, face.vertices)); };
-    TUNICA_CHECK(face.is_boundary(), name + ": the face" + where() + " belongs to tetrahedra " +
-                                         std::to_string(face.tets[0]) + ", " +
-                                         std::to_string(face.tets[1]) + " and " +
-                                         std::to_string(side.tet) +
-                                         ", expected at most two. Remove duplicate elements.");
-    TUNICA_CHECK((&side - 1)->is_even != side.is_even,
-                 name + ": tetrahedra " + std::to_string(face.tets[0]) + " and " +
-                     std::to_string(side.tet) + " lie on the same side of their common face" +
-                     where() + ". The mesh overlaps itself; make it anew.");
-    face.tets[1] = side.tet;
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+      return std::tie(a.vertices, a.tet) < std::tie(b.vertices, b.tet);
+    });
+    FaceBuilder builder(part, name, visit);
+    for (const Side& side : sides) builder.add(side);
+    builder.finish();
+    first = end;
   }
+}
+
+std::vector<Face> faces(const Mesh& mesh, const std::string& name) {
+  std::vector<Face> result;
+  result.reserve(2 * mesh.tets.size() + mesh.triangles.size());
+  for_each_face(Excerpt(mesh), name, [&result](const Face& face) { result.push_back(face); });
   return result;
 }
 

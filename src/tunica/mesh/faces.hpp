@@ -1,9 +1,10 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "tunica/mesh/mesh.hpp"
+#include "tunica/mesh/excerpt.hpp"
 
 namespace tunica::mesh {
 
@@ -21,8 +22,12 @@ struct Face {
   bool is_boundary() const { return tets[1] < 0; }
 };
 
-/// Every face of the mesh once, sorted by vertices. Throws Error, beginning with name, if a
-/// face has three or more tetrahedra or two on the same side.
+/// Visits every face of the excerpt once, sorted by vertices; takes room for few of them at a time.
+/// Throws Error, beginning with name, if a face has three or more tetrahedra or two on the same
+/// side.
+void for_each_face(const Excerpt& part, const std::string& name,
+                   const std::function<void(const Face&)>& visit);
+/// Every face of the mesh once, sorted by vertices. Throws as for_each_face() does.
 std::vector<Face> faces(const Mesh& mesh, const std::string& name = "mesh");
 
 /// The face with these vertices in any order, or nullptr.

@@ -1,6 +1,6 @@
 #include "tunica/mesh/hdf5.hpp"
 
-#include <algorithm>
+#include <limits>
 
 #include "tunica/base/error.hpp"
 #include "tunica/io/hdf5_arrays.hpp"
@@ -9,13 +9,33 @@
 namespace tunica::mesh {
 namespace {
 
-const std::string format = "tunica-mesh 1";
+/// The rows of one rank among some.
+struct Portion {
+  Portion(const io::Hdf5Reader& in, const std::string& dataset, hsize_t columns, int rank,
+          int ranks)
+      : total(static_cast<long long>(in.rows(dataset, columns))), first(total * rank / ranks),
+        count(total * (rank + 1) / ranks - first) {}
+  long long total, first, count;
+};
 
 template <typename T, std::size_t N>
-std::vector<std::array<T, N>> rows_of(const std::vector<T>& values) {
-  std::vector<std::array<T, N>> rows(values.size() / N);
-  for (std::size_t i = 0; i < values.size(); ++i) rows[i / N][i % N] = values[i];
-  return rows;
+void read_rows(const io::Hdf5Reader& in, const std::string& dataset, const Portion& portion,
+               std::vector<std::array<T, N>>& rows) {
+  rows.resize(static_cast<std::size_t>(portion.count));
+  in.read(dataset, N, static_cast<hsize_t>(portion.first), rows.size(),
+          reinterpret_cast<T*>(rows.data()));
+}
+
+/// One number for each element.
+std::vector<int> read_numbers(const io::Hdf5Reader& in, const std::string& dataset,
+                              const Portion& portion, const std::string& elements,
+                              const std::string& path) {
+  TUNICA_CHECK(static_cast<long long>(in.rows(dataset)) == portion.total,
+               path + ": dataset /" + dataset + " has " + std::to_string(in.rows(dataset)) +
+                   " rows, expected " + std::to_string(portion.total) + " as in /" + elements);
+  std::vector<int> numbers(static_cast<std::size_t>(portion.count));
+  in.read(dataset, 1, static_cast<hsize_t>(portion.first), numbers.size(), numbers.data());
+  return numbers;
 }
 
 std::vector<Tag> read_tags(const io::Hdf5Reader& in, const std::string& kind,
@@ -31,18 +51,20 @@ std::vector<Tag> read_tags(const io::Hdf5Reader& in, const std::string& kind,
 }
 
 /// One field behind the other, a row per tetrahedron. Files without them are older or have none.
-void read_tet_vectors(const io::Hdf5Reader& in, const std::string& path, Mesh& mesh) {
+void read_tet_vectors(const io::Hdf5Reader& in, const std::string& path, Portion portion,
+                      Mesh& mesh) {
   if (!in.has("tet_vectors")) return;
   const std::vector<std::string> names = in.strings("tet_vector_names");
-  const auto rows = rows_of<double, 3>(in.reals("tet_vectors", 3));
-  TUNICA_CHECK(rows.size() == names.size() * mesh.tets.size(),
-               path + ": dataset /tet_vectors has " + std::to_string(rows.size()) +
-                   " rows, expected " + std::to_string(names.size()) + " times " +
-                   std::to_string(mesh.tets.size()) + " as in /tet_vector_names and /tets");
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const auto first = rows.begin() + static_cast<std::ptrdiff_t>(k * mesh.tets.size());
-    mesh.tet_vectors.push_back(
-        {names[k], {first, first + static_cast<std::ptrdiff_t>(mesh.tets.size())}});
+  const auto fields = static_cast<long long>(names.size());
+  const auto found = static_cast<long long>(in.rows("tet_vectors", 3));
+  TUNICA_CHECK(found == fields * portion.total,
+               path + ": dataset /tet_vectors has " + std::to_string(found) + " rows, expected " +
+                   std::to_string(fields) + " times " + std::to_string(portion.total) +
+                   " as in /tet_vector_names and /tets");
+  for (const std::string& name : names) {
+    mesh.tet_vectors.push_back({name, {}});
+    read_rows(in, "tet_vectors", portion, mesh.tet_vectors.back().values);
+    portion.first += portion.total;
   }
 }
 
@@ -71,46 +93,43 @@ void write_tags(io::Hdf5Writer& out, const std::vector<Tag>& tags, const std::st
 
 void check_format(const io::Hdf5Reader& in, const std::string& path) {
   const std::string found = in.attribute("format");
-  TUNICA_CHECK(found == format,
-               path + ": attribute \"format\" is \"" + found + "\", expected \"" + format + "\"");
+  TUNICA_CHECK(found == hdf5_format, path + ": attribute \"format\" is \"" + found +
+                                         "\", expected \"" + hdf5_format + "\"");
 }
 
 }  // namespace
 
-Mesh read_hdf5(const std::string& path) {
+Hdf5Rows read_hdf5_rows(const std::string& path, int rank, int ranks) {
   const io::Hdf5Reader in(path);
   check_format(in, path);
-  Mesh mesh;
-  mesh.vertices = rows_of<double, 3>(in.reals("vertices", 3));
-  mesh.tets = rows_of<int, 4>(in.integers("tets", 4));
-  mesh.tet_region = in.integers("tet_region");
-  mesh.triangles = rows_of<int, 3>(in.integers("triangles", 3));
-  mesh.triangle_surface = in.integers("triangle_surface");
+  const Portion vertices(in, "vertices", 3, rank, ranks), tets(in, "tets", 4, rank, ranks),
+      triangles(in, "triangles", 3, rank, ranks);
+  constexpr int most = std::numeric_limits<int>::max();
+  TUNICA_CHECK(vertices.total <= most && tets.total < most,
+               path + ": has " + std::to_string(vertices.total) + " vertices and " +
+                   std::to_string(tets.total) + " tetrahedra, more than can be numbered");
+  Hdf5Rows found{{}, vertices.total, tets.total, triangles.total};
+  Mesh& mesh = found.rows;
+  read_rows(in, "vertices", vertices, mesh.vertices);
+  read_rows(in, "tets", tets, mesh.tets);
+  mesh.tet_region = read_numbers(in, "tet_region", tets, "tets", path);
+  read_rows(in, "triangles", triangles, mesh.triangles);
+  mesh.triangle_surface = read_numbers(in, "triangle_surface", triangles, "triangles", path);
   mesh.regions = read_tags(in, "region", path);
   mesh.surfaces = read_tags(in, "surface", path);
-  read_tet_vectors(in, path, mesh);
+  read_tet_vectors(in, path, tets, mesh);
+  return found;
+}
+
+Mesh read_hdf5(const std::string& path) {
+  Mesh mesh = read_hdf5_rows(path, 0, 1).rows;
   validate(mesh, path);
   return mesh;
 }
 
-std::optional<Partition> read_hdf5_partition(const std::string& path) {
-  const io::Hdf5Reader in(path);
-  check_format(in, path);
-  if (!in.has("tet_part")) return std::nullopt;
-  Partition partition{in.integers("tet_part"), in.integers("vertex_owner")};
-  const std::size_t tets = in.integers("tet_region").size();
-  const std::size_t vertices = in.reals("vertices", 3).size() / 3;
-  TUNICA_CHECK(partition.tet_part.size() == tets && partition.vertex_owner.size() == vertices,
-               path + ": datasets /tet_part and /vertex_owner do not have the mesh's size");
-  for (const auto* parts : {&partition.tet_part, &partition.vertex_owner})
-    TUNICA_CHECK(std::all_of(parts->begin(), parts->end(), [](int part) { return part >= 0; }),
-                 path + ": datasets /tet_part and /vertex_owner must not be negative");
-  return partition;
-}
-
-void write_hdf5(const Mesh& mesh, const std::string& path, const Partition* partition) {
+void write_hdf5(const Mesh& mesh, const std::string& path) {
   io::Hdf5Writer out(path);
-  out.attribute("format", format);
+  out.attribute("format", hdf5_format);
   out.write("vertices", reinterpret_cast<const double*>(mesh.vertices.data()), mesh.vertices.size(),
             3);
   out.write("tets", reinterpret_cast<const int*>(mesh.tets.data()), mesh.tets.size(), 4);
@@ -121,10 +140,6 @@ void write_hdf5(const Mesh& mesh, const std::string& path, const Partition* part
   write_tags(out, mesh.regions, "region");
   write_tags(out, mesh.surfaces, "surface");
   write_tet_vectors(out, mesh.tet_vectors);
-  if (partition) {
-    out.write("tet_part", partition->tet_part.data(), partition->tet_part.size());
-    out.write("vertex_owner", partition->vertex_owner.data(), partition->vertex_owner.size());
-  }
   out.save();
 }
 

@@ -1,9 +1,7 @@
 #pragma once
-#include <optional>
 #include <string>
 
 #include "tunica/mesh/mesh.hpp"
-#include "tunica/mesh/partition.hpp"
 
 namespace tunica::mesh {
 
@@ -20,16 +18,21 @@ namespace tunica::mesh {
 /// where tetrahedra have vectors
 ///   /tet_vector_names                  strings, one per field
 ///   /tet_vectors       f·m × 3  float64  one field behind the other
-/// and in a partitioned file
-///   /tet_part          m      int32
-///   /vertex_owner      n      int32
-/// All counts begin at 0. Datasets are compressed (deflate, level 1) and carry checksums.
+/// All counts begin at 0. Datasets are compressed (deflate, level 1) and carry checksums, but for
+/// files that several ranks have written.
 Mesh read_hdf5(const std::string& path);
 
-/// The partition in the file, if it holds one.
-std::optional<Partition> read_hdf5_partition(const std::string& path);
+/// The rows of one of some ranks: of n rows those from n·rank/ranks on. Not validated.
+struct Hdf5Rows {
+  Mesh rows;  ///< elements have numbers of the whole; all tags
+  long long vertices = 0, tets = 0, triangles = 0;  ///< of the whole
+};
+Hdf5Rows read_hdf5_rows(const std::string& path, int rank, int ranks);
 
 /// A failed write leaves all as it was.
-void write_hdf5(const Mesh& mesh, const std::string& path, const Partition* partition = nullptr);
+void write_hdf5(const Mesh& mesh, const std::string& path);
+
+/// What the attribute "format" says.
+constexpr const char* hdf5_format = "tunica-mesh 1";
 
 }  // namespace tunica::mesh

@@ -29,8 +29,8 @@ struct Graph {
   std::vector<idx_t> neighbours;
 };
 
-Graph dual_graph(const Mesh& mesh) {
-  const std::vector<Face> all = faces(mesh);
+Graph dual_graph(const Mesh& mesh, const std::string& name) {
+  const std::vector<Face> all = faces(mesh, name);
   Graph graph;
   graph.start.assign(mesh.tets.size() + 1, 0);
   for (const Face& face : all)
@@ -48,8 +48,9 @@ Graph dual_graph(const Mesh& mesh) {
 }
 
 /// One balance constraint for each field that has tetrahedra.
-std::vector<int> run_metis(const Mesh& mesh, int parts, const std::vector<int>& fields) {
-  Graph graph = dual_graph(mesh);
+std::vector<int> run_metis(const Mesh& mesh, int parts, const std::vector<int>& fields,
+                           const std::string& name) {
+  Graph graph = dual_graph(mesh, name);
   const auto fluid_tets = std::count(fields.begin(), fields.end(), fluid);
   const bool has_both = fluid_tets > 0 && fluid_tets < static_cast<long>(fields.size());
   idx_t n = static_cast<idx_t>(mesh.tets.size()), constraints = has_both ? 2 : 1, k = parts;
@@ -192,7 +193,8 @@ private:
 
 }  // namespace
 
-Partition partition(const Mesh& mesh, int parts, const std::vector<bool>& region_is_fluid) {
+Partition partition(const Mesh& mesh, int parts, const std::vector<bool>& region_is_fluid,
+                    const std::string& name) {
   TUNICA_CHECK(parts >= 1,
                "the number of parts is " + std::to_string(parts) + ", expected 1 or more");
   TUNICA_CHECK(static_cast<std::size_t>(parts) <= mesh.tets.size(),
@@ -205,7 +207,7 @@ Partition partition(const Mesh& mesh, int parts, const std::vector<bool>& region
     return {std::vector<int>(mesh.tets.size(), 0), std::vector<int>(mesh.vertices.size(), 0)};
   const std::vector<int> fields = tet_fields(mesh, region_is_fluid);
   const bool is_tiny = mesh.tets.size() < static_cast<std::size_t>(least_tets_per_part) * parts;
-  std::vector<int> part = is_tiny ? deal(fields, parts) : run_metis(mesh, parts, fields);
+  std::vector<int> part = is_tiny ? deal(fields, parts) : run_metis(mesh, parts, fields, name);
   for (const int field : {fluid, wall})
     fill_empty_parts(part, parts, [&](std::size_t t) { return fields[t] == field; });
   fill_empty_parts(part, parts, [](std::size_t) { return true; });  // few elements: any will do

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "tunica/mesh/mesh.hpp"
@@ -16,7 +17,9 @@ struct Partition {
 ///
 /// A vertex belongs to the part that holds most of its tetrahedra (ties: the lowest part).
 /// Wherever possible every part then owns a vertex of the fluid and one of the wall.
-/// region_is_fluid: per region. Throws Error if there are more parts than tetrahedra.
-Partition partition(const Mesh& mesh, int parts, const std::vector<bool>& region_is_fluid);
+/// region_is_fluid: per region. Throws Error, beginning with name, if there are more parts than
+/// tetrahedra or a face has more than two of these.
+Partition partition(const Mesh& mesh, int parts, const std::vector<bool>& region_is_fluid,
+                    const std::string& name = "mesh");
 
 }  // namespace tunica::mesh

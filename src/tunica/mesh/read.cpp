@@ -36,9 +36,13 @@ std::string first_line(const std::string& path) {
 
 }  // namespace
 
+bool is_hdf5(const std::string& path) {
+  return starts_with(first_line(path), "\x89HDF") || ends_with(path, ".h5");
+}
+
 Mesh read(const std::string& path) {
   const std::string head = first_line(path);
-  if (starts_with(head, "\x89HDF") || ends_with(path, ".h5")) return read_hdf5(path);
+  if (is_hdf5(path)) return read_hdf5(path);
   if (starts_with(head, "$MeshFormat") || ends_with(path, ".msh")) return read_gmsh(path);
   if (starts_with(head, "mesh3d") || ends_with(path, ".vol")) return read_netgen(path);
   TUNICA_CHECK(std::ifstream(path), path + ": cannot be opened for reading");

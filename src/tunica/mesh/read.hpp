@@ -10,4 +10,7 @@ namespace tunica::mesh {
 /// is an Error that names the file and the line (text) or the dataset (HDF5).
 Mesh read(const std::string& path);
 
+/// Whether read() takes it for tunica's own file.
+bool is_hdf5(const std::string& path);
+
 }  // namespace tunica::mesh

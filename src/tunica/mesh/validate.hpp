@@ -1,8 +1,9 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
-#include "tunica/mesh/mesh.hpp"
+#include "tunica/mesh/excerpt.hpp"
 
 namespace tunica::mesh {
 
@@ -19,6 +20,42 @@ void validate(const Mesh& mesh, const std::string& name);
 void check_interface(const Mesh& mesh, const std::vector<std::string>& fluid,
                      const std::vector<std::string>& wall,
                      const std::vector<std::string>& interface);
+
+/// The same of what one rank knows, in steps; what may be wrong on several ranks is counted over
+/// all of them by the caller. regions_beside: those on the two sides of each triangle, -1 for none.
+class InterfaceCheck {
+public:
+  /// Throws Error if a name is none of the mesh's or a region is both.
+  InterfaceCheck(const Excerpt& part, const std::vector<std::array<int, 2>>& regions_beside,
+                 const std::vector<std::string>& fluid, const std::vector<std::string>& wall,
+                 const std::vector<std::string>& interface);
+
+  /// Throws Error on a triangle between other regions, and on a face or a vertex where fluid and
+  /// wall meet outside the interface.
+  void check() const;
+  /// Triangles of the interface that have a tetrahedron on one side only, out of how many.
+  long long alone() const { return alone_; }
+  long long triangles() const { return static_cast<long long>(triangles_.size()); }
+  /// On the first of them, where that many are alone.
+  std::string nonconforming(long long count, long long of) const;
+
+private:
+  enum class Field { other, fluid, wall };
+  Field field(int region) const { return region < 0 ? Field::other : fields_[region]; }
+  std::string region(int r) const { return part_.mesh.regions[r].name; }
+  std::string place(int triangle) const;
+  void check_complete() const;
+  void check_vertices() const;
+
+  const Excerpt& part_;
+  const std::vector<std::array<int, 2>>& beside_;
+  std::vector<std::string> names_;
+  std::vector<Field> fields_;       ///< per region
+  std::vector<char> is_interface_;  ///< per surface
+  std::vector<int> triangles_;      ///< of the interface's surfaces
+  long long alone_ = 0;
+  int first_alone_ = -1;
+};
 
 /// Index into mesh.regions. Throws Error that names the nearest valid name, or all.
 int region_index(const Mesh& mesh, const std::string& name);

@@ -13,12 +13,11 @@ bool ends_with(const std::string& text, const std::string& end) {
 
 }  // namespace
 
-void write(const Mesh& mesh, const std::string& path, const Partition* partition) {
-  if (ends_with(path, ".h5")) return write_hdf5(mesh, path, partition);
-  if (ends_with(path, ".vtu")) return write_vtu(mesh, path, partition);
+void write(const Mesh& mesh, const std::string& path) {
+  if (ends_with(path, ".h5")) return write_hdf5(mesh, path);
+  if (ends_with(path, ".vtu")) return write_vtu(mesh, path);
   TUNICA_CHECK(ends_with(path, ".msh"),
                path + ": unknown extension, expected .h5, .msh (Gmsh 2.2) or .vtu");
-  TUNICA_CHECK(!partition, path + ": Gmsh files hold no partition here, expected .h5 or .vtu");
   write_gmsh(mesh, path, GmshVersion::v22);
 }
 

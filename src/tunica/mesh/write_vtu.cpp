@@ -60,7 +60,7 @@ std::string cells(const Mesh& mesh) {
          array("Int64", "offsets", offsets) + array("UInt8", "types", types) + "</Cells>\n";
 }
 
-std::string cell_data(const Mesh& mesh, const Partition* partition) {
+std::string cell_data(const Mesh& mesh) {
   const auto zero = [](std::size_t) { return 0; };
   std::string text =
       array("Int32", "region",
@@ -69,11 +69,6 @@ std::string cell_data(const Mesh& mesh, const Partition* partition) {
   text += array("Int32", "surface", per_cell(mesh, zero, [&](std::size_t i) {
                   return mesh.surfaces[mesh.triangle_surface[i]].id;
                 }));
-  if (partition)
-    text += array("Int32", "part",
-                  per_cell(
-                      mesh, [&](std::size_t t) { return partition->tet_part[t]; },
-                      [](std::size_t) { return -1; }));
   for (const TetVectors& vectors : mesh.tet_vectors) {
     std::string values;
     for (const Vec3& v : vectors.values) values += point(v);
@@ -81,12 +76,6 @@ std::string cell_data(const Mesh& mesh, const Partition* partition) {
     text += array("Float64", vectors.name, values, 3);
   }
   return "<CellData>\n" + text + "</CellData>\n";
-}
-
-std::string point_data(const Partition& partition) {
-  std::string text;
-  for (const int owner : partition.vertex_owner) text += std::to_string(owner) + "\n";
-  return "<PointData>\n" + array("Int32", "owner", text) + "</PointData>\n";
 }
 
 /// XML comments must not hold two hyphens in a row.
@@ -101,15 +90,14 @@ std::string legend(const Mesh& mesh) {
 
 }  // namespace
 
-void write_vtu(const Mesh& mesh, const std::string& path, const Partition* partition) {
+void write_vtu(const Mesh& mesh, const std::string& path) {
   std::string text = "<?xml version=\"1.0\"?>\n" + legend(mesh) +
                      "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
                      "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n";
   text += "<Piece NumberOfPoints=\"" + std::to_string(mesh.vertices.size()) +
           "\" NumberOfCells=\"" + std::to_string(mesh.tets.size() + mesh.triangles.size()) +
           "\">\n";
-  if (partition) text += point_data(*partition);
-  text += cell_data(mesh, partition) + points(mesh) + cells(mesh);
+  text += cell_data(mesh) + points(mesh) + cells(mesh);
   text += "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   io::write_file(path, text);
 }

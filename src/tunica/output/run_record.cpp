@@ -3,7 +3,6 @@
 #include <Trilinos_version.h>
 #include <hdf5.h>
 #include <mpi.h>
-#include <sys/resource.h>
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
@@ -15,6 +14,8 @@
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/memory.hpp"
+#include "tunica/base/reduce.hpp"
 #include "tunica/io/atomic_file.hpp"
 
 namespace tunica::output {
@@ -179,10 +180,12 @@ void RunRecord::finish(RunStatus status, const std::string& message) {
   replace();
 }
 
+void RunRecord::note_memory(const std::string& phase) {
+  set(memory_section, phase, global_max(*comm_, peak_memory()));
+}
+
 void RunRecord::measure_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const double mine = static_cast<double>(usage.ru_maxrss) / 1024.0;  // KB to MB
+  const double mine = peak_memory();
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, 1, &mine, &memory_of_one_);
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, 1, &mine, &memory_of_all_);
 }

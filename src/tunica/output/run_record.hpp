@@ -29,6 +29,9 @@ std::vector<Leg> read_history(const std::string& path);
 /// The one that made the checkpoint of a step, which is not empty.
 const Leg& leg_of_step(const std::vector<Leg>& history, int step);
 
+/// The section with the peaks of memory at the ends of phases.
+constexpr const char* memory_section = "memory by phase [MB]";
+
 /// What a run was and how it went: "run.json".
 ///
 ///   program, status, message, started, ended   texts; dates in UTC; ended null while running
@@ -51,6 +54,9 @@ public:
 
   /// Sets an entry of a section: set("sizes", "fluid points", 12345).
   void set(const std::string& section, const std::string& key, Value value);
+  /// Notes the peak of memory up to here, of the rank that has most, in the section "memory by
+  /// phase [MB]". Collective.
+  void note_memory(const std::string& phase);
   /// Adds seconds to an entry of "timings".
   void add_time(const std::string& name, double seconds);
 

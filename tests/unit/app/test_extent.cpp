@@ -1,19 +1,10 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/app/extent.hpp"
-#include "tunica/mesh/block.hpp"
-#include "tunica/mesh/fingerprint.hpp"
 
 namespace {
 
 using namespace tunica;
-
-TEUCHOS_UNIT_TEST(Extent, is_that_of_the_box) {
-  mesh::Block block;
-  block.size = {3.0, 2.0, 15.0};
-  const Vec3 lengths = app::extent(mesh::make_block(block));
-  for (int i = 0; i < 3; ++i) TEST_FLOATING_EQUALITY(lengths[i], block.size[i], 1e-14);
-}
 
 TEUCHOS_UNIT_TEST(Extent, text_has_three_digits_of_the_longest) {
   TEST_EQUALITY(app::extent_text({3.0, 3.0, 15.0}), "3.0 x 3.0 x 15.0 mm");
@@ -29,16 +20,6 @@ TEUCHOS_UNIT_TEST(Extent, other_units_than_mm_are_doubted) {
   TEST_INEQUALITY(metres.find("0.0150 mm: is it in m? See \"Mesh / scale\"."), std::string::npos);
   const std::string micrometres = app::doubt_of_unit({3000.0, 3000.0, 15000.0});
   TEST_INEQUALITY(micrometres.find("15000 mm: is it in µm?"), std::string::npos);
-}
-
-TEUCHOS_UNIT_TEST(Extent, scaled_mesh_has_another_fingerprint_and_one_by_1_the_same) {
-  mesh::Mesh mesh = mesh::make_block({});
-  const std::string unscaled = mesh::fingerprint(mesh);
-  app::scale(mesh, 1.0);
-  TEST_EQUALITY(mesh::fingerprint(mesh), unscaled);
-  app::scale(mesh, 10.0);
-  TEST_INEQUALITY(mesh::fingerprint(mesh), unscaled);
-  for (const double length : app::extent(mesh)) TEST_FLOATING_EQUALITY(length, 10.0, 1e-14);
 }
 
 }  // namespace

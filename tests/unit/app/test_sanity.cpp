@@ -8,8 +8,10 @@
 #include "tunica/app/sanity/units.hpp"
 #include "tunica/base/session.hpp"
 #include "tunica/materials/registry.hpp"
+#include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/info.hpp"
 #include "tunica/mesh/tube.hpp"
+#include "unit/fields/small_tube.hpp"
 
 namespace {
 
@@ -26,8 +28,13 @@ mesh::Mesh two_corners(double size) {
     m.vertices.insert(m.vertices.end(), {{x, 0, 0}, {x + s, 0, 0}, {x, s, 0}, {x, 0, s}});
     m.tets.push_back({first, first + 1, first + 2, first + 3});
     m.tet_region.push_back(0);
+    for (const auto& f : mesh::tet_faces) {
+      m.triangles.push_back({first + f[0], first + f[1], first + f[2]});
+      m.triangle_surface.push_back(0);
+    }
   }
   m.regions = {{1, "fluid"}};
+  m.surfaces = {{1, "skin"}};
   return m;
 }
 
@@ -80,12 +87,13 @@ TEUCHOS_UNIT_TEST(vessel, angles_between_faces_are_those_of_known_tetrahedra) {
 }
 
 TEUCHOS_UNIT_TEST(vessel, pieces_and_volumes_are_counted) {
-  const app::ElementShapes shapes = app::element_shapes(two_corners(2.0), {0});
+  const app::ElementShapes shapes =
+      app::element_shapes(test::share_of(two_corners(2.0), {true}, test::alone()), {0});
   TEST_EQUALITY(shapes.tets, 2);
-  TEST_COMPARE_ARRAYS(shapes.pieces, (std::vector<int>{1, 1}));
+  TEST_COMPARE_ARRAYS(shapes.pieces, (std::vector<long long>{1, 1}));
   TEST_FLOATING_EQUALITY(shapes.volume_ratio, 8.0, 1e-14);
   TEST_FLOATING_EQUALITY(shapes.volume, 9.0 / 6.0, 1e-14);
-  const mesh::Mesh tube = mesh::make_tube({});
+  const mesh::Share tube = test::share_of(mesh::make_tube({}), {true, false, false});
   TEST_EQUALITY(app::element_shapes(tube, {1, 2}).pieces.size(), 1);
   TEST_EQUALITY(app::element_shapes(tube, {1}).pieces.size(), 1);
 }
@@ -93,7 +101,8 @@ TEUCHOS_UNIT_TEST(vessel, pieces_and_volumes_are_counted) {
 TEUCHOS_UNIT_TEST(vessel, tube_is_measured_as_it_was_made) {
   const mesh::Tube tube = fine_tube();
   const mesh::Mesh made = mesh::make_tube(tube);
-  const app::Vessel vessel = app::vessel_of(made, mesh::faces(made), {0}, {1, 2}, names_of_tube());
+  const app::Vessel vessel =
+      app::vessel_of(test::share_of(made, {true, false, false}), {0}, {1, 2}, names_of_tube());
   TEST_FLOATING_EQUALITY(vessel.radius, tube.radius, 2e-3);
   TEST_FLOATING_EQUALITY(vessel.length, tube.length, 2e-3);
   TEST_FLOATING_EQUALITY(vessel.thickness, tube.media + tube.adventitia, 5e-3);

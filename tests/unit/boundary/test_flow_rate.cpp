@@ -26,9 +26,7 @@ mesh::Tube fine_tube() {
 }
 
 Cap inlet_of(const mesh::Mesh& mesh, const std::string& name) {
-  const CommPtr comm = test::world();
-  const auto partition = mesh::partition(mesh, comm->getSize(), {true});
-  const auto field = fields::make_field_mesh(mesh, partition, {0}, comm);
+  const auto field = fields::make_field_mesh(test::share_of(mesh, {true}), {0});
   return boundary::gather_cap(field, mesh::surface_index(mesh, name));
 }
 

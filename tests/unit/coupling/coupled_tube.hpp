@@ -11,7 +11,7 @@ namespace tunica::test {
 struct CoupledTube {
   explicit CoupledTube(const std::string& geometry, const std::string& end = "clamped",
                        const CommPtr& comm = world())
-      : tube(comm), mesh(fields::make_field_mesh(tube.mesh, tube.partition, {0, 1, 2}, comm)),
+      : tube(comm), mesh(fields::make_field_mesh(tube.share, {0, 1, 2})),
         interface(tube.fluid, tube.wall, {tube.surface("interface")}),
         fluid(fluid_list(), tube.fluid), wall(wall_list(end), tube.wall),
         motion(motion_list(), tube.fluid, {tube.surface("interface")}, fluid.time_scheme()),

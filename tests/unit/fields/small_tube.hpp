@@ -6,7 +6,7 @@
 
 #include "tunica/base/reduce.hpp"
 #include "tunica/fields/block_operator.hpp"
-#include "tunica/mesh/partition.hpp"
+#include "tunica/mesh/distributed/share.hpp"
 #include "tunica/mesh/tube.hpp"
 #include "tunica/mesh/validate.hpp"
 
@@ -16,13 +16,21 @@ inline CommPtr world() { return Tpetra::getDefaultComm(); }
 /// Each rank on its own: the reference for what must not depend on the ranks.
 inline CommPtr alone() { return Teuchos::rcp(new Teuchos::SerialComm<int>); }
 
+/// The calling rank's share of a mesh that rank 0 has.
+inline mesh::Share share_of(const mesh::Mesh& mesh, const std::vector<bool>& region_is_fluid,
+                            const CommPtr& comm = world()) {
+  mesh::Slab slab = mesh::slab_of(mesh, comm);
+  const auto fields = mesh::vertex_fields(slab, region_is_fluid, "mesh");
+  const auto partition =
+      mesh::partition(slab, region_is_fluid, fields, mesh::Partitioner::automatic, "mesh");
+  return mesh::distribute(std::move(slab), partition, "mesh");
+}
+
 /// A tube of a few hundred tetrahedra with both fields and two layers, distributed.
 struct SmallTube {
   explicit SmallTube(const CommPtr& comm = world(), const mesh::Tube& shape = options())
-      : mesh(mesh::make_tube(shape)),
-        partition(mesh::partition(mesh, comm->getSize(), {true, false, false})),
-        fluid(fields::make_field_mesh(mesh, partition, {0}, comm)),
-        wall(fields::make_field_mesh(mesh, partition, {1, 2}, comm)) {}
+      : mesh(mesh::make_tube(shape)), share(share_of(mesh, {true, false, false}, comm)),
+        fluid(fields::make_field_mesh(share, {0})), wall(fields::make_field_mesh(share, {1, 2})) {}
 
   static mesh::Tube options() {
     mesh::Tube tube;
@@ -35,7 +43,7 @@ struct SmallTube {
   int surface(const std::string& name) const { return mesh::surface_index(mesh, name); }
 
   mesh::Mesh mesh;
-  mesh::Partition partition;
+  mesh::Share share;
   fields::FieldMesh fluid, wall;
 };
 

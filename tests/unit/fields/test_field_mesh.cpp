@@ -5,7 +5,6 @@
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/trilinos.hpp"
-#include "tunica/fields/broadcast_mesh.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
 #include "unit/fields/small_tube.hpp"
 
@@ -163,7 +162,7 @@ struct ManySurfaces {
       whole.surfaces.push_back({1000 + static_cast<int>(t), "patch-" + std::to_string(t)});
     }
     mesh::validate(whole, "patches");
-    field = fields::make_field_mesh(whole, tube.partition, {0}, comm);
+    field = fields::make_field_mesh(test::share_of(whole, {true, false, false}, comm), {0});
   }
   mesh::Mesh whole;
   FieldMesh field;
@@ -188,24 +187,6 @@ TEUCHOS_UNIT_TEST(field_mesh, nodes_may_lie_on_any_number_of_surfaces) {
     const std::set<int>& on = expected[field.vertex[a]];
     for (int s = 0; s < n; ++s) TEST_EQUALITY(field.is_on(a, s), on.count(s) == 1);
     TEST_EQUALITY(field.is_on_boundary(a), !on.empty());
-  }
-}
-
-TEUCHOS_UNIT_TEST(broadcast_mesh, every_rank_receives_the_mesh_of_rank_0) {
-  mesh::Mesh whole = mesh::make_tube(SmallTube::options());
-  whole.tet_vectors = {{"axial", std::vector<Vec3>(whole.tets.size(), Vec3{0.1, 0.2, 0.3})}};
-  mesh::Mesh mesh = world()->getRank() == 0 ? whole : mesh::Mesh{};
-  fields::broadcast_mesh(*world(), mesh);
-  TEST_ASSERT(mesh.vertices == whole.vertices && mesh.tets == whole.tets);
-  TEST_ASSERT(mesh.tet_region == whole.tet_region && mesh.triangles == whole.triangles);
-  TEST_ASSERT(mesh.triangle_surface == whole.triangle_surface);
-  TEST_EQUALITY(mesh.tet_vectors.size(), 1);
-  TEST_EQUALITY(mesh.tet_vectors.at(0).name, "axial");
-  TEST_ASSERT(mesh.tet_vectors[0].values == whole.tet_vectors[0].values);
-  TEST_EQUALITY(mesh.surfaces.size(), whole.surfaces.size());
-  for (std::size_t s = 0; s < whole.surfaces.size(); ++s) {
-    TEST_EQUALITY(mesh.surfaces[s].id, whole.surfaces[s].id);
-    TEST_EQUALITY(mesh.surfaces[s].name, whole.surfaces[s].name);
   }
 }
 

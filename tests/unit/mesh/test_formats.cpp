@@ -130,18 +130,6 @@ TEUCHOS_UNIT_TEST(mesh_formats, gmsh_41_takes_the_groups_from_the_entities) {
   TEST_EQUALITY(mesh.surfaces[0].name, "the skin");
 }
 
-TEUCHOS_UNIT_TEST(mesh_formats, partition_survives_the_hdf5_file) {
-  const Mesh mesh = make_tube(Tube());
-  const Partition parts = partition(mesh, 3, {true, false, false});
-  const TemporaryFile file("parts.h5"), plain("plain.h5");
-  write(mesh, file.path, &parts);
-  write(mesh, plain.path);
-  TEST_ASSERT(are_identical(read(file.path), mesh));
-  TEST_ASSERT(read_hdf5_partition(file.path)->tet_part == parts.tet_part);
-  TEST_ASSERT(read_hdf5_partition(file.path)->vertex_owner == parts.vertex_owner);
-  TEST_ASSERT(!read_hdf5_partition(plain.path));
-}
-
 TEUCHOS_UNIT_TEST(mesh_formats, vtu_holds_every_cell_with_its_tag) {
   const Mesh mesh = make_tube(smallest_tube());
   const TemporaryFile file("cells.vtu");

@@ -1,16 +1,22 @@
+#include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
 #include "helpers.hpp"
+#include "tunica/mesh/distributed/refine.hpp"
 #include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/info.hpp"
 #include "tunica/mesh/read.hpp"
-#include "tunica/mesh/refine.hpp"
 #include "tunica/mesh/validate.hpp"
 
 using namespace tunica::mesh;
 
 namespace {
+
+Mesh refine(const Mesh& mesh, const std::vector<std::string>& project = {}) {
+  const tunica::CommPtr alone = Teuchos::rcp(new Teuchos::SerialComm<int>);
+  return tunica::mesh::refine(slab_of(mesh, alone), project).rows;
+}
 
 TEUCHOS_UNIT_TEST(mesh_refine, counts_multiply_and_volumes_areas_and_names_stay) {
   const Mesh coarse = read(data_folder + "/mesh-tube-small.msh");

@@ -4,7 +4,6 @@
 #include <map>
 
 #include "helpers.hpp"
-#include "tunica/mesh/fingerprint.hpp"
 #include "tunica/mesh/validate.hpp"
 
 using namespace tunica::mesh;
@@ -165,20 +164,6 @@ TEUCHOS_UNIT_TEST(mesh_validate, fluid_and_wall_that_touch_in_an_edge_are_refuse
   m.triangle_surface = {0};
   TEST_ASSERT(fails_with("not on the interface", out,
                          [&] { check_interface(m, {"fluid"}, {"wall"}, {"interface"}); }));
-}
-
-TEUCHOS_UNIT_TEST(fingerprint, changes_with_positions_and_tetrahedra_but_not_with_names) {
-  const Mesh mesh = make_tube(smallest_tube());
-  const std::string print = fingerprint(mesh);
-  TEST_EQUALITY(print.size(), 16u);
-  Mesh other = mesh;
-  other.surfaces.front().name = "another";
-  TEST_EQUALITY(fingerprint(other), print);
-  other.vertices.back()[2] = std::nextafter(other.vertices.back()[2], 1e9);
-  TEST_INEQUALITY(fingerprint(other), print);
-  other = mesh;
-  std::swap(other.tets[0], other.tets[1]);
-  TEST_INEQUALITY(fingerprint(other), print);
 }
 
 }  // namespace

@@ -103,9 +103,9 @@ double smallest(Dense S, double factor, const Level& level) {
 /// Twice the small tube, for one level more.
 struct Tube {
   Tube()
-      : mesh(mesh::make_tube(options())), partition(mesh::partition(mesh, 1, {true, false, false})),
-        fluid(fields::make_field_mesh(mesh, partition, {0}, test::alone())),
-        wall(fields::make_field_mesh(mesh, partition, {1, 2}, test::alone())) {}
+      : mesh(mesh::make_tube(options())),
+        share(test::share_of(mesh, {true, false, false}, test::alone())),
+        fluid(fields::make_field_mesh(share, {0})), wall(fields::make_field_mesh(share, {1, 2})) {}
 
   static mesh::Tube options() {
     mesh::Tube tube = test::SmallTube::options();
@@ -125,7 +125,7 @@ struct Tube {
   }
 
   mesh::Mesh mesh;
-  mesh::Partition partition;
+  mesh::Share share;
   fields::FieldMesh fluid, wall;
 };
 

@@ -53,8 +53,7 @@ fields::FieldMesh wall_of(int around) {
   tube.axial = around / 2;
   tube.media_layers = around / 8;
   const mesh::Mesh mesh = mesh::make_tube(tube);
-  const auto partition = mesh::partition(mesh, test::world()->getSize(), {true, false, false});
-  return fields::make_field_mesh(mesh, partition, {1, 2}, test::world());
+  return fields::make_field_mesh(test::share_of(mesh, {true, false, false}), {1, 2});
 }
 
 TEUCHOS_UNIT_TEST(fibre_frames, frames_of_a_tube_are_those_of_cylinder_coordinates) {
@@ -194,9 +193,7 @@ struct TubeWithVectors {
       mesh.tet_vectors[0].values.push_back({3.0 * centre[0], 3.0 * centre[1], 0.5});
       mesh.tet_vectors[1].values.push_back({0.0, 0.0, 2.0 + centre[2]});
     }
-    const auto world = test::world();
-    wall = fields::make_field_mesh(
-        mesh, mesh::partition(mesh, world->getSize(), {true, false, false}), {1, 2}, world);
+    wall = fields::make_field_mesh(test::share_of(mesh, {true, false, false}), {1, 2});
   }
   fields::FieldMesh wall;
 };
@@ -266,8 +263,7 @@ TEUCHOS_UNIT_TEST(fibre_frames, one_layer_of_elements_is_enough) {
   shape.around = 24;
   shape.axial = 12;
   const mesh::Mesh mesh = mesh::make_tube(shape);
-  const auto partition = mesh::partition(mesh, test::world()->getSize(), {true, false, false});
-  const auto wall = fields::make_field_mesh(mesh, partition, {1}, test::world());
+  const auto wall = fields::make_field_mesh(test::share_of(mesh, {true, false, false}), {1});
   auto list = options("laplace");
   list.set("outer surfaces", Teuchos::Array<std::string>({"layer"}));
   TEST_COMPARE(largest_angle(frames(list, wall), frames(options("tube"), wall)), <, 10.0);

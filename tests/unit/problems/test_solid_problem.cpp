@@ -198,8 +198,7 @@ TEUCHOS_UNIT_TEST(solid_problem, stabilisation_is_weaker_where_materials_meet_on
   mesh::Tube options = SmallTube::options();
   options.media_layers = 3;
   const mesh::Mesh mesh = mesh::make_tube(options);
-  const auto partition = mesh::partition(mesh, test::world()->getSize(), {true, false, false});
-  const auto field = fields::make_field_mesh(mesh, partition, {1, 2}, test::world());
+  const auto field = fields::make_field_mesh(test::share_of(mesh, {true, false, false}), {1, 2});
   auto list = clamped();
   list.set("stabilisation", std::string("paper"));
   const auto weak = [&](const Teuchos::ParameterList& wanted) {

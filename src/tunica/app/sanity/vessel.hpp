@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "tunica/mesh/faces.hpp"
+#include "tunica/mesh/distributed/share.hpp"
 
 namespace tunica::app {
 
 /// What the elements of a field look like. Lengths in mm, angles in degrees.
 struct ElementShapes {
-  int tets = 0;
-  std::vector<int>
+  long long tets = 0;
+  std::vector<long long>
       pieces;  ///< tetrahedra of those that are connected through faces, the most first
   double volume = 0.0;
   double worst_quality = 1.0, median_quality = 1.0;  ///< see mesh::quality()
@@ -20,8 +20,9 @@ struct ElementShapes {
   Vec3 worst_place{};                                ///< the middle of the worst
 };
 
-/// The part of a mesh that fills these regions (indices into mesh.regions).
-ElementShapes element_shapes(const mesh::Mesh& mesh, const std::vector<int>& regions);
+/// The part of a mesh that fills these regions (indices into mesh.regions). Medians are exact to
+/// 1e-9 of the range of their values. Collective.
+ElementShapes element_shapes(const mesh::Share& share, const std::vector<int>& regions);
 
 /// What the surfaces of a field are to a vessel: names.
 struct VesselSurfaces {
@@ -53,10 +54,9 @@ struct Vessel {
   std::vector<double> region_shares{};  ///< of each region of the wall in its volume
 };
 
-/// faces: those of the mesh; fluid, wall: regions of the fields, in the case's order; empty where
-/// there is none.
-Vessel vessel_of(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces,
-                 const std::vector<int>& fluid, const std::vector<int>& wall,
-                 const VesselSurfaces& surfaces);
+/// fluid, wall: regions of the fields, in the case's order; empty where there is none. The same on
+/// all ranks. Collective.
+Vessel vessel_of(const mesh::Share& share, const std::vector<int>& fluid,
+                 const std::vector<int>& wall, const VesselSurfaces& surfaces);
 
 }  // namespace tunica::app

@@ -1,0 +1,130 @@
+#include "tunica_mesh/parallel_commands.hpp"
+
+#include <cstdio>
+#include <functional>
+
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/base/memory.hpp"
+#include "tunica/base/session.hpp"
+#include "tunica/mesh/distributed/refine.hpp"
+#include "tunica/mesh/distributed/rows.hpp"
+#include "tunica/mesh/distributed/share.hpp"
+#include "tunica/mesh/validate.hpp"
+#include "tunica/mesh/write.hpp"
+#include "tunica_mesh/report.hpp"
+
+using namespace tunica;
+
+namespace {
+
+/// Errors are the same on all ranks: one speaks.
+void on_ranks(const std::function<void(const CommPtr&)>& work) {
+  const Session session;
+  const CommPtr comm = all_ranks();
+  try {
+    work(comm);
+  } catch (const Error&) {
+    if (comm->getRank() != 0) throw Error("");
+    throw;
+  }
+}
+
+void write_whole(const mesh::Slab& slab, const std::string& path) {
+  const mesh::Mesh whole = mesh::gathered(slab);
+  on_root(*slab.comm, [&] {
+    mesh::write(whole, path);
+    report(whole, path);
+  });
+}
+
+void write_rows(const mesh::Slab& slab, const std::string& path) {
+  mesh::write_slab(slab, path);
+  if (slab.comm->getRank() == 0)
+    std::printf("%s: %lld vertices, %lld tetrahedra, %lld triangles\n", path.c_str(), slab.vertices,
+                slab.tets, slab.triangles);
+}
+
+/// What a rank gets.
+struct Part {
+  long long counted, others, fluid_vertices, wall_vertices;
+  double megabytes;
+};
+
+Part part_of(const mesh::Share& share, const std::vector<bool>& is_fluid) {
+  std::vector<char> fields(share.mesh.vertices.size(), 0);
+  Part part{};
+  for (std::size_t t = 0; t < share.mesh.tets.size(); ++t) {
+    ++(share.counts(t) ? part.counted : part.others);
+    const bool fluid = is_fluid[share.mesh.tet_region[t]];
+    for (const int v : share.mesh.tets[t]) fields[v] |= fluid ? mesh::in_fluid : mesh::in_wall;
+  }
+  for (std::size_t v = 0; v < fields.size(); ++v) {
+    if (!share.is_owned[v]) continue;
+    part.fluid_vertices += (fields[v] & mesh::in_fluid) != 0;
+    part.wall_vertices += (fields[v] & mesh::in_wall) != 0;
+  }
+  part.megabytes = peak_memory();
+  return part;
+}
+
+}  // namespace
+
+Arguments::Command refine_command() {
+  return {"refine",
+          {"MESH", "OUT"},
+          "Cuts every tetrahedron into 8; on several ranks also where none can hold the mesh.",
+          {{"times", "1", "how often"},
+           {"project", "", "surfaces to be rounded to cylinders about the z axis"}}};
+}
+
+void refine_mesh(const Arguments& arguments) {
+  const int times = arguments.integer("times");
+  TUNICA_CHECK(times >= 1 && times <= 8,
+               "tunica-mesh refine: --times is " + std::to_string(times) + ", expected 1..8");
+  on_ranks([&](const CommPtr& comm) {
+    mesh::Slab slab = mesh::read_slab(arguments.file(0), comm);
+    if (comm->getSize() == 1) mesh::validate(slab.rows, arguments.file(0));
+    for (int i = 0; i < times; ++i) slab = mesh::refine(slab, arguments.names("project"));
+    const std::string& path = arguments.file(1);
+    const bool is_own = path.size() > 3 && path.compare(path.size() - 3, 3, ".h5") == 0;
+    if (is_own && comm->getSize() > 1)
+      write_rows(slab, path);
+    else
+      write_whole(slab, path);
+  });
+}
+
+Arguments::Command partition_command() {
+  return {"partition",
+          {"MESH"},
+          "Shows what each rank of a run gets of a mesh: mpirun -n 4 tunica-mesh partition MESH.",
+          {{"fluid", "fluid", "regions of the fluid, separated by commas, or none"},
+           {"by", "automatic", "automatic, metis or geometric, as \"Mesh / partitioner\""}}};
+}
+
+void show_partition(const Arguments& arguments) {
+  const mesh::Partitioner by = mesh::partitioner_of(arguments.text("by"));
+  on_ranks([&](const CommPtr& comm) {
+    const std::string& path = arguments.file(0);
+    mesh::Slab slab = mesh::read_slab(path, comm);
+    std::vector<bool> is_fluid(slab.rows.regions.size(), false);
+    for (const std::string& name : arguments.names("fluid"))
+      is_fluid[mesh::region_index(slab.rows, name)] = true;
+    const auto fields = mesh::vertex_fields(slab, is_fluid, path);
+    const mesh::SlabPartition partition = mesh::partition(slab, is_fluid, fields, by, path);
+    const mesh::Balance balance = mesh::balance(slab, fields, partition);
+    const mesh::Share share = mesh::distribute(std::move(slab), partition, path);
+    const auto parts = mesh::gather_rows(*comm, std::vector<Part>{part_of(share, is_fluid)});
+    if (comm->getRank() != 0) return;
+    std::printf("%6s %12s %12s %15s %14s %9s\n", "rank", "tetrahedra", "of others",
+                "fluid vertices", "wall vertices", "peak MB");
+    for (std::size_t r = 0; r < parts.size(); ++r)
+      std::printf("%6zu %12lld %12lld %15lld %14lld %9.0f\n", r, parts[r].counted, parts[r].others,
+                  parts[r].fluid_vertices, parts[r].wall_vertices, parts[r].megabytes);
+    std::printf(
+        "most vertices of a rank over the mean: fluid %.3f, wall %.3f; %.2f %% of the tetrahedra "
+        "are cut\n",
+        balance.fluid, balance.wall, 100.0 * balance.cut);
+  });
+}

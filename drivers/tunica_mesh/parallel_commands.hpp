@@ -1,0 +1,12 @@
+#pragma once
+#include "tunica_mesh/arguments.hpp"
+
+/// The subcommands that also run on several ranks.
+
+/// refine: every tetrahedron becomes 8.
+Arguments::Command refine_command();
+void refine_mesh(const Arguments& arguments);
+
+/// partition: how a mesh is cut for the ranks that are there.
+Arguments::Command partition_command();
+void show_partition(const Arguments& arguments);

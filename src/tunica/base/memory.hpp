@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tunica/base/types.hpp"
+
+namespace tunica {
+
+/// The most memory that the process has had at any moment so far [MB].
+double peak_memory();
+
+/// What the phases of a program need: peaks of the rank that has the largest.
+class MemoryByPhase {
+public:
+  /// Collective.
+  void end(const std::string& phase, const Comm& comm);
+  /// In the order they ended: the peak up to there [MB].
+  const std::vector<std::pair<std::string, double>>& phases() const { return phases_; }
+
+private:
+  std::vector<std::pair<std::string, double>> phases_;
+};
+
+}  // namespace tunica

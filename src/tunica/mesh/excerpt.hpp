@@ -1,0 +1,42 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tunica/mesh/mesh.hpp"
+
+namespace tunica::mesh {
+
+/// What one rank knows of a mesh and answers for, or all of it. A face is checked where its lowest
+/// vertex is answered for; all tetrahedra around such a vertex are there, and vertices and
+/// tetrahedra stand in the order of the whole, so that the lowest is the same everywhere.
+struct Excerpt {
+  /// Places in the whole, for messages; empty where they are those of the mesh.
+  struct Numbers {
+    std::vector<int> vertices;
+    std::vector<long long> tets, triangles;
+  };
+
+  explicit Excerpt(const Mesh& all) : mesh(all) {}
+  Excerpt(const Mesh& part, const std::vector<char>& answers_for_vertex, const Numbers& numbers)
+      : mesh(part), is_mine_(&answers_for_vertex), numbers_(&numbers) {}
+
+  bool has(int vertex) const { return is_mine_ == nullptr || (*is_mine_)[vertex] != 0; }
+  bool has(const std::array<int, 3>& face) const {
+    return has(std::min({face[0], face[1], face[2]}));
+  }
+  std::string vertex(int v) const { return std::to_string(numbers_ ? numbers_->vertices[v] : v); }
+  std::string tet(int t) const { return std::to_string(numbers_ ? numbers_->tets[t] : t); }
+  std::string triangle(int i) const {
+    return std::to_string(numbers_ ? numbers_->triangles[i] : i);
+  }
+
+  const Mesh& mesh;
+
+private:
+  const std::vector<char>* is_mine_ = nullptr;  ///< none: all
+  const Numbers* numbers_ = nullptr;
+};
+
+}  // namespace tunica::mesh
