@@ -11,7 +11,6 @@
 #include "tunica/app/domain.hpp"
 #include "tunica/app/extent.hpp"
 #include "tunica/app/guard.hpp"
-#include "tunica/app/sanity/sanity.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/session.hpp"
@@ -79,7 +78,7 @@ int check(const app::CommandLine& command, const std::string& name) {
     const app::Domain domain = app::load_domain(list, comm);
     app::print_extent(domain.extent, name, *comm);
     app::check_fields(list, domain);
-    if (comm->getRank() == 0) app::print_table(app::judge(list, domain.vessel));
+    app::print_expectations(list, domain);
   }
   if (comm->getRank() == 0)
     std::cout << command.case_file << ": the case and its " << (is_foreign ? "files" : "mesh")

@@ -1,6 +1,7 @@
 #include "tunica/app/checkpoints.hpp"
 
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 #include "tunica/base/agreement.hpp"
@@ -25,12 +26,11 @@ void Checkpoints::begin() {
   catch_stop_signals();
 }
 
-void Checkpoints::restore(const std::string& file) const {
+void Checkpoints::restore(const std::string& path) const {
+  std::optional<output::CheckpointFile> file;
+  on_all(*comm_, [&] { file.emplace(path); });
   for (const auto& [name, part] : march_->parts()) {
-    const std::vector<int> vertices = part->save().vertices;
-    fields::State state;
-    on_all(*comm_, [&, &n = name] { state = output::CheckpointFile(file).read(n, vertices); });
-    const std::string remark = part->restore(state);
+    const std::string remark = part->restore(file->read(name, part->save().vertices, comm_));
     if (!remark.empty() && comm_->getRank() == 0) std::cout << remark << std::endl;
   }
 }

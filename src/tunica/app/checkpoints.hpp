@@ -29,7 +29,7 @@ public:
   Outcome give_up(const std::string& reason);
 
 private:
-  void restore(const std::string& file) const;
+  void restore(const std::string& path) const;
   /// Why the march ends here, agreed by all ranks; empty where it does not.
   std::string why_to_stop();
   void write(const TimeMarch::Place& place);

@@ -1,8 +1,10 @@
 #include "tunica/app/domain.hpp"
 
 #include <algorithm>
+#include <iostream>
 
 #include "tunica/app/extent.hpp"
+#include "tunica/app/sanity/cost.hpp"
 #include "tunica/app/sanity/sanity.hpp"
 #include "tunica/app/surface_report.hpp"
 #include "tunica/base/agreement.hpp"
@@ -200,6 +202,15 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
     domain.interface.emplace(*domain.fluid, *domain.wall, domain.interface_surfaces);
   domain.probes = probes_of(list, domain);
   return domain;
+}
+
+void print_expectations(const Teuchos::ParameterList& list, const Domain& domain) {
+  const fields::FieldMesh& mesh = domain.fluid ? *domain.fluid : *domain.wall;
+  const bool is_root = mesh.comm->getRank() == 0;
+  if (is_root) print_table(judge(list, domain.vessel));
+  if (!domain.common) return;
+  const std::string cost = text_of(expected_cost(*domain.common), mesh.comm->getSize());
+  if (is_root) std::cout << cost << std::endl;
 }
 
 void check_fields(const Teuchos::ParameterList& list, const Domain& domain) {

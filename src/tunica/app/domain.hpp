@@ -29,6 +29,10 @@ struct Domain {
 /// Throws Error on all ranks alike. Collective.
 Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm);
 
+/// What the case amounts to, and where it is known what a run takes, on rank 0's screen: for those
+/// who look before they run. Collective.
+void print_expectations(const Teuchos::ParameterList& list, const Domain& domain);
+
 /// What a run would find on that domain before its first step: the directions of the wall's fibres,
 /// the conditions of all surfaces with their files. Throws Error on all ranks alike. Collective.
 void check_fields(const Teuchos::ParameterList& list, const Domain& domain);

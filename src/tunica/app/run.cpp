@@ -172,7 +172,7 @@ int solve(const Program& program, const CommandLine& command, const March& march
   if (restart && is_over(restart->head, list, *comm)) return exit_done;
   if (command.dry_run) {
     check_fields(list, domain);
-    if (is_root) print_table(judge(list, domain.vessel));
+    print_expectations(list, domain);
     return exit_done;
   }
   if (is_root) print_brief(judge(list, domain.vessel));

@@ -117,7 +117,7 @@ namespace {
 /// A node's row of a graph, and where an element has its columns there.
 struct Row {
   std::size_t start, length;
-  const int* position;
+  const std::int16_t* position;
 
   Row(const fields::NodeGraph& graph, int node, std::size_t e, int a)
       : start(graph.row_start[node]), length(graph.row_start[node + 1] - start),

@@ -1,6 +1,8 @@
 #include "tunica/fields/block_operator.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 
 namespace tunica::fields {
 
@@ -17,11 +19,14 @@ NodeGraph make_node_graph(const FieldMesh& row_mesh, const FieldMesh& column_mes
   for (auto& row : rows) {
     std::sort(row.begin(), row.end());
     row.erase(std::unique(row.begin(), row.end()), row.end());
+    if (row.size() > std::numeric_limits<std::int16_t>::max())
+      throw std::length_error("a vertex has more than 32,767 neighbours");
     graph.columns.insert(graph.columns.end(), row.begin(), row.end());
     graph.row_start.push_back(graph.columns.size());
   }
+  graph.position.resize(row_mesh.tets.size());
   for (std::size_t e = 0; e < row_mesh.tets.size(); ++e) {
-    auto& position = graph.position.emplace_back();
+    auto& position = graph.position[e];
     position.fill(-1);
     for (int a = 0; a < 4; ++a) {
       const int node = row_mesh.tets[e][a];
@@ -29,7 +34,7 @@ NodeGraph make_node_graph(const FieldMesh& row_mesh, const FieldMesh& column_mes
       const auto& row = rows[node];
       for (int b = 0; b < 4; ++b) {
         const auto found = std::lower_bound(row.begin(), row.end(), column_mesh.tets[e][b]);
-        position[4 * a + b] = static_cast<int>(found - row.begin());
+        position[4 * a + b] = static_cast<std::int16_t>(found - row.begin());
       }
     }
   }

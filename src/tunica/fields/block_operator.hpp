@@ -12,10 +12,11 @@ namespace tunica::fields {
 /// Which nodes each owned node couples to, and where each element finds its pairs: row a of
 /// the node graph holds the local nodes columns[row_start[a] .. row_start[a+1]), ascending.
 struct NodeGraph {
-  std::vector<std::size_t> row_start;         ///< size n_owned + 1
-  std::vector<int> columns;                   ///< local nodes
-  std::vector<std::array<int, 16>> position;  ///< per tet: offset of column b in row a at 4a + b;
-                                              ///< -1 where node a is not owned
+  std::vector<std::size_t> row_start;  ///< size n_owned + 1
+  std::vector<int> columns;            ///< local nodes
+  /// Per tet: offset of column b in row a at 4a + b; -1 where node a is not owned. The longest part
+  /// of the graph: 16 bits are enough for the neighbours of a node.
+  std::vector<std::array<std::int16_t, 16>> position;
 };
 NodeGraph make_node_graph(const FieldMesh& mesh);
 /// Rows and columns on different nodes of the same tetrahedra.
@@ -56,6 +57,8 @@ public:
   /// Null where the scalars stand on the nodes of the mesh.
   const SplitMesh* split() const { return split_; }
   const FieldMesh& mesh_of(int block) const;
+  /// For a matrix that nobody assembles element by element: gives back the room of the graphs.
+  void forget_graphs() { graphs_.fill(nullptr); }
   /// That of the matrix between two blocks.
   const NodeGraph& graph(int row = 0, int column = 0) const;
 

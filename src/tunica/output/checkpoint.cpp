@@ -1,10 +1,14 @@
 #include "tunica/output/checkpoint.hpp"
 
 #include <algorithm>
+#include <optional>
 
+#include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/map_of.hpp"
 #include "tunica/io/hdf5_arrays.hpp"
 #include "tunica/output/checkpoint_sum.hpp"
+#include "tunica/output/row_order.hpp"
 
 namespace tunica::output {
 
@@ -14,26 +18,42 @@ bool is_of(const std::string& part, const std::string& name) {
   return name.compare(0, part.size() + 1, part + "/") == 0;
 }
 
+/// Rows of a dataset.
+struct Portion {
+  std::size_t first, count;
+};
+
 std::string part_of(const std::string& name) { return name.substr(0, name.find('/')); }
 
-fields::State::Array read_rows(const io::Hdf5Reader& in, const std::string& name, int columns) {
-  if (columns == 0) return {};
-  return {columns, in.reals(name, columns)};
+/// Some rows of an array, whose width the head has.
+fields::State::Array read_rows(const io::Hdf5Reader& in, const std::string& name, int columns,
+                               const Portion& rows) {
+  fields::State::Array array{columns, {}};
+  array.values.resize(rows.count * columns);
+  if (columns > 0) in.read(name, columns, rows.first, rows.count, array.values.data());
+  return array;
 }
 
-/// Row of the file for each of the vertices.
-std::vector<std::size_t> places(const std::vector<int>& in_file, const std::vector<int>& vertices,
-                                const std::string& where) {
-  const int largest = in_file.empty() ? -1 : *std::max_element(in_file.begin(), in_file.end());
-  std::vector<long long> row_of(largest + 1, -1);
-  for (std::size_t r = 0; r < in_file.size(); ++r) row_of[in_file[r]] = static_cast<long long>(r);
-  std::vector<std::size_t> found;
-  for (const int vertex : vertices) {
-    TUNICA_CHECK(vertex <= largest && row_of[vertex] >= 0,
-                 where + ": has no values at vertex " + std::to_string(vertex + 1));
-    found.push_back(row_of[vertex]);
-  }
-  return found;
+std::vector<int> read_vertices(const io::Hdf5Reader& in, const std::string& part,
+                               const Portion& rows) {
+  std::vector<int> vertices(rows.count);
+  in.read(part + "/vertices", 1, rows.first, rows.count, vertices.data());
+  return vertices;
+}
+
+/// That some rank has a row for each of the vertices.
+void check_presence(const std::vector<int>& in_file, const std::vector<int>& vertices,
+                    const std::string& where, const CommPtr& comm) {
+  const auto there = map_of({in_file.begin(), in_file.end()}, comm);
+  const std::vector<GlobalOrdinal> wanted(vertices.begin(), vertices.end());
+  std::vector<int> ranks(wanted.size());
+  there->getRemoteIndexList(Teuchos::arrayViewFromVector(wanted),
+                            Teuchos::arrayViewFromVector(ranks));
+  on_all(*comm, [&] {
+    const auto lost = std::find(ranks.begin(), ranks.end(), -1) - ranks.begin();
+    TUNICA_CHECK(lost == static_cast<std::ptrdiff_t>(ranks.size()),
+                 where + ": has no values at vertex " + std::to_string(vertices[lost] + 1));
+  });
 }
 
 }  // namespace
@@ -94,19 +114,25 @@ bool CheckpointFile::has(const std::string& part) const {
 }
 
 void CheckpointFile::verify() const {
+  constexpr std::size_t rows_at_once = std::size_t{1} << 18;
   const io::Hdf5Reader in(path_);
   for (const auto& [name, entry] : arrays_) {
-    const std::vector<int> vertices = in.integers(part_of(name) + "/vertices");
-    const fields::State::Array rows = read_rows(in, name, entry.columns);
-    TUNICA_CHECK(rows.values.size() == vertices.size() * entry.columns &&
-                     hash_digits(checksum(vertices, rows)) == entry.checksum,
+    const std::size_t total = in.rows(part_of(name) + "/vertices");
+    TUNICA_CHECK(entry.columns == 0 || in.rows(name, entry.columns) == total,
+                 path_ + ": dataset /" + name + " is damaged: it has another number of rows");
+    std::uint64_t sum = 0;
+    for (std::size_t first = 0; first < total; first += rows_at_once) {
+      const Portion rows{first, std::min(rows_at_once, total - first)};
+      sum += checksum(read_vertices(in, part_of(name), rows),
+                      read_rows(in, name, entry.columns, rows));
+    }
+    TUNICA_CHECK(hash_digits(sum) == entry.checksum,
                  path_ + ": dataset /" + name + " is damaged: its checksum does not fit");
   }
 }
 
-fields::State CheckpointFile::read(const std::string& part,
-                                   const std::vector<int>& vertices) const {
-  const io::Hdf5Reader in(path_);
+fields::State CheckpointFile::read(const std::string& part, const std::vector<int>& vertices,
+                                   const CommPtr& comm) const {
   fields::State state;
   state.vertices = vertices;
   const std::size_t prefix = part.size() + 1;
@@ -115,17 +141,25 @@ fields::State CheckpointFile::read(const std::string& part,
   for (const auto& [name, values] : numbers_)
     if (is_of(part, name)) state.numbers[name.substr(prefix)] = values;
 
-  // As with the mesh, every rank holds an array whole while it takes its share.
-  const auto from = places(in.integers(part + "/vertices"), vertices, path_ + ": /" + part);
+  // Each rank reads its portion, whoever wants the rows.
+  std::optional<io::Hdf5Reader> in;
+  Portion rows{};
+  std::vector<int> in_file;
+  on_all(*comm, [&] {
+    in.emplace(path_);
+    const std::size_t total = in->rows(part + "/vertices");
+    rows.first = total * comm->getRank() / comm->getSize();
+    rows.count = total * (comm->getRank() + 1) / comm->getSize() - rows.first;
+    in_file = read_vertices(*in, part, rows);
+  });
+  check_presence(in_file, vertices, path_ + ": /" + part, comm);
+  const RowOrder order({in_file.begin(), in_file.end()}, {vertices.begin(), vertices.end()}, comm);
   for (const auto& [name, entry] : arrays_) {
     if (!is_of(part, name)) continue;
-    const fields::State::Array whole = read_rows(in, name, entry.columns);
-    fields::State::Array& mine = state.arrays[name.substr(prefix)];
-    mine.columns = entry.columns;
-    for (const std::size_t row : from) {
-      const auto begin = whole.values.begin() + static_cast<std::ptrdiff_t>(row * entry.columns);
-      mine.values.insert(mine.values.end(), begin, begin + entry.columns);
-    }
+    fields::State::Array mine;
+    on_all(*comm, [&, &n = name, &e = entry] { mine = read_rows(*in, n, e.columns, rows); });
+    if (mine.columns > 0) mine.values = order(mine.values, mine.columns);
+    state.arrays[name.substr(prefix)] = std::move(mine);
   }
   return state;
 }

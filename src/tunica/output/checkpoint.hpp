@@ -43,7 +43,7 @@ using States = std::vector<std::pair<std::string, fields::State>>;
 void write_checkpoint(const std::string& path, const CheckpointHead& head, const States& states,
                       const CommPtr& comm);
 
-/// A checkpoint file on one rank. Every failure is an Error that begins with the path.
+/// A checkpoint file. Every failure is an Error that begins with the path.
 class CheckpointFile {
 public:
   /// Reads all but the arrays.
@@ -51,10 +51,14 @@ public:
 
   const CheckpointHead& head() const { return head_; }
   bool has(const std::string& part) const;
-  /// Compares all arrays with their checksums, part by part.
+  /// Compares all arrays with their checksums, part by part. Not collective; takes room for few
+  /// rows at a time.
   void verify() const;
-  /// The state of a part with the rows of these vertices, in this order.
-  fields::State read(const std::string& part, const std::vector<int>& vertices) const;
+  /// The state of a part with the rows of these vertices, in this order, on every rank. No rank
+  /// takes in more than its portion of the file and its rows. Throws on all ranks alike.
+  /// Collective.
+  fields::State read(const std::string& part, const std::vector<int>& vertices,
+                     const CommPtr& comm) const;
 
 private:
   struct Entry {

@@ -38,16 +38,17 @@ void check_steps(const io::Hdf5Reader& in, const std::string& xdmf) {
 
 Outcome can_be_continued(const std::string& folder, const std::vector<GridSize>& grids, int step) {
   try {
+    const io::Hdf5Reader in(folder + "/" + hdf5_name);
     for (const GridSize& grid : grids) {
-      const auto points = row_numbers(folder, grid.name + "/vertices").size();
-      const auto cells = row_numbers(folder, grid.name + "/tet_numbers").size();
+      const std::size_t points = in.rows(grid.name + "/vertices");
+      const std::size_t cells = in.rows(grid.name + "/tet_numbers");
       TUNICA_CHECK(static_cast<long long>(points) == grid.points &&
                        static_cast<long long>(cells) == grid.cells,
                    "the grid \"" + grid.name + "\" has another size");
     }
     TUNICA_CHECK(content(folder + "/" + xdmf_name).find("mesh_displacement") == std::string::npos,
                  "it is of a version that gave the displacement of the fluid another name");
-    check_steps(io::Hdf5Reader(folder + "/" + hdf5_name), xdmf_up_to(step, folder));
+    check_steps(in, xdmf_up_to(step, folder));
   } catch (const Error& error) {
     return Outcome::failure(error.what());
   }
@@ -79,10 +80,6 @@ void drop_steps_behind(int step, const std::string& folder, const CommPtr& comm)
   for (const std::string& group : file.groups())
     if (group.rfind(step_group, 0) == 0 && number_of(group) > step) file.remove(group);
   file.close();
-}
-
-std::vector<int> row_numbers(const std::string& folder, const std::string& dataset) {
-  return io::Hdf5Reader(folder + "/" + hdf5_name).integers(dataset);
 }
 
 }  // namespace tunica::output

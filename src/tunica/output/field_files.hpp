@@ -31,8 +31,4 @@ std::string xdmf_up_to(int step, const std::string& folder);
 /// MachineFault on all ranks, NoRoom where the file itself is sound.
 void drop_steps_behind(int step, const std::string& folder, const CommPtr& comm);
 
-/// Numbers of the file's rows, "/fluid/vertices" or "/fluid/tet_numbers". Throws Error. Not
-/// collective.
-std::vector<int> row_numbers(const std::string& folder, const std::string& dataset);
-
 }  // namespace tunica::output

@@ -11,6 +11,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/fault_point.hpp"
 #include "tunica/io/atomic_file.hpp"
+#include "tunica/io/hdf5_arrays.hpp"
 #include "tunica/io/parallel_hdf5.hpp"
 #include "tunica/output/field_files.hpp"
 
@@ -144,14 +145,18 @@ void FieldWriter::go_on(const std::vector<Grid>& grids, int kept_step) {
 std::shared_ptr<const RowOrder> FieldWriter::take_share(const std::string& dataset,
                                                         const std::vector<int>& given,
                                                         long long& first, long long& count) const {
-  std::vector<int> all;
-  on_all(*comm_, [&] { all = row_numbers(folder_, dataset); });
-  const auto total = static_cast<long long>(all.size());
-  first = total * comm_->getRank() / comm_->getSize();
-  count = total * (comm_->getRank() + 1) / comm_->getSize() - first;
-  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+  std::vector<int> numbers;
+  on_all(*comm_, [&] {
+    const io::Hdf5Reader in(folder_ + "/" + hdf5_name);
+    const auto total = static_cast<long long>(in.rows(dataset));
+    first = total * comm_->getRank() / comm_->getSize();
+    count = total * (comm_->getRank() + 1) / comm_->getSize() - first;
+    numbers.resize(count);
+    in.read(dataset, 1, first, count, numbers.data());
+  });
   return std::make_shared<RowOrder>(std::vector<GlobalOrdinal>(given.begin(), given.end()),
-                                    std::vector<GlobalOrdinal>(begin, begin + count), comm_);
+                                    std::vector<GlobalOrdinal>(numbers.begin(), numbers.end()),
+                                    comm_);
 }
 
 void FieldWriter::begin_anew(const std::vector<Grid>& grids) {

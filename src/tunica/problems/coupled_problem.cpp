@@ -120,6 +120,7 @@ void CoupledProblem::tie_fields() {
   if (rank(of_fluid) + rank(of_wall) > 0) K_->make_low_rank(rank(of_fluid) + rank(of_wall));
   fluid_part_ = std::make_unique<algebra::Embedding>(fields::embed(of_fluid, *K_));
   wall_part_ = std::make_unique<algebra::Embedding>(fields::embed(of_wall, *K_));
+  K_->forget_graphs();  // from now on the fields' matrices are added to it
 }
 
 // On the interface d̃ is the past of the mesh, which moves with the wall; elsewhere in the wall any

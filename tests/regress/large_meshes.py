@@ -1,0 +1,95 @@
+"""Meshes that no rank has as a whole: made, read, cut and marched on several ranks. Memory stays near
+what the rows of a rank take, counts of iterations do not grow with the ranks, and a dry run tells what
+a run takes.
+
+Usage: large_meshes.py FOLDER_OF_PROGRAMS SCRATCH
+"""
+import json
+import pathlib
+import re
+import sys
+
+import h5py
+
+from runs import ROOT, Run, Verdict, command, fresh, table
+
+COARSE = ROOT / "meshes" / "tube-coarse.h5"
+TETS = 39060
+PROGRAM = 150  # MB that a rank has whatever the mesh
+RANKS = (1, 2, 4)
+
+
+def refined(verdict, programs, folder):
+    words = ["refine", COARSE, "fine.h5", "--project", "interface,layer,outer"]
+    run = Run(command(programs / "tunica-mesh", words, 3), folder)
+    verdict.claim(run.status == 0 and f"{8 * TETS} tetrahedra" in run.out,
+                  "three ranks refine a mesh: " + run.out.strip())
+    return folder / "fine.h5"
+
+
+def parts(verdict, programs, folder, mesh, ranks):
+    """What each rank gets, as told by the program."""
+    words = ["partition", mesh, "--by", "geometric"]
+    run = Run(command(programs / "tunica-mesh", words, ranks), folder)
+    rows = [[int(word) for word in line.split()] for line in run.out.splitlines()
+            if re.fullmatch(r"[\d ]+", line)]
+    verdict.claim(run.status == 0 and len(rows) == ranks, f"{ranks} ranks share the mesh")
+    verdict.claim(sum(row[1] for row in rows) == 8 * TETS, "together they count all tetrahedra")
+    most = 1.5 * mesh.stat().st_size / ranks / 2**20 + PROGRAM
+    peak = max(row[5] for row in rows)
+    verdict.claim(peak <= most, f"{ranks} ranks: at most {peak} MB each, permitted {most:.0f}")
+    fluid, wall, cut = (float(number) for number in re.search(
+        r"fluid (\S+), wall (\S+); (\S+) %", run.out).groups())
+    verdict.claim(max(fluid, wall) < 1.03, f"{ranks} ranks: fluid {fluid}, wall {wall} of the mean")
+    verdict.claim(cut < 2.0 * ranks, f"{ranks} ranks: {cut} % of the tetrahedra are cut")
+
+
+def damaged(verdict, programs, folder, mesh):
+    with h5py.File(mesh, "r+") as file:
+        tets = file["tets"]
+        tet = tets[1000]
+        tets[1000] = tet[[1, 0, 2, 3]]
+    words = [ROOT / "xml" / "pulse.xml", "--set", f"Mesh/file={mesh}"]
+    run = Run(command(programs / "tunica-check", words, 3), folder)
+    told = run.err.count("inverted element: tetrahedron 1000 of region")
+    verdict.claim(run.status == 1 and told == 1 and str(mesh) in run.err,
+                  f"an inverted tetrahedron is told {told} times: "
+                  + (run.err.splitlines() or ["nothing"])[0])
+
+
+def marched(verdict, programs, folder):
+    effort = {}
+    for ranks in RANKS:
+        words = [ROOT / "xml" / "pulse.xml", "--set", f"Mesh/file={COARSE}",
+                 "--set", "Mesh/partitioner=geometric", "--steps", 2]
+        dry = Run(command(programs / "tunica-fsi", words + ["--dry-run"], ranks), folder)
+        told = re.search(r"memory: about (\S+) (MB|GB)", dry.out)
+        expected = float(told[1]) * {"MB": 1, "GB": 1000}[told[2]]
+        results = folder / f"ranks-{ranks}"
+        run = Run(command(programs / "tunica-fsi", words + ["--output", results], ranks), folder)
+        verdict.claim(run.status == 0, f"{ranks} ranks march")
+        record = json.loads((results / "run.json").read_text())
+        found = record["memory"]["peak of one rank [MB]"]
+        verdict.claim(abs(found - expected) < 0.35 * found,
+                      f"{ranks} ranks: {expected:.0f} MB expected on a rank, {found:.0f} found")
+        phases = list(record["memory by phase [MB]"].values())
+        verdict.claim(len(phases) >= 8 and phases == sorted(phases), "peaks of phases grow")
+        steps = table(results / "steps.csv")
+        effort[ranks] = sum(steps["system_linear"])
+        verdict.claim(effort[ranks] <= 1.1 * effort[1],
+                      f"{ranks} ranks: {effort[ranks]:.0f} iterations, {effort[1]:.0f} on one")
+
+
+def main(programs, scratch):
+    verdict = Verdict()
+    folder = fresh(scratch)
+    mesh = refined(verdict, programs, folder)
+    for ranks in (2, 4):
+        parts(verdict, programs, folder, mesh, ranks)
+    damaged(verdict, programs, folder, mesh)
+    marched(verdict, programs, folder)
+    return verdict.status()
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()))
