@@ -63,7 +63,9 @@ int main(int argc, char** argv) {
     if (*error.what() != '\0') std::cerr << error.what() << "\n";  // another rank says it
     return 1;
   } catch (const std::exception& error) {
-    std::cerr << "tunica-mesh: a fault of this program or of the machine: " << error.what() << "\n";
+    if (*error.what() != '\0')
+      std::cerr << "tunica-mesh: a fault of this program or of the machine: " << error.what()
+                << "\n";
     return 3;
   }
 }

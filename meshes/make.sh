@@ -4,21 +4,21 @@ set -eu
 tool=${1:-tunica-mesh}
 quarter=${2:-verify-quarter-tube}
 folder=$(dirname "$0")
-"$tool" tube "$folder/tube-tiny.h5" --around 12 --axial 18 --media-layers 2 --adventitia-layers 1
-"$tool" tube "$folder/tube-medium.h5" --around 16 --axial 40 --media-layers 2 --adventitia-layers 1
-"$tool" tube "$folder/tube-coarse.h5" --around 20 --axial 62 --media-layers 3 --adventitia-layers 1
-"$tool" block "$folder/block.h5" --patch-x 4 --patch-y 4
+"$tool" tube "$folder/tube-tiny.h5" --around 12 --axial 18 --media-layers 2 --adventitia-layers 1 --overwrite on
+"$tool" tube "$folder/tube-medium.h5" --around 16 --axial 40 --media-layers 2 --adventitia-layers 1 --overwrite on
+"$tool" tube "$folder/tube-coarse.h5" --around 20 --axial 62 --media-layers 3 --adventitia-layers 1 --overwrite on
+"$tool" block "$folder/block.h5" --patch-x 4 --patch-y 4 --overwrite on
 flap=$(mktemp --suffix .msh)
 python3 "$folder/make_flap.py" "$flap"
-"$tool" convert "$flap" "$folder/flap.h5"
+"$tool" convert "$flap" "$folder/flap.h5" --overwrite on
 rm "$flap"
 plain=$(mktemp --suffix .msh)
 python3 "$folder/make_obstacle.py" "$plain" "$folder/../xml/benchmarks/obstacle-inlet.csv"
-"$tool" convert "$plain" "$folder/obstacle.h5"
+"$tool" convert "$plain" "$folder/obstacle.h5" --overwrite on
 python3 "$folder/make_ring.py" "$plain"
-"$tool" convert "$plain" "$folder/ring.h5"
+"$tool" convert "$plain" "$folder/ring.h5" --overwrite on
 python3 "$folder/make_elastic_tube.py" "$plain"
-"$tool" convert "$plain" "$folder/elastic-tube.h5"
+"$tool" convert "$plain" "$folder/elastic-tube.h5" --overwrite on
 rm "$plain"
 "$quarter" "$folder/quarter-tube.h5"
 
@@ -30,8 +30,8 @@ fi
 lumen=$(mktemp --suffix .msh)
 trap 'rm -f "$lumen"' EXIT
 python3 "$folder/make_bend.py" "$lumen"
-"$tool" wall "$lumen" "$folder/bend.h5" --layers media=0.3:2,adventitia=0.15:1
+"$tool" wall "$lumen" "$folder/bend.h5" --layers media=0.3:2,adventitia=0.15:1 --overwrite on
 python3 "$folder/make_bulge.py" "$lumen"
-"$tool" wall "$lumen" "$folder/bulge.h5" --layers media=0.3:2,adventitia=0.15:1
+"$tool" wall "$lumen" "$folder/bulge.h5" --layers media=0.3:2,adventitia=0.15:1 --overwrite on
 python3 "$folder/make_bifurcation.py" "$lumen"
-"$tool" wall "$lumen" "$folder/bifurcation.h5" --surfaces interface --layers media=0.3:2,adventitia=0.15:1
+"$tool" wall "$lumen" "$folder/bifurcation.h5" --surfaces interface --layers media=0.3:2,adventitia=0.15:1 --overwrite on

@@ -1,6 +1,7 @@
 #include "tunica_mesh/arguments.hpp"
 
 #include <charconv>
+#include <filesystem>
 
 #include "tunica/base/error.hpp"
 #include "tunica/params/nearest.hpp"
@@ -60,6 +61,19 @@ std::string Arguments::place(const std::string& option) const {
 }
 
 std::string Arguments::text(const std::string& option) const { return values_.at(option); }
+
+const std::string& Arguments::new_file(int i) const {
+  TUNICA_CHECK(flag("overwrite") || !std::filesystem::exists(files_[i]),
+               files_[i] + ": there is such a file already. --overwrite on replaces it.");
+  const std::filesystem::path folder = std::filesystem::path(files_[i]).parent_path();
+  TUNICA_CHECK(folder.empty() || std::filesystem::is_directory(folder),
+               files_[i] + ": the folder does not exist. Create it first.");
+  return files_[i];
+}
+
+Arguments::Option overwrite_option() {
+  return {"overwrite", "off", "on or off: what to do where OUT is there already"};
+}
 
 double Arguments::number(const std::string& option) const {
   return convert<double>(values_.at(option), place(option) + "a number");

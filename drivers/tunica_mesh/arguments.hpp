@@ -23,6 +23,9 @@ public:
 
   bool wants_help() const { return wants_help_; }
   const std::string& file(int i) const { return files_[i]; }
+  /// The same of a file to be written. Throws Error if there is one already and --overwrite is off,
+  /// or no folder for it.
+  const std::string& new_file(int i) const;
   std::string text(const std::string& option) const;
   double number(const std::string& option) const;
   int integer(const std::string& option) const;
@@ -39,6 +42,9 @@ private:
   std::vector<std::string> files_;
   std::map<std::string, std::string> values_;
 };
+
+/// Whether to replace the file OUT: an option of all commands that write one.
+Arguments::Option overwrite_option();
 
 /// The text of --help.
 std::string help(const Arguments::Command& command);

@@ -37,9 +37,10 @@ void make_tube(const Arguments& arguments) {
   tube.with_lumen = arguments.flag("lumen");
   tube.with_wall = arguments.flag("wall");
   tube.with_layer_surface = arguments.flag("layer-surface");
+  const std::string& path = arguments.new_file(0);
   const Mesh result = mesh::make_tube(tube);
-  mesh::write(result, arguments.file(0));
-  report(result, arguments.file(0));
+  mesh::write(result, path);
+  report(result, path);
 }
 
 void make_block(const Arguments& arguments) {
@@ -48,9 +49,10 @@ void make_block(const Arguments& arguments) {
   block.cells = {arguments.integer("cells-x"), arguments.integer("cells-y"),
                  arguments.integer("cells-z")};
   block.patch = {arguments.integer("patch-x"), arguments.integer("patch-y")};
+  const std::string& path = arguments.new_file(0);
   const Mesh result = mesh::make_block(block);
-  mesh::write(result, arguments.file(0));
-  report(result, arguments.file(0));
+  mesh::write(result, path);
+  report(result, path);
 }
 
 void show_info(const Arguments& arguments) {
@@ -72,8 +74,8 @@ void convert(const Arguments& arguments) {
   const std::string gmsh = arguments.text("gmsh");
   TUNICA_CHECK(gmsh == "2.2" || gmsh == "4.1",
                "tunica-mesh convert: --gmsh is \"" + gmsh + "\", expected 2.2 or 4.1");
+  const std::string& path = arguments.new_file(1);
   const Mesh subject = mesh::read(arguments.file(0));
-  const std::string& path = arguments.file(1);
   const bool is_msh = path.size() > 4 && path.compare(path.size() - 4, 4, ".msh") == 0;
   if (is_msh && gmsh == "4.1")
     mesh::write_gmsh(subject, path, mesh::GmshVersion::v41);
@@ -96,7 +98,8 @@ std::vector<Arguments::Option> tube_options() {
           {"axial-grading", "1", "last slice over the first"},
           {"lumen", "on", "on or off: wall only"},
           {"wall", "on", "on or off: lumen only"},
-          {"layer-surface", "on", "on or off: triangles between media and adventitia"}};
+          {"layer-surface", "on", "on or off: triangles between media and adventitia"},
+          overwrite_option()};
 }
 
 std::vector<Arguments::Option> block_options() {
@@ -107,7 +110,8 @@ std::vector<Arguments::Option> block_options() {
           {"cells-y", "8", "cells along y"},
           {"cells-z", "8", "cells along z"},
           {"patch-x", "0", "cells along x of the surface \"patch\", a corner of the top; 0: none"},
-          {"patch-y", "0", "cells along y of it"}};
+          {"patch-y", "0", "cells along y of it"},
+          overwrite_option()};
 }
 
 }  // namespace
@@ -129,7 +133,7 @@ const std::vector<Subcommand>& subcommands() {
       {{"convert",
         {"MESH", "OUT"},
         "Reads .msh, .vol or .h5 and writes .msh, .h5 or .vtu.",
-        {{"gmsh", "2.2", "version of a .msh file: 2.2 or 4.1"}}},
+        {{"gmsh", "2.2", "version of a .msh file: 2.2 or 4.1"}, overwrite_option()}},
        convert},
       {partition_command(), show_partition}};
   return all;

@@ -1,7 +1,10 @@
 #include "tunica_mesh/parallel_commands.hpp"
 
+#include <mpi.h>
+
 #include <cstdio>
 #include <functional>
+#include <iostream>
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
@@ -18,16 +21,33 @@ using namespace tunica;
 
 namespace {
 
-/// Errors are the same on all ranks: one speaks.
+/// Errors and faults that ranks agree on are the same on all: one speaks. A rank that fails alone
+/// ends the others, which would wait for it.
 void on_ranks(const std::function<void(const CommPtr&)>& work) {
   const Session session;
   const CommPtr comm = all_ranks();
+  const bool speaks = comm->getRank() == 0;
   try {
     work(comm);
-  } catch (const Error&) {
-    if (comm->getRank() != 0) throw Error("");
-    throw;
+  } catch (const Error& error) {
+    throw Error(speaks ? error.what() : "");
+  } catch (const MachineFault& fault) {
+    throw MachineFault(speaks ? fault.what() : "");
+  } catch (const std::exception& fault) {
+    if (comm->getSize() == 1) throw;
+    std::cerr << "tunica-mesh: rank " << comm->getRank() << " failed: " << fault.what()
+              << std::endl;
+    MPI_Abort(MPI_COMM_WORLD, 3);
   }
+}
+
+/// What a case would check of it, but for fluid and wall.
+void check(const mesh::Slab& slab, const std::string& path) {
+  const std::vector<bool> is_fluid(slab.rows.regions.size(), true);
+  const auto fields = mesh::vertex_fields(slab, is_fluid, path);
+  const auto partition =
+      mesh::partition(slab, is_fluid, fields, mesh::Partitioner::automatic, path);
+  mesh::distribute(slab, partition, path);
 }
 
 void write_whole(const mesh::Slab& slab, const std::string& path) {
@@ -75,7 +95,8 @@ Arguments::Command refine_command() {
           {"MESH", "OUT"},
           "Cuts every tetrahedron into 8; on several ranks also where none can hold the mesh.",
           {{"times", "1", "how often"},
-           {"project", "", "surfaces to be rounded to cylinders about the z axis"}}};
+           {"project", "", "surfaces to be rounded to cylinders about the z axis"},
+           overwrite_option()}};
 }
 
 void refine_mesh(const Arguments& arguments) {
@@ -83,8 +104,9 @@ void refine_mesh(const Arguments& arguments) {
   TUNICA_CHECK(times >= 1 && times <= 8,
                "tunica-mesh refine: --times is " + std::to_string(times) + ", expected 1..8");
   on_ranks([&](const CommPtr& comm) {
+    on_root(*comm, [&] { arguments.new_file(1); });
     mesh::Slab slab = mesh::read_slab(arguments.file(0), comm);
-    if (comm->getSize() == 1) mesh::validate(slab.rows, arguments.file(0));
+    check(slab, arguments.file(0));
     for (int i = 0; i < times; ++i) slab = mesh::refine(slab, arguments.names("project"));
     const std::string& path = arguments.file(1);
     const bool is_own = path.size() > 3 && path.compare(path.size() - 3, 3, ".h5") == 0;

@@ -47,18 +47,20 @@ Arguments::Command wall_command() {
            {"thickness-fraction", "", "the same as a part of the lumen's local radius"},
            {"thickness-file", "",
             "the same at points: lines \"x y z thickness\", or .h5 with /points and /thickness"},
-           {"interface", "interface", "new name of the surfaces"}}};
+           {"interface", "interface", "new name of the surfaces"},
+           overwrite_option()}};
 }
 
 void make_wall(const Arguments& arguments) {
+  const std::string& path = arguments.new_file(1);
   const mesh::Mesh lumen = mesh::read(arguments.file(0));
   const mesh::wall::Options options = options_of(arguments);
   const mesh::wall::Grown grown = mesh::wall::grow(lumen, options);
   std::vector<std::string> layers;
   for (const mesh::wall::Layer& layer : options.layers) layers.push_back(layer.name);
   mesh::check_interface(grown.mesh, names(lumen.regions), layers, {options.interface});
-  mesh::write(grown.mesh, arguments.file(1));
+  mesh::write(grown.mesh, path);
   std::cout << mesh::wall::to_text(grown.report);
-  std::printf("%s: %zu vertices, %zu tetrahedra, %zu triangles\n", arguments.file(1).c_str(),
+  std::printf("%s: %zu vertices, %zu tetrahedra, %zu triangles\n", path.c_str(),
               grown.mesh.vertices.size(), grown.mesh.tets.size(), grown.mesh.triangles.size());
 }

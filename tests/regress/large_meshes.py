@@ -17,6 +17,9 @@ COARSE = ROOT / "meshes" / "tube-coarse.h5"
 TETS = 39060
 PROGRAM = 150  # MB that a rank has whatever the mesh
 RANKS = (1, 2, 4)
+# Files of 32 MiB, half of what the mesh takes; what MPI itself maps is smaller.
+LIMIT = ("import os, resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (2**25, 2**25)); "
+         "os.execv(sys.argv[1], sys.argv[1:])")
 
 
 def refined(verdict, programs, folder):
@@ -51,10 +54,25 @@ def damaged(verdict, programs, folder, mesh):
         tets[1000] = tet[[1, 0, 2, 3]]
     words = [ROOT / "xml" / "pulse.xml", "--set", f"Mesh/file={mesh}"]
     run = Run(command(programs / "tunica-check", words, 3), folder)
-    told = run.err.count("inverted element: tetrahedron 1000 of region")
-    verdict.claim(run.status == 1 and told == 1 and str(mesh) in run.err,
-                  f"an inverted tetrahedron is told {told} times: "
-                  + (run.err.splitlines() or ["nothing"])[0])
+    refined = Run(command(programs / "tunica-mesh", ["refine", mesh, "finer.h5"], 3), folder)
+    for done in (run, refined):
+        told = done.err.count("inverted element: tetrahedron 1000 of region")
+        verdict.claim(done.status == 1 and told == 1 and str(mesh) in done.err,
+                      f"an inverted tetrahedron is told {told} times: "
+                      + (done.err.splitlines() or ["nothing"])[0])
+    verdict.claim(not (folder / "finer.h5").exists(), "and not refined")
+
+
+def no_room(verdict, programs, folder):
+    """A file that may not grow ends all ranks, and leaves what was there."""
+    (folder / "kept.h5").write_bytes(b"kept")
+    words = ["-c", LIMIT, programs / "tunica-mesh", "refine", COARSE, "kept.h5", "--times", 2,
+             "--overwrite", "on"]
+    run = Run(command(sys.executable, words, 2), folder)
+    verdict.claim(run.status == 3 and run.err.count("no room for") == 1,
+                  "without room two ranks end with 3: " + (run.err.splitlines() or ["nothing"])[0])
+    verdict.claim((folder / "kept.h5").read_bytes() == b"kept", "what was there is there")
+    verdict.claim(not (folder / "kept.h5.tmp").exists(), "no draft stays behind")
 
 
 def marched(verdict, programs, folder):
@@ -87,6 +105,7 @@ def main(programs, scratch):
     for ranks in (2, 4):
         parts(verdict, programs, folder, mesh, ranks)
     damaged(verdict, programs, folder, mesh)
+    no_room(verdict, programs, folder)
     marched(verdict, programs, folder)
     return verdict.status()
 

@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tunica/base/error.hpp"
+
 namespace tunica::fields {
 
 NodeGraph make_node_graph(const FieldMesh& mesh) { return make_node_graph(mesh, mesh); }
@@ -174,7 +176,9 @@ const FieldMesh& BlockOperator::mesh_of(int block) const {
 
 const NodeGraph& BlockOperator::graph(int row, int column) const {
   const auto is_split = [this](int block) { return (*space())[block].components == 1 ? 1 : 0; };
-  return *graphs_[2 * is_split(row) + is_split(column)];
+  const auto& found = graphs_[2 * is_split(row) + is_split(column)];
+  TUNICA_ASSERT(found != nullptr, "the graphs of the matrix are still there");
+  return *found;
 }
 
 }  // namespace tunica::fields

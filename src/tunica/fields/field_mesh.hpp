@@ -48,8 +48,8 @@ private:
 };
 
 /// One field's share of the mesh on one rank: the owned nodes, every tetrahedron and boundary
-/// triangle that touches one of them, and the ghost nodes these need. Owned rows can thus be
-/// assembled without communication.
+/// triangle that touches one of them or is counted by the rank, and the ghost nodes these need.
+/// Owned rows can thus be assembled without communication.
 struct FieldMesh {
   CommPtr comm;
   std::vector<std::string> regions;   ///< of the whole mesh

@@ -7,7 +7,7 @@
 /// The steps of validate(), each for what one rank knows. They throw Error that begins with name.
 namespace tunica::mesh {
 
-/// Tags are unique and have names; there is something.
+/// Tags are unique and have names.
 void check_tags(const Mesh& mesh, const std::string& name);
 
 /// Where the rows of a rank begin in the whole mesh, and how many vertices that has.

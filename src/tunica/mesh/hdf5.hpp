@@ -5,7 +5,7 @@
 
 namespace tunica::mesh {
 
-/// tunica's own mesh file, HDF5, written and read on one rank without MPI.
+/// tunica's own mesh file, HDF5: here on one rank without MPI; write_slab() writes it on several.
 ///
 ///   attribute "format" of the root = "tunica-mesh 1"
 ///   /vertices          n × 3  float64

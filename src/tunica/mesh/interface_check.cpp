@@ -71,7 +71,7 @@ std::string InterfaceCheck::nonconforming(long long count, long long of) const {
          "triangles. Merge duplicate vertices, or mesh both together.";
 }
 
-void InterfaceCheck::check() const {
+void InterfaceCheck::check_neighbours() const {
   for (const int i : triangles_) {
     const auto& [first, second] = beside_[i];
     if (second < 0) continue;
@@ -80,7 +80,9 @@ void InterfaceCheck::check() const {
                  place(i) + " lies between regions \"" + region(first) + "\" and \"" +
                      region(second) + "\", expected one of the fluid and one of the wall");
   }
-  if (alone_ > 0) return;  // what follows would only repeat it
+}
+
+void InterfaceCheck::check_elsewhere() const {
   check_complete();
   check_vertices();
 }
@@ -139,8 +141,9 @@ void check_interface(const Mesh& mesh, const std::vector<std::string>& fluid,
   const Excerpt all(mesh);
   const std::vector<std::array<int, 2>> beside = regions_beside(mesh, covering(all, "mesh"));
   const InterfaceCheck check(all, beside, fluid, wall, interface);
-  check.check();
+  check.check_neighbours();
   if (check.alone() > 0) throw Error(check.nonconforming(check.alone(), check.triangles()));
+  check.check_elsewhere();
 }
 
 }  // namespace tunica::mesh

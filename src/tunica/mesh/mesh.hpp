@@ -19,7 +19,9 @@ struct TetVectors {
   std::vector<Vec3> values;  ///< per tet; zero where the file gives none
 };
 
-/// A whole tetrahedral mesh of fluid and wall on one rank. Lengths in the user's unit (mm).
+/// A whole tetrahedral mesh of fluid and wall on one rank, for which the following holds. Lengths
+/// in the user's unit (mm). A Slab and a Share use the arrays for their rows and for what a rank
+/// has of a mesh: there numbers are those of the whole, or the rim is not covered by triangles.
 ///
 /// Tetrahedra are positively oriented. Triangles cover every outer face and the interface
 /// between fluid and wall; each belongs to exactly one surface. Further triangles between

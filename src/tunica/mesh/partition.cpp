@@ -198,7 +198,7 @@ Partition partition(const Mesh& mesh, int parts, const std::vector<bool>& region
   TUNICA_CHECK(parts >= 1,
                "the number of parts is " + std::to_string(parts) + ", expected 1 or more");
   TUNICA_CHECK(static_cast<std::size_t>(parts) <= mesh.tets.size(),
-               "more ranks than elements: " + std::to_string(parts) + " ranks, " +
+               name + ": more ranks than elements: " + std::to_string(parts) + " ranks, " +
                    std::to_string(mesh.tets.size()) + " tetrahedra. Use fewer ranks.");
   TUNICA_CHECK(region_is_fluid.size() == mesh.regions.size(),
                "region_is_fluid has " + std::to_string(region_is_fluid.size()) +

@@ -30,9 +30,11 @@ public:
                  const std::vector<std::string>& fluid, const std::vector<std::string>& wall,
                  const std::vector<std::string>& interface);
 
-  /// Throws Error on a triangle between other regions, and on a face or a vertex where fluid and
+  /// Throws Error on a triangle between other regions.
+  void check_neighbours() const;
+  /// Where no triangle is alone on any rank: throws Error on a face or a vertex where fluid and
   /// wall meet outside the interface.
-  void check() const;
+  void check_elsewhere() const;
   /// Triangles of the interface that have a tetrahedron on one side only, out of how many.
   long long alone() const { return alone_; }
   long long triangles() const { return static_cast<long long>(triangles_.size()); }

@@ -61,8 +61,9 @@ void check_presence(const std::vector<int>& in_file, const std::vector<int>& ver
 CheckpointFile::CheckpointFile(const std::string& path) : path_(path) {
   const io::Hdf5Reader in(path);
   const std::string format = in.attribute("format");
-  TUNICA_CHECK(format == "tunica-checkpoint 1", path + ": attribute \"format\" is \"" + format +
-                                                    "\", expected \"tunica-checkpoint 1\"");
+  TUNICA_CHECK(format == checkpoint_format, path + ": attribute \"format\" is \"" + format +
+                                                "\", expected \"" + checkpoint_format +
+                                                "\": was it made by another version?");
   const auto text_names = in.strings("text_names"), texts = in.strings("texts");
   const auto number_names = in.strings("number_names"), array_names = in.strings("array_names");
   const auto sums = in.strings("array_checksums");

@@ -20,6 +20,8 @@ struct CheckpointHead {
   std::string parameters{};  ///< with which the step was made, XML; empty in older files
 };
 
+constexpr const char* checkpoint_format = "tunica-checkpoint 2";
+
 /// Under which the numbers of the control stand among those of the part "run".
 constexpr const char* control_prefix = "control ";
 
@@ -28,7 +30,7 @@ using States = std::vector<std::pair<std::string, fields::State>>;
 
 /// Writes a checkpoint file, HDF5:
 ///
-///   attribute "format" of the root = "tunica-checkpoint 1"
+///   attribute "format" of the root = "tunica-checkpoint 2"; 1 knew meshes by another fingerprint
 ///   /text_names  /texts                                         strings
 ///   /number_names  /number_counts  /numbers
 ///   /array_names  /array_columns  /array_checksums

@@ -76,7 +76,7 @@ struct Contents {
   /// Composed on one rank.
   std::string image(const std::string& path) const {
     io::Hdf5Writer out(path);
-    out.attribute("format", "tunica-checkpoint 1");
+    out.attribute("format", checkpoint_format);
     out.write("text_names", text_names);
     out.write("texts", texts);
     out.write("number_names", number_names);

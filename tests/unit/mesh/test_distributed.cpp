@@ -343,6 +343,7 @@ TEUCHOS_UNIT_TEST(share, interface_is_checked_as_in_the_whole) {
   TEST_ASSERT(both_fail("is both fluid and wall", {"fluid"}, {"interface"}));
   TEST_ASSERT(both_fail("lies between regions \"media\" and \"adventitia\"", wall, {"layer"}));
   TEST_ASSERT(both_fail("is not on an interface surface", wall, {}));
+  TEST_ASSERT(both_fail("does not conform", wall, {"inlet"}));
   const auto inlet = std::count(whole.triangle_surface.begin(), whole.triangle_surface.end(),
                                 surface_index(whole, "inlet"));
   TEST_ASSERT(both_fail("(" + std::to_string(inlet) + " of ", wall, {"interface", "inlet"}));

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 #include "tunica/app/sanity/global_median.hpp"
 #include "tunica/base/reduce.hpp"

@@ -49,7 +49,7 @@ struct Vessel {
   std::vector<Opening> openings;        ///< surfaces of the fluid that are no sides
   double radius = 0.0, length = 0.0;    ///< of the lumen [mm]
   int elements_across_lumen = 0;        ///< the fewest of the openings
-  double thickness = 0.0;               ///< of the wall, the median over its inner vertices [mm]
+  double thickness = 0.0;               ///< of the wall, of its volume [mm]
   int elements_across_wall = 0;         ///< the median
   std::vector<double> region_shares{};  ///< of each region of the wall in its volume
 };

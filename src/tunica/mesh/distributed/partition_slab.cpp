@@ -1,7 +1,9 @@
 #include "tunica/mesh/distributed/partition_slab.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <utility>
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "tunica/base/exchange.hpp"

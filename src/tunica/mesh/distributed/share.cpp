@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
@@ -274,18 +275,19 @@ void check_interface(const Share& share, const std::vector<std::string>& fluid,
                      const std::vector<std::string>& wall,
                      const std::vector<std::string>& interface) {
   const Excerpt mine = share.excerpt();
-  long long alone = 0, triangles = 0;
   std::optional<InterfaceCheck> check;
   on_all(*share.comm, [&] {
     check.emplace(mine, share.regions_beside, fluid, wall, interface);
-    check->check();
+    check->check_neighbours();
   });
-  alone = static_cast<long long>(global_sum(*share.comm, static_cast<double>(check->alone())));
-  triangles =
-      static_cast<long long>(global_sum(*share.comm, static_cast<double>(check->triangles())));
+  const auto summed = [&](long long count) {
+    return static_cast<long long>(global_sum(*share.comm, static_cast<double>(count)));
+  };
+  const long long alone = summed(check->alone()), triangles = summed(check->triangles());
   on_all(*share.comm, [&] {
     if (check->alone() > 0) throw Error(check->nonconforming(alone, triangles));
   });
+  on_all(*share.comm, [&] { check->check_elsewhere(); });
 }
 
 std::vector<char> marked_regions(const Mesh& mesh, const std::vector<int>& regions) {

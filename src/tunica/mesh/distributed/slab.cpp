@@ -1,5 +1,9 @@
 #include "tunica/mesh/distributed/slab.hpp"
 
+#include <mpi.h>
+
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "tunica/base/agreement.hpp"
@@ -131,12 +135,26 @@ Slab read_slab(const std::string& path, const CommPtr& comm) {
   return slab;
 }
 
+namespace {
+
+/// That its file takes, and some for its head.
+long long bytes_of(const Slab& slab) {
+  const auto fields = static_cast<long long>(slab.rows.tet_vectors.size());
+  const auto tags = static_cast<long long>(slab.rows.regions.size() + slab.rows.surfaces.size());
+  return 24 * slab.vertices + (20 + 24 * fields) * slab.tets + 16 * slab.triangles + 4096 * tags +
+         (1 << 20);
+}
+
+}  // namespace
+
 void write_slab(const Slab& slab, const std::string& path) {
   const CommPtr& comm = slab.comm;
   const Place place = slab.place();
   const Mesh& mesh = slab.rows;
   io::AtomicFile named(path);  // removes the draft where it does not come to its name
-  io::Hdf5File file(io::AtomicFile::draft_of(path), io::Hdf5File::Mode::create, 0, comm);
+  const std::string draft = io::AtomicFile::draft_of(path);
+  io::Hdf5File(draft, io::Hdf5File::Mode::create, 0, comm).close();
+  io::Hdf5File file(draft, io::Hdf5File::Mode::extend, bytes_of(slab), comm);
   file.attribute("/", "format", std::string(hdf5_format));
   const auto rows = [](long long total, long long first, std::size_t count, int columns) {
     return io::Hdf5File::Rows{total, first, static_cast<long long>(count), columns};
