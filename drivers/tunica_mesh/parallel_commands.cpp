@@ -44,10 +44,7 @@ void on_ranks(const std::function<void(const CommPtr&)>& work) {
 /// What a case would check of it, but for fluid and wall.
 void check(const mesh::Slab& slab, const std::string& path) {
   const std::vector<bool> is_fluid(slab.rows.regions.size(), true);
-  const auto fields = mesh::vertex_fields(slab, is_fluid, path);
-  const auto partition =
-      mesh::partition(slab, is_fluid, fields, mesh::Partitioner::automatic, path);
-  mesh::distribute(slab, partition, path);
+  mesh::share_of(slab, is_fluid, mesh::Partitioner::automatic, path);
 }
 
 void write_whole(const mesh::Slab& slab, const std::string& path) {

@@ -17,14 +17,12 @@ namespace tunica::verify {
 /// The calling rank's share of a mesh that rank 0 has and that belongs to one field as a whole.
 inline fields::FieldMesh field_of(const mesh::Mesh& mesh,
                                   const CommPtr& comm = Tpetra::getDefaultComm()) {
-  mesh::Slab slab = mesh::slab_of(mesh, comm);
   const std::vector<bool> is_fluid(mesh.regions.size(), true);
-  const auto vertices = mesh::vertex_fields(slab, is_fluid, "mesh");
-  const auto partition =
-      mesh::partition(slab, is_fluid, vertices, mesh::Partitioner::automatic, "mesh");
+  const mesh::Share share =
+      mesh::share_of(mesh::slab_of(mesh, comm), is_fluid, mesh::Partitioner::automatic, "mesh");
   std::vector<int> regions;
   for (int r = 0; r < static_cast<int>(mesh.regions.size()); ++r) regions.push_back(r);
-  return fields::make_field_mesh(mesh::distribute(std::move(slab), partition, "mesh"), regions);
+  return fields::make_field_mesh(share, regions);
 }
 
 /// The list with these entries ("<Parameter .../>", "<ParameterList ...>") and all defaults.

@@ -134,12 +134,6 @@ void check_case(const mesh::Share& share, const MeshRequirements& requirements,
                           requirements.interface);
 }
 
-std::vector<bool> marks(const std::vector<int>& regions, std::size_t count) {
-  std::vector<bool> is_marked(count, false);
-  for (const int r : regions) is_marked[r] = true;
-  return is_marked;
-}
-
 /// Checks of the case do not know the file.
 std::string with_file(const std::string& message, const std::string& file) {
   return message.compare(0, file.size(), file) == 0 ? message : file + ": " + message;
@@ -157,11 +151,7 @@ void make_fields(const Teuchos::ParameterList& list, const mesh::Share& share,
 
 Probes probes_of(const Teuchos::ParameterList& list, const Domain& domain) {
   const auto pointer = [](const auto& mesh) { return mesh ? &*mesh : nullptr; };
-  try {
-    return Probes(list.sublist("Probes"), pointer(domain.fluid), pointer(domain.wall));
-  } catch (const Error& error) {
-    throw Error(list.sublist("Mesh").get<std::string>("file") + ": " + error.what());
-  }
+  return Probes(list.sublist("Probes"), pointer(domain.fluid), pointer(domain.wall));
 }
 
 }  // namespace
@@ -180,7 +170,8 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
     domain.fingerprint = mesh::fingerprint(slab);
     domain.extent = mesh::extent(slab);
     const Regions regions = regions_of(slab.rows, requirements);
-    const auto is_fluid = marks(regions.fluid, slab.rows.regions.size());
+    const std::vector<char> of_fluid = mesh::marked_regions(slab.rows, regions.fluid);
+    const std::vector<bool> is_fluid(of_fluid.begin(), of_fluid.end());
     const auto by = mesh::partitioner_of(options.get<std::string>("partitioner"));
     const auto fields = mesh::vertex_fields(slab, is_fluid, file);
     const mesh::SlabPartition partition = mesh::partition(slab, is_fluid, fields, by, file);
@@ -195,12 +186,12 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
     domain.memory.end("fields", *comm);
     for (const std::string& name : requirements.interface)
       domain.interface_surfaces.push_back(mesh::surface_index(share.mesh, name));
+    if (domain.fluid && domain.wall)
+      domain.interface.emplace(*domain.fluid, *domain.wall, domain.interface_surfaces);
+    domain.probes = probes_of(list, domain);
   } catch (const Error& error) {
     throw Error(with_file(error.what(), file));
   }
-  if (domain.fluid && domain.wall)
-    domain.interface.emplace(*domain.fluid, *domain.wall, domain.interface_surfaces);
-  domain.probes = probes_of(list, domain);
   return domain;
 }
 

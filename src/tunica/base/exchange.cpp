@@ -3,8 +3,6 @@
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <numeric>
 
-#include "tunica/base/error.hpp"
-
 namespace tunica {
 
 namespace {

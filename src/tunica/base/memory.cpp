@@ -12,8 +12,10 @@ double peak_memory() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;  // KB
 }
 
+double peak_memory(const Comm& comm) { return global_max(comm, peak_memory()); }
+
 void MemoryByPhase::end(const std::string& phase, const Comm& comm) {
-  phases_.emplace_back(phase, global_max(comm, peak_memory()));
+  phases_.emplace_back(phase, peak_memory(comm));
 }
 
 }  // namespace tunica

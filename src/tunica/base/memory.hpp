@@ -9,6 +9,8 @@ namespace tunica {
 
 /// The most memory that the process has had at any moment so far [MB].
 double peak_memory();
+/// The same of the rank that has most. Collective.
+double peak_memory(const Comm& comm);
 
 /// What the phases of a program need: peaks of the rank that has the largest.
 class MemoryByPhase {

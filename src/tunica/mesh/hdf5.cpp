@@ -3,38 +3,39 @@
 #include <limits>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/portion.hpp"
 #include "tunica/io/hdf5_arrays.hpp"
 #include "tunica/mesh/validate.hpp"
 
 namespace tunica::mesh {
 namespace {
 
-/// The rows of one rank among some.
-struct Portion {
-  Portion(const io::Hdf5Reader& in, const std::string& dataset, hsize_t columns, int rank,
-          int ranks)
-      : total(static_cast<long long>(in.rows(dataset, columns))), first(total * rank / ranks),
-        count(total * (rank + 1) / ranks - first) {}
-  long long total, first, count;
+/// The rows of one rank among some, and how many all have.
+struct Rows : Portion {
+  Rows(const io::Hdf5Reader& in, const std::string& dataset, hsize_t columns, int rank, int ranks)
+      : Rows(static_cast<long long>(in.rows(dataset, columns)), rank, ranks) {}
+  Rows(long long of_all, int rank, int ranks)
+      : Portion(portion_of(of_all, rank, ranks)), total(of_all) {}
+  long long total;
 };
 
 template <typename T, std::size_t N>
-void read_rows(const io::Hdf5Reader& in, const std::string& dataset, const Portion& portion,
+void read_rows(const io::Hdf5Reader& in, const std::string& dataset, const Rows& mine,
                std::vector<std::array<T, N>>& rows) {
-  rows.resize(static_cast<std::size_t>(portion.count));
-  in.read(dataset, N, static_cast<hsize_t>(portion.first), rows.size(),
+  rows.resize(static_cast<std::size_t>(mine.count));
+  in.read(dataset, N, static_cast<hsize_t>(mine.first), rows.size(),
           reinterpret_cast<T*>(rows.data()));
 }
 
 /// One number for each element.
 std::vector<int> read_numbers(const io::Hdf5Reader& in, const std::string& dataset,
-                              const Portion& portion, const std::string& elements,
+                              const Rows& mine, const std::string& elements,
                               const std::string& path) {
-  TUNICA_CHECK(static_cast<long long>(in.rows(dataset)) == portion.total,
+  TUNICA_CHECK(static_cast<long long>(in.rows(dataset)) == mine.total,
                path + ": dataset /" + dataset + " has " + std::to_string(in.rows(dataset)) +
-                   " rows, expected " + std::to_string(portion.total) + " as in /" + elements);
-  std::vector<int> numbers(static_cast<std::size_t>(portion.count));
-  in.read(dataset, 1, static_cast<hsize_t>(portion.first), numbers.size(), numbers.data());
+                   " rows, expected " + std::to_string(mine.total) + " as in /" + elements);
+  std::vector<int> numbers(static_cast<std::size_t>(mine.count));
+  in.read(dataset, 1, static_cast<hsize_t>(mine.first), numbers.size(), numbers.data());
   return numbers;
 }
 
@@ -51,20 +52,19 @@ std::vector<Tag> read_tags(const io::Hdf5Reader& in, const std::string& kind,
 }
 
 /// One field behind the other, a row per tetrahedron. Files without them are older or have none.
-void read_tet_vectors(const io::Hdf5Reader& in, const std::string& path, Portion portion,
-                      Mesh& mesh) {
+void read_tet_vectors(const io::Hdf5Reader& in, const std::string& path, Rows mine, Mesh& mesh) {
   if (!in.has("tet_vectors")) return;
   const std::vector<std::string> names = in.strings("tet_vector_names");
   const auto fields = static_cast<long long>(names.size());
   const auto found = static_cast<long long>(in.rows("tet_vectors", 3));
-  TUNICA_CHECK(found == fields * portion.total,
+  TUNICA_CHECK(found == fields * mine.total,
                path + ": dataset /tet_vectors has " + std::to_string(found) + " rows, expected " +
-                   std::to_string(fields) + " times " + std::to_string(portion.total) +
+                   std::to_string(fields) + " times " + std::to_string(mine.total) +
                    " as in /tet_vector_names and /tets");
   for (const std::string& name : names) {
     mesh.tet_vectors.push_back({name, {}});
-    read_rows(in, "tet_vectors", portion, mesh.tet_vectors.back().values);
-    portion.first += portion.total;
+    read_rows(in, "tet_vectors", mine, mesh.tet_vectors.back().values);
+    mine.first += mine.total;
   }
 }
 
@@ -102,7 +102,7 @@ void check_format(const io::Hdf5Reader& in, const std::string& path) {
 Hdf5Rows read_hdf5_rows(const std::string& path, int rank, int ranks) {
   const io::Hdf5Reader in(path);
   check_format(in, path);
-  const Portion vertices(in, "vertices", 3, rank, ranks), tets(in, "tets", 4, rank, ranks),
+  const Rows vertices(in, "vertices", 3, rank, ranks), tets(in, "tets", 4, rank, ranks),
       triangles(in, "triangles", 3, rank, ranks);
   constexpr int most = std::numeric_limits<int>::max();
   TUNICA_CHECK(vertices.total <= most && tets.total < most,

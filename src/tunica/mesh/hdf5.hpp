@@ -22,7 +22,7 @@ namespace tunica::mesh {
 /// files that several ranks have written.
 Mesh read_hdf5(const std::string& path);
 
-/// The rows of one of some ranks: of n rows those from n·rank/ranks on. Not validated.
+/// The rows of one of some ranks, by portion_of(). Not validated.
 struct Hdf5Rows {
   Mesh rows;  ///< elements have numbers of the whole; all tags
   long long vertices = 0, tets = 0, triangles = 0;  ///< of the whole

@@ -6,6 +6,7 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/map_of.hpp"
+#include "tunica/base/portion.hpp"
 #include "tunica/io/hdf5_arrays.hpp"
 #include "tunica/output/checkpoint_sum.hpp"
 #include "tunica/output/row_order.hpp"
@@ -17,11 +18,6 @@ namespace {
 bool is_of(const std::string& part, const std::string& name) {
   return name.compare(0, part.size() + 1, part + "/") == 0;
 }
-
-/// Rows of a dataset.
-struct Portion {
-  std::size_t first, count;
-};
 
 std::string part_of(const std::string& name) { return name.substr(0, name.find('/')); }
 
@@ -115,14 +111,15 @@ bool CheckpointFile::has(const std::string& part) const {
 }
 
 void CheckpointFile::verify() const {
-  constexpr std::size_t rows_at_once = std::size_t{1} << 18;
+  constexpr long long rows_at_once = 1 << 18;
   const io::Hdf5Reader in(path_);
   for (const auto& [name, entry] : arrays_) {
-    const std::size_t total = in.rows(part_of(name) + "/vertices");
-    TUNICA_CHECK(entry.columns == 0 || in.rows(name, entry.columns) == total,
-                 path_ + ": dataset /" + name + " is damaged: it has another number of rows");
+    const auto total = static_cast<long long>(in.rows(part_of(name) + "/vertices"));
+    TUNICA_CHECK(
+        entry.columns == 0 || static_cast<long long>(in.rows(name, entry.columns)) == total,
+        path_ + ": dataset /" + name + " is damaged: it has another number of rows");
     std::uint64_t sum = 0;
-    for (std::size_t first = 0; first < total; first += rows_at_once) {
+    for (long long first = 0; first < total; first += rows_at_once) {
       const Portion rows{first, std::min(rows_at_once, total - first)};
       sum += checksum(read_vertices(in, part_of(name), rows),
                       read_rows(in, name, entry.columns, rows));
@@ -148,9 +145,7 @@ fields::State CheckpointFile::read(const std::string& part, const std::vector<in
   std::vector<int> in_file;
   on_all(*comm, [&] {
     in.emplace(path_);
-    const std::size_t total = in->rows(part + "/vertices");
-    rows.first = total * comm->getRank() / comm->getSize();
-    rows.count = total * (comm->getRank() + 1) / comm->getSize() - rows.first;
+    rows = portion_of(static_cast<long long>(in->rows(part + "/vertices")), *comm);
     in_file = read_vertices(*in, part, rows);
   });
   check_presence(in_file, vertices, path_ + ": /" + part, comm);

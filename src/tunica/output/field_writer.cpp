@@ -10,6 +10,7 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/fault_point.hpp"
+#include "tunica/base/portion.hpp"
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/io/hdf5_arrays.hpp"
 #include "tunica/io/parallel_hdf5.hpp"
@@ -148,9 +149,9 @@ std::shared_ptr<const RowOrder> FieldWriter::take_share(const std::string& datas
   std::vector<int> numbers;
   on_all(*comm_, [&] {
     const io::Hdf5Reader in(folder_ + "/" + hdf5_name);
-    const auto total = static_cast<long long>(in.rows(dataset));
-    first = total * comm_->getRank() / comm_->getSize();
-    count = total * (comm_->getRank() + 1) / comm_->getSize() - first;
+    const Portion mine = portion_of(static_cast<long long>(in.rows(dataset)), *comm_);
+    first = mine.first;
+    count = mine.count;
     numbers.resize(count);
     in.read(dataset, 1, first, count, numbers.data());
   });

@@ -15,7 +15,6 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/memory.hpp"
-#include "tunica/base/reduce.hpp"
 #include "tunica/io/atomic_file.hpp"
 
 namespace tunica::output {
@@ -181,7 +180,7 @@ void RunRecord::finish(RunStatus status, const std::string& message) {
 }
 
 void RunRecord::note_memory(const std::string& phase) {
-  set(memory_section, phase, global_max(*comm_, peak_memory()));
+  set(memory_section, phase, peak_memory(*comm_));
 }
 
 void RunRecord::measure_memory() {

@@ -19,11 +19,8 @@ inline CommPtr alone() { return Teuchos::rcp(new Teuchos::SerialComm<int>); }
 /// The calling rank's share of a mesh that rank 0 has.
 inline mesh::Share share_of(const mesh::Mesh& mesh, const std::vector<bool>& region_is_fluid,
                             const CommPtr& comm = world()) {
-  mesh::Slab slab = mesh::slab_of(mesh, comm);
-  const auto fields = mesh::vertex_fields(slab, region_is_fluid, "mesh");
-  const auto partition =
-      mesh::partition(slab, region_is_fluid, fields, mesh::Partitioner::automatic, "mesh");
-  return mesh::distribute(std::move(slab), partition, "mesh");
+  return mesh::share_of(mesh::slab_of(mesh, comm), region_is_fluid, mesh::Partitioner::automatic,
+                        "mesh");
 }
 
 /// A tube of a few hundred tetrahedra with both fields and two layers, distributed.

@@ -38,9 +38,7 @@ SlabPartition partitioned(const Slab& slab, Partitioner by = Partitioner::geomet
 }
 
 Share share_of(const Mesh& whole, Partitioner by) {
-  Slab slab = slab_of(whole, world());
-  const SlabPartition parts = partitioned(slab, by);
-  return distribute(std::move(slab), parts, "tube");
+  return mesh::share_of(slab_of(whole, world()), tube_fluid, by, "tube");
 }
 
 /// What a file has, on all ranks: written by one.
@@ -279,9 +277,7 @@ std::string message_of_ranks(const Mesh& mesh) {
       check_tags(slab.rows, "tube");
       check_rows(slab.rows, slab.place(), "tube");
     });
-    const auto fields = vertex_fields(slab, tube_fluid, "tube");
-    const auto parts = partition(slab, tube_fluid, fields, Partitioner::geometric, "tube");
-    distribute(std::move(slab), parts, "tube");
+    mesh::share_of(std::move(slab), tube_fluid, Partitioner::geometric, "tube");
   } catch (const Error& error) {
     return error.what();
   }

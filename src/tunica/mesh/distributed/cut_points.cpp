@@ -23,15 +23,13 @@ std::vector<Vec3> tilted_points(const std::vector<Vec3>& points) {
   return tilted;
 }
 
-/// Zoltan's bisection takes no rank without points.
-std::vector<int> bisected(const std::vector<Vec3>& points, const CommPtr& comm) {
+/// points: the rank's portion of all. Zoltan's bisection takes no rank without any.
+std::vector<int> bisected(const std::vector<Vec3>& points, long long total, const CommPtr& comm) {
   using Types = Zoltan2::BasicUserTypes<double, LocalOrdinal, GlobalOrdinal>;
   using Adapter = Zoltan2::BasicVectorAdapter<Types>;
 
-  long long mine = static_cast<long long>(points.size()), up_to_here = 0;
-  Teuchos::scan(*comm, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
   std::vector<GlobalOrdinal> numbers(points.size());
-  std::iota(numbers.begin(), numbers.end(), up_to_here - mine);
+  std::iota(numbers.begin(), numbers.end(), portion_of(total, *comm).first);
   const std::vector<Vec3> tilted = tilted_points(points);
   const double* x = tilted.front().data();
   Adapter adapter(static_cast<LocalOrdinal>(points.size()), numbers.data(), x, x + 1, x + 2, 3, 3,
@@ -58,7 +56,7 @@ std::vector<int> cut_by_planes(const std::vector<Vec3>& points, const CommPtr& c
   std::iota(rows.begin(), rows.end(), static_cast<int>(up_to_here - mine));
   if (total < ranks) return rows;  // a part for each
   const std::vector<Vec3> even = spread(*comm, points, up_to_here - mine, total);
-  return fetch(*comm, rows, bisected(even, comm), total);
+  return fetch(*comm, rows, bisected(even, total, comm), total);
 }
 
 }  // namespace tunica::mesh

@@ -5,13 +5,10 @@
 #include <vector>
 
 #include "tunica/base/exchange.hpp"
+#include "tunica/base/portion.hpp"
 
-/// Arrays that the ranks hold in equal portions of rows, one behind the other: where a row is
-/// follows from its number.
+/// Arrays of which the ranks hold equal portions of rows, see base/portion.hpp.
 namespace tunica::mesh {
-
-/// The first row of a rank; that of the rank behind the last is the total.
-inline long long first_row(long long total, int rank, int ranks) { return total * rank / ranks; }
 
 /// Ascending rows, counted by the rank that has them.
 std::vector<int> rows_by_rank(const Comm& comm, const std::vector<int>& rows, long long total);

@@ -271,6 +271,13 @@ Share distribute(Slab slab, const SlabPartition& partition, const std::string& n
   return share;
 }
 
+Share share_of(Slab slab, const std::vector<bool>& region_is_fluid, Partitioner by,
+               const std::string& name) {
+  const std::vector<char> fields = vertex_fields(slab, region_is_fluid, name);
+  const SlabPartition parts = partition(slab, region_is_fluid, fields, by, name);
+  return distribute(std::move(slab), parts, name);
+}
+
 void check_interface(const Share& share, const std::vector<std::string>& fluid,
                      const std::vector<std::string>& wall,
                      const std::vector<std::string>& interface) {

@@ -59,13 +59,18 @@ struct Share {
 /// all ranks alike. The slab is used up. Collective.
 Share distribute(Slab slab, const SlabPartition& partition, const std::string& name);
 
+/// The two steps before and this one, for those who need nothing between them: finds the fields of
+/// vertices, cuts, distributes. Throws as they do. Collective.
+Share share_of(Slab slab, const std::vector<bool>& region_is_fluid, Partitioner by,
+               const std::string& name);
+
 /// Checks a share as check_interface() checks a whole mesh. Throws Error on all ranks alike.
 /// Collective.
 void check_interface(const Share& share, const std::vector<std::string>& fluid,
                      const std::vector<std::string>& wall,
                      const std::vector<std::string>& interface);
 
-/// In which regions (indices into mesh.regions): 1, others: 0.
+/// In these regions (indices into mesh.regions): 1, in others: 0.
 std::vector<char> marked_regions(const Mesh& mesh, const std::vector<int>& regions);
 
 }  // namespace tunica::mesh

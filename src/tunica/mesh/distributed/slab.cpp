@@ -67,9 +67,7 @@ void add_rows(std::uint64_t& sum, char kind, long long first, const std::vector<
 }  // namespace
 
 Place Slab::place() const {
-  const auto first = [this](long long total) {
-    return first_row(total, comm->getRank(), comm->getSize());
-  };
+  const auto first = [this](long long total) { return portion_of(total, *comm).first; };
   return {first(vertices), first(tets), first(triangles), vertices};
 }
 
