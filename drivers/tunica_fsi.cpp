@@ -25,8 +25,10 @@ std::vector<app::GridFields> both_fields(const Teuchos::ParameterList& wanted,
                                          const problems::SolidProblem& wall) {
   std::vector<output::Array> of_fluid = app::fluid_arrays(fluid, motion.displacement());
   for (output::Array& array : shear.arrays()) of_fluid.push_back(std::move(array));
-  return {{"fluid", of_fluid, {}},
-          {"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall, wanted)}};
+  std::vector<app::GridFields> both;  // not copied from a list of them: they are long
+  both.push_back({"fluid", std::move(of_fluid), {}});
+  both.push_back({"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall, wanted)});
+  return both;
 }
 
 Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,

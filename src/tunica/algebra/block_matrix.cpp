@@ -1,8 +1,18 @@
 #include "tunica/algebra/block_matrix.hpp"
 
+#include <optional>
 #include <stdexcept>
 
+#include "tunica/algebra/merged_rows.hpp"
+#include "tunica/algebra/split_matrix.hpp"
+
 namespace tunica::algebra {
+
+struct BlockMatrix::Merged {
+  Teuchos::RCP<CrsMatrix> matrix;
+  MergedRows rows;
+  std::optional<SplitMatrix> blocks;  ///< none before they are asked for
+};
 
 BlockMatrix::BlockMatrix(BlockSpacePtr space)
     : space_(std::move(space)),
@@ -17,13 +27,42 @@ void BlockMatrix::set(int row, int column, const Teuchos::RCP<CrsMatrix>& matrix
   blocks_[row * n_blocks() + column] = matrix;
 }
 
+const Teuchos::RCP<CrsMatrix>& BlockMatrix::operator()(int row, int column) const {
+  if (!merged_) return blocks_[row * n_blocks() + column];
+  if (!merged_->blocks) merged_->blocks.emplace(*merged_->matrix, *space_);
+  return (*merged_->blocks)(row, column);
+}
+
+void BlockMatrix::store_merged(const Teuchos::RCP<CrsMatrix>& merged) {
+  merged_.reset(new Merged{merged, MergedRows(*space_, *merged->getRowMap()), std::nullopt});
+}
+
+const Teuchos::RCP<CrsMatrix>& BlockMatrix::merged() const {
+  static const Teuchos::RCP<CrsMatrix> none;
+  return merged_ ? merged_->matrix : none;
+}
+
+void BlockMatrix::values_changed() const {
+  if (merged_ && merged_->blocks) merged_->blocks->refresh();
+}
+
+void BlockMatrix::apply_merged(const BlockVector& x, BlockVector& y) const {
+  Vector all_x(merged_->matrix->getDomainMap()), all_y(all_x.getMap());
+  merged_->rows.merge(x, all_x);
+  merged_->matrix->apply(all_x, all_y);
+  merged_->rows.split(all_y, y);
+}
+
 void BlockMatrix::apply(const BlockVector& x, BlockVector& y) const {
   std::vector<Teuchos::RCP<MultiVector>> from, to;
   for (int b = 0; b < n_blocks(); ++b) {
     from.push_back(Teuchos::rcp_const_cast<Vector>(x.block(b)));
     to.push_back(y.block(b));
   }
-  apply_blocks(from, to, 1.0, 0.0);
+  if (merged_)
+    apply_merged(x, y);
+  else
+    apply_blocks(from, to, 1.0, 0.0);
   if (low_rank_) low_rank_->add(from, to, 1.0);  // y ← y + W S Vᵀ x
   if (action_) action_->add(x, y);
 }

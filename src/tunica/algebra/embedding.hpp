@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "tunica/algebra/block_matrix.hpp"
+#include "tunica/algebra/low_rank.hpp"
 
 namespace tunica::algebra {
 
@@ -18,17 +18,17 @@ class Embedding {
 public:
   /// Where a block of the part stands.
   struct Place {
-    int block;  ///< in the whole
-    /// There, of the block's unknowns of this rank and, behind them, of its ghosts in the order of
-    /// the column maps.
-    std::vector<GlobalOrdinal> numbers;
+    int block;                                   ///< in the whole
+    Teuchos::RCP<const Map> owned, with_ghosts;  ///< the part's unknowns
+    std::vector<GlobalOrdinal> numbers;          ///< in the whole, of those with ghosts
   };
-  /// A place per block of the part. Both matrices outlive the object; those of the part have
-  /// entries where those of the whole have some. Collective.
-  Embedding(const BlockMatrix& part, const BlockMatrix& whole, std::vector<Place> places);
+  /// A place per block of the part. Collective.
+  Embedding(const BlockSpace& whole, std::vector<Place> places);
 
   /// S and R, per block of the part; all 1 at first.
   void set_units(std::vector<double> unknowns, std::vector<double> equations);
+  double unit_of_unknowns(int block) const { return unknowns_[block]; }
+  double unit_of_equations(int block) const { return equations_[block]; }
 
   /// x_part ← S P x.
   void restrict(const BlockVector& x, BlockVector& part) const;
@@ -36,27 +36,18 @@ public:
   void insert(const BlockVector& part, BlockVector& x) const;
   /// F ← F + R Pᵀ F_part.
   void add(const BlockVector& part, BlockVector& F) const;
-  /// values ← values + R Pᵀ K_part P S, for the blocks of the whole as they are stored. The
-  /// products of low rank become those from `first_product` on.
-  void add_matrix(BlockMatrix& whole, int first_product) const;
-  /// The same for one matrix with the entries of that block of the part.
+  /// The products of a part become those of the whole from `first` on.
+  void set_products(const LowRank& part, LowRank& whole, int first) const;
+  /// K ← K + R Pᵀ K_part P S for one block, which has entries where the part has some.
   void add_block(const CrsMatrix& part, int row, int column, CrsMatrix& whole) const;
 
 private:
-  /// A block of the part, and where each of its values stands in that of the whole.
-  struct MatrixPlace {
-    int row, column;
-    std::vector<int> offsets;
-  };
-
   /// x ← x + W Pᵀ x_part, W numbers per block.
   void add_weighted(const std::vector<double>& weights, const BlockVector& part,
                     BlockVector& x) const;
 
-  const BlockMatrix* part_;
-  std::vector<int> blocks_;             ///< of the whole, per block of the part
-  std::vector<std::vector<int>> rows_;  ///< local rows there, per block
-  std::vector<MatrixPlace> matrices_;
+  std::vector<Place> places_;
+  std::vector<std::vector<int>> rows_;  ///< local rows in the whole, per block of the part
   std::vector<double> unknowns_, equations_;
 };
 

@@ -29,7 +29,8 @@ struct NumberedBlock {
   }
 };
 
-std::vector<NumberedBlock> numbered_blocks(const BlockMatrix& K, const DofLayout& layout) {
+std::vector<NumberedBlock> numbered_blocks(const BlockMatrix& K) {
+  const DofLayout layout(*K.space());
   std::vector<NumberedBlock> blocks;
   for (int i = 0; i < K.n_blocks(); ++i)
     for (int j = 0; j < K.n_blocks(); ++j)
@@ -50,23 +51,28 @@ std::size_t longest_row(const BlockMatrix& K) {
   return longest;
 }
 
+/// All values zero.
+Teuchos::RCP<CrsMatrix> merged_graph(const BlockMatrix& K) {
+  const auto map = DofLayout(*K.space()).merged_map(*K.space());
+  const auto merged = Teuchos::rcp(new CrsMatrix(map, longest_row(K)));
+  for (const NumberedBlock& block : numbered_blocks(K)) block.insert_graph(*merged);
+  merged->fillComplete(map, map);
+  return merged;
+}
+
 }  // namespace
 
-MergedMatrix::MergedMatrix(const BlockMatrix& K) {
-  const DofLayout layout(*K.space());
-  const auto map = layout.merged_map(*K.space());
-  matrix_ = Teuchos::rcp(new CrsMatrix(map, longest_row(K)));
-  const std::vector<NumberedBlock> blocks = numbered_blocks(K, layout);
-  for (const NumberedBlock& block : blocks) block.insert_graph(*matrix_);
-  matrix_->fillComplete(map, map);
-  for (const NumberedBlock& block : blocks)
+MergedMatrix::MergedMatrix(const BlockMatrix& K)
+    : matrix_(K.merged().is_null() ? merged_graph(K) : K.merged()),
+      rows_(*K.space(), *matrix_->getRowMap()) {
+  if (!K.merged().is_null()) return;
+  for (const NumberedBlock& block : numbered_blocks(K))
     parts_.push_back(
         {block.matrix, entry_offsets(*block.matrix, block.rows, block.columns, *matrix_)});
-  for (int b = 0; b < K.n_blocks(); ++b)
-    rows_.push_back(local_numbers(layout.merged_numbers(*(*K.space())[b].map, b), *map));
 }
 
 void MergedMatrix::refresh() {
+  if (parts_.empty()) return;
   matrix_->resumeFill();
   {
     const auto values = matrix_->getLocalMatrixHost().values;
@@ -76,22 +82,6 @@ void MergedMatrix::refresh() {
     }
   }
   matrix_->fillComplete(matrix_->getDomainMap(), matrix_->getRangeMap());
-}
-
-void MergedMatrix::merge(const BlockVector& x, MultiVector& merged) const {
-  const auto all = merged.getLocalViewHost(overwrite_all);
-  for (int b = 0; b < x.n_blocks(); ++b) {
-    const auto from = x[b].getLocalViewHost(read_only);
-    for (std::size_t i = 0; i < rows_[b].size(); ++i) all(rows_[b][i], 0) = from(i, 0);
-  }
-}
-
-void MergedMatrix::split(const MultiVector& merged, BlockVector& x) const {
-  const auto all = merged.getLocalViewHost(read_only);
-  for (int b = 0; b < x.n_blocks(); ++b) {
-    const auto to = x[b].getLocalViewHost(overwrite_all);
-    for (std::size_t i = 0; i < rows_[b].size(); ++i) to(i, 0) = all(rows_[b][i], 0);
-  }
 }
 
 }  // namespace tunica::algebra

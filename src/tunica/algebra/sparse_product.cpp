@@ -1,26 +1,62 @@
 #include "tunica/algebra/sparse_product.hpp"
 
 #include <TpetraExt_MatrixMatrix.hpp>
+#include <TpetraExt_TripleMatrixMultiply.hpp>
+#include <vector>
 
 namespace tunica::algebra {
 
-CrsMatrix with_ones(const CrsMatrix& A) {
-  CrsMatrix ones(A, Teuchos::Copy);
-  ones.resumeFill();
-  ones.setAllToScalar(1.0);
-  ones.fillComplete(A.getDomainMap(), A.getRangeMap());
-  return ones;
+namespace {
+
+/// Ones in place of the zeros of a matrix, as long as it lives.
+class WithoutZeros {
+public:
+  explicit WithoutZeros(const CrsMatrix& A) : A_(&A) {
+    const auto values = A.getLocalMatrixHost().values;
+    for (std::size_t k = 0; k < values.extent(0); ++k) {
+      if (values(k) != 0.0) continue;
+      zeros_.push_back(k);
+      values(k) = 1.0;
+    }
+  }
+  ~WithoutZeros() {
+    const auto values = A_->getLocalMatrixHost().values;
+    for (const std::size_t k : zeros_) values(k) = 0.0;
+  }
+  WithoutZeros(const WithoutZeros&) = delete;
+  WithoutZeros& operator=(const WithoutZeros&) = delete;
+
+private:
+  const CrsMatrix* A_;
+  std::vector<std::size_t> zeros_;
+};
+
+}  // namespace
+
+void multiply_graphs(const CrsMatrix& A, const CrsMatrix& B, CrsMatrix& product) {
+  const WithoutZeros left(A), right(B);
+  Tpetra::MatrixMatrix::Multiply(A, false, B, false, product);
 }
 
 SparseProduct::SparseProduct(const CrsMatrix& A, const CrsMatrix& B)
     : A_(&A), B_(&B), product_(Teuchos::rcp(new CrsMatrix(A.getRowMap(), 0))) {
-  const CrsMatrix ones_A = with_ones(A), ones_B = with_ones(B);
-  Tpetra::MatrixMatrix::Multiply(ones_A, false, ones_B, false, *product_);
+  multiply_graphs(A, B, *product_);
 }
 
 void SparseProduct::refresh() {
   // Finds the graph there and fills in values only.
   Tpetra::MatrixMatrix::Multiply(*A_, false, *B_, false, *product_);
+}
+
+TripleProduct::TripleProduct(const CrsMatrix& A, const CrsMatrix& P)
+    : A_(&A), P_(&P), product_(Teuchos::rcp(new CrsMatrix(P.getDomainMap(), 0))) {
+  const WithoutZeros inner(A), outer(P);
+  Tpetra::TripleMatrixMultiply::MultiplyRAP(P, true, A, false, P, false, *product_);
+}
+
+void TripleProduct::refresh() {
+  product_->resumeFill();
+  Tpetra::TripleMatrixMultiply::MultiplyRAP(*P_, true, *A_, false, *P_, false, *product_);
 }
 
 }  // namespace tunica::algebra

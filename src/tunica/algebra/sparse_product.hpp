@@ -3,8 +3,9 @@
 
 namespace tunica::algebra {
 
-/// A copy with ones for all entries of the graph: nothing cancels in its products.
-CrsMatrix with_ones(const CrsMatrix& A);
+/// product: has no entries; gets all that the graphs of A and B make, whatever values they have at
+/// present. Zeros of both are other numbers so long. Collective.
+void multiply_graphs(const CrsMatrix& A, const CrsMatrix& B, CrsMatrix& product);
 
 /// A B, and again for new values of both on the same graphs. Entries of the graphs that are zero
 /// count as any others: Tpetra itself leaves the products of zeros out of its graph.
@@ -19,6 +20,21 @@ public:
 
 private:
   const CrsMatrix *A_, *B_;
+  Teuchos::RCP<CrsMatrix> product_;
+};
+
+/// Pᵀ A P in the same way, without the product of two between: for matrices that lie on one rank,
+/// as Tpetra has no second round of it on several.
+class TripleProduct {
+public:
+  /// The graph alone. The matrices must outlive the object.
+  TripleProduct(const CrsMatrix& A, const CrsMatrix& P);
+
+  const Teuchos::RCP<CrsMatrix>& matrix() const { return product_; }
+  void refresh();
+
+private:
+  const CrsMatrix *A_, *P_;
   Teuchos::RCP<CrsMatrix> product_;
 };
 

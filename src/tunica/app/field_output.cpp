@@ -98,9 +98,18 @@ void append(const Numbers& values, output::Array& array) {
 /// Arrays that are filled element by element.
 class WallArrays {
 public:
-  WallArrays(const Teuchos::Array<std::string>& wanted, bool has_frames) {
+  WallArrays(const Teuchos::Array<std::string>& wanted, bool has_frames, std::size_t n_elements) {
     for (const std::string& kind : wanted) has_[kind] = true;
     has_["fibres"] = has_["fibres"] && has_frames;
+    const auto reserve = [n_elements](output::Array& array) {
+      array.values.reserve(array.components * n_elements);
+    };
+    if (has_["stress"])
+      for (output::Array* array : {&stress_, &von_mises_}) reserve(*array);
+    if (has_["principal"])
+      for (output::Array* array : {&principal_stress_, &principal_stretch_}) reserve(*array);
+    if (has_["fibres"])
+      for (output::Array* array : {&around_, &along_, &fibres_[0], &fibres_[1]}) reserve(*array);
   }
 
   void add(const Strained& element) {
@@ -124,9 +133,17 @@ public:
 
   std::vector<output::Array> take() {
     std::vector<output::Array> all;
-    if (has_["stress"]) all.insert(all.end(), {stress_, von_mises_});
-    if (has_["principal"]) all.insert(all.end(), {principal_stress_, principal_stretch_});
-    if (has_["fibres"]) all.insert(all.end(), {around_, along_, fibres_[0], fibres_[1]});
+    const auto take = [&all](output::Array& array) { all.push_back(std::move(array)); };
+    if (has_["stress"]) {
+      take(stress_);
+      take(von_mises_);
+    }
+    if (has_["principal"]) {
+      take(principal_stress_);
+      take(principal_stretch_);
+    }
+    if (has_["fibres"])
+      for (output::Array* array : {&around_, &along_, &fibres_[0], &fibres_[1]}) take(*array);
     return all;
   }
 
@@ -164,7 +181,8 @@ std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall,
   for (std::size_t a = 0; a < d.size(); ++a) d[a] += wall.from_stress_free()[a];
   const auto p = fields::ghosted_scalars(wall.scalar_mesh(), wall.state()[1]);
   WallArrays arrays(wanted.get<Teuchos::Array<std::string>>(wall_arrays_key),
-                    !wall.elements().frames.empty());
+                    !wall.elements().frames.empty(),
+                    std::count(mesh.is_owned.begin(), mesh.is_owned.end(), 1));
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
     const kernels::Tet4& T = wall.elements().geometry[e];
@@ -192,9 +210,9 @@ bool FieldSeries::is_due(const stepping::Clock& clock) const {
          (clock.is_asked_for() || (every_ > 0 && (clock.is_every(every_) || clock.is_last())));
 }
 
-void FieldSeries::write(const stepping::Clock& clock, const std::vector<GridFields>& fields) {
-  for (const GridFields& f : fields)
-    writer_->write(clock.step(), clock.time(), f.grid, f.points, f.cells);
+void FieldSeries::write(const stepping::Clock& clock, std::vector<GridFields> fields) {
+  for (GridFields& f : fields)
+    writer_->write(clock.step(), clock.time(), f.grid, std::move(f.points), std::move(f.cells));
   writer_->finish_step();
 }
 

@@ -41,7 +41,7 @@ public:
 
   bool is_due(const stepping::Clock& clock) const;
   /// Collective.
-  void write(const stepping::Clock& clock, const std::vector<GridFields>& fields);
+  void write(const stepping::Clock& clock, std::vector<GridFields> fields);
 
 private:
   int every_;

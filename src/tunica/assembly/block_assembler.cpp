@@ -9,18 +9,6 @@ namespace tunica::assembly {
 
 namespace {
 
-/// The values of a matrix, zeroed and open for writing.
-double* open_values(CrsMatrix& matrix) {
-  matrix.resumeFill();
-  const auto values = matrix.getLocalMatrixHost().values;
-  std::fill(values.data(), values.data() + values.extent(0), 0.0);
-  return values.data();
-}
-
-void close_values(CrsMatrix& matrix) {
-  matrix.fillComplete(matrix.getDomainMap(), matrix.getRangeMap());
-}
-
 /// Zeroes constrained rows and columns of an element matrix but for their diagonals.
 void constrain(const std::array<std::uint8_t, 4>& fixed, kernels::MixedJacobian& K) {
   for (int a = 0; a < 4; ++a)
@@ -80,16 +68,30 @@ void NodalResidual::store(const fields::FieldMesh& mesh, const Constraints& fixe
 
 BlockAssembler::BlockAssembler(fields::BlockOperator& K, const Constraints& fixed,
                                CommonMotions* motions)
-    : K_(&K), mesh_(&K.mesh()), scalar_mesh_(&K.mesh_of(1)), fixed_(&fixed), motions_(motions),
-      A_(open_values(*K(0, 0))), B1T_(open_values(*K(0, 1))), B2_(open_values(*K(1, 0))),
-      mC_(open_values(*K(1, 1))) {
+    : BlockAssembler({&K, nullptr, nullptr}, K.mesh(), fixed, motions, K.low_rank().get(),
+                     K.begin_assembly()) {}
+
+BlockAssembler::BlockAssembler(const Whole& whole, const fields::FieldMesh& mesh,
+                               const Constraints& fixed, CommonMotions* motions,
+                               algebra::LowRank* products)
+    : BlockAssembler(whole, mesh, fixed, motions, products,
+                     whole.K->merged()->getLocalMatrixHost().values.data()) {}
+
+BlockAssembler::BlockAssembler(const Whole& whole, const fields::FieldMesh& mesh,
+                               const Constraints& fixed, CommonMotions* motions,
+                               algebra::LowRank* products, double* values)
+    : K_(whole.K), place_(whole.place), mesh_(&mesh), fixed_(&fixed), motions_(motions),
+      products_(products), values_(values), units_{{1.0, 1.0}, {1.0, 1.0}} {
+  if (whole.units != nullptr)
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        units_[i][j] = whole.units->unit_of_equations(i) * whole.units->unit_of_unknowns(j);
   if (motions_ != nullptr) motions_->begin();
 }
 
 void BlockAssembler::finish() {
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) close_values(*(*K_)(i, j));
-  if (motions_ != nullptr) motions_->store(*fixed_, *K_);
+  if (motions_ != nullptr) motions_->store(*fixed_, diagonal(), *products_);
+  if (place_ == nullptr) K_->end_assembly();
 }
 
 void BlockAssembler::add(std::size_t e, const kernels::MixedJacobian& Ke) {
@@ -104,73 +106,67 @@ void BlockAssembler::add(std::size_t e, const kernels::MixedJacobian& Ke) {
 }
 
 void BlockAssembler::add(double s, const std::vector<Vec3>& w, const std::vector<Vec3>& v) {
-  TUNICA_ASSERT(K_->low_rank() && next_product_ < K_->low_rank()->rank(),
+  TUNICA_ASSERT(products_ != nullptr && next_product_ < products_->rank(),
                 "the terms add no more products than they announce");
-  algebra::RankOne& product = (*K_->low_rank())[next_product_++];
+  algebra::RankOne& product = (*products_)[next_product_++];
   product.scale = s;
   store_free(w, *fixed_, product.w[0]);
   store_free(v, *fixed_, product.v[0]);
 }
 
-namespace {
-
-/// A node's row of a graph, and where an element has its columns there.
-struct Row {
-  std::size_t start, length;
-  const std::int16_t* position;
-
-  Row(const fields::NodeGraph& graph, int node, std::size_t e, int a)
-      : start(graph.row_start[node]), length(graph.row_start[node + 1] - start),
-        position(graph.position[e].data() + 4 * a) {}
-};
-
-}  // namespace
-
 void BlockAssembler::scatter(std::size_t e, const kernels::MixedJacobian& Ke) {
-  const auto &nodes = mesh_->tets[e], &scalar_nodes = scalar_mesh_->tets[e];
-  const bool is_split = K_->split() != nullptr;  // else all four graphs are one
-  const fields::NodeGraph& graph = K_->graph(0, 0);
+  const std::size_t t = place_ != nullptr ? place_->tets[e] : e;
+  const auto &nodes = K_->mesh().tets[t], &scalar_nodes = K_->mesh_of(1).tets[t];
+  const auto uu = K_->places(t, 0, 0), up = K_->places(t, 0, 1), pu = K_->places(t, 1, 0),
+             pp = K_->places(t, 1, 1);
   for (int a = 0; a < 4; ++a) {
-    if (nodes[a] >= mesh_->n_owned) continue;
-    const Row uu(graph, nodes[a], e, a);
-    const Row up = is_split ? Row(K_->graph(0, 1), nodes[a], e, a) : uu;
-    const Row pu = is_split ? Row(K_->graph(1, 0), scalar_nodes[a], e, a) : uu;
-    const Row pp = is_split ? Row(K_->graph(1, 1), scalar_nodes[a], e, a) : uu;
+    if (nodes[a] >= K_->mesh().n_owned) continue;
+    double* const row_u = values_ + K_->rows(0).start[nodes[a]];
+    double* const row_p = values_ + K_->rows(1).start[scalar_nodes[a]];
+    const std::size_t length = K_->rows(0).length[nodes[a]];
     for (int b = 0; b < 4; ++b) {
-      double* A = A_ + 9 * uu.start + 3 * uu.position[b];
-      double* B1T = B1T_ + 3 * up.start + up.position[b];
-      double* B2 = B2_ + 3 * pu.start + 3 * pu.position[b];
+      double* const A = row_u + uu(a, b);
+      double* const B1T = row_u + up(a, b);
+      double* const B2 = row_p + pu(a, b);
       for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) A[3 * uu.length * i + j] += Ke.A[a][b][i][j];
-        B1T[up.length * i] += Ke.B1T[a][b][i];
-        B2[i] += Ke.B2[a][b][i];
+        for (int j = 0; j < 3; ++j) A[length * i + j] += units_[0][0] * Ke.A[a][b][i][j];
+        B1T[length * i] += units_[0][1] * Ke.B1T[a][b][i];
+        B2[i] += units_[1][0] * Ke.B2[a][b][i];
       }
-      mC_[pp.start + pp.position[b]] += Ke.mC[a][b];
+      row_p[pp(a, b)] += units_[1][1] * Ke.mC[a][b];
     }
   }
 }
 
 void BlockAssembler::add(const fields::Face& face, const kernels::SurfaceJacobian& Ke) {
   if (motions_ != nullptr) motions_->collect(face, Ke);
-  const fields::NodeGraph& graph = K_->graph(0, 0);
   for (int a = 0; a < 3; ++a) {
-    const int row = face.nodes[a];
-    if (row >= mesh_->n_owned) continue;
-    const std::size_t start = graph.row_start[row];
-    const std::size_t length = graph.row_start[row + 1] - start;
-    const int* columns = graph.columns.data() + start;
+    const int row = node_of(face.nodes[a]);
+    if (row >= K_->mesh().n_owned) continue;
+    const std::size_t length = K_->rows(0).length[row];
     for (int b = 0; b < 3; ++b) {
-      const int column = face.nodes[b];
-      const std::size_t k = std::lower_bound(columns, columns + length, column) - columns;
+      double* const A = values_ + K_->rows(0).start[row] + K_->place(row, node_of(face.nodes[b]));
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-          const bool is_fixed = (((*fixed_)[row] >> i) | ((*fixed_)[column] >> j)) & 1;
-          const bool is_diagonal = row == column && i == j;
-          if (!is_fixed || is_diagonal)
-            A_[9 * start + 3 * length * i + 3 * k + j] += Ke.A[a][b][i][j];
+          const bool is_fixed =
+              (((*fixed_)[face.nodes[a]] >> i) | ((*fixed_)[face.nodes[b]] >> j)) & 1;
+          const bool is_diagonal = a == b && i == j;
+          if (!is_fixed || is_diagonal) A[length * i + j] += units_[0][0] * Ke.A[a][b][i][j];
         }
     }
   }
+}
+
+Vector BlockAssembler::diagonal() const {
+  Vector diagonal(mesh_->vector_map);
+  const auto d = diagonal.getLocalViewHost(overwrite_all);
+  for (int a = 0; a < mesh_->n_owned; ++a) {
+    const int node = node_of(a);
+    const double* const A = values_ + K_->rows(0).start[node] + K_->place(node, node);
+    for (int i = 0; i < 3; ++i)
+      d(3 * a + i, 0) = A[K_->rows(0).length[node] * i + i] / units_[0][0];
+  }
+  return diagonal;
 }
 
 }  // namespace tunica::assembly

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tunica/fields/block_operator.hpp"
+#include "tunica/fields/embed_field.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
 #include "tunica/kernels/tet4.hpp"
 
@@ -37,17 +37,30 @@ private:
   const fields::SplitMesh* split_;
 };
 
-/// Writes element Jacobians straight into the values of a BlockOperator's four matrices.
+/// What the Jacobian of a field is part of: that of several fields, in which the field has other
+/// numbers and units.
+struct Whole {
+  fields::BlockOperator* K;         ///< open for writing
+  const fields::FieldPlace* place;  ///< of the field's elements and nodes
+  const algebra::Embedding* units;  ///< of its unknowns and equations
+};
+
+/// Writes element Jacobians straight into the values of a BlockOperator.
 ///
 /// Constrained rows and columns keep only their diagonal, summed like any other entry, so
 /// that it has the size of its neighbours; the increments there are zero, so that the dropped
-/// columns need no right-hand side. Writing begins with zeros and ends with finish(). Products of
-/// vectors go to the operator's part of low rank, which has as many as are added.
+/// columns need no right-hand side. Products of vectors go to a part of low rank in the numbers and
+/// units of the field, which has as many as are added.
 class BlockAssembler {
 public:
-  /// motions: take what they need of the dropped rows and columns; may be null.
+  /// To the field's own Jacobian, whose products are those that K has: writing begins with zeros
+  /// and ends with finish(). motions: take what they need of the dropped rows and columns; may be
+  /// null.
   BlockAssembler(fields::BlockOperator& K, const Constraints& fixed,
                  CommonMotions* motions = nullptr);
+  /// Added to a larger one; products may be null where there are none.
+  BlockAssembler(const Whole& whole, const fields::FieldMesh& mesh, const Constraints& fixed,
+                 CommonMotions* motions, algebra::LowRank* products);
   void add(std::size_t e, const kernels::MixedJacobian& Ke);
   void add(const fields::Face& face, const kernels::SurfaceJacobian& Ke);
   /// s w vᵀ on the vector unknown, given on the owned nodes.
@@ -55,13 +68,22 @@ public:
   void finish();
 
 private:
+  BlockAssembler(const Whole& whole, const fields::FieldMesh& mesh, const Constraints& fixed,
+                 CommonMotions* motions, algebra::LowRank* products, double* values);
+
+  int node_of(int a) const { return place_ != nullptr ? place_->nodes[a] : a; }
   void scatter(std::size_t e, const kernels::MixedJacobian& Ke);
+  /// Of the vector unknowns at the owned nodes, in the field's units.
+  Vector diagonal() const;
 
   fields::BlockOperator* K_;
-  const fields::FieldMesh *mesh_, *scalar_mesh_;
+  const fields::FieldPlace* place_;  ///< null: K is the field's own
+  const fields::FieldMesh* mesh_;    ///< of the field
   const Constraints* fixed_;
   CommonMotions* motions_;
-  double *A_, *B1T_, *B2_, *mC_;
+  algebra::LowRank* products_;
+  double* values_;
+  double units_[2][2];  ///< of the blocks
   int next_product_ = 0;
 };
 

@@ -150,15 +150,14 @@ void CommonMotions::store_second(int m, const Constraints& fixed,
     v_p(a, 0) = !motion.has_force || is_fixed_scalar(a, fixed) ? 0.0 : motion.row.p[a];
 }
 
-void CommonMotions::store(const Constraints& fixed, fields::BlockOperator& K) const {
+void CommonMotions::store(const Constraints& fixed, const Vector& diagonal,
+                          algebra::LowRank& products) const {
   if (is_empty()) return;
-  const std::vector<double> all = products();
-  Vector diagonal(mesh_->vector_map);
-  K(0, 0)->getLocalDiagCopy(diagonal);
-  int next = K.low_rank()->rank() - rank();
+  const std::vector<double> all = this->products();
+  int next = products.rank() - rank();
   for (int m = 0; m < static_cast<int>(motions_.size()); ++m) {
-    store_first(m, fixed, diagonal, (*K.low_rank())[next++]);
-    store_second(m, fixed, all, (*K.low_rank())[next++]);
+    store_first(m, fixed, diagonal, products[next++]);
+    store_second(m, fixed, all, products[next++]);
   }
 }
 

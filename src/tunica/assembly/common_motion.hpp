@@ -43,7 +43,7 @@ public:
   void begin();
   void collect(std::size_t e, const kernels::MixedJacobian& K);
   void collect(const fields::Face& face, const kernels::SurfaceJacobian& K);
-  void store(const Constraints& fixed, fields::BlockOperator& K) const;
+  void store(const Constraints& fixed, const Vector& diagonal, algebra::LowRank& products) const;
 
 private:
   /// On owned nodes.

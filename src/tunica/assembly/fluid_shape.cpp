@@ -4,13 +4,13 @@
 
 namespace tunica::assembly {
 
-FluidShapeMatrix::FluidShapeMatrix(const fields::BlockOperator& K)
-    : K_(&K), u_(fields::make_matrix(K.graph(), K.mesh(), 3, 3)),
-      p_(fields::make_matrix(K.graph(), K.mesh(), 1, 3)) {}
+FluidShapeMatrix::FluidShapeMatrix(const fields::FieldMesh& mesh)
+    : mesh_(&mesh), graph_(fields::make_node_graph(mesh)),
+      u_(fields::make_matrix(graph_, mesh, 3, 3)), p_(fields::make_matrix(graph_, mesh, 1, 3)) {}
 
 void FluidShapeMatrix::assemble(const FluidElements& elements, const FluidFields& state,
                                 const std::vector<Vec3>& velocity, const Constraints& fixed) {
-  const fields::FieldMesh& mesh = K_->mesh();
+  const fields::FieldMesh& mesh = *mesh_;
   for (CrsMatrix* matrix : {u_.get(), p_.get()}) {
     matrix->resumeFill();
     matrix->setAllToScalar(0.0);
@@ -31,15 +31,13 @@ void FluidShapeMatrix::assemble(const FluidElements& elements, const FluidFields
 
 void FluidShapeMatrix::add(std::size_t e, const kernels::ShapeJacobian& Ke,
                            const Constraints& fixed) {
-  const fields::FieldMesh& mesh = K_->mesh();
-  const fields::NodeGraph& graph = K_->graph();
   const auto u = u_->getLocalMatrixHost().values, p = p_->getLocalMatrixHost().values;
   for (int a = 0; a < 4; ++a) {
-    const int node = mesh.tets[e][a];
-    if (node >= mesh.n_owned) continue;
-    const std::size_t start = graph.row_start[node], length = graph.row_start[node + 1] - start;
+    const int node = mesh_->tets[e][a];
+    if (node >= mesh_->n_owned) continue;
+    const std::size_t start = graph_.row_start[node], length = graph_.length(node);
     for (int b = 0; b < 4; ++b) {
-      const std::size_t column = 3 * graph.position[e][4 * a + b];
+      const std::size_t column = 3 * graph_.position[e][4 * a + b];
       for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i)
           if (!((fixed[node] >> i) & 1))

@@ -8,8 +8,8 @@ namespace tunica::assembly {
 /// still.
 class FluidShapeMatrix {
 public:
-  /// On the graph of the fluid's Jacobian.
-  explicit FluidShapeMatrix(const fields::BlockOperator& K);
+  /// mesh: of the fluid; it must outlive the object.
+  explicit FluidShapeMatrix(const fields::FieldMesh& mesh);
 
   /// Sets the values for a state; velocity: the one that τ is made of, on local nodes. Constrained
   /// rows are zero.
@@ -21,7 +21,8 @@ public:
 private:
   void add(std::size_t e, const kernels::ShapeJacobian& Ke, const Constraints& fixed);
 
-  const fields::BlockOperator* K_;
+  const fields::FieldMesh* mesh_;
+  fields::NodeGraph graph_;
   Teuchos::RCP<CrsMatrix> u_, p_;
 };
 

@@ -19,15 +19,14 @@ Vec3 direction(const Vec3& area) {
 
 }  // namespace
 
-AddedMass::AddedMass(const Teuchos::ParameterList& list, const fields::BlockOperator& fluid,
-                     const fields::InterfaceTransfer& interface, const AddedMassModel& model)
-    : interface_(&interface), compliance_(model.compliance), right_side_(fluid.mesh().node_map, 1),
-      p_(fluid.mesh().node_map, 1) {
-  const fields::FieldMesh& mesh = fluid.mesh();
+AddedMass::AddedMass(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+                     const fields::NodeGraph& graph, const fields::InterfaceTransfer& interface,
+                     const AddedMassModel& model)
+    : interface_(&interface), compliance_(model.compliance), right_side_(mesh.node_map, 1),
+      p_(mesh.node_map, 1) {
   std::vector<char> is_open(mesh.n_nodes());
   for (int a = 0; a < mesh.n_nodes(); ++a) is_open[a] = mesh.is_on_any(a, model.open_surfaces);
-  const Teuchos::RCP<CrsMatrix> K =
-      assembly::laplacian(mesh, model.positions, fluid.graph(), is_open);
+  const Teuchos::RCP<CrsMatrix> K = assembly::laplacian(mesh, model.positions, graph, is_open);
   K->resumeFill();
   for (int k = 0; k < interface.n_owned(); ++k) {
     const int a = interface.fluid_nodes[k];

@@ -42,8 +42,9 @@ class AddedMass {
 public:
   /// list: a resolved list of linear::scalar_solver_table(); fluid: for its mesh and its graph.
   /// Collective.
-  AddedMass(const Teuchos::ParameterList& list, const fields::BlockOperator& fluid,
-            const fields::InterfaceTransfer& interface, const AddedMassModel& model);
+  AddedMass(const Teuchos::ParameterList& list, const fields::FieldMesh& fluid,
+            const fields::NodeGraph& graph, const fields::InterfaceTransfer& interface,
+            const AddedMassModel& model);
 
   /// P r; r itself where the linear solver fails, which is no worse than no P. Collective.
   InterfaceVector apply(const InterfaceVector& residual);

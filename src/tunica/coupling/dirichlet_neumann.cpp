@@ -48,7 +48,7 @@ Outcome DirichletNeumann::prepare(const stepping::Clock& clock) {
   }
   model.compliance = *compliance_;
   preconditioner_ =
-      std::make_unique<AddedMass>(*added_mass_, fluid_->last_jacobian(), *interface_, model);
+      std::make_unique<AddedMass>(*added_mass_, mesh, fluid_->scalar_graph(), *interface_, model);
   accelerator_->set_preconditioner(
       [this](const InterfaceVector& r) { return preconditioner_->apply(r); });
   return Outcome::success();

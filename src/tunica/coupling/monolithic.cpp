@@ -62,7 +62,7 @@ Outcome Monolithic::attempt(bool is_careful, const stepping::Clock& clock, Itera
   iteration.seconds("motion") = now.motion - before.motion;
   iteration.seconds("fluid") = now.fluid - before.fluid;
   iteration.seconds("wall") = now.wall - before.wall;
-  iteration.seconds("gather") = now.gather - before.gather;
+  iteration.seconds("matrix") = now.matrix - before.matrix;
   double others = 0.0;
   for (const Stage& stage : iteration.stages) others += stage.seconds;
   iteration.seconds("system") = all.seconds() - others;

@@ -21,7 +21,7 @@ public:
   // Scheme
   std::vector<std::string> fields() const override { return {"system"}; }
   std::vector<std::string> stages() const override {
-    return {"motion", "fluid", "wall", "gather", "system"};
+    return {"motion", "fluid", "wall", "matrix", "system"};
   }
   std::vector<std::pair<std::string, problems::SystemSource*>> systems() override {
     return {{"system", &problem_}};

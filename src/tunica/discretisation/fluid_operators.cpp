@@ -34,14 +34,14 @@ Teuchos::RCP<const CrsMatrix> Fluid::assemble_operator(const std::string& name) 
   std::vector<char> is_fixed(mesh_->n_nodes(), 0);
   if (name == mass)
     return assembly::scalar_matrix(
-        *mesh_, K_.graph(),
+        *mesh_, scalar_graph(),
         [&](std::size_t e) {
           return assembly::mass_element(geometry[e].volume, 1.0 / options_.viscosity);
         },
         is_fixed);
   if (name == convection)
     return assembly::scalar_matrix(
-        *mesh_, K_.graph(),
+        *mesh_, scalar_graph(),
         [&](std::size_t e) {
           std::array<Vec3, 4> c;
           for (int a = 0; a < 4; ++a) {
@@ -58,7 +58,7 @@ Teuchos::RCP<const CrsMatrix> Fluid::assemble_operator(const std::string& name) 
       if (mesh_->is_on(a, static_cast<int>(s))) is_fixed[a] = 1;
   }
   return assembly::scalar_matrix(
-      *mesh_, K_.graph(),
+      *mesh_, scalar_graph(),
       [&](std::size_t e) {
         auto K = kernels::laplace_p1(geometry[e]);
         for (auto& row : K)

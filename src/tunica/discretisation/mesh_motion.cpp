@@ -67,20 +67,17 @@ void MeshMotion::assemble_jacobian(const algebra::BlockVector&) {
   if (K_.space()) return;
   const fields::FieldMesh& mesh = extension_.mesh();
   fields::BlockOperator K(mesh, {{"mesh displacement", 3}});
-  CrsMatrix& vectors = *K(0, 0);
-  vectors.resumeFill();
-  {
-    // Row 3a + i holds at each neighbour the columns of all components: L stands in its own.
-    const auto from = extension_.jacobian()->getLocalMatrixHost();
-    const auto to = vectors.getLocalMatrixHost();
-    for (int a = 0; a < mesh.n_owned; ++a)
-      for (int i = 0; i < 3; ++i) {
-        const auto scalar = from.rowConst(a);
-        auto row = to.row(3 * a + i);
-        for (int k = 0; k < scalar.length; ++k) row.value(3 * k + i) = scalar.value(k);
-      }
+  double* const to = K.begin_assembly();
+  // A row holds at each neighbour the columns of all components: L stands in its own.
+  const auto from = extension_.jacobian()->getLocalMatrixHost();
+  for (int a = 0; a < mesh.n_owned; ++a) {
+    const auto scalar = from.rowConst(a);
+    for (int k = 0; k < scalar.length; ++k) {
+      double* const entry = to + K.rows(0).start[a] + K.place(a, scalar.colidx(k));
+      for (int i = 0; i < 3; ++i) entry[i * K.rows(0).length[a] + i] = scalar.value(k);
+    }
   }
-  vectors.fillComplete(mesh.vector_map, mesh.vector_map);
+  K.end_assembly();
   K_ = K;
 }
 

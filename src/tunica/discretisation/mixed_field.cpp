@@ -10,13 +10,28 @@ MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
     : mesh_(&mesh), split_(std::move(parts.split)), scheme_(std::move(parts.scheme)),
       history_(scheme_->remembers(), mesh.n_nodes()),
       surfaces_(parts.conditions, parts.registry, mesh), fixed_(mesh.n_nodes(), 0),
-      K_(mesh, parts.blocks, split_.get()), R_(mesh, split_.get()),
+      R_(mesh, split_.get()), blocks_(parts.blocks),
+      space_(fields::nodal_space(mesh, blocks_, split_.get())),
       common_motions_(mesh, split_.get()) {
   surfaces_.constrain(fixed_);
   surfaces_.follow(*scheme_);
   tie_surfaces();
   const int rank = surfaces_.rank() + common_motions_.rank();
-  if (rank > 0) K_.make_low_rank(rank);
+  if (rank > 0) products_ = std::make_shared<algebra::LowRank>(space_, rank);
+}
+
+fields::BlockOperator& MixedField::matrix() const {
+  if (!K_) {
+    K_ = std::make_unique<fields::BlockOperator>(*mesh_, blocks_, split_.get());
+    K_->share_low_rank(products_);
+  }
+  return *K_;
+}
+
+const fields::NodeGraph& MixedField::scalar_graph() const {
+  if (!scalar_graph_)
+    scalar_graph_ = std::make_unique<fields::NodeGraph>(fields::make_node_graph(scalar_mesh()));
+  return *scalar_graph_;
 }
 
 void MixedField::tie_surfaces() {
@@ -49,11 +64,20 @@ bool MixedField::residual(const algebra::BlockVector& x, algebra::BlockVector& F
 
 void MixedField::assemble_jacobian(const algebra::BlockVector& x) {
   read(x);
+  assembly::BlockAssembler assembler(matrix(), fixed_, common_motions());
+  fill(assembler);
+}
+
+void MixedField::add_jacobian(const algebra::BlockVector& x, const assembly::Whole& whole) {
+  read(x);
+  assembly::BlockAssembler assembler(whole, *mesh_, fixed_, common_motions(), products_.get());
+  fill(assembler);
+}
+
+void MixedField::fill(assembly::BlockAssembler& K) {
   const Stopwatch watch;
-  assembly::BlockAssembler assembler(K_, fixed_,
-                                     common_motions_.is_empty() ? nullptr : &common_motions_);
-  assemble(&assembler);
-  assembler.finish();
+  assemble(&K);
+  K.finish();
   throughput_.items += static_cast<long long>(mesh_->tets.size());
   throughput_.seconds += watch.seconds();
 }

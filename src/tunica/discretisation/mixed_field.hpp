@@ -18,18 +18,28 @@ class MixedField : public Discretisation {
 public:
   const fields::FieldMesh& mesh() const { return *mesh_; }
   /// Whose nodes carry the scalars: that of the field, but for scalars that jump.
-  const fields::FieldMesh& scalar_mesh() const { return K_.mesh_of(1); }
+  const fields::FieldMesh& scalar_mesh() const { return fields::scalar_mesh(*mesh_, split()); }
   /// Null where they do not.
   const fields::SplitMesh* split() const { return split_.get(); }
-  const fields::NodeGraph& graph() const { return K_.graph(); }
+  /// Of the nodes that carry the scalars. Made when it is first asked for.
+  const fields::NodeGraph& scalar_graph() const;
   /// Elements of all Jacobians so far and the time they took on this rank.
   const Throughput& throughput() const { return throughput_; }
 
   // Discretisation
-  const algebra::BlockSpacePtr& space() const override { return K_.space(); }
+  const algebra::BlockSpacePtr& space() const override { return space_; }
   bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override;
   void assemble_jacobian(const algebra::BlockVector& x) override;
-  const fields::BlockOperator& jacobian() const override { return K_; }
+  /// Made when it is first asked for: a field that is part of a system does without. Collective
+  /// then.
+  const fields::BlockOperator& jacobian() const override { return matrix(); }
+  /// Gives back its room.
+  void forget_jacobian() { K_.reset(); }
+  /// Adds the Jacobian at x to that of a system, but for the products of low rank, which are those
+  /// of products() then.
+  void add_jacobian(const algebra::BlockVector& x, const assembly::Whole& whole);
+  /// Null where the field has none.
+  const std::shared_ptr<algebra::LowRank>& products() const { return products_; }
   double mass_norm(const algebra::BlockVector& dx) const override;
 
   const stepping::TimeScheme& time_scheme() const { return *scheme_; }
@@ -77,7 +87,6 @@ protected:
   stepping::History history_;  ///< of the vector
   boundary::SurfaceTerms surfaces_;
   assembly::Constraints fixed_;  ///< per local node
-  fields::BlockOperator K_;
   assembly::NodalResidual R_;
 
 private:
@@ -88,9 +97,19 @@ private:
   };
 
   void tie_surfaces();
+  fields::BlockOperator& matrix() const;
+  void fill(assembly::BlockAssembler& K);
+  assembly::CommonMotions* common_motions() {
+    return common_motions_.is_empty() ? nullptr : &common_motions_;
+  }
   /// The displacements or forces of common motions at the present time.
   std::vector<double> motion_values() const;
 
+  fields::NodalBlocks blocks_;
+  algebra::BlockSpacePtr space_;
+  mutable std::unique_ptr<fields::BlockOperator> K_;  ///< null before it is asked for
+  mutable std::unique_ptr<fields::NodeGraph> scalar_graph_;
+  std::shared_ptr<algebra::LowRank> products_;  ///< null where there are none
   std::vector<ElementQuantity> on_elements_;
   std::vector<boundary::CommonMotion> given_motions_;
   assembly::CommonMotions common_motions_;

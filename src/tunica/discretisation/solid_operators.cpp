@@ -18,7 +18,7 @@ Teuchos::RCP<const CrsMatrix> Solid::assemble_operator(const std::string& name) 
   if (name != mass && name != bulk_mass) return Teuchos::null;
   const std::vector<char> none_fixed(scalar_mesh().n_nodes(), 0);
   return assembly::scalar_matrix(
-      scalar_mesh(), K_.graph(1, 1),
+      scalar_mesh(), scalar_graph(),
       [&](std::size_t e) {
         const double factor = name == bulk_mass ? elements_.coefficients[e].inv_kappa
                                                 : 2.0 / elements_.law[e]->stabilisation_modulus();

@@ -4,7 +4,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tunica/base/error.hpp"
+#include "tunica/algebra/dof_layout.hpp"
+#include "tunica/base/map_of.hpp"
+#include "tunica/base/trilinos.hpp"
 
 namespace tunica::fields {
 
@@ -45,40 +47,6 @@ NodeGraph make_node_graph(const FieldMesh& row_mesh, const FieldMesh& column_mes
 
 namespace {
 
-/// The nodes of rows or columns and how many of them each has.
-struct Side {
-  const FieldMesh* mesh;
-  int dofs;
-
-  Teuchos::RCP<const Map> map() const { return dofs == 3 ? mesh->vector_map : mesh->node_map; }
-  Teuchos::RCP<const Map> ghosted_map() const {
-    return dofs == 3 ? mesh->ghosted_vector_map : mesh->ghosted_map;
-  }
-};
-
-Teuchos::RCP<CrsMatrix> matrix_between(const NodeGraph& graph, const Side& row,
-                                       const Side& column) {
-  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
-  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
-  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
-  const std::size_t pairs = graph.columns.size();
-  const int n_rows = row.mesh->n_owned;
-  RowStart row_start("row start", static_cast<std::size_t>(row.dofs) * n_rows + 1);
-  Columns columns("columns", pairs * row.dofs * column.dofs);
-  Values values("values", pairs * row.dofs * column.dofs);
-  std::size_t next = 0;
-  for (int a = 0; a < n_rows; ++a)
-    for (int i = 0; i < row.dofs; ++i) {
-      for (std::size_t k = graph.row_start[a]; k < graph.row_start[a + 1]; ++k)
-        for (int j = 0; j < column.dofs; ++j) columns(next++) = column.dofs * graph.columns[k] + j;
-      row_start(row.dofs * a + i + 1) = next;
-    }
-  const auto matrix =
-      Teuchos::rcp(new CrsMatrix(row.map(), column.ghosted_map(), row_start, columns, values));
-  matrix->expertStaticFillComplete(column.map(), row.map());
-  return matrix;
-}
-
 /// Nodes are picked in the order of their vertices, whichever ranks own them.
 Teuchos::RCP<const Vector> vertex_order(const FieldMesh& mesh) {
   const auto order = Teuchos::rcp(new Vector(mesh.node_map));
@@ -87,14 +55,15 @@ Teuchos::RCP<const Vector> vertex_order(const FieldMesh& mesh) {
   return order;
 }
 
-template <class SideOf>
-algebra::BlockSpacePtr space_of(const NodalBlocks& blocks, const SideOf& side_of,
-                                const algebra::Nodes& vectors, const algebra::Nodes& scalars,
-                                const MeshParts& parts = {}) {
+algebra::BlockSpacePtr space_of(const FieldMesh& mesh, const SplitMesh* split,
+                                const NodalBlocks& blocks, const algebra::Nodes& vectors,
+                                const algebra::Nodes& scalars, const MeshParts& parts = {}) {
   std::vector<algebra::Block> all;
   for (const NodalBlock& block : blocks)
-    all.push_back({block.name, side_of(block).map(), block.components,
-                   block.components == 1 ? scalars : vectors});
+    if (block.components == 1)
+      all.push_back({block.name, scalar_mesh(mesh, split).node_map, 1, scalars});
+    else
+      all.push_back({block.name, mesh.vector_map, block.components, vectors});
   return std::make_shared<const algebra::BlockSpace>(std::move(all), parts.names);
 }
 
@@ -126,59 +95,232 @@ Teuchos::RCP<const Vector> parts_of(const FieldMesh& mesh, const MeshParts& part
 
 Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
                                     int dofs_column) {
-  return matrix_between(graph, {&mesh, dofs_row}, {&mesh, dofs_column});
+  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
+  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
+  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
+  const std::size_t pairs = graph.columns.size();
+  RowStart row_start("row start", static_cast<std::size_t>(dofs_row) * mesh.n_owned + 1);
+  Columns columns("columns", pairs * dofs_row * dofs_column);
+  Values values("values", pairs * dofs_row * dofs_column);
+  std::size_t next = 0;
+  for (int a = 0; a < mesh.n_owned; ++a)
+    for (int i = 0; i < dofs_row; ++i) {
+      for (std::size_t k = graph.row_start[a]; k < graph.row_start[a + 1]; ++k)
+        for (int j = 0; j < dofs_column; ++j) columns(next++) = dofs_column * graph.columns[k] + j;
+      row_start(dofs_row * a + i + 1) = next;
+    }
+  const auto map = [&mesh](int dofs) { return dofs == 3 ? mesh.vector_map : mesh.node_map; };
+  const auto matrix = Teuchos::rcp(
+      new CrsMatrix(map(dofs_row), dofs_column == 3 ? mesh.ghosted_vector_map : mesh.ghosted_map,
+                    row_start, columns, values));
+  matrix->expertStaticFillComplete(map(dofs_column), map(dofs_row));
+  return matrix;
 }
 
-algebra::BlockSpacePtr nodal_space(const FieldMesh& mesh, const NodalBlocks& blocks) {
-  return space_of(blocks,
-                  [&mesh](const NodalBlock& block) {
-                    return Side{&mesh, block.components};
-                  },
-                  {}, {});
+algebra::BlockSpacePtr nodal_space(const FieldMesh& mesh, const NodalBlocks& blocks,
+                                   const SplitMesh* split) {
+  return space_of(mesh, split, blocks, {}, {});
 }
+
+namespace {
+
+/// Numbers of a matrix between all unknowns; those of ghost nodes ascend behind those of owned
+/// ones.
+class MergedColumns {
+public:
+  MergedColumns(const BlockOperator& K, const algebra::DofLayout& layout,
+                Teuchos::RCP<const Map> rows)
+      : rows_(std::move(rows)),
+        numbers_(global_numbers(*rows_).begin(), global_numbers(*rows_).end()) {
+    for (int b = 0; b < K.n_blocks(); ++b) {
+      const FieldMesh& mesh = K.mesh_of(b);
+      const int m = layout.components(b);
+      for (int a = mesh.n_owned; a < mesh.n_nodes(); ++a)
+        for (int i = 0; i < m; ++i)
+          numbers_.push_back(layout.merged(b, m * mesh.ghosted_map->getGlobalElement(a) + i));
+    }
+    std::sort(numbers_.begin() + n_local(*rows_), numbers_.end());
+    map_ = map_of(numbers_, K.mesh().comm);
+    for (int b = 0; b < K.n_blocks(); ++b) {
+      const FieldMesh& mesh = K.mesh_of(b);
+      const int m = layout.components(b);
+      first_.emplace_back();
+      for (int a = 0; a < mesh.n_nodes(); ++a)
+        first_.back().push_back(
+            map_->getLocalElement(layout.merged(b, m * mesh.ghosted_map->getGlobalElement(a))));
+    }
+  }
+
+  const Teuchos::RCP<const Map>& rows() const { return rows_; }
+  const Teuchos::RCP<const Map>& map() const { return map_; }
+  /// The local number of component 0 at a node of a block.
+  int first(int block, int node) const { return first_[block][node]; }
+  const std::vector<int>& first(int block) const { return first_[block]; }
+
+private:
+  Teuchos::RCP<const Map> rows_, map_;
+  std::vector<GlobalOrdinal> numbers_;
+  std::vector<std::vector<int>> first_;
+};
+
+}  // namespace
+
+/// Between the nodes of two blocks each, by whether these are on the split mesh; the same without
+/// one.
+struct BlockOperator::Graphs {
+  std::array<std::shared_ptr<const NodeGraph>, 4> graphs;
+
+  Graphs(const FieldMesh& mesh, const SplitMesh* split) {
+    graphs.fill(std::make_shared<const NodeGraph>(make_node_graph(mesh)));
+    if (split == nullptr) return;
+    graphs[1] = std::make_shared<const NodeGraph>(make_node_graph(mesh, *split));
+    graphs[2] = std::make_shared<const NodeGraph>(make_node_graph(*split, mesh));
+    graphs[3] = std::make_shared<const NodeGraph>(make_node_graph(*split));
+  }
+  const NodeGraph& operator()(const algebra::BlockSpace& space, int row, int column) const {
+    const auto is_scalar = [&space](int block) { return space[block].components == 1 ? 1 : 0; };
+    return *graphs[2 * is_scalar(row) + is_scalar(column)];
+  }
+};
 
 BlockOperator::BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks,
                              const SplitMesh* split, const MeshParts& parts)
     : mesh_(&mesh), split_(split) {
-  graphs_.fill(std::make_shared<const NodeGraph>(make_node_graph(mesh)));
-  const auto side_of = [&](const NodalBlock& block) -> Side {
-    return {split != nullptr && block.components == 1 ? split : &mesh, block.components};
-  };
-  if (split != nullptr) {
-    graphs_[1] = std::make_shared<const NodeGraph>(make_node_graph(mesh, *split));
-    graphs_[2] = std::make_shared<const NodeGraph>(make_node_graph(*split, mesh));
-    graphs_[3] = std::make_shared<const NodeGraph>(make_node_graph(*split));
-  }
-  std::vector<Teuchos::RCP<CrsMatrix>> matrices;
-  Teuchos::RCP<CrsMatrix> scalar;  // one row per node
-  for (const NodalBlock& row : blocks)
-    for (const NodalBlock& column : blocks) {
-      const int kind = 2 * (row.components == 1) + (column.components == 1);
-      matrices.push_back(matrix_between(*graphs_[kind], side_of(row), side_of(column)));
-      if (kind == 3 && scalar.is_null()) scalar = matrices.back();
-    }
-  const bool is_shared = split == nullptr && !scalar.is_null();
-  algebra::Nodes nodes{is_shared ? scalar : make_matrix(*graphs_[0], mesh, 1, 1),
-                       vertex_order(mesh)};
+  const Graphs graphs(mesh, split);
+  algebra::Nodes nodes{make_matrix(*graphs.graphs[0], mesh, 1, 1), vertex_order(mesh)};
   nodes.parts = parts_of(mesh, parts);
   algebra::Nodes copies = nodes;
   if (split != nullptr)
-    copies = {scalar, vertex_order(*split), hosts_of(mesh, *split), parts_of(*split, parts)};
+    copies = {make_matrix(*graphs.graphs[3], *split, 1, 1), vertex_order(*split),
+              hosts_of(mesh, *split), parts_of(*split, parts)};
   algebra::BlockMatrix::operator=(
-      algebra::BlockMatrix(space_of(blocks, side_of, nodes, copies, parts)));
-  for (int i = 0; i < n_blocks(); ++i)
-    for (int j = 0; j < n_blocks(); ++j) set(i, j, matrices[i * n_blocks() + j]);
+      algebra::BlockMatrix(space_of(mesh, split, blocks, nodes, copies, parts)));
+  make_merged(graphs);
+}
+
+void BlockOperator::make_merged(const Graphs& graphs) {
+  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
+  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
+  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
+  const algebra::DofLayout layout(*space());
+  const MergedColumns numbers(*this, layout, layout.merged_map(*space()));
+  const auto graph = [&](int row, int column) -> const NodeGraph& {
+    return graphs(*space(), row, column);
+  };
+  const auto for_each_row = [this](const auto& work) {
+    for (int b = 0; b < n_blocks(); ++b)
+      for (int a = 0; a < mesh_of(b).n_owned; ++a) work(b, a);
+  };
+
+  RowStart row_start("row start", n_local(*numbers.rows()) + 1);
+  for_each_row([&](int b, int a) {
+    std::size_t length = 0;
+    for (int c = 0; c < n_blocks(); ++c) length += layout.components(c) * graph(b, c).length(a);
+    for (int i = 0; i < layout.components(b); ++i) row_start(numbers.first(b, a) + i + 1) = length;
+  });
+  for (std::size_t r = 1; r < row_start.extent(0); ++r) row_start(r) += row_start(r - 1);
+  Columns columns("columns", row_start(row_start.extent(0) - 1));
+
+  rows_.resize(n_blocks());
+  std::vector<std::vector<std::int16_t>> places;  // per pair of blocks and column of its graph
+  for (int b = 0; b < n_blocks(); ++b)
+    for (int c = 0; c < n_blocks(); ++c) places.emplace_back(graph(b, c).columns.size());
+  struct Entry {
+    int column, block;
+    std::size_t k;  ///< in the graph
+  };
+  std::vector<Entry> row;
+  for_each_row([&](int b, int a) {
+    row.clear();
+    for (int c = 0; c < n_blocks(); ++c)
+      for (std::size_t k = graph(b, c).row_start[a]; k < graph(b, c).row_start[a + 1]; ++k)
+        row.push_back({numbers.first(c, graph(b, c).columns[k]), c, k});
+    std::sort(row.begin(), row.end(),
+              [](const Entry& x, const Entry& y) { return x.column < y.column; });
+    const std::size_t start = row_start(numbers.first(b, a)),
+                      length = row_start(numbers.first(b, a) + 1) - start;
+    if (length > std::numeric_limits<std::int16_t>::max())
+      throw std::length_error("a vertex has more neighbours than 32,767 unknowns");
+    rows_[b].start.push_back(start);
+    rows_[b].length.push_back(length);
+    std::size_t place = 0;
+    for (const Entry& entry : row) {
+      places[b * n_blocks() + entry.block][entry.k] = static_cast<std::int16_t>(place);
+      for (int j = 0; j < layout.components(entry.block); ++j, ++place)
+        for (int i = 0; i < layout.components(b); ++i)
+          columns(start + i * length + place) = entry.column + j;
+    }
+  });
+  const auto matrix = Teuchos::rcp(new CrsMatrix(numbers.rows(), numbers.map(), row_start, columns,
+                                                 Values("values", columns.extent(0))));
+  matrix->expertStaticFillComplete(numbers.rows(), numbers.rows());
+  store_merged(matrix);
+  columns_of_vectors_ = numbers.first(0);
+  find_element_places(graphs, places);
+}
+
+void BlockOperator::find_element_places(const Graphs& graphs,
+                                        const std::vector<std::vector<std::int16_t>>& places) {
+  int offset = 0;
+  for (int b = 0; b < n_blocks(); ++b) {
+    offsets_.push_back(offset);
+    offset += (*space())[b].components;
+  }
+  const auto places_of = [&](std::size_t e, int row, int column) {
+    const NodeGraph& graph = graphs(*space(), row, column);
+    ElementPlaces all;
+    all.fill(-1);
+    for (int a = 0; a < 4; ++a) {
+      const int node = mesh_of(row).tets[e][a];
+      if (node >= mesh_of(row).n_owned) continue;
+      for (int b = 0; b < 4; ++b)
+        all[4 * a + b] =
+            places[row * n_blocks() + column][graph.row_start[node] + graph.position[e][4 * a + b]];
+    }
+    return all;
+  };
+  const auto is_regular = [&](std::size_t e) {
+    for (int row = 0; row < n_blocks(); ++row)
+      for (int column = 0; column < n_blocks(); ++column) {
+        const ElementPlaces own = places_of(e, row, column);
+        for (int k = 0; k < 16; ++k)
+          if (own[k] >= 0 && own[k] != places_[e][k] + offsets_[column]) return false;
+      }
+    return true;
+  };
+  if (split_ != nullptr) own_places_.assign(mesh_->tets.size(), -1);
+  places_.reserve(mesh_->tets.size());
+  for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
+    places_.push_back(places_of(e, 0, 0));
+    if (split_ == nullptr || is_regular(e)) continue;
+    own_places_[e] = static_cast<int>(more_places_.size());
+    for (int row = 0; row < n_blocks(); ++row)
+      for (int column = 0; column < n_blocks(); ++column)
+        more_places_.push_back(places_of(e, row, column));
+  }
+}
+
+int BlockOperator::place(int row, int column) const {
+  const auto graph = merged()->getLocalMatrixHost().graph;
+  const int* const first = graph.entries.data() + rows_[0].start[row];
+  const int* const last = first + rows_[0].length[row];
+  return static_cast<int>(std::lower_bound(first, last, columns_of_vectors_[column]) - first);
+}
+
+double* BlockOperator::begin_assembly() {
+  merged()->resumeFill();
+  const auto values = merged()->getLocalMatrixHost().values;
+  std::fill(values.data(), values.data() + values.extent(0), 0.0);
+  return values.data();
+}
+
+void BlockOperator::end_assembly() {
+  merged()->fillComplete(merged()->getDomainMap(), merged()->getRangeMap());
+  values_changed();
 }
 
 const FieldMesh& BlockOperator::mesh_of(int block) const {
   return split_ != nullptr && (*space())[block].components == 1 ? *split_ : *mesh_;
-}
-
-const NodeGraph& BlockOperator::graph(int row, int column) const {
-  const auto is_split = [this](int block) { return (*space())[block].components == 1 ? 1 : 0; };
-  const auto& found = graphs_[2 * is_split(row) + is_split(column)];
-  TUNICA_ASSERT(found != nullptr, "the graphs of the matrix are still there");
-  return *found;
 }
 
 }  // namespace tunica::fields

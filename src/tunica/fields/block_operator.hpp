@@ -17,6 +17,8 @@ struct NodeGraph {
   /// Per tet: offset of column b in row a at 4a + b; -1 where node a is not owned. The longest part
   /// of the graph: 16 bits are enough for the neighbours of a node.
   std::vector<std::array<std::int16_t, 16>> position;
+
+  std::size_t length(int node) const { return row_start[node + 1] - row_start[node]; }
 };
 NodeGraph make_node_graph(const FieldMesh& mesh);
 /// Rows and columns on different nodes of the same tetrahedra.
@@ -31,8 +33,9 @@ using NodalBlocks = std::vector<NodalBlock>;
 /// What a mixed formulation has, whatever it calls them.
 inline const NodalBlocks mixed_blocks{{"vector", 3}, {"scalar", 1}};
 
-/// Their space, without nodes for multigrid.
-algebra::BlockSpacePtr nodal_space(const FieldMesh& mesh, const NodalBlocks& blocks = mixed_blocks);
+/// Their space, without nodes for multigrid. split: carries the scalars where it is not null.
+algebra::BlockSpacePtr nodal_space(const FieldMesh& mesh, const NodalBlocks& blocks = mixed_blocks,
+                                   const SplitMesh* split = nullptr);
 
 /// Zero unknowns of a field.
 inline algebra::BlockVector zero_vector(const FieldMesh& mesh) {
@@ -45,11 +48,12 @@ struct MeshParts {
   std::vector<int> of_region;      ///< index into names
 };
 
-/// The Jacobian of a field: matrices between all its blocks on static graphs, one for all that
-/// stand on the same nodes. Values are written in place by assembly/.
+/// The Jacobian of a field or of several: all unknowns of a node side by side in one matrix on a
+/// static graph, whose values are written in place by assembly/.
 class BlockOperator : public algebra::BlockMatrix {
 public:
   /// split: carries the scalars where it is not null. The meshes must outlive the object.
+  /// Collective.
   explicit BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks = mixed_blocks,
                          const SplitMesh* split = nullptr, const MeshParts& parts = {});
 
@@ -57,16 +61,53 @@ public:
   /// Null where the scalars stand on the nodes of the mesh.
   const SplitMesh* split() const { return split_; }
   const FieldMesh& mesh_of(int block) const;
-  /// For a matrix that nobody assembles element by element: gives back the room of the graphs.
-  void forget_graphs() { graphs_.fill(nullptr); }
-  /// That of the matrix between two blocks.
-  const NodeGraph& graph(int row = 0, int column = 0) const;
+
+  /// The rows of a block among the values of merged(): that of component i at an owned node begins
+  /// at start[node] + i length[node].
+  struct Rows {
+    std::vector<std::size_t> start, length;
+  };
+  const Rows& rows(int block) const { return rows_[block]; }
+  /// Where, in the rows that one block has at the nodes of an element, component 0 of another
+  /// stands.
+  struct Places {
+    const std::int16_t* place;
+    int offset;
+    /// Nodes a and b of its four; a is owned.
+    int operator()(int a, int b) const { return place[4 * a + b] + offset; }
+  };
+  Places places(std::size_t tet, int row, int column) const {
+    const int own = own_places_.empty() ? -1 : own_places_[tet];
+    if (own < 0) return {places_[tet].data(), offsets_[column]};
+    return {more_places_[static_cast<std::size_t>(own) + row * n_blocks() + column].data(), 0};
+  }
+  /// The same between two local nodes of the first block that share an element.
+  int place(int row, int column) const;
+
+  /// Opens merged() with zeros for writing; its values. Collective, as end_assembly() is.
+  double* begin_assembly();
+  void end_assembly();
 
 private:
+  using ElementPlaces = std::array<std::int16_t, 16>;
+  struct Graphs;
+
+  void make_merged(const Graphs& graphs);
+  void find_element_places(const Graphs& graphs,
+                           const std::vector<std::vector<std::int16_t>>& places);
+
   const FieldMesh* mesh_;
   const SplitMesh* split_;
-  /// By whether rows and columns are on the split mesh; the same without one.
-  std::array<std::shared_ptr<const NodeGraph>, 4> graphs_;
+  std::vector<Rows> rows_;               ///< per block
+  std::vector<int> columns_of_vectors_;  ///< local column of component 0, per local node
+  /// Per tetrahedron, those between vectors: all blocks of its nodes stand side by side, so that
+  /// other columns follow with these offsets and other rows look the same.
+  std::vector<ElementPlaces> places_;
+  std::vector<int> offsets_;
+  /// Where scalars jump they do not: per tetrahedron where it has tables of its own for all pairs
+  /// of blocks, -1: none.
+  std::vector<int> own_places_;
+  std::vector<ElementPlaces> more_places_;
 };
 
 /// A matrix with rows dofs_row*node + i and columns dofs_column*node + j on the node graph,

@@ -39,8 +39,11 @@ Vec3 principal_values(const Sym3& s) {
       A[q][k] = sine * at_p + c * at_q;
     }
   };
-  // Each sweep squares what is left beside the diagonal.
+  const double size = std::abs(s[0]) + std::abs(s[1]) + std::abs(s[2]);
+  // Each sweep squares what is left beside the diagonal, which is seen at the squares of values.
   for (int sweep = 0; sweep < 8; ++sweep) {
+    const double rest = std::abs(A[0][1]) + std::abs(A[0][2]) + std::abs(A[1][2]);
+    if (rest <= 1e-12 * size) break;
     rotate(0, 1);
     rotate(0, 2);
     rotate(1, 2);

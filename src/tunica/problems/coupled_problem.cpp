@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
-#include "tunica/fields/embed_field.hpp"
 
 namespace tunica::problems {
 
@@ -27,6 +27,8 @@ fields::MeshParts parts_of_mesh(const CoupledProblem::Parts& parts) {
   for (int& part : named.of_region) part = part < 0 ? 0 : 1;
   return named;
 }
+
+int rank_of(const FieldProblem& field) { return field.products() ? field.products()->rank() : 0; }
 
 /// The bits of owned interface nodes of the wall, at all nodes of the fluid.
 assembly::Constraints seen_by_fluid(const fields::InterfaceTransfer& interface,
@@ -114,13 +116,14 @@ void CoupledProblem::tie_fields() {
                      "\"monolithic\"; use \"dirichlet-neumann\", or \"clamped\" or \"held\".");
   }
   fluid_->release_interface(seen_by_fluid(*interface_, fluid_->mesh(), wall_->constraints()));
-  const auto& of_fluid = fluid_->last_jacobian();
-  const auto& of_wall = wall_->last_jacobian();
-  const auto rank = [](const auto& K) { return K.low_rank() ? K.low_rank()->rank() : 0; };
-  if (rank(of_fluid) + rank(of_wall) > 0) K_->make_low_rank(rank(of_fluid) + rank(of_wall));
-  fluid_part_ = std::make_unique<algebra::Embedding>(fields::embed(of_fluid, *K_));
-  wall_part_ = std::make_unique<algebra::Embedding>(fields::embed(of_wall, *K_));
-  K_->forget_graphs();  // from now on the fields' matrices are added to it
+  fluid_place_ = fields::place_in(fluid_->mesh(), *mesh_);
+  wall_place_ = fields::place_in(wall_->mesh(), *mesh_);
+  fluid_part_ =
+      std::make_unique<algebra::Embedding>(fields::embed({fluid_->mesh(), fluid_->split()}, *K_));
+  wall_part_ =
+      std::make_unique<algebra::Embedding>(fields::embed({wall_->mesh(), wall_->split()}, *K_));
+  const int rank = rank_of(*fluid_) + rank_of(*wall_);
+  if (rank > 0) K_->make_low_rank(rank);
 }
 
 // On the interface d̃ is the past of the mesh, which moves with the wall; elsewhere in the wall any
@@ -136,6 +139,7 @@ void CoupledProblem::set_reference() {
 }
 
 Outcome CoupledProblem::begin_step(const stepping::Clock& clock) {
+  if (!std::exchange(has_begun_, true)) wall_->forget_jacobian();  // that of its prestress
   fluid_->begin_step(clock);
   wall_->begin_step(clock);
   wall_->set_nodal_force(std::vector<Vec3>(wall_->mesh().n_owned));
@@ -195,27 +199,23 @@ bool CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVecto
 
 void CoupledProblem::jacobian(const algebra::BlockVector& x) {
   read(x);
+  const Stopwatch opening;
+  K_->begin_assembly();
+  seconds_.matrix += opening.seconds();
   const Stopwatch flowing;
-  fluid_->jacobian(fluid_x_);
+  fluid_->add_jacobian(fluid_x_, {K_.get(), &fluid_place_, fluid_part_.get()});
   if (knows_domain_) fluid_->assemble_shape_jacobian(fluid_x_);
   seconds_.fluid += flowing.seconds();
   const Stopwatch straining;
-  wall_->jacobian(wall_x_);
+  wall_->add_jacobian(wall_x_, {K_.get(), &wall_place_, wall_part_.get()});
   seconds_.wall += straining.seconds();
-  const Stopwatch gathering;
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) {
-      (*K_)(i, j)->resumeFill();
-      (*K_)(i, j)->setAllToScalar(0.0);
-    }
-  fluid_part_->add_matrix(*K_, 0);
-  const auto& products = fluid_->last_jacobian().low_rank();
-  wall_part_->add_matrix(*K_, products ? products->rank() : 0);
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j)
-      (*K_)(i, j)->fillComplete((*K_)(i, j)->getDomainMap(), (*K_)(i, j)->getRangeMap());
+  const Stopwatch closing;
+  if (const auto& L = fluid_->products()) fluid_part_->set_products(*L, *K_->low_rank(), 0);
+  if (const auto& L = wall_->products())
+    wall_part_->set_products(*L, *K_->low_rank(), rank_of(*fluid_));
+  K_->end_assembly();
   solver_->matrix_changed();
-  seconds_.gather += gathering.seconds();
+  seconds_.matrix += closing.seconds();
 }
 
 void CoupledProblem::watch_solves(SolveWatch watch) {
@@ -240,14 +240,14 @@ Teuchos::RCP<const CrsMatrix> CoupledProblem::assemble_operator(const std::strin
   const auto M = Teuchos::rcp(new CrsMatrix(*(*K_)(b, b), Teuchos::Copy));
   M->resumeFill();
   M->setAllToScalar(0.0);
-  const auto add = [&](const SystemSource& field, const algebra::Embedding& part) {
-    if (b == 1)
-      part.add_block(*field.operators().assemble_operator(mass), 1, 1, *M);
-    else
-      part.add_block(*field.last_jacobian()(0, 0), 0, 0, *M);
+  const auto add = [&](FieldProblem& field, const algebra::BlockVector& at,
+                       const algebra::Embedding& part) {
+    if (b == 1) return part.add_block(*field.operators().assemble_operator(mass), 1, 1, *M);
+    field.jacobian(at);
+    part.add_block(*field.last_jacobian()(0, 0), 0, 0, *M);
   };
-  if (name != linear::own_block_of(name_of_wall)) add(*fluid_, *fluid_part_);
-  if (name != linear::own_block_of(name_of_fluid)) add(*wall_, *wall_part_);
+  if (name != linear::own_block_of(name_of_wall)) add(*fluid_, fluid_x_, *fluid_part_);
+  if (name != linear::own_block_of(name_of_fluid)) add(*wall_, wall_x_, *wall_part_);
   M->fillComplete(M->getDomainMap(), M->getRangeMap());
   return M;
 }

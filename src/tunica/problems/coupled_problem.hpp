@@ -2,7 +2,7 @@
 #include <memory>
 #include <optional>
 
-#include "tunica/algebra/embedding.hpp"
+#include "tunica/fields/embed_field.hpp"
 #include "tunica/fields/interface_transfer.hpp"
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/mesh_motion.hpp"
@@ -65,7 +65,7 @@ public:
 
   /// Where the time of the step went.
   struct Seconds {
-    double motion = 0.0, fluid = 0.0, wall = 0.0, gather = 0.0;
+    double motion = 0.0, fluid = 0.0, wall = 0.0, matrix = 0.0;
   };
   const Seconds& seconds() const { return seconds_; }
 
@@ -114,6 +114,7 @@ private:
   bool knows_domain_;  ///< the present Jacobian has shape derivatives
   std::unique_ptr<fields::SplitMesh> split_;
   std::unique_ptr<fields::BlockOperator> K_;
+  fields::FieldPlace fluid_place_, wall_place_;
   std::unique_ptr<algebra::Embedding> fluid_part_, wall_part_;
   nonlinear::NewtonOptions newton_;
   nonlinear::JacobianRule rule_;
@@ -123,6 +124,7 @@ private:
   algebra::BlockVector fluid_F_, wall_F_;
   algebra::BlockVector reference_;  ///< (d̃, 0) of the wall
   double dt_ = 0.0;                 ///< Δt of y
+  bool has_begun_ = false;
   std::string refusal_;
   Seconds seconds_;
 };

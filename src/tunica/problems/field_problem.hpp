@@ -21,6 +21,7 @@ public:
   const fields::FieldMesh& mesh() const { return field_->mesh(); }
   /// Whose nodes carry the scalars, see discretisation::MixedField.
   const fields::FieldMesh& scalar_mesh() const { return field_->scalar_mesh(); }
+  const fields::NodeGraph& scalar_graph() const { return field_->scalar_graph(); }
   /// Null where that is the mesh.
   const fields::SplitMesh* split() const { return field_->split(); }
   const algebra::BlockVector& state() const { return x_; }
@@ -34,6 +35,15 @@ public:
   void watch_solves(SolveWatch watch) override;
   const fields::BlockOperator& last_jacobian() const override { return field_->jacobian(); }
   const linear::NamedOperators& operators() const override { return *field_; }
+
+  /// For a system that the field is part of, see discretisation::MixedField.
+  void add_jacobian(const algebra::BlockVector& x, const assembly::Whole& whole) {
+    field_->add_jacobian(x, whole);
+  }
+  const std::shared_ptr<algebra::LowRank>& products() const { return field_->products(); }
+  /// Gives back the room of the field's own Jacobian and solver; both come again where they are
+  /// asked for.
+  void forget_jacobian();
 
   const stepping::TimeScheme& time_scheme() const { return field_->time_scheme(); }
   /// Accepts the present state as that of the new time.

@@ -36,7 +36,8 @@ struct Tube {
                 const std::function<double(const Vec3&)>& c = same_everywhere,
                 const std::string& method = "direct")
       : tube(comm, shape), interface(tube.fluid, tube.wall, {tube.surface("interface")}),
-        P(solver(method), fields::BlockOperator(tube.fluid), interface, model(open, c)) {}
+        P(solver(method), tube.fluid, fields::make_node_graph(tube.fluid), interface,
+          model(open, c)) {}
 
   coupling::AddedMassModel model(const std::vector<std::string>& open,
                                  const std::function<double(const Vec3&)>& c) const {

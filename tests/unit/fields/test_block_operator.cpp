@@ -14,24 +14,23 @@ double entry(int v, int i, int w, int j) {
   return test::scatter(1e3 * v + 10.0 * w + 4.0 * i + j + 0.1 * v);
 }
 
-/// Replaces every entry of one block by entry() of its vertices and components, through
-/// Tpetra's global interface.
-void fill(CrsMatrix& matrix, const fields::FieldMesh& mesh, const fields::NodeGraph& graph,
-          int first_row, int rows, int first_column, int columns) {
-  matrix.resumeFill();
+/// Replaces every entry by entry() of its vertices and components, through Tpetra's global
+/// interface.
+void fill(fields::BlockOperator& K, const fields::FieldMesh& mesh) {
+  const auto graph = fields::make_node_graph(mesh);
+  K.begin_assembly();
   for (int a = 0; a < mesh.n_owned; ++a)
-    for (int i = 0; i < rows; ++i)
+    for (int i = 0; i < 4; ++i)
       for (std::size_t k = graph.row_start[a]; k < graph.row_start[a + 1]; ++k)
-        for (int j = 0; j < columns; ++j) {
+        for (int j = 0; j < 4; ++j) {
           const int b = graph.columns[k];
-          const GlobalOrdinal row = rows * mesh.ghosted_map->getGlobalElement(a) + i;
-          const GlobalOrdinal column = columns * mesh.ghosted_map->getGlobalElement(b) + j;
-          matrix.replaceGlobalValues(
+          const GlobalOrdinal row = 4 * mesh.ghosted_map->getGlobalElement(a) + i;
+          const GlobalOrdinal column = 4 * mesh.ghosted_map->getGlobalElement(b) + j;
+          K.merged()->replaceGlobalValues(
               row, Teuchos::tuple<GlobalOrdinal>(column),
-              Teuchos::tuple<double>(
-                  entry(mesh.vertex[a], first_row + i, mesh.vertex[b], first_column + j)));
+              Teuchos::tuple<double>(entry(mesh.vertex[a], i, mesh.vertex[b], j)));
         }
-  matrix.fillComplete(matrix.getDomainMap(), matrix.getRangeMap());
+  K.end_assembly();
 }
 
 TEUCHOS_UNIT_TEST(node_graph, rows_hold_the_neighbours_in_ascending_order) {
@@ -71,10 +70,7 @@ TEUCHOS_UNIT_TEST(node_graph, elements_find_their_pairs) {
 TEUCHOS_UNIT_TEST(block_operator, apply_is_the_product_with_the_whole_matrix) {
   const SmallTube tube;
   fields::BlockOperator K(tube.fluid);
-  fill(*K(0, 0), tube.fluid, K.graph(), 0, 3, 0, 3);
-  fill(*K(0, 1), tube.fluid, K.graph(), 0, 3, 3, 1);
-  fill(*K(1, 0), tube.fluid, K.graph(), 3, 1, 0, 3);
-  fill(*K(1, 1), tube.fluid, K.graph(), 3, 1, 3, 1);
+  fill(K, tube.fluid);
   const auto x = test::scattered(tube.fluid, 1);
   auto y = test::scattered(tube.fluid, 2);  // overwritten
   K.apply(x, y);
@@ -91,6 +87,55 @@ TEUCHOS_UNIT_TEST(block_operator, apply_is_the_product_with_the_whole_matrix) {
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) expected[4 * v + i] += entry(v, i, w, j) * all_x[4 * w + j];
   TEST_COMPARE(test::largest_difference(test::by_vertex(tube.fluid, y, n), expected), <, 1e-12);
+}
+
+algebra::BlockVector product_of_blocks(const fields::BlockOperator& K,
+                                       const algebra::BlockVector& x) {
+  algebra::BlockVector y(K.space());
+  for (int i = 0; i < K.n_blocks(); ++i)
+    for (int j = 0; j < K.n_blocks(); ++j)
+      K(i, j)->apply(x[j], y[i], Teuchos::NO_TRANS, 1.0, j == 0 ? 0.0 : 1.0);
+  return y;
+}
+
+TEUCHOS_UNIT_TEST(block_operator, blocks_are_those_of_the_matrix_whatever_its_values_become) {
+  const SmallTube tube;
+  fields::BlockOperator K(tube.wall);
+  const auto x = test::scattered(tube.wall, 1);
+  algebra::BlockVector y(K.space());
+  TEST_EQUALITY(test::norm(product_of_blocks(K, x)), 0.0);  // asked for before there are values
+  fill(K, tube.wall);
+  K.apply(x, y);
+  TEST_COMPARE(test::norm(y), >, 1.0);
+  TEST_COMPARE(test::relative_difference(product_of_blocks(K, x), y), <, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(block_operator, elements_find_their_pairs_also_where_scalars_jump) {
+  const SmallTube tube;
+  std::vector<int> part(tube.mesh.regions.size(), 0);
+  part.back() = 1;  // the outer layer
+  const auto split = fields::split_mesh(tube.wall, part);
+  const fields::BlockOperator K(tube.wall, fields::mixed_blocks, split.get());
+  const auto graph = K.merged()->getLocalMatrixHost().graph;
+  const Map& columns = *K.merged()->getColMap();
+  const auto number = [&](int block, int node) {
+    return 4 * K.mesh_of(block).ghosted_map->getGlobalElement(node) + (block == 0 ? 0 : 3);
+  };
+  for (std::size_t e = 0; e < tube.wall.tets.size(); ++e)
+    for (int r = 0; r < 2; ++r)
+      for (int c = 0; c < 2; ++c) {
+        const auto places = K.places(e, r, c);
+        for (int a = 0; a < 4; ++a) {
+          const int row = K.mesh_of(r).tets[e][a];
+          if (row >= K.mesh_of(r).n_owned) continue;
+          for (int b = 0; b < 4; ++b) {
+            const int column = K.mesh_of(c).tets[e][b];
+            const std::size_t k = K.rows(r).start[row] + places(a, b);
+            TEST_EQUALITY(columns.getGlobalElement(graph.entries(k)), number(c, column));
+            if (r == 0 && c == 0) TEST_EQUALITY(K.place(row, column), places(a, b));
+          }
+        }
+      }
 }
 
 }  // namespace

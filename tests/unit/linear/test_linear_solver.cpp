@@ -161,16 +161,17 @@ const std::vector<std::string> krylov_methods{"gcr", "flexible gmres", "gmres", 
 
 /// Takes the equation with this number of the vector unknowns out of the system.
 void clear_row(const fields::BlockOperator& K, GlobalOrdinal number) {
-  for (const auto& M : {K(0, 0), K(0, 1)}) {
-    M->resumeFill();
-    const LocalOrdinal row = M->getRowMap()->getLocalElement(number);
-    if (row >= 0) {
-      const auto local = M->getLocalMatrixHost();
-      auto entries = local.row(row);
-      for (int k = 0; k < entries.length; ++k) entries.value(k) = 0.0;
-    }
-    M->fillComplete(M->getDomainMap(), M->getRangeMap());
+  CrsMatrix& M = *K.merged();
+  M.resumeFill();
+  const LocalOrdinal row =
+      M.getRowMap()->getLocalElement(algebra::DofLayout(*K.space()).merged(0, number));
+  if (row >= 0) {
+    const auto local = M.getLocalMatrixHost();
+    auto entries = local.row(row);
+    for (int k = 0; k < entries.length; ++k) entries.value(k) = 0.0;
   }
+  M.fillComplete(M.getDomainMap(), M.getRangeMap());
+  K.values_changed();
 }
 
 TEUCHOS_UNIT_TEST(linear_solver, a_huge_refresh_factor_keeps_the_first_set_up) {

@@ -80,7 +80,7 @@ private:
   }
 
   void find_patches(const WallMatrix& wall) {
-    const fields::NodeGraph& graph = wall.jacobian.K.graph();
+    const fields::NodeGraph graph = fields::make_node_graph(wall.mesh());
     const auto B2 = wall.jacobian.K(1, 0)->getLocalMatrixHost().values;
     std::vector<char> is_covered(column_.size(), 0);
     for (int a = 0; a < wall.mesh().n_owned; ++a) {

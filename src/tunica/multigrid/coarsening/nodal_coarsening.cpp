@@ -120,7 +120,7 @@ Teuchos::RCP<const CrsMatrix> averaging(const CrsMatrix& nodes, const CoarseNumb
 /// Coarse nodes are neighbours where any of their children are.
 Teuchos::RCP<const CrsMatrix> coarse_graph(const CrsMatrix& nodes, const CrsMatrix& P) {
   CrsMatrix GP(nodes.getRowMap(), 0);
-  Tpetra::MatrixMatrix::Multiply(algebra::with_ones(nodes), false, P, false, GP);
+  algebra::multiply_graphs(nodes, P, GP);
   const auto PtGP = Teuchos::rcp(new CrsMatrix(P.getDomainMap(), 0));
   Tpetra::MatrixMatrix::Multiply(P, true, GP, false, *PtGP);
   return PtGP;

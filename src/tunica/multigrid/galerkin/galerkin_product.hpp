@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "tunica/algebra/dof_layout.hpp"
 #include "tunica/algebra/refreshable.hpp"
 #include "tunica/algebra/sparse_product.hpp"
@@ -14,7 +16,7 @@ public:
                   const Teuchos::RCP<const CrsMatrix>& P, const algebra::DofLayout& numbering,
                   double stabilisation_factor);
 
-  Teuchos::RCP<CrsMatrix> matrix() const { return RAP_.matrix(); }
+  Teuchos::RCP<CrsMatrix> matrix() const { return triple_ ? triple_->matrix() : RAP_->matrix(); }
   void refresh() override;
 
 private:
@@ -23,7 +25,8 @@ private:
   Teuchos::RCP<const CrsMatrix> R_, A_, P_;
   algebra::DofLayout numbering_;
   double stabilisation_factor_;
-  algebra::SparseProduct AP_, RAP_;
+  std::optional<algebra::TripleProduct> triple_;    ///< where R = Pᵀ on one rank
+  std::optional<algebra::SparseProduct> AP_, RAP_;  ///< elsewhere
 };
 
 }  // namespace tunica::multigrid

@@ -1,0 +1,101 @@
+#include "tunica/algebra/split_matrix.hpp"
+
+#include <stdexcept>
+
+#include "tunica/algebra/dof_layout.hpp"
+#include "tunica/base/map_of.hpp"
+#include "tunica/base/trilinos.hpp"
+
+namespace tunica::algebra {
+
+namespace {
+
+/// Where the unknowns that a map has belong: the block, and the place among the map's of that
+/// block.
+struct Places {
+  std::vector<int> block, place;
+  std::vector<std::vector<GlobalOrdinal>> numbers;  ///< of each block's, in the block
+
+  Places(const Map& merged, const DofLayout& layout) : numbers(layout.n_blocks()) {
+    for (const GlobalOrdinal number : global_numbers(merged)) {
+      const int b = layout.block_of(number);
+      block.push_back(b);
+      place.push_back(static_cast<int>(numbers[b].size()));
+      numbers[b].push_back(layout.in_block(number));
+    }
+  }
+};
+
+}  // namespace
+
+SplitMatrix::SplitMatrix(const CrsMatrix& merged, const BlockSpace& space)
+    : merged_(&merged), n_blocks_(space.n_blocks()) {
+  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
+  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
+  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
+  const DofLayout layout(space);
+  const Places rows(*merged.getRowMap(), layout), columns(*merged.getColMap(), layout);
+  row_block_ = rows.block;
+  column_block_ = columns.block;
+  for (int b = 0; b < n_blocks_; ++b)
+    for (std::size_t r = 0; r < rows.numbers[b].size(); ++r)
+      if (space[b].map->getLocalElement(rows.numbers[b][r]) != static_cast<int>(r))
+        throw std::logic_error("SplitMatrix: block \"" + space[b].name +
+                               "\" has its rows in another order");
+  const auto from = merged.getLocalMatrixHost().graph;
+
+  std::vector<RowStart> row_start;
+  for (int i = 0; i < n_blocks_; ++i)
+    for (int j = 0; j < n_blocks_; ++j)
+      row_start.emplace_back("row start", rows.numbers[i].size() + 1);
+  const auto index = [&](int r, int c) {
+    return n_blocks_ * rows.block[r] + columns.block[from.entries(c)];
+  };
+  const int n_rows = static_cast<int>(rows.block.size());
+  for (int r = 0; r < n_rows; ++r)
+    for (auto k = from.row_map(r); k < from.row_map(r + 1); ++k)
+      ++row_start[index(r, k)](rows.place[r] + 1);
+  std::vector<Columns> entries;
+  std::vector<std::size_t> next(row_start.size(), 0);
+  for (const RowStart& start : row_start) {
+    for (std::size_t r = 1; r < start.extent(0); ++r) start(r) += start(r - 1);
+    entries.emplace_back("columns", start(start.extent(0) - 1));
+  }
+  for (int r = 0; r < n_rows; ++r)
+    for (auto k = from.row_map(r); k < from.row_map(r + 1); ++k) {
+      const int b = index(r, k);
+      entries[b](next[b]++) = columns.place[from.entries(k)];
+    }
+
+  for (int i = 0; i < n_blocks_; ++i)
+    for (int j = 0; j < n_blocks_; ++j) {
+      const int b = n_blocks_ * i + j;
+      blocks_.push_back(Teuchos::rcp(
+          new CrsMatrix(space[i].map, map_of(columns.numbers[j], space.comm()), row_start[b],
+                        entries[b], Values("values", entries[b].extent(0)))));
+      blocks_.back()->expertStaticFillComplete(space[j].map, space[i].map);
+    }
+  refresh();
+}
+
+void SplitMatrix::refresh() {
+  const auto from = merged_->getLocalMatrixHost();
+  std::vector<CrsMatrix::local_matrix_host_type::values_type> to;
+  for (const auto& block : blocks_) {
+    block->resumeFill();
+    to.push_back(block->getLocalMatrixHost().values);
+  }
+  std::vector<std::size_t> next(blocks_.size(), 0);
+  for (int r = 0; r < from.numRows(); ++r) {
+    const auto row = from.rowConst(r);
+    for (int k = 0; k < row.length; ++k) {
+      const int b = n_blocks_ * row_block_[r] + column_block_[row.colidx(k)];
+      to[b](next[b]++) = row.value(k);
+    }
+  }
+  to.clear();
+  for (const auto& block : blocks_)
+    block->fillComplete(block->getDomainMap(), block->getRangeMap());
+}
+
+}  // namespace tunica::algebra
