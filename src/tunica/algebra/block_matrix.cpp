@@ -24,6 +24,7 @@ void BlockMatrix::set(int row, int column, const Teuchos::RCP<CrsMatrix>& matrix
     throw std::invalid_argument("BlockMatrix: the matrix for \"" + (*space_)[row].name +
                                 "\" by \"" + (*space_)[column].name +
                                 "\" has other rows or columns");
+  if (merged_) throw std::logic_error("BlockMatrix: its blocks are copies of one matrix");
   blocks_[row * n_blocks() + column] = matrix;
 }
 
@@ -34,12 +35,12 @@ const Teuchos::RCP<CrsMatrix>& BlockMatrix::operator()(int row, int column) cons
 }
 
 void BlockMatrix::store_merged(const Teuchos::RCP<CrsMatrix>& merged) {
-  merged_.reset(new Merged{merged, MergedRows(*space_, *merged->getRowMap()), std::nullopt});
+  merged_ = std::make_shared<Merged>(
+      Merged{merged, MergedRows(*space_, *merged->getRowMap()), std::nullopt});
 }
 
-const Teuchos::RCP<CrsMatrix>& BlockMatrix::merged() const {
-  static const Teuchos::RCP<CrsMatrix> none;
-  return merged_ ? merged_->matrix : none;
+Teuchos::RCP<CrsMatrix> BlockMatrix::merged() const {
+  return merged_ ? merged_->matrix : Teuchos::null;
 }
 
 void BlockMatrix::values_changed() const {

@@ -29,13 +29,14 @@ public:
 
   /// Null: missing. Rows and domain of a matrix are the maps of its blocks.
   void set(int row, int column, const Teuchos::RCP<CrsMatrix>& matrix);
-  /// Collective the first time where K is stored as one matrix.
+  /// Where K is stored as one matrix, the first time makes copies of all blocks, which
+  /// values_changed() keeps up from then on; collective then.
   const Teuchos::RCP<CrsMatrix>& operator()(int row, int column) const;
 
   /// Stores K as this matrix between all unknowns, in place of blocks.
   void store_merged(const Teuchos::RCP<CrsMatrix>& merged);
   /// Null: stored block by block.
-  const Teuchos::RCP<CrsMatrix>& merged() const;
+  Teuchos::RCP<CrsMatrix> merged() const;
   /// To be called when merged() has new values: takes them to the blocks that are copies.
   void values_changed() const;
 

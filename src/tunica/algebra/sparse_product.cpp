@@ -2,7 +2,13 @@
 
 #include <TpetraExt_MatrixMatrix.hpp>
 #include <TpetraExt_TripleMatrixMultiply.hpp>
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
 #include <vector>
+
+#include "tunica/base/trilinos.hpp"
 
 namespace tunica::algebra {
 
@@ -48,10 +54,65 @@ void SparseProduct::refresh() {
   Tpetra::MatrixMatrix::Multiply(*A_, false, *B_, false, *product_);
 }
 
-TripleProduct::TripleProduct(const CrsMatrix& A, const CrsMatrix& P)
-    : A_(&A), P_(&P), product_(Teuchos::rcp(new CrsMatrix(P.getDomainMap(), 0))) {
-  const WithoutZeros inner(A), outer(P);
-  Tpetra::TripleMatrixMultiply::MultiplyRAP(P, true, A, false, P, false, *product_);
+namespace {
+
+/// The rows of Pᵀ, whatever the values.
+struct TransposedGraph {
+  std::vector<std::size_t> start;
+  std::vector<int> columns;
+
+  explicit TransposedGraph(const CrsMatrix& P) {
+    const auto graph = P.getLocalMatrixHost().graph;
+    const int n_rows = static_cast<int>(graph.row_map.extent(0)) - 1;
+    start.assign(n_local(*P.getColMap()) + 1, 0);
+    for (std::size_t k = 0; k < graph.entries.extent(0); ++k) ++start[graph.entries(k) + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<std::size_t> next(start.begin(), start.end() - 1);
+    columns.resize(graph.entries.extent(0));
+    for (int i = 0; i < n_rows; ++i)
+      for (auto k = graph.row_map(i); k < graph.row_map(i + 1); ++k)
+        columns[next[graph.entries(k)]++] = i;
+  }
+};
+
+/// Pᵀ A P without values, on one rank. Tpetra's own takes room for three times its values while it
+/// looks for it.
+Teuchos::RCP<CrsMatrix> triple_graph(const CrsMatrix& A, const CrsMatrix& P) {
+  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
+  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
+  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
+  const auto of_A = A.getLocalMatrixHost().graph, of_P = P.getLocalMatrixHost().graph;
+  const TransposedGraph Pt(P);
+  const int n_coarse = static_cast<int>(Pt.start.size()) - 1;
+  RowStart row_start("row start", n_coarse + 1);
+  std::vector<int> found, met(n_coarse, -1);  // met: the last row that has the column
+  for (int i = 0; i < n_coarse; ++i) {
+    for (std::size_t k = Pt.start[i]; k < Pt.start[i + 1]; ++k)
+      for (auto l = of_A.row_map(Pt.columns[k]); l < of_A.row_map(Pt.columns[k] + 1); ++l)
+        for (auto j = of_P.row_map(of_A.entries(l)); j < of_P.row_map(of_A.entries(l) + 1); ++j)
+          if (const int column = of_P.entries(j); std::exchange(met[column], i) != i)
+            found.push_back(column);
+    std::sort(found.begin() + row_start(i), found.end());
+    row_start(i + 1) = found.size();
+  }
+  Columns columns("columns", found.size());
+  std::copy(found.begin(), found.end(), columns.data());
+  const auto product = Teuchos::rcp(new CrsMatrix(P.getDomainMap(), P.getColMap(), row_start,
+                                                  columns, Values("values", found.size())));
+  product->expertStaticFillComplete(P.getDomainMap(), P.getDomainMap());
+  return product;
+}
+
+}  // namespace
+
+bool TripleProduct::serves(const CrsMatrix& A, const CrsMatrix& P) {
+  return A.getComm()->getSize() == 1 && A.getRowMap()->isSameAs(*P.getRowMap()) &&
+         A.getColMap()->isSameAs(*P.getRowMap()) && P.getColMap()->isSameAs(*P.getDomainMap());
+}
+
+TripleProduct::TripleProduct(const CrsMatrix& A, const CrsMatrix& P) : A_(&A), P_(&P) {
+  if (!serves(A, P)) throw std::invalid_argument("TripleProduct: not for these matrices");
+  product_ = triple_graph(A, P);
 }
 
 void TripleProduct::refresh() {

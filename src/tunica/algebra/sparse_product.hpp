@@ -27,7 +27,10 @@ private:
 /// as Tpetra has no second round of it on several.
 class TripleProduct {
 public:
-  /// The graph alone. The matrices must outlive the object.
+  /// The matrices lie on one rank and number rows and columns alike.
+  static bool serves(const CrsMatrix& A, const CrsMatrix& P);
+  /// The graph alone. The matrices must outlive the object. Throws std::invalid_argument where
+  /// they are not served.
   TripleProduct(const CrsMatrix& A, const CrsMatrix& P);
 
   const Teuchos::RCP<CrsMatrix>& matrix() const { return product_; }

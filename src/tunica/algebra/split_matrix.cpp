@@ -48,7 +48,7 @@ SplitMatrix::SplitMatrix(const CrsMatrix& merged, const BlockSpace& space)
   for (int i = 0; i < n_blocks_; ++i)
     for (int j = 0; j < n_blocks_; ++j)
       row_start.emplace_back("row start", rows.numbers[i].size() + 1);
-  const auto index = [&](int r, int c) {
+  const auto index = [&](int r, std::size_t c) {
     return n_blocks_ * rows.block[r] + columns.block[from.entries(c)];
   };
   const int n_rows = static_cast<int>(rows.block.size());
@@ -67,12 +67,15 @@ SplitMatrix::SplitMatrix(const CrsMatrix& merged, const BlockSpace& space)
       entries[b](next[b]++) = columns.place[from.entries(k)];
     }
 
+  std::vector<Teuchos::RCP<const Map>> column_maps;
+  for (int j = 0; j < n_blocks_; ++j)
+    column_maps.push_back(map_of(columns.numbers[j], space.comm()));
   for (int i = 0; i < n_blocks_; ++i)
     for (int j = 0; j < n_blocks_; ++j) {
       const int b = n_blocks_ * i + j;
-      blocks_.push_back(Teuchos::rcp(
-          new CrsMatrix(space[i].map, map_of(columns.numbers[j], space.comm()), row_start[b],
-                        entries[b], Values("values", entries[b].extent(0)))));
+      blocks_.push_back(
+          Teuchos::rcp(new CrsMatrix(space[i].map, column_maps[j], row_start[b], entries[b],
+                                     Values("values", entries[b].extent(0)))));
       blocks_.back()->expertStaticFillComplete(space[j].map, space[i].map);
     }
   refresh();

@@ -96,7 +96,7 @@ void CommonMotions::collect(const fields::Face& face, const kernels::SurfaceJaco
   if (!is_empty()) collect_vectors(face.nodes, K);
 }
 
-std::vector<double> CommonMotions::products() const {
+std::vector<double> CommonMotions::pair_sums() const {
   const std::size_t count = motions_.size();
   std::vector<double> mine(count * count, 0.0);
   for (int a = 0; a < mesh_->n_owned; ++a)
@@ -153,7 +153,7 @@ void CommonMotions::store_second(int m, const Constraints& fixed,
 void CommonMotions::store(const Constraints& fixed, const Vector& diagonal,
                           algebra::LowRank& products) const {
   if (is_empty()) return;
-  const std::vector<double> all = this->products();
+  const std::vector<double> all = pair_sums();
   int next = products.rank() - rank();
   for (int m = 0; m < static_cast<int>(motions_.size()); ++m) {
     store_first(m, fixed, diagonal, products[next++]);

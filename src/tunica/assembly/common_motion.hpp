@@ -38,8 +38,9 @@ public:
   void store(const NodalResidual& R, const std::vector<Vec3>& u, const std::vector<double>& values,
              algebra::BlockVector& F) const;
 
-  /// A Jacobian begins; what its elements and faces hold of members, before it is dropped; and the
-  /// last rank() products of K, whose blocks are complete. Collective.
+  /// A Jacobian begins; what its elements and faces hold of members, before it is dropped; and,
+  /// where all are in, the last rank() of the field's products. diagonal: of K, in the field's
+  /// units. Collective.
   void begin();
   void collect(std::size_t e, const kernels::MixedJacobian& K);
   void collect(const fields::Face& face, const kernels::SurfaceJacobian& K);
@@ -64,7 +65,7 @@ private:
   template <class Jacobian, class Nodes>
   void collect_vectors(const Nodes& nodes, const Jacobian& K);
   /// eᵀ K e of each pair, row by row. Collective.
-  std::vector<double> products() const;
+  std::vector<double> pair_sums() const;
   void store_first(int m, const Constraints& fixed, const Vector& diagonal,
                    algebra::RankOne& product) const;
   void store_second(int m, const Constraints& fixed, const std::vector<double>& products,

@@ -4,9 +4,9 @@
 
 namespace tunica::assembly {
 
-FluidShapeMatrix::FluidShapeMatrix(const fields::FieldMesh& mesh)
-    : mesh_(&mesh), graph_(fields::make_node_graph(mesh)),
-      u_(fields::make_matrix(graph_, mesh, 3, 3)), p_(fields::make_matrix(graph_, mesh, 1, 3)) {}
+FluidShapeMatrix::FluidShapeMatrix(const fields::FieldMesh& mesh, const fields::NodeGraph& graph)
+    : mesh_(&mesh), graph_(&graph), u_(fields::make_matrix(graph, mesh, 3, 3)),
+      p_(fields::make_matrix(graph, mesh, 1, 3)) {}
 
 void FluidShapeMatrix::assemble(const FluidElements& elements, const FluidFields& state,
                                 const std::vector<Vec3>& velocity, const Constraints& fixed) {
@@ -35,9 +35,9 @@ void FluidShapeMatrix::add(std::size_t e, const kernels::ShapeJacobian& Ke,
   for (int a = 0; a < 4; ++a) {
     const int node = mesh_->tets[e][a];
     if (node >= mesh_->n_owned) continue;
-    const std::size_t start = graph_.row_start[node], length = graph_.length(node);
+    const std::size_t start = graph_->row_start[node], length = graph_->length(node);
     for (int b = 0; b < 4; ++b) {
-      const std::size_t column = 3 * graph_.position[e][4 * a + b];
+      const std::size_t column = 3 * graph_->position[e][4 * a + b];
       for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i)
           if (!((fixed[node] >> i) & 1))

@@ -8,8 +8,8 @@ namespace tunica::assembly {
 /// still.
 class FluidShapeMatrix {
 public:
-  /// mesh: of the fluid; it must outlive the object.
-  explicit FluidShapeMatrix(const fields::FieldMesh& mesh);
+  /// The fluid's mesh and the graph of its nodes; they must outlive the object.
+  FluidShapeMatrix(const fields::FieldMesh& mesh, const fields::NodeGraph& graph);
 
   /// Sets the values for a state; velocity: the one that τ is made of, on local nodes. Constrained
   /// rows are zero.
@@ -22,7 +22,7 @@ private:
   void add(std::size_t e, const kernels::ShapeJacobian& Ke, const Constraints& fixed);
 
   const fields::FieldMesh* mesh_;
-  fields::NodeGraph graph_;
+  const fields::NodeGraph* graph_;
   Teuchos::RCP<CrsMatrix> u_, p_;
 };
 

@@ -40,9 +40,9 @@ struct AddedMassModel {
 /// nothing about such a one.
 class AddedMass {
 public:
-  /// list: a resolved list of linear::scalar_solver_table(); fluid: for its mesh and its graph.
-  /// Collective.
-  AddedMass(const Teuchos::ParameterList& list, const fields::FieldMesh& fluid,
+  /// list: a resolved list of linear::scalar_solver_table(); graph: of the nodes of the fluid's
+  /// mesh. Collective.
+  AddedMass(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
             const fields::NodeGraph& graph, const fields::InterfaceTransfer& interface,
             const AddedMassModel& model);
 

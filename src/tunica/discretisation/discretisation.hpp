@@ -19,7 +19,7 @@ public:
   /// Why the last residual() was refused.
   virtual std::string refusal() const { return "the residual is not a number"; }
 
-  /// Brings the blocks of jacobian() to x.
+  /// Brings jacobian() to x.
   virtual void assemble_jacobian(const algebra::BlockVector& x) = 0;
   virtual const algebra::BlockMatrix& jacobian() const = 0;
 

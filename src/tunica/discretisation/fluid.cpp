@@ -180,7 +180,7 @@ void Fluid::read(const algebra::BlockVector& x) {
 
 void Fluid::assemble_shape_jacobian(const algebra::BlockVector& x) {
   read(x);
-  if (!shape_) shape_ = std::make_unique<assembly::FluidShapeMatrix>(*mesh_);
+  if (!shape_) shape_ = std::make_unique<assembly::FluidShapeMatrix>(*mesh_, scalar_graph());
   shape_->assemble(elements_, local_, options_.has_predicted_tau ? predicted_ : local_.u_old,
                    fixed_);
 }

@@ -33,8 +33,6 @@ public:
   /// Made when it is first asked for: a field that is part of a system does without. Collective
   /// then.
   const fields::BlockOperator& jacobian() const override { return matrix(); }
-  /// Gives back its room.
-  void forget_jacobian() { K_.reset(); }
   /// Adds the Jacobian at x to that of a system, but for the products of low rank, which are those
   /// of products() then.
   void add_jacobian(const algebra::BlockVector& x, const assembly::Whole& whole);

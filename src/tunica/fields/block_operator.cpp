@@ -2,45 +2,68 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "tunica/algebra/dof_layout.hpp"
+#include "tunica/base/error.hpp"
 #include "tunica/base/map_of.hpp"
+#include "tunica/base/reduce.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::fields {
 
+namespace {
+
+/// The corners of elements at each owned node: 4 tet + a for corner a of the four.
+struct Corners {
+  std::vector<std::size_t> start;
+  std::vector<int> corner;
+
+  explicit Corners(const FieldMesh& mesh) : start(mesh.n_owned + 1, 0) {
+    for (const auto& tet : mesh.tets)
+      for (const int a : tet)
+        if (a < mesh.n_owned) ++start[a + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<std::size_t> next(start.begin(), start.end() - 1);
+    corner.resize(start.back());
+    for (std::size_t e = 0; e < mesh.tets.size(); ++e)
+      for (int a = 0; a < 4; ++a)
+        if (const int node = mesh.tets[e][a]; node < mesh.n_owned)
+          corner[next[node]++] = 4 * static_cast<int>(e) + a;
+  }
+};
+
+}  // namespace
+
 NodeGraph make_node_graph(const FieldMesh& mesh) { return make_node_graph(mesh, mesh); }
 
 NodeGraph make_node_graph(const FieldMesh& row_mesh, const FieldMesh& column_mesh) {
-  std::vector<std::vector<int>> rows(row_mesh.n_owned);
-  for (std::size_t e = 0; e < row_mesh.tets.size(); ++e)
-    for (const int a : row_mesh.tets[e])
-      if (a < row_mesh.n_owned)
-        rows[a].insert(rows[a].end(), column_mesh.tets[e].begin(), column_mesh.tets[e].end());
+  const Corners corners(row_mesh);
   NodeGraph graph;
+  graph.row_start.reserve(row_mesh.n_owned + 1);
   graph.row_start.push_back(0);
-  for (auto& row : rows) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
+  graph.position.resize(row_mesh.tets.size());
+  for (auto& position : graph.position) position.fill(-1);
+  std::vector<int> row, met(column_mesh.n_nodes(), -1);  // met: the last row that has the node
+  std::vector<std::int16_t> place(column_mesh.n_nodes());
+  for (int node = 0; node < row_mesh.n_owned; ++node) {
+    const auto first = corners.corner.begin() + corners.start[node];
+    const auto last = corners.corner.begin() + corners.start[node + 1];
+    row.clear();
+    for (auto c = first; c != last; ++c)
+      for (const int column : column_mesh.tets[*c / 4])
+        if (std::exchange(met[column], node) != node) row.push_back(column);
     if (row.size() > std::numeric_limits<std::int16_t>::max())
       throw std::length_error("a vertex has more than 32,767 neighbours");
+    std::sort(row.begin(), row.end());
+    for (std::size_t k = 0; k < row.size(); ++k) place[row[k]] = static_cast<std::int16_t>(k);
+    for (auto c = first; c != last; ++c)
+      for (int b = 0; b < 4; ++b)
+        graph.position[*c / 4][4 * (*c % 4) + b] = place[column_mesh.tets[*c / 4][b]];
     graph.columns.insert(graph.columns.end(), row.begin(), row.end());
     graph.row_start.push_back(graph.columns.size());
-  }
-  graph.position.resize(row_mesh.tets.size());
-  for (std::size_t e = 0; e < row_mesh.tets.size(); ++e) {
-    auto& position = graph.position[e];
-    position.fill(-1);
-    for (int a = 0; a < 4; ++a) {
-      const int node = row_mesh.tets[e][a];
-      if (node >= row_mesh.n_owned) continue;
-      const auto& row = rows[node];
-      for (int b = 0; b < 4; ++b) {
-        const auto found = std::lower_bound(row.begin(), row.end(), column_mesh.tets[e][b]);
-        position[4 * a + b] = static_cast<std::int16_t>(found - row.begin());
-      }
-    }
   }
   return graph;
 }
@@ -213,11 +236,16 @@ void BlockOperator::make_merged(const Graphs& graphs) {
   };
 
   RowStart row_start("row start", n_local(*numbers.rows()) + 1);
+  std::size_t longest = 0;
   for_each_row([&](int b, int a) {
     std::size_t length = 0;
     for (int c = 0; c < n_blocks(); ++c) length += layout.components(c) * graph(b, c).length(a);
+    longest = std::max(longest, length);
     for (int i = 0; i < layout.components(b); ++i) row_start(numbers.first(b, a) + i + 1) = length;
   });
+  TUNICA_CHECK(global_max(*mesh_->comm, static_cast<double>(longest)) <=
+                   std::numeric_limits<std::int16_t>::max(),
+               "a vertex of the mesh has more than 8,000 neighbours");
   for (std::size_t r = 1; r < row_start.extent(0); ++r) row_start(r) += row_start(r - 1);
   Columns columns("columns", row_start(row_start.extent(0) - 1));
 
@@ -239,8 +267,6 @@ void BlockOperator::make_merged(const Graphs& graphs) {
               [](const Entry& x, const Entry& y) { return x.column < y.column; });
     const std::size_t start = row_start(numbers.first(b, a)),
                       length = row_start(numbers.first(b, a) + 1) - start;
-    if (length > std::numeric_limits<std::int16_t>::max())
-      throw std::length_error("a vertex has more neighbours than 32,767 unknowns");
     rows_[b].start.push_back(start);
     rows_[b].length.push_back(length);
     std::size_t place = 0;
@@ -255,6 +281,7 @@ void BlockOperator::make_merged(const Graphs& graphs) {
                                                  Values("values", columns.extent(0))));
   matrix->expertStaticFillComplete(numbers.rows(), numbers.rows());
   store_merged(matrix);
+  columns_ = matrix->getLocalMatrixHost().graph.entries.data();
   columns_of_vectors_ = numbers.first(0);
   find_element_places(graphs, places);
 }
@@ -301,8 +328,7 @@ void BlockOperator::find_element_places(const Graphs& graphs,
 }
 
 int BlockOperator::place(int row, int column) const {
-  const auto graph = merged()->getLocalMatrixHost().graph;
-  const int* const first = graph.entries.data() + rows_[0].start[row];
+  const int* const first = columns_ + rows_[0].start[row];
   const int* const last = first + rows_[0].length[row];
   return static_cast<int>(std::lower_bound(first, last, columns_of_vectors_[column]) - first);
 }

@@ -52,8 +52,8 @@ struct MeshParts {
 /// static graph, whose values are written in place by assembly/.
 class BlockOperator : public algebra::BlockMatrix {
 public:
-  /// split: carries the scalars where it is not null. The meshes must outlive the object.
-  /// Collective.
+  /// split: carries the scalars where it is not null. The meshes must outlive the object. Throws
+  /// Error on all ranks for a vertex with more than 8,000 neighbours. Collective.
   explicit BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks = mixed_blocks,
                          const SplitMesh* split = nullptr, const MeshParts& parts = {});
 
@@ -99,6 +99,7 @@ private:
   const FieldMesh* mesh_;
   const SplitMesh* split_;
   std::vector<Rows> rows_;               ///< per block
+  const int* columns_ = nullptr;         ///< local, per value of merged()
   std::vector<int> columns_of_vectors_;  ///< local column of component 0, per local node
   /// Per tetrahedron, those between vectors: all blocks of its nodes stand side by side, so that
   /// other columns follow with these offsets and other rows look the same.

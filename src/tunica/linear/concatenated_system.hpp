@@ -18,7 +18,7 @@ public:
   Teuchos::RCP<const Map> map() const override { return blocks_.map(); }
   Teuchos::RCP<const Operator> matrix() const override { return matrix_; }
   Teuchos::RCP<const Operator> preconditioner() const override { return preconditioner_; }
-  void refresh_matrix() override {}  // the operator reads the blocks themselves
+  void refresh_matrix() override {}  // the operator reads the blocks, which follow
   void refresh_preconditioner() override { preconditioner_->refresh(); }
   void gather(const algebra::BlockVector& x, MultiVector& all) const override {
     blocks_.gather(x, all);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
@@ -92,7 +91,8 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
           parts_of_mesh(parts))),
       newton_(nonlinear::newton_options(list.sublist("Newton"))), rule_(newton_.jacobian_cost),
       fluid_x_(fluid_->space()), wall_x_(wall_->space()), fluid_F_(fluid_->space()),
-      wall_F_(wall_->space()), reference_(wall_->space()) {
+      wall_F_(wall_->space()), jacobian_fluid_x_(fluid_->space()), jacobian_wall_x_(wall_->space()),
+      reference_(wall_->space()) {
   tie_fields();
   // A system cannot be solved better than its products are known.
   const double best =
@@ -139,7 +139,6 @@ void CoupledProblem::set_reference() {
 }
 
 Outcome CoupledProblem::begin_step(const stepping::Clock& clock) {
-  if (!std::exchange(has_begun_, true)) wall_->forget_jacobian();  // that of its prestress
   fluid_->begin_step(clock);
   wall_->begin_step(clock);
   wall_->set_nodal_force(std::vector<Vec3>(wall_->mesh().n_owned));
@@ -199,6 +198,8 @@ bool CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVecto
 
 void CoupledProblem::jacobian(const algebra::BlockVector& x) {
   read(x);
+  jacobian_fluid_x_.assign(fluid_x_);
+  jacobian_wall_x_.assign(wall_x_);
   const Stopwatch opening;
   K_->begin_assembly();
   seconds_.matrix += opening.seconds();
@@ -237,17 +238,20 @@ Teuchos::RCP<const CrsMatrix> CoupledProblem::assemble_operator(const std::strin
   const auto names = operator_names();
   if (std::find(names.begin(), names.end(), name) == names.end()) return Teuchos::null;
   const int b = name == mass ? 1 : 0;
-  const auto M = Teuchos::rcp(new CrsMatrix(*(*K_)(b, b), Teuchos::Copy));
+  const auto graph = name == mass ? (*K_->space())[1].nodes.graph : (*K_)(0, 0).getConst();
+  const auto M = Teuchos::rcp(new CrsMatrix(*graph, Teuchos::Copy));
   M->resumeFill();
   M->setAllToScalar(0.0);
   const auto add = [&](FieldProblem& field, const algebra::BlockVector& at,
                        const algebra::Embedding& part) {
     if (b == 1) return part.add_block(*field.operators().assemble_operator(mass), 1, 1, *M);
-    field.jacobian(at);
-    part.add_block(*field.last_jacobian()(0, 0), 0, 0, *M);
+    fields::BlockOperator own(field.mesh(), fields::mixed_blocks, field.split());
+    own.begin_assembly();
+    field.add_jacobian(at, {&own, nullptr, nullptr});
+    part.add_block(*own(0, 0), 0, 0, *M);
   };
-  if (name != linear::own_block_of(name_of_wall)) add(*fluid_, fluid_x_, *fluid_part_);
-  if (name != linear::own_block_of(name_of_fluid)) add(*wall_, wall_x_, *wall_part_);
+  if (name != linear::own_block_of(name_of_wall)) add(*fluid_, jacobian_fluid_x_, *fluid_part_);
+  if (name != linear::own_block_of(name_of_fluid)) add(*wall_, jacobian_wall_x_, *wall_part_);
   M->fillComplete(M->getDomainMap(), M->getRangeMap());
   return M;
 }

@@ -86,7 +86,8 @@ public:
   const fields::BlockOperator& last_jacobian() const override { return *K_; }
   const linear::NamedOperators& operators() const override { return *this; }
 
-  // NamedOperators: "Schur Mass", the masses over the viscosity and over the moduli times Δt
+  // NamedOperators: "Schur Mass", the masses over the viscosity and over the moduli times Δt, and
+  // what each field makes of the velocities' block of K
   std::vector<std::string> operator_names() const override;
   Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
 
@@ -122,9 +123,9 @@ private:
 
   algebra::BlockVector fluid_x_, wall_x_;  ///< of the fields, at the last point of evaluation
   algebra::BlockVector fluid_F_, wall_F_;
-  algebra::BlockVector reference_;  ///< (d̃, 0) of the wall
-  double dt_ = 0.0;                 ///< Δt of y
-  bool has_begun_ = false;
+  algebra::BlockVector jacobian_fluid_x_, jacobian_wall_x_;  ///< where K was made
+  algebra::BlockVector reference_;                           ///< (d̃, 0) of the wall
+  double dt_ = 0.0;                                          ///< Δt of y
   std::string refusal_;
   Seconds seconds_;
 };

@@ -15,12 +15,6 @@ linear::LinearSolver& FieldProblem::linear_solver() {
   return *solver_;
 }
 
-void FieldProblem::forget_jacobian() {
-  solver_.reset();
-  rule_.forget();
-  field_->forget_jacobian();
-}
-
 void FieldProblem::watch_solves(SolveWatch watch) {
   linear_solver();
   solver_ = watched(std::move(solver_), std::move(watch));

@@ -41,9 +41,6 @@ public:
     field_->add_jacobian(x, whole);
   }
   const std::shared_ptr<algebra::LowRank>& products() const { return field_->products(); }
-  /// Gives back the room of the field's own Jacobian and solver; both come again where they are
-  /// asked for.
-  void forget_jacobian();
 
   const stepping::TimeScheme& time_scheme() const { return field_->time_scheme(); }
   /// Accepts the present state as that of the new time.

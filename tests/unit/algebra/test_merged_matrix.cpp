@@ -31,23 +31,44 @@ TEUCHOS_UNIT_TEST(merged_matrix, unknowns_of_a_node_stand_side_by_side) {
     for (int i = 0; i < 4; ++i) TEST_EQUALITY(values[4 * a + i], 10.0 * tube.wall.vertex[a] + i);
 }
 
-TEUCHOS_UNIT_TEST(merged_matrix, acts_as_the_block_operator_after_refresh) {
+/// A matrix that is stored block by block, with the blocks of another.
+algebra::BlockMatrix stored_by_blocks(const algebra::BlockMatrix& K) {
+  algebra::BlockMatrix blocks(K.space());
+  for (int i = 0; i < K.n_blocks(); ++i)
+    for (int j = 0; j < K.n_blocks(); ++j) blocks.set(i, j, K(i, j));
+  return blocks;
+}
+
+TEUCHOS_UNIT_TEST(merged_matrix, of_blocks_follows_them_with_a_refresh) {
   const SmallTube tube;
   test::WallJacobian jacobian(tube);
-  algebra::MergedMatrix merged(jacobian.K);
+  const algebra::BlockMatrix blocks = stored_by_blocks(jacobian.K);
+  algebra::MergedMatrix merged(blocks);
+  TEST_ASSERT(merged.matrix() != jacobian.K.merged());
   for (const double size : {0.0, 0.005}) {
     jacobian.set(size);
     merged.refresh();
     const auto x = test::scattered(tube.wall, 1);
     algebra::BlockVector y = fields::zero_vector(tube.wall),
-                         expected = fields::zero_vector(tube.wall);
-    jacobian.K.apply(x, expected);
+                         by_blocks = fields::zero_vector(tube.wall),
+                         by_one = fields::zero_vector(tube.wall);
+    blocks.apply(x, by_blocks);
+    jacobian.K.apply(x, by_one);
     Vector all_x(merged.matrix()->getDomainMap()), all_y(merged.matrix()->getRangeMap());
     merged.merge(x, all_x);
     merged.matrix()->apply(all_x, all_y);
     merged.split(all_y, y);
-    TEST_COMPARE(test::relative_difference(y, expected), <, 1e-14);
+    TEST_COMPARE(test::relative_difference(y, by_blocks), <, 1e-14);
+    TEST_COMPARE(test::relative_difference(by_one, by_blocks), <, 1e-14);
   }
+}
+
+TEUCHOS_UNIT_TEST(merged_matrix, of_one_matrix_is_that_one) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  TEST_ASSERT(algebra::MergedMatrix(jacobian.K).matrix() == jacobian.K.merged());
+  algebra::BlockMatrix K = jacobian.K;
+  TEST_THROW(K.set(0, 0, K(0, 0)), std::logic_error);
 }
 
 }  // namespace

@@ -9,11 +9,12 @@ namespace tunica::test {
 
 /// A tube with both fields: pressure at the inlet, a windkessel at the outlet, a clamped wall.
 struct CoupledTube {
+  /// outer: the condition of the wall's outer surface.
   explicit CoupledTube(const std::string& geometry, const std::string& end = "clamped",
-                       const CommPtr& comm = world())
+                       const CommPtr& comm = world(), const std::string& outer = "")
       : tube(comm), mesh(fields::make_field_mesh(tube.share, {0, 1, 2})),
         interface(tube.fluid, tube.wall, {tube.surface("interface")}),
-        fluid(fluid_list(), tube.fluid), wall(wall_list(end), tube.wall),
+        fluid(fluid_list(), tube.fluid), wall(wall_list(end, outer), tube.wall),
         motion(motion_list(), tube.fluid, {tube.surface("interface")}, fluid.time_scheme()),
         problem(coupling_list(geometry), {mesh, interface, fluid, wall, motion}) {}
 
@@ -30,7 +31,7 @@ struct CoupledTube {
     return resolved(list, problems::fluid_table());
   }
 
-  static Teuchos::ParameterList wall_list(const std::string& end) {
+  static Teuchos::ParameterList wall_list(const std::string& end, const std::string& outside = "") {
     auto list = test::wall_list();
     list.sublist("Layers").sublist("media").set("law", std::string("mooney-rivlin"));
     auto& outer = list.sublist("Layers").sublist("adventitia");
@@ -38,6 +39,7 @@ struct CoupledTube {
     outer.set("c10", 5.0);
     condition(list, "struct_in", "clamped");
     condition(list, "struct_out", end);
+    if (!outside.empty()) condition(list, "outer", outside);
     condition(list, "interface", "interface");
     return resolved(list, problems::solid_table());
   }

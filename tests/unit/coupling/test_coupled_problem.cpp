@@ -96,6 +96,29 @@ TEUCHOS_UNIT_TEST(coupled_problem, ranks_agree_with_one) {
   TEST_COMPARE(largest, >, 1e-3);
 }
 
+/// Nodes of the outer surface between the clamped ends move along as one.
+algebra::BlockVector with_outside_as_one(const CoupledTube& both, algebra::BlockVector x,
+                                         const Vec3& y) {
+  const auto values = x[0].getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int a = 0; a < both.mesh.n_owned; ++a)
+    if (both.mesh.is_on(a, both.tube.surface("outer")) && !CoupledTube::is_held(both.mesh.x[a]))
+      for (int i = 0; i < 3; ++i) values(3 * a + i, 0) = y[i];
+  return x;
+}
+
+// In units of the whole, with numbers of its nodes, beside a windkessel.
+TEUCHOS_UNIT_TEST(coupled_problem, jacobian_knows_what_moves_as_one) {
+  CoupledTube both("extrapolated", "clamped", test::world(), "moves as one");
+  TEST_ASSERT(both.problem.begin_step(stepping::Clock(0.125, 1)).is_success());
+  TEST_EQUALITY(both.wall.products()->rank(), 6);
+  const auto x = with_outside_as_one(both, both.point(1), {0.03, -0.02, 0.05});
+  for (int direction = 2; direction < 5; ++direction) {
+    const double unit = 0.1 * direction;
+    const auto v = with_outside_as_one(both, both.point(direction), {unit, 0.2, -unit});
+    TEST_COMPARE(test::jacobian_error(both.problem, x, v, 1e-5), <, 1e-7);
+  }
+}
+
 TEUCHOS_UNIT_TEST(coupled_problem, nodes_of_the_interface_cannot_move_as_one) {
   TEST_THROW(CoupledTube("quasi", "moves as one"), Error);
 }

@@ -60,14 +60,12 @@ TEUCHOS_UNIT_TEST(cycle, after_a_refresh_it_is_what_a_new_one_is) {
   const Vector b = wall.scattered(5);
   for (const auto& [name, list] : lists()) {
     wall.jacobian.set(0.005);
-    wall.merged.refresh();
     multigrid::Cycle cycle(wall.K(), nodes, list);
     TEST_COMPARE(cycle.levels().unknowns.size(), >=, 2);
     TEST_ASSERT(cycle.keeps_graphs());
     const multigrid::Cycle before(Teuchos::rcp(new CrsMatrix(*wall.K(), Teuchos::Copy)), nodes,
                                   list);
     wall.jacobian.set(0.03);
-    wall.merged.refresh();
     for (int again = 0; again < 2; ++again) cycle.refresh();
     const multigrid::Cycle fresh(wall.K(), nodes, list);
     out << name << ": " << distance(cycle, fresh, b) << ", " << distance(before, fresh, b) << "\n";
@@ -119,7 +117,6 @@ TEUCHOS_UNIT_TEST(cycle, lists_with_parts_of_muelu_are_set_up_anew) {
   multigrid::Cycle cycle(wall.K(), nodes, list);
   TEST_ASSERT(!cycle.keeps_graphs());
   wall.jacobian.set(0.03);
-  wall.merged.refresh();
   cycle.refresh();
   TEST_COMPARE(distance(cycle, multigrid::Cycle(wall.K(), nodes, list), wall.scattered(5)), <,
                1e-12);

@@ -188,7 +188,6 @@ TEUCHOS_UNIT_TEST(vanka, refresh_takes_over_new_values) {
   const Vector b = wall.scattered(1), start = wall.scattered(2);
   const auto smoother = vanka(*wall.K(), in_order("forward"));
   wall.jacobian.set(0.004);
-  wall.merged.refresh();
   smoother->refresh();
   Vector x(start, Teuchos::Copy);
   smoother->smooth(b, x);

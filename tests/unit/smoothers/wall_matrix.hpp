@@ -9,7 +9,6 @@ struct WallMatrix {
   explicit WallMatrix(const CommPtr& comm = world())
       : tube(comm), jacobian(tube), merged(jacobian.K) {
     jacobian.set(0.005);
-    merged.refresh();
   }
 
   Teuchos::RCP<CrsMatrix> K() const { return merged.matrix(); }
