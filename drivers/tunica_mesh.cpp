@@ -3,9 +3,9 @@
 ///
 ///   tunica-mesh tube tube.h5 --around 20 --axial 62
 ///   tunica-mesh block block.h5 --patch-x 4 --patch-y 4
-///   tunica-mesh wall lumen.msh vessel.h5 --surfaces lumen_wall --layers
-///   media=0.26:2,adventitia=0.13:1 tunica-mesh info tube.h5 --interface interface tunica-mesh
-///   COMMAND --help
+///   tunica-mesh wall lumen.msh vessel.h5 --surfaces lumen_wall --layers media=0.26:2
+///   tunica-mesh info tube.h5 --interface interface
+///   tunica-mesh COMMAND --help
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -15,6 +15,7 @@
 #include "tunica/base/standard_output.hpp"
 #include "tunica/params/nearest.hpp"
 #include "tunica_mesh/commands.hpp"
+#include "tunica_mesh/parallel_commands.hpp"
 
 namespace {
 
@@ -60,12 +61,10 @@ int main(int argc, char** argv) {
     if (!lost.empty()) std::cerr << "tunica-mesh: " << lost << "\n";
     return lost.empty() ? 0 : 3;
   } catch (const tunica::Error& error) {
-    if (*error.what() != '\0') std::cerr << error.what() << "\n";  // another rank says it
+    if (*error.what() != '\0') std::cerr << error.what() << "\n";  // else it has been said
     return 1;
   } catch (const std::exception& error) {
-    if (*error.what() != '\0')
-      std::cerr << "tunica-mesh: a fault of this program or of the machine: " << error.what()
-                << "\n";
+    if (*error.what() != '\0') std::cerr << tunica::fault_of_machine << error.what() << "\n";
     return 3;
   }
 }

@@ -21,8 +21,9 @@ using namespace tunica;
 
 namespace {
 
-/// Errors and faults that ranks agree on are the same on all: one speaks. A rank that fails alone
-/// ends the others, which would wait for it.
+/// Errors and faults that ranks agree on are the same on all: one speaks, before the others can
+/// end, for mpirun ends all when one has. A rank that fails alone ends the others, which would wait
+/// for it.
 void on_ranks(const std::function<void(const CommPtr&)>& work) {
   const Session session;
   const CommPtr comm = all_ranks();
@@ -30,9 +31,11 @@ void on_ranks(const std::function<void(const CommPtr&)>& work) {
   try {
     work(comm);
   } catch (const Error& error) {
-    throw Error(speaks ? error.what() : "");
+    if (speaks) std::cerr << error.what() << std::endl;
+    throw Error("");  // it has been said
   } catch (const MachineFault& fault) {
-    throw MachineFault(speaks ? fault.what() : "");
+    if (speaks) std::cerr << fault_of_machine << fault.what() << std::endl;
+    throw MachineFault("");
   } catch (const std::exception& fault) {
     if (comm->getSize() == 1) throw;
     std::cerr << "tunica-mesh: rank " << comm->getRank() << " failed: " << fault.what()

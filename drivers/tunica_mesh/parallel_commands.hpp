@@ -1,6 +1,13 @@
 #pragma once
 #include "tunica_mesh/arguments.hpp"
 
+namespace tunica {
+
+/// Before what was at fault.
+constexpr const char* fault_of_machine = "tunica-mesh: a fault of this program or of the machine: ";
+
+}  // namespace tunica
+
 /// The subcommands that also run on several ranks.
 
 /// refine: every tetrahedron becomes 8.
