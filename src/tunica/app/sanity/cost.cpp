@@ -9,9 +9,9 @@ namespace tunica::app {
 
 namespace {
 
-constexpr double program = 132.0;                   // m₀ [MB]
-constexpr double per_tetrahedron = 3.7e-3;          // m₁ [MB]
-constexpr double seconds_per_tetrahedron = 1.2e-5;  // s₁
+constexpr double program = 122.0;                   // m₀ [MB]
+constexpr double per_tetrahedron = 2.3e-3;          // m₁ [MB]
+constexpr double seconds_per_tetrahedron = 1.0e-5;  // s₁
 
 std::string size(double megabytes) {
   return megabytes < 1000.0 ? formatted("%.0f MB", 10.0 * std::round(0.1 * megabytes))
