@@ -25,6 +25,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   march.judge(fluid);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, nullptr);
   const CommPtr comm = domain.fluid->comm;
+  app::tell_unknowns(output.record, "fluid", *fluid.space());
   app::Checkpoints checkpoints(output, march, app::wall_limit(list), comm);
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, {"fluid"}, {});

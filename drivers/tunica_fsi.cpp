@@ -48,6 +48,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
 
   // 3. From where it goes on after a restart; what is written, and when.
   const CommPtr comm = domain.fluid->comm;
+  for (const auto& [name, system] : scheme->systems())
+    app::tell_unknowns(output.record, name, *system->last_jacobian().space());
   app::WallShear shear(list.sublist("Output"), fluid);
   app::TimeMarch march(list,
                        {{"fluid", &fluid},

@@ -26,6 +26,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   march.judge(wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), nullptr, &*domain.wall);
   const CommPtr comm = domain.wall->comm;
+  app::tell_unknowns(output.record, "wall", *wall.space());
   app::Checkpoints checkpoints(output, march, app::wall_limit(list), comm);
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, {"wall"}, {});

@@ -31,16 +31,9 @@ long long global_tets(const fields::FieldMesh& mesh) {
   return static_cast<long long>(global_sum(*mesh.comm, counted));
 }
 
-/// Entries of the four blocks of a field's Jacobian: 16 per pair of coupled nodes.
-double jacobian_megabytes(const fields::FieldMesh& mesh) {
-  const double pairs = 15.0 * static_cast<double>(global_nodes(mesh));  // typical of tetrahedra
-  return pairs * 16.0 * 12.0 / 1e6;
-}
-
 void describe(std::ostream& out, const std::string& name, const fields::FieldMesh& mesh) {
-  out << name << ": " << global_nodes(mesh) << " vertices, " << global_tets(mesh) << " tetrahedra, "
-      << 4 * global_nodes(mesh) << " unknowns, Jacobian about " << jacobian_megabytes(mesh)
-      << " MB\n";
+  out << name << ": " << global_nodes(mesh) << " vertices, " << global_tets(mesh)
+      << " tetrahedra\n";
 }
 
 void describe_domain(const Domain& domain, const Comm& comm) {

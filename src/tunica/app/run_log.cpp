@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <numeric>
 #include <sstream>
 
@@ -192,6 +193,14 @@ discretisation::Observables joined(const std::vector<discretisation::Observables
   for (const discretisation::Observables& part : parts)
     all.insert(all.end(), part.begin(), part.end());
   return all;
+}
+
+void tell_unknowns(output::RunRecord& record, const std::string& system,
+                   const algebra::BlockSpace& space) {
+  const long long count = space.n_unknowns();
+  record.set("sizes", system + " unknowns", count);
+  if (space.comm()->getRank() == 0)
+    std::cout << "unknowns of the " << system << ": " << count << std::endl;
 }
 
 void record_assembly(output::RunRecord& record, const std::string& field, const Throughput& meter,

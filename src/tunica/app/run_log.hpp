@@ -83,6 +83,10 @@ StepSummary summary_of(const Outcome& failure, const std::vector<std::string>& f
 /// All observables in one list.
 discretisation::Observables joined(const std::vector<discretisation::Observables>& parts);
 
+/// Tells the unknowns of a system that Newton's method solves, and records them. Collective.
+void tell_unknowns(output::RunRecord& record, const std::string& system,
+                   const algebra::BlockSpace& space);
+
 /// Notes how fast a field's Jacobians were assembled, in tetrahedra per second and rank.
 /// Collective.
 void record_assembly(output::RunRecord& record, const std::string& field, const Throughput& meter,
