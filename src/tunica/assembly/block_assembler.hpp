@@ -38,7 +38,7 @@ private:
 };
 
 /// What the Jacobian of a field is part of: that of several fields, in which the field has other
-/// numbers and units.
+/// numbers and units. Without place and units it is the field's own, which finish() closes.
 struct Whole {
   fields::BlockOperator* K;         ///< open for writing
   const fields::FieldPlace* place;  ///< of the field's elements and nodes
