@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tunica/algebra/independent_set.hpp"
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 
@@ -24,9 +25,6 @@ Teuchos::RCP<const Map> flagged_map(const Vector& flags) {
 }
 
 PickedMatrix::PickedMatrix(const CrsMatrix& K, const Vector& rows, const Vector& columns) {
-  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
-  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
-  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
   const Vector on_columns_of_K = on_columns(K, columns);
   const std::vector<int> kept_columns = flagged_rows(on_columns_of_K);
   std::vector<int> place(on_columns_of_K.getLocalLength(), -1);
@@ -45,12 +43,10 @@ PickedMatrix::PickedMatrix(const CrsMatrix& K, const Vector& rows, const Vector&
       }
     row_start(r + 1) = entries.size();
   }
-  Columns kept("columns", entries.size());
+  LocalColumns kept("columns", entries.size());
   std::copy(entries.begin(), entries.end(), kept.data());
-  const Teuchos::RCP<const Map> row_map = flagged_map(rows);
-  matrix_ = Teuchos::rcp(new CrsMatrix(row_map, flagged_map(on_columns_of_K), row_start, kept,
-                                       Values("values", entries.size())));
-  matrix_->expertStaticFillComplete(flagged_map(columns), row_map);
+  matrix_ = static_matrix(flagged_map(rows), flagged_map(on_columns_of_K), row_start, kept,
+                          flagged_map(columns));
   refresh(K);
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::algebra {
@@ -78,9 +79,6 @@ struct TransposedGraph {
 /// Pᵀ A P without values, on one rank. Tpetra's own takes room for three times its values while it
 /// looks for it.
 Teuchos::RCP<CrsMatrix> triple_graph(const CrsMatrix& A, const CrsMatrix& P) {
-  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
-  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
-  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
   const auto of_A = A.getLocalMatrixHost().graph, of_P = P.getLocalMatrixHost().graph;
   const TransposedGraph Pt(P);
   const int n_coarse = static_cast<int>(Pt.start.size()) - 1;
@@ -95,12 +93,9 @@ Teuchos::RCP<CrsMatrix> triple_graph(const CrsMatrix& A, const CrsMatrix& P) {
     std::sort(found.begin() + row_start(i), found.end());
     row_start(i + 1) = found.size();
   }
-  Columns columns("columns", found.size());
+  LocalColumns columns("columns", found.size());
   std::copy(found.begin(), found.end(), columns.data());
-  const auto product = Teuchos::rcp(new CrsMatrix(P.getDomainMap(), P.getColMap(), row_start,
-                                                  columns, Values("values", found.size())));
-  product->expertStaticFillComplete(P.getDomainMap(), P.getDomainMap());
-  return product;
+  return static_matrix(P.getDomainMap(), P.getColMap(), row_start, columns, P.getDomainMap());
 }
 
 }  // namespace

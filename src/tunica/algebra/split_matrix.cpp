@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "tunica/algebra/dof_layout.hpp"
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 
@@ -30,9 +31,6 @@ struct Places {
 
 SplitMatrix::SplitMatrix(const CrsMatrix& merged, const BlockSpace& space)
     : merged_(&merged), n_blocks_(space.n_blocks()) {
-  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
-  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
-  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
   const DofLayout layout(space);
   const Places rows(*merged.getRowMap(), layout), columns(*merged.getColMap(), layout);
   row_block_ = rows.block;
@@ -55,7 +53,7 @@ SplitMatrix::SplitMatrix(const CrsMatrix& merged, const BlockSpace& space)
   for (int r = 0; r < n_rows; ++r)
     for (auto k = from.row_map(r); k < from.row_map(r + 1); ++k)
       ++row_start[index(r, k)](rows.place[r] + 1);
-  std::vector<Columns> entries;
+  std::vector<LocalColumns> entries;
   std::vector<std::size_t> next(row_start.size(), 0);
   for (const RowStart& start : row_start) {
     for (std::size_t r = 1; r < start.extent(0); ++r) start(r) += start(r - 1);
@@ -74,9 +72,7 @@ SplitMatrix::SplitMatrix(const CrsMatrix& merged, const BlockSpace& space)
     for (int j = 0; j < n_blocks_; ++j) {
       const int b = n_blocks_ * i + j;
       blocks_.push_back(
-          Teuchos::rcp(new CrsMatrix(space[i].map, column_maps[j], row_start[b], entries[b],
-                                     Values("values", entries[b].extent(0)))));
-      blocks_.back()->expertStaticFillComplete(space[j].map, space[i].map);
+          static_matrix(space[i].map, column_maps[j], row_start[b], entries[b], space[j].map));
     }
   refresh();
 }

@@ -101,15 +101,7 @@ public:
   WallArrays(const Teuchos::Array<std::string>& wanted, bool has_frames, std::size_t n_elements) {
     for (const std::string& kind : wanted) has_[kind] = true;
     has_["fibres"] = has_["fibres"] && has_frames;
-    const auto reserve = [n_elements](output::Array& array) {
-      array.values.reserve(array.components * n_elements);
-    };
-    if (has_["stress"])
-      for (output::Array* array : {&stress_, &von_mises_}) reserve(*array);
-    if (has_["principal"])
-      for (output::Array* array : {&principal_stress_, &principal_stretch_}) reserve(*array);
-    if (has_["fibres"])
-      for (output::Array* array : {&around_, &along_, &fibres_[0], &fibres_[1]}) reserve(*array);
+    for (output::Array* array : chosen()) array->values.reserve(array->components * n_elements);
   }
 
   void add(const Strained& element) {
@@ -133,21 +125,20 @@ public:
 
   std::vector<output::Array> take() {
     std::vector<output::Array> all;
-    const auto take = [&all](output::Array& array) { all.push_back(std::move(array)); };
-    if (has_["stress"]) {
-      take(stress_);
-      take(von_mises_);
-    }
-    if (has_["principal"]) {
-      take(principal_stress_);
-      take(principal_stretch_);
-    }
-    if (has_["fibres"])
-      for (output::Array* array : {&around_, &along_, &fibres_[0], &fibres_[1]}) take(*array);
+    for (output::Array* array : chosen()) all.push_back(std::move(*array));
     return all;
   }
 
 private:
+  /// In their order in files.
+  std::vector<output::Array*> chosen() {
+    std::vector<output::Array*> all;
+    if (has_["stress"]) all.insert(all.end(), {&stress_, &von_mises_});
+    if (has_["principal"]) all.insert(all.end(), {&principal_stress_, &principal_stretch_});
+    if (has_["fibres"]) all.insert(all.end(), {&around_, &along_, &fibres_[0], &fibres_[1]});
+    return all;
+  }
+
   std::map<std::string, bool> has_;
   output::Array stress_{"cauchy_stress", 6, {}}, von_mises_{"von_mises", 1, {}};
   output::Array principal_stress_{"principal_stress", 3, {}};

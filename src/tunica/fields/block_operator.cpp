@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "tunica/algebra/dof_layout.hpp"
+#include "tunica/algebra/entry_offsets.hpp"
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/reduce.hpp"
@@ -118,13 +120,9 @@ Teuchos::RCP<const Vector> parts_of(const FieldMesh& mesh, const MeshParts& part
 
 Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
                                     int dofs_column) {
-  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
-  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
-  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
   const std::size_t pairs = graph.columns.size();
-  RowStart row_start("row start", static_cast<std::size_t>(dofs_row) * mesh.n_owned + 1);
-  Columns columns("columns", pairs * dofs_row * dofs_column);
-  Values values("values", pairs * dofs_row * dofs_column);
+  algebra::RowStart row_start("row start", static_cast<std::size_t>(dofs_row) * mesh.n_owned + 1);
+  algebra::LocalColumns columns("columns", pairs * dofs_row * dofs_column);
   std::size_t next = 0;
   for (int a = 0; a < mesh.n_owned; ++a)
     for (int i = 0; i < dofs_row; ++i) {
@@ -132,12 +130,8 @@ Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mes
         for (int j = 0; j < dofs_column; ++j) columns(next++) = dofs_column * graph.columns[k] + j;
       row_start(dofs_row * a + i + 1) = next;
     }
-  const auto map = [&mesh](int dofs) { return dofs == 3 ? mesh.vector_map : mesh.node_map; };
-  const auto matrix = Teuchos::rcp(
-      new CrsMatrix(map(dofs_row), dofs_column == 3 ? mesh.ghosted_vector_map : mesh.ghosted_map,
-                    row_start, columns, values));
-  matrix->expertStaticFillComplete(map(dofs_column), map(dofs_row));
-  return matrix;
+  return algebra::static_matrix(mesh.owned_map(dofs_row), mesh.map_with_ghosts(dofs_column),
+                                row_start, columns, mesh.owned_map(dofs_column));
 }
 
 algebra::BlockSpacePtr nodal_space(const FieldMesh& mesh, const NodalBlocks& blocks,
@@ -155,35 +149,29 @@ public:
                 Teuchos::RCP<const Map> rows)
       : rows_(std::move(rows)),
         numbers_(global_numbers(*rows_).begin(), global_numbers(*rows_).end()) {
+    std::vector<std::vector<GlobalOrdinal>> of_block;
     for (int b = 0; b < K.n_blocks(); ++b) {
-      const FieldMesh& mesh = K.mesh_of(b);
       const int m = layout.components(b);
-      for (int a = mesh.n_owned; a < mesh.n_nodes(); ++a)
-        for (int i = 0; i < m; ++i)
-          numbers_.push_back(layout.merged(b, m * mesh.ghosted_map->getGlobalElement(a) + i));
+      of_block.push_back(layout.merged_numbers(*K.mesh_of(b).map_with_ghosts(m), b));
+      numbers_.insert(numbers_.end(), of_block[b].begin() + m * K.mesh_of(b).n_owned,
+                      of_block[b].end());
     }
     std::sort(numbers_.begin() + n_local(*rows_), numbers_.end());
     map_ = map_of(numbers_, K.mesh().comm);
-    for (int b = 0; b < K.n_blocks(); ++b) {
-      const FieldMesh& mesh = K.mesh_of(b);
-      const int m = layout.components(b);
-      first_.emplace_back();
-      for (int a = 0; a < mesh.n_nodes(); ++a)
-        first_.back().push_back(
-            map_->getLocalElement(layout.merged(b, m * mesh.ghosted_map->getGlobalElement(a))));
-    }
+    for (const auto& numbers : of_block) local_.push_back(algebra::local_numbers(numbers, *map_));
+    for (int b = 0; b < K.n_blocks(); ++b) components_.push_back(layout.components(b));
   }
 
   const Teuchos::RCP<const Map>& rows() const { return rows_; }
   const Teuchos::RCP<const Map>& map() const { return map_; }
   /// The local number of component 0 at a node of a block.
-  int first(int block, int node) const { return first_[block][node]; }
-  const std::vector<int>& first(int block) const { return first_[block]; }
+  int first(int block, int node) const { return local_[block][components_[block] * node]; }
 
 private:
   Teuchos::RCP<const Map> rows_, map_;
   std::vector<GlobalOrdinal> numbers_;
-  std::vector<std::vector<int>> first_;
+  std::vector<std::vector<int>> local_;  ///< of the unknowns of each block
+  std::vector<int> components_;
 };
 
 }  // namespace
@@ -222,9 +210,6 @@ BlockOperator::BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks,
 }
 
 void BlockOperator::make_merged(const Graphs& graphs) {
-  using RowStart = CrsMatrix::local_graph_device_type::row_map_type::non_const_type;
-  using Columns = CrsMatrix::local_graph_device_type::entries_type::non_const_type;
-  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
   const algebra::DofLayout layout(*space());
   const MergedColumns numbers(*this, layout, layout.merged_map(*space()));
   const auto graph = [&](int row, int column) -> const NodeGraph& {
@@ -235,7 +220,7 @@ void BlockOperator::make_merged(const Graphs& graphs) {
       for (int a = 0; a < mesh_of(b).n_owned; ++a) work(b, a);
   };
 
-  RowStart row_start("row start", n_local(*numbers.rows()) + 1);
+  algebra::RowStart row_start("row start", n_local(*numbers.rows()) + 1);
   std::size_t longest = 0;
   for_each_row([&](int b, int a) {
     std::size_t length = 0;
@@ -247,7 +232,7 @@ void BlockOperator::make_merged(const Graphs& graphs) {
                    std::numeric_limits<std::int16_t>::max(),
                "a vertex of the mesh has more than 8,000 neighbours");
   for (std::size_t r = 1; r < row_start.extent(0); ++r) row_start(r) += row_start(r - 1);
-  Columns columns("columns", row_start(row_start.extent(0) - 1));
+  algebra::LocalColumns columns("columns", row_start(row_start.extent(0) - 1));
 
   rows_.resize(n_blocks());
   std::vector<std::vector<std::int16_t>> places;  // per pair of blocks and column of its graph
@@ -277,12 +262,10 @@ void BlockOperator::make_merged(const Graphs& graphs) {
           columns(start + i * length + place) = entry.column + j;
     }
   });
-  const auto matrix = Teuchos::rcp(new CrsMatrix(numbers.rows(), numbers.map(), row_start, columns,
-                                                 Values("values", columns.extent(0))));
-  matrix->expertStaticFillComplete(numbers.rows(), numbers.rows());
-  store_merged(matrix);
-  columns_ = matrix->getLocalMatrixHost().graph.entries.data();
-  columns_of_vectors_ = numbers.first(0);
+  store_merged(
+      algebra::static_matrix(numbers.rows(), numbers.map(), row_start, columns, numbers.rows()));
+  columns_ = merged()->getLocalMatrixHost().graph.entries.data();
+  for (int a = 0; a < mesh_->n_nodes(); ++a) columns_of_vectors_.push_back(numbers.first(0, a));
   find_element_places(graphs, places);
 }
 

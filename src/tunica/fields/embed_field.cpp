@@ -24,13 +24,10 @@ algebra::Embedding embed(const FieldOfSeveral& field, const BlockOperator& whole
     const int m = (*whole.space())[b].components;
     const FieldMesh& mesh = m == 1 ? scalar_mesh(field.mesh, field.split) : field.mesh;
     const FieldMesh& there = whole.mesh_of(b);
-    algebra::Embedding::Place place{b,
-                                    m == 1 ? mesh.node_map : mesh.vector_map,
-                                    m == 1 ? mesh.ghosted_map : mesh.ghosted_vector_map,
-                                    {}};
+    algebra::Embedding::Place place{b, mesh.owned_map(m), mesh.map_with_ghosts(m), {}};
     for (const int a : place_in(mesh, there).nodes)
       for (int i = 0; i < m; ++i)
-        place.numbers.push_back(m * there.ghosted_map->getGlobalElement(a) + i);
+        place.numbers.push_back(there.map_with_ghosts(m)->getGlobalElement(m * a + i));
     places.push_back(std::move(place));
   }
   return {*whole.space(), std::move(places)};

@@ -74,6 +74,13 @@ struct FieldMesh {
   Teuchos::RCP<const Import> import;  ///< node_map -> ghosted_map
   Teuchos::RCP<const Import> vector_import;
 
+  /// The maps of one or three unknowns per node.
+  const Teuchos::RCP<const Map>& owned_map(int components) const {
+    return components == 1 ? node_map : vector_map;
+  }
+  const Teuchos::RCP<const Map>& map_with_ghosts(int components) const {
+    return components == 1 ? ghosted_map : ghosted_vector_map;
+  }
   /// Index into surfaces; -1 for an unknown name.
   int surface_index(const std::string& name) const;
   int n_nodes() const { return static_cast<int>(x.size()); }

@@ -200,6 +200,7 @@ void CoupledProblem::jacobian(const algebra::BlockVector& x) {
   read(x);
   jacobian_fluid_x_.assign(fluid_x_);
   jacobian_wall_x_.assign(wall_x_);
+  // K = Σ R Pᵀ K_i P S over the fields, see algebra::Embedding
   const Stopwatch opening;
   K_->begin_assembly();
   seconds_.matrix += opening.seconds();

@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/algebra/merged_matrix.hpp"
+#include "unit/algebra/by_blocks.hpp"
 #include "unit/linear/mixed_operator.hpp"
 
 namespace {
@@ -31,18 +32,10 @@ TEUCHOS_UNIT_TEST(merged_matrix, unknowns_of_a_node_stand_side_by_side) {
     for (int i = 0; i < 4; ++i) TEST_EQUALITY(values[4 * a + i], 10.0 * tube.wall.vertex[a] + i);
 }
 
-/// A matrix that is stored block by block, with the blocks of another.
-algebra::BlockMatrix stored_by_blocks(const algebra::BlockMatrix& K) {
-  algebra::BlockMatrix blocks(K.space());
-  for (int i = 0; i < K.n_blocks(); ++i)
-    for (int j = 0; j < K.n_blocks(); ++j) blocks.set(i, j, K(i, j));
-  return blocks;
-}
-
 TEUCHOS_UNIT_TEST(merged_matrix, of_blocks_follows_them_with_a_refresh) {
   const SmallTube tube;
   test::WallJacobian jacobian(tube);
-  const algebra::BlockMatrix blocks = stored_by_blocks(jacobian.K);
+  const algebra::BlockMatrix blocks = test::blocks_of(jacobian.K);
   algebra::MergedMatrix merged(blocks);
   TEST_ASSERT(merged.matrix() != jacobian.K.merged());
   for (const double size : {0.0, 0.005}) {

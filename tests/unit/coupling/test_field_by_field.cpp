@@ -4,12 +4,15 @@
 #include "tunica/algebra/sub_system.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/linear/linear_solver.hpp"
+#include "unit/algebra/by_blocks.hpp"
 #include "unit/coupling/coupled_tube.hpp"
 
 namespace {
 
 using namespace tunica;
+using test::blocks_of;
 using test::CoupledTube;
+using test::product_of_blocks;
 using Names = std::vector<std::string>;
 
 const Names wall{"wall", "interface"}, lumen{"lumen"}, lumen_and_interface{"lumen", "interface"};
@@ -37,14 +40,6 @@ algebra::BlockVector numbers(const algebra::BlockSpacePtr& space) {
           71.3 * b + static_cast<double>(x[b].getMap()->getGlobalElement(static_cast<int>(i))));
   }
   return x;
-}
-
-/// y = K x with the blocks alone.
-algebra::BlockVector product(const algebra::BlockMatrix& K, const algebra::BlockVector& x) {
-  algebra::BlockVector y(K.space());
-  for (int i = 0; i < K.n_blocks(); ++i)
-    for (int j = 0; j < K.n_blocks(); ++j) K(i, j)->apply(x[j], y[i], Teuchos::NO_TRANS, 1.0, 1.0);
-  return y;
 }
 
 double norm(const algebra::BlockVector& x) {
@@ -97,14 +92,6 @@ algebra::BlockVector solved(const Teuchos::ParameterList& list, const Coupled& t
   return x;
 }
 
-/// Without what the windkessel adds of low rank.
-algebra::BlockMatrix blocks_of(const algebra::BlockMatrix& K) {
-  algebra::BlockMatrix blocks(K.space());
-  for (int i = 0; i < K.n_blocks(); ++i)
-    for (int j = 0; j < K.n_blocks(); ++j) blocks.set(i, j, K(i, j));
-  return blocks;
-}
-
 TEUCHOS_UNIT_TEST(sub_system, is_the_whole_without_other_unknowns) {
   const Coupled tube;
   for (const Names& parts : {wall, lumen, lumen_and_interface}) {
@@ -114,9 +101,10 @@ TEUCHOS_UNIT_TEST(sub_system, is_the_whole_without_other_unknowns) {
     algebra::BlockVector x_s(part.matrix().space()), expected(x_s.space()), only(x.space());
     part.restrict(x, x_s);
     part.add(1.0, x_s, only);
-    part.restrict(product(tube.K(), only), expected);
+    part.restrict(product_of_blocks(tube.K(), only), expected);
     TEST_COMPARE(norm(expected), >, 0.0);
-    TEST_COMPARE(distance(product(part.matrix(), x_s), expected), <, 1e-13 * norm(expected));
+    TEST_COMPARE(distance(product_of_blocks(part.matrix(), x_s), expected), <,
+                 1e-13 * norm(expected));
   }
 }
 
@@ -141,8 +129,8 @@ TEUCHOS_UNIT_TEST(sub_system, follows_new_values) {
   tube.problem.jacobian(x);
   part.refresh();
   const auto x_s = numbers(part.matrix().space());
-  const auto expected = product(algebra::SubSystem(tube.K(), wall).matrix(), x_s);
-  TEST_COMPARE(distance(product(part.matrix(), x_s), expected), <=, 0.0);
+  const auto expected = product_of_blocks(algebra::SubSystem(tube.K(), wall).matrix(), x_s);
+  TEST_COMPARE(distance(product_of_blocks(part.matrix(), x_s), expected), <=, 0.0);
 }
 
 TEUCHOS_UNIT_TEST(field_by_field, one_field_of_all_parts_is_the_inverse) {
@@ -160,7 +148,7 @@ TEUCHOS_UNIT_TEST(field_by_field, a_sweep_leaves_nothing_in_the_last_field) {
   const Coupled tube;
   const auto b = numbers(tube.K().space());
   const auto y = solved(solver({field(wall), field(lumen)}), tube, blocks_of(tube.K()), b);
-  auto rest = product(tube.K(), y);
+  auto rest = product_of_blocks(tube.K(), y);
   for (int k = 0; k < rest.n_blocks(); ++k) rest[k].update(1.0, b[k], -1.0);  // b − K y
   const algebra::SubSystem first(tube.K(), wall), last(tube.K(), lumen);
   algebra::BlockVector in_first(first.matrix().space()), in_last(last.matrix().space());
@@ -170,7 +158,7 @@ TEUCHOS_UNIT_TEST(field_by_field, a_sweep_leaves_nothing_in_the_last_field) {
   algebra::BlockVector y_last(in_last.space()), only(b.space()), of_last(in_first.space());
   last.restrict(y, y_last);
   last.add(-1.0, y_last, only);
-  first.restrict(product(tube.K(), only), of_last);
+  first.restrict(product_of_blocks(tube.K(), only), of_last);
   TEST_COMPARE(norm(of_last), >, 1e-3 * norm(b));
   TEST_COMPARE(distance(in_first, of_last), <, 1e-9 * norm(b));
 }
@@ -199,7 +187,7 @@ TEUCHOS_UNIT_TEST(field_by_field, solves_with_each_order_and_share) {
   const Coupled tube;
   const auto x = numbers(tube.K().space());
   const algebra::BlockMatrix K = blocks_of(tube.K());
-  const auto b = product(K, x);
+  const auto b = product_of_blocks(K, x);
   const std::vector<std::vector<Teuchos::ParameterList>> ways{
       {field(wall), field(lumen)},
       {field(wall, "wall"), field(lumen)},

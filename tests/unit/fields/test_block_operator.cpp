@@ -3,6 +3,7 @@
 #include <set>
 
 #include "tunica/fields/block_operator.hpp"
+#include "unit/algebra/by_blocks.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {
@@ -89,25 +90,17 @@ TEUCHOS_UNIT_TEST(block_operator, apply_is_the_product_with_the_whole_matrix) {
   TEST_COMPARE(test::largest_difference(test::by_vertex(tube.fluid, y, n), expected), <, 1e-12);
 }
 
-algebra::BlockVector product_of_blocks(const fields::BlockOperator& K,
-                                       const algebra::BlockVector& x) {
-  algebra::BlockVector y(K.space());
-  for (int i = 0; i < K.n_blocks(); ++i)
-    for (int j = 0; j < K.n_blocks(); ++j)
-      K(i, j)->apply(x[j], y[i], Teuchos::NO_TRANS, 1.0, j == 0 ? 0.0 : 1.0);
-  return y;
-}
-
 TEUCHOS_UNIT_TEST(block_operator, blocks_are_those_of_the_matrix_whatever_its_values_become) {
   const SmallTube tube;
   fields::BlockOperator K(tube.wall);
   const auto x = test::scattered(tube.wall, 1);
   algebra::BlockVector y(K.space());
-  TEST_EQUALITY(test::norm(product_of_blocks(K, x)), 0.0);  // asked for before there are values
+  TEST_EQUALITY(test::norm(test::product_of_blocks(K, x)),
+                0.0);  // asked for before there are values
   fill(K, tube.wall);
   K.apply(x, y);
   TEST_COMPARE(test::norm(y), >, 1.0);
-  TEST_COMPARE(test::relative_difference(product_of_blocks(K, x), y), <, 1e-14);
+  TEST_COMPARE(test::relative_difference(test::product_of_blocks(K, x), y), <, 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(block_operator, elements_find_their_pairs_also_where_scalars_jump) {
