@@ -1,13 +1,12 @@
 #!/bin/bash
 # clang-tidy finds nothing in the sources of these folders; .clang-tidy says what it looks for.
-# Versions know different checks, so only Debian 12's counts.
 # Usage: tidy.sh CLANG_TIDY BUILD FOLDER...
 set -euo pipefail
 tool=$1
 build=$2
 shift 2
-if ! "$tool" --version 2>/dev/null | grep -q "version 14\."; then
-  echo "clang-tidy 14 is missing; on Debian 12 it is in the package clang-tidy"
+if ! "$tool" --version; then
+  echo "clang-tidy is missing; on Debian it is in the package clang-tidy"
   exit 1
 fi
 find "$@" -name '*.cpp' -print0 | sort -z |

@@ -66,7 +66,7 @@ void catch_fatal_signals(const std::string& program, int rank) {
   stack.ss_sp = mine.stack.data();
   stack.ss_size = mine.stack.size();
   ::sigaltstack(&stack, nullptr);
-  struct sigaction action {};
+  struct sigaction action = {};
   action.sa_sigaction = handle;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   for (std::size_t k = 0; k < fatal.size(); ++k) ::sigaction(fatal[k], &action, &mine.before[k]);

@@ -20,7 +20,7 @@ void take_down(int number) {
 }  // namespace
 
 void catch_stop_signals() {
-  struct sigaction action {};
+  struct sigaction action = {};
   action.sa_handler = take_down;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);

@@ -18,8 +18,8 @@ DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
                                    problems::MeshMotion& motion)
     : options_(coupling_options(list)), interface_(&interface), fluid_(&fluid), wall_(&wall),
       motion_(&motion), accelerator_kind_(list.get<std::string>("accelerator")),
-      accelerator_(make_accelerator(list, wall.mesh().comm)), history_{InterfaceVector(
-                                                                  3 * interface.n_owned(), 0.0)} {
+      accelerator_(make_accelerator(list, wall.mesh().comm)),
+      history_(1, InterfaceVector(3 * interface.n_owned(), 0.0)) {
   fluid.linear_solver();  // wrong names in its lists are told before anything is solved
   wall.linear_solver();
   if (list.get<std::string>("preconditioner") == "added mass")

@@ -53,8 +53,7 @@ int opened(const std::string& path) {
 
 /// The file may have been removed by its holder between the opening and the lock.
 bool is_still_there(int file, const std::string& path) {
-  struct stat mine {
-  }, there{};
+  struct stat mine = {}, there = {};
   return ::fstat(file, &mine) == 0 && ::stat(path.c_str(), &there) == 0 &&
          mine.st_ino == there.st_ino && mine.st_dev == there.st_dev;
 }

@@ -51,24 +51,22 @@ std::string cells(const Mesh& mesh) {
   append(connectivity, mesh.tets);
   append(connectivity, mesh.triangles);
   const auto tets = mesh.tets.size();
-  const std::string offsets = per_cell(
-      mesh, [](std::size_t t) { return 4 * (t + 1); },
-      [&](std::size_t i) { return 4 * tets + 3 * (i + 1); });
-  const std::string types = per_cell(
-      mesh, [](std::size_t) { return 10; }, [](std::size_t) { return 5; });
+  const auto end_of_tet = [](std::size_t t) { return 4 * (t + 1); };
+  const auto end_of_triangle = [&](std::size_t i) { return 4 * tets + 3 * (i + 1); };
+  const std::string offsets = per_cell(mesh, end_of_tet, end_of_triangle);
+  const auto tetra = [](std::size_t) { return 10; };
+  const auto triangle = [](std::size_t) { return 5; };
+  const std::string types = per_cell(mesh, tetra, triangle);
   return "<Cells>\n" + array("Int64", "connectivity", connectivity) +
          array("Int64", "offsets", offsets) + array("UInt8", "types", types) + "</Cells>\n";
 }
 
 std::string cell_data(const Mesh& mesh) {
   const auto zero = [](std::size_t) { return 0; };
-  std::string text =
-      array("Int32", "region",
-            per_cell(
-                mesh, [&](std::size_t t) { return mesh.regions[mesh.tet_region[t]].id; }, zero));
-  text += array("Int32", "surface", per_cell(mesh, zero, [&](std::size_t i) {
-                  return mesh.surfaces[mesh.triangle_surface[i]].id;
-                }));
+  const auto region = [&](std::size_t t) { return mesh.regions[mesh.tet_region[t]].id; };
+  const auto surface = [&](std::size_t i) { return mesh.surfaces[mesh.triangle_surface[i]].id; };
+  std::string text = array("Int32", "region", per_cell(mesh, region, zero)) +
+                     array("Int32", "surface", per_cell(mesh, zero, surface));
   for (const TetVectors& vectors : mesh.tet_vectors) {
     std::string values;
     for (const Vec3& v : vectors.values) values += point(v);

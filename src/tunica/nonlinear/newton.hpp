@@ -58,8 +58,8 @@ struct NewtonStep {
   double increment = 0.0;           ///< mass norm of the full Newton step
   double relative_increment = 0.0;  ///< to the first one
   double residual = 0.0;            ///< Euclidean norm of F after the step
-  double exponent = 0.0;     ///< log(e_k/e_{k−1}) / log(e_{k−1}/e_{k−2}); 0 until the third
-  double step_length = 0.0;  ///< of the line search
+  double exponent = 0.0;            ///< log(e_k/e_{k−1})/log(e_{k−1}/e_{k−2}); else 0
+  double step_length = 0.0;         ///< of the line search
   linear::SolveReport linear;
 };
 

@@ -86,8 +86,8 @@ long long MatrixMarketReader::integer(const std::string& what) {
 double MatrixMarketReader::number(const std::string& what) {
   const std::string text = word();
   std::string in_c = text;
-  std::replace_if(
-      in_c.begin(), in_c.end(), [](char c) { return c == 'D' || c == 'd'; }, 'e');
+  const auto is_fortrans = [](char c) { return c == 'D' || c == 'd'; };
+  std::replace_if(in_c.begin(), in_c.end(), is_fortrans, 'e');
   double value = 0.0;
   if (!is_whole(in_c, value)) refuse("expected " + what + ", found \"" + text + "\"");
   if (!std::isfinite(value)) refuse(what + " is not finite");

@@ -141,9 +141,10 @@ TEUCHOS_UNIT_TEST(added_mass, a_residual_that_is_no_number_comes_back_as_it_is) 
 
 TEUCHOS_UNIT_TEST(added_mass, leaves_tangential_residuals_alone) {
   Tube tube;
-  const InterfaceVector r = tube.values([](const Vec3& x, const Vec3& n) {
+  const auto swirl = [](const Vec3& x, const Vec3& n) {
     return Vec3{-0.3 * n[1], 0.3 * n[0], 1.0 + x[2]};
-  });
+  };
+  const InterfaceVector r = tube.values(swirl);
   const InterfaceVector z = tube.P.apply(r);
   TEST_COMPARE(test::largest_difference(z, r), <, 1e-12);
 }

@@ -51,7 +51,7 @@ TEUCHOS_UNIT_TEST(atomic_file, the_old_one_stays_until_commit) {
 TEUCHOS_UNIT_TEST(atomic_file, without_commit_nothing_happens) {
   const std::string path = old_file("b.txt");
   if (world()->getRank() != 0) return;
-  { AtomicFile(path).add("new"); }
+  AtomicFile(path).add("new");
   TEST_EQUALITY(content(path), "old");
   TEST_ASSERT(is_alone(path));
 }

@@ -88,9 +88,8 @@ TEUCHOS_UNIT_TEST(mesh_validate, overlapping_elements_are_found) {
 }
 
 TEUCHOS_UNIT_TEST(mesh_validate, bad_vertices_are_named) {
-  TEST_ASSERT(refuses("belongs to no tetrahedron", out, [](Mesh& m) {
-    m.vertices.push_back({1, 2, 3});
-  }));
+  const auto add_vertex = [](Mesh& m) { m.vertices.push_back({1, 2, 3}); };
+  TEST_ASSERT(refuses("belongs to no tetrahedron", out, add_vertex));
   TEST_ASSERT(refuses("vertex 5 has a coordinate", out, [](Mesh& m) {
     m.vertices[5][1] = std::numeric_limits<double>::quiet_NaN();
   }));

@@ -109,9 +109,8 @@ TEUCHOS_UNIT_TEST(mesh_wall, names_between_three_layers_are_theirs) {
 }
 
 TEUCHOS_UNIT_TEST(mesh_wall, ends_in_the_plane_of_an_oblique_cap) {
-  const Mesh lumen = moved(make_tube(lumen_tube()), [](const Vec3& x) {
-    return Vec3{x[0], x[1], x[2] + 0.5 * x[0]};
-  });
+  const auto sheared = [](const Vec3& x) { return Vec3{x[0], x[1], x[2] + 0.5 * x[0]}; };
+  const Mesh lumen = moved(make_tube(lumen_tube()), sheared);
   const wall::Options options = on_interface();
   const wall::Grown grown = wall::grow(lumen, options);
   TEST_ASSERT(is_sound(grown, options));

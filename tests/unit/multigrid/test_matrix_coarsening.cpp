@@ -68,9 +68,8 @@ TEUCHOS_UNIT_TEST(node_graph, couples_both_ways_whatever_the_values) {
 }
 
 TEUCHOS_UNIT_TEST(node_graph, a_node_without_scalar_is_refused_on_all_ranks) {
-  const auto text = test::complaint([] {
-    multigrid::nodes_of(*one_way(3), algebra::DofLayout({1, 1}));
-  });
+  const auto without_scalar = [] { multigrid::nodes_of(*one_way(3), algebra::DofLayout({1, 1})); };
+  const auto text = test::complaint(without_scalar);
   TEST_INEQUALITY(text.find("unknown 2 of node 1"), std::string::npos);
 }
 

@@ -100,7 +100,7 @@ TEUCHOS_UNIT_TEST(run_record, knows_which_leg_has_made_a_checkpoint) {
 
 TEUCHOS_UNIT_TEST(run_record, that_nobody_finished_says_failed) {
   const std::string path = record_file("abandoned");
-  { RunRecord(path, "tunica-fsi", "0.1.0", world()).save(); }
+  RunRecord(path, "tunica-fsi", "0.1.0", world()).save();
   world()->barrier();
   TEST_EQUALITY(parse(path)["status"].get<std::string>(), "failed");
 }

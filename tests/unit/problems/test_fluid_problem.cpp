@@ -44,7 +44,7 @@ TEUCHOS_UNIT_TEST(fluid_problem, jacobian_is_the_derivative_of_the_residual) {
   TEST_ASSERT(fluid.set_domain(bulge(tube.fluid, 0.05), bulge(tube.fluid, 0.03)).is_success());
   fluid.prepare();
   const auto x = test::scattered(tube.fluid, 1);  // flow in and out at both ends
-  const std::vector<int> interface { tube.surface("interface") };
+  const std::vector<int> interface(1, tube.surface("interface"));
   for (int direction = 2; direction < 5; ++direction) {
     const auto v = test::free_part(tube.fluid, test::scattered(tube.fluid, direction), interface);
     TEST_COMPARE(test::jacobian_error(fluid, x, v, 1e-5), <, 1e-7);

@@ -66,12 +66,12 @@ algebra::Nodes nodes_of(const CrsMatrix& K, const algebra::DofLayout& numbering)
   Neighbours neighbours(n_local(*nodes));
   for (std::size_t a = 0; a < neighbours.size(); ++a)
     neighbours[a].push_back(nodes->getGlobalElement(static_cast<int>(a)));
-  append(
-      K, *nodes, [&](GlobalOrdinal number) { return number / numbering.dofs(); }, neighbours);
+  const auto node_of = [&](GlobalOrdinal number) { return number / numbering.dofs(); };
+  append(K, *nodes, node_of, neighbours);
   const auto one_way = matrix_of(neighbours, nodes);
   Tpetra::RowMatrixTransposer<Scalar, LocalOrdinal, GlobalOrdinal, Node> transposer(one_way);
-  append(
-      *transposer.createTranspose(), *nodes, [](GlobalOrdinal node) { return node; }, neighbours);
+  const auto itself = [](GlobalOrdinal node) { return node; };
+  append(*transposer.createTranspose(), *nodes, itself, neighbours);
   const auto order = Teuchos::rcp(new Vector(nodes));
   for (const GlobalOrdinal node : global_numbers(*nodes))
     order->replaceGlobalValue(node, static_cast<Scalar>(node));
