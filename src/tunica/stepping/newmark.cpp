@@ -1,25 +1,29 @@
 #include "tunica/stepping/newmark.hpp"
 
+#include "tunica/stepping/implicit_euler.hpp"
+
 namespace tunica::stepping {
 
 Newmark::Newmark(const Teuchos::ParameterList& list)
-    : Newmark(list.get<double>("beta"), list.get<double>("gamma")) {}
+    : Newmark(list.get<double>("beta"), list.get<double>("gamma"),
+              list.get<std::string>("start") == "rest" ? Start::rest : Start::implicit_euler) {}
 
 Vec3 Newmark::momentum(const History& history, int node) const {
-  return 1.0 / (beta_ * step_size()) * history[0][node] +
-         (1.0 - 2.0 * beta_) / (2.0 * beta_) * history[1][node];
+  const Vec3 of_velocity = 1.0 / (beta() * step_size()) * history[0][node];
+  if (is_eulers()) return of_velocity;
+  return of_velocity + (1.0 - 2.0 * beta_) / (2.0 * beta_) * history[1][node];
 }
 
 Vec3 Newmark::inertia_load(const History& history, int node) const {
   const double dt = step_size();
-  return 1.0 / (beta_ * dt * dt) * history.value()[node] + momentum(history, node);
+  return 1.0 / (beta() * dt * dt) * history.value()[node] + momentum(history, node);
 }
 
 Vec3 Newmark::past(const History& history, int node) const {
   // v = vⁿ⁻¹ + (1 − γ)Δt aⁿ⁻¹ + γΔt a, with a = (d − dⁿ⁻¹)/(βΔt²) − momentum
   const double dt = step_size();
-  const Vec3 known = history[0][node] + dt * ((1.0 - gamma_) * history[1][node]) -
-                     gamma_ * dt * momentum(history, node);
+  const Vec3 known = history[0][node] + dt * ((1.0 - gamma()) * history[1][node]) -
+                     gamma() * dt * momentum(history, node);
   return history.value()[node] - 1.0 / rate() * known;
 }
 
@@ -27,29 +31,21 @@ void Newmark::accept(const std::vector<Vec3>& x, History& history) const {
   const double dt = step_size();
   for (std::size_t k = 0; k < x.size(); ++k) {
     const int node = static_cast<int>(k);
-    const Vec3 a = 1.0 / (beta_ * dt * dt) * (x[k] - history.value()[k]) - momentum(history, node);
-    history[0][k] = history[0][k] + dt * ((1.0 - gamma_) * history[1][k] + gamma_ * a);
+    const Vec3 a = 1.0 / (beta() * dt * dt) * (x[k] - history.value()[k]) - momentum(history, node);
+    history[0][k] = history[0][k] + dt * ((1.0 - gamma()) * history[1][k] + gamma() * a);
     history[1][k] = a;
   }
   history.value() = x;
 }
 
-namespace {
-
-/// c h³ times the third derivative, of which x − xᵖ has h (h + h₁)(h + h₁ + h₂)/6.
-ErrorFormula of_third_derivative(double c, const StepSizes& sizes) {
-  const auto [h, h1, h2] = without_gaps(sizes);
-  return {2, 6.0 * c * h * h / ((h + h1) * (h + h1 + h2))};
-}
-
-}  // namespace
-
 ErrorFormula Newmark::value_error(const StepSizes& sizes) const {
-  return of_third_derivative(1.0 / 6.0 - beta_, sizes);
+  if (is_eulers()) return ImplicitEuler(2).value_error(sizes);
+  return error_of_third_derivative(1.0 / 6.0 - beta_, sizes);
 }
 
 ErrorFormula Newmark::velocity_error(const StepSizes& sizes) const {
-  if (order() == 2) return of_third_derivative(-1.0 / 12.0, sizes);
+  if (is_eulers()) return ImplicitEuler(2).velocity_error(sizes);
+  if (order() == 2) return error_of_third_derivative(-1.0 / 12.0, sizes);
   // (½ − γ) h² of the second derivative, of which v − vᵖ has h (h + h₁)/2
   const StepSizes all = without_gaps(sizes);
   return {1, (1.0 - 2.0 * gamma_) * all.now / (all.now + all.last)};
@@ -60,7 +56,11 @@ SchemeEntry newmark_scheme() {
   table
       .number("beta", 0.625, params::Range{0.0, 1.0, true, false}, "1",
               "β; more than 0.5 keeps the pressure free of oscillations in time")
-      .number("gamma", 1.0, params::between(0.5, 1.0), "1", "γ; 1 is the first-order scheme");
+      .number("gamma", 1.0, params::between(0.5, 1.0), "1", "γ; 1 is the first-order scheme")
+      .choice("start", "rest", {"rest", "implicit euler"},
+              "of the first step, and behind a kink of the loads: with the acceleration of before "
+              "(rest, the paper's), or by a step of implicit euler, which finds that of the load "
+              "and so keeps second order where the load is there at once");
   return {"newmark",
           "the paper's for the wall, with the keys below",
           false,

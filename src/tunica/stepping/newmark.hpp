@@ -8,23 +8,30 @@ namespace tunica::stepping {
 ///   a = (d − dⁿ⁻¹)/(βΔt²) − vⁿ⁻¹/(βΔt) − (1 − 2β)/(2β) aⁿ⁻¹
 ///   v = vⁿ⁻¹ + (1 − γ)Δt aⁿ⁻¹ + γΔt a
 ///
+/// Its first step, and any before which a scheme begins anew, may be implicit Euler's, which finds
+/// the acceleration of the load there and keeps the order: aⁿ⁻¹ = 0 of a wall at rest is not that
+/// of a load that is there from the first instant.
+///
 /// Remembers v and a. Source: [LY1] section 4.1; β = 0.625, γ = 1 there.
 class Newmark final : public TimeScheme {
 public:
-  Newmark(double beta, double gamma) : beta_(beta), gamma_(gamma) {}
+  enum class Start { rest, implicit_euler };
+
+  Newmark(double beta, double gamma, Start start = Start::rest)
+      : beta_(beta), gamma_(gamma), start_(start) {}
   /// From a resolved "Newmark" list.
   explicit Newmark(const Teuchos::ParameterList& list);
 
   std::vector<std::string> remembers() const override { return {"velocity", "acceleration"}; }
   /// v = γ/(βΔt) (d − x̃).
-  double rate() const override { return gamma_ / (beta_ * step_size()); }
+  double rate() const override { return gamma() / (beta() * step_size()); }
   Vec3 past(const History& history, int node) const override;
   /// dⁿ⁻¹ + Δt vⁿ⁻¹.
   Vec3 prediction(const History& history, int node) const override {
     return history.value()[node] + step_size() * history[0][node];
   }
   double inertia(double density) const override {
-    return density / (beta_ * step_size() * step_size());
+    return density / (beta() * step_size() * step_size());
   }
   Vec3 inertia_load(const History& history, int node) const override;
   void accept(const std::vector<Vec3>& x, History& history) const override;
@@ -36,8 +43,13 @@ public:
 private:
   /// vⁿ⁻¹/(βΔt) + (1 − 2β)/(2β) aⁿ⁻¹.
   Vec3 momentum(const History& history, int node) const;
+  /// Euler's step is that with β = γ = 1 and without aⁿ⁻¹.
+  bool is_eulers() const { return start_ == Start::implicit_euler && previous_step_size() == 0.0; }
+  double beta() const { return is_eulers() ? 1.0 : beta_; }
+  double gamma() const { return is_eulers() ? 1.0 : gamma_; }
 
   double beta_, gamma_;
+  Start start_;
 };
 
 /// "newmark" of a wall.

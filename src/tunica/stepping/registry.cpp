@@ -6,6 +6,7 @@
 #include "tunica/stepping/implicit_euler.hpp"
 #include "tunica/stepping/newmark.hpp"
 #include "tunica/stepping/statics.hpp"
+#include "tunica/stepping/trapezoidal.hpp"
 
 namespace tunica::stepping {
 
@@ -14,6 +15,7 @@ const std::vector<SchemeEntry>& schemes() {
       bdf2_scheme(),            // "bdf2"
       implicit_euler_scheme(),  // "implicit euler"
       newmark_scheme(),         // "newmark"
+      trapezoidal_scheme(),     // "trapezoidal"
   };
   return all;
 }

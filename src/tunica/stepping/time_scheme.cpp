@@ -5,6 +5,12 @@ namespace tunica::stepping {
 History::History(std::vector<std::string> names, int n_places)
     : names_(std::move(names)), parts_(names_.size() + 1, std::vector<Vec3>(n_places)) {}
 
+ErrorFormula error_of_third_derivative(double c, const StepSizes& sizes) {
+  // x − xᵖ has h (h + h₁)(h + h₁ + h₂)/6 of it
+  const auto [h, h1, h2] = without_gaps(sizes);
+  return {2, 6.0 * c * h * h / ((h + h1) * (h + h1 + h2))};
+}
+
 namespace {
 
 template <class ValueAt>

@@ -42,6 +42,9 @@ struct ErrorFormula {
   double constant;  ///< C
 };
 
+/// The formula of a step that loses c Δt³ times the third derivative.
+ErrorFormula error_of_third_derivative(double c, const StepSizes& sizes);
+
 /// What the new value x of a quantity makes of its time derivatives in an implicit step:
 ///
 ///   ẋ = c (x − x̃)          first derivative,    x̃ from the history

@@ -3,8 +3,10 @@
 
 #include "tunica/stepping/bdf2.hpp"
 #include "tunica/stepping/implicit_euler.hpp"
+#include "tunica/stepping/newmark.hpp"
 #include "tunica/stepping/registry.hpp"
 #include "tunica/stepping/statics.hpp"
+#include "tunica/stepping/trapezoidal.hpp"
 
 namespace {
 
@@ -23,14 +25,29 @@ Teuchos::ParameterList wall_list(const std::string& scheme, const std::string& a
   return list;
 }
 
-/// x(1) of ẍ + x = sin²(πt) from rest in n steps of a scheme.
-double oscillator_from_rest(stepping::TimeScheme& scheme, int n) {
+/// x(1) of ẍ + x = f(t) from rest in n steps of a scheme.
+template <class Load>
+double oscillator_from_rest(stepping::TimeScheme& scheme, int n, const Load& f) {
   History history(scheme.remembers(), 1);
   for (stepping::Clock clock(1.0 / n, n); !clock.is_done(); clock.advance()) {
     scheme.begin_step(clock);
-    const double load = std::pow(std::sin(std::acos(-1.0) * clock.time()), 2);
-    const double x = (load + scheme.inertia_load(history, 0)[0]) / (scheme.inertia(1.0) + 1.0);
-    scheme.accept({{x, 0, 0}}, history);
+    const double load = f(clock.time()) + scheme.inertia_load(history, 0)[0];
+    scheme.accept({{load / (scheme.inertia(1.0) + 1.0), 0, 0}}, history);
+  }
+  return history.value()[0][0];
+}
+
+double smooth_load(double t) { return std::pow(std::sin(std::acos(-1.0) * t), 2); }
+double sudden_load(double) { return 1.0; }
+
+/// x(1) of ẋ + x = f(t) from rest in n steps of a scheme.
+template <class Load>
+double decay_from_rest(stepping::TimeScheme& scheme, int n, const Load& f) {
+  History history(scheme.remembers(), 1);
+  for (stepping::Clock clock(1.0 / n, n); !clock.is_done(); clock.advance()) {
+    scheme.begin_step(clock);
+    const double load = f(clock.time()) + scheme.rate() * scheme.past(history, 0)[0];
+    scheme.accept({{load / (scheme.rate() + 1.0), 0, 0}}, history);
   }
   return history.value()[0][0];
 }
@@ -152,10 +169,96 @@ TEUCHOS_UNIT_TEST(bdf2, is_of_second_order_on_an_oscillator) {
   // x = (1 − cos t)/2 + (cos 2πt − cos t)/(8π² − 2)
   const double pi = std::acos(-1.0);
   const double exact = 0.5 * (1.0 - std::cos(1.0)) * (1.0 + 1.0 / (4.0 * pi * pi - 1.0));
-  const double coarse = oscillator_from_rest(bdf2, 400) - exact;
-  const double fine = oscillator_from_rest(bdf2, 800) - exact;
+  const double coarse = oscillator_from_rest(bdf2, 400, smooth_load) - exact;
+  const double fine = oscillator_from_rest(bdf2, 800, smooth_load) - exact;
   TEST_FLOATING_EQUALITY(std::log2(coarse / fine), 2.0, 0.02);
   TEST_COMPARE(std::abs(fine), <, 1e-6);
+}
+
+TEUCHOS_UNIT_TEST(newmark, is_of_second_order_under_a_sudden_load_with_eulers_start) {
+  const double exact = 1.0 - std::cos(1.0);
+  const auto order = [&](stepping::Newmark newmark) {
+    const double coarse = oscillator_from_rest(newmark, 200, sudden_load) - exact;
+    const double fine = oscillator_from_rest(newmark, 400, sudden_load) - exact;
+    return std::log2(coarse / fine);
+  };
+  using stepping::Newmark;
+  TEST_FLOATING_EQUALITY(order(Newmark(0.25, 0.5, Newmark::Start::implicit_euler)), 2.0, 0.05);
+  TEST_FLOATING_EQUALITY(order(Newmark(0.25, 0.5)), 1.0, 0.05);  // aⁿ⁻¹ = 0 is not that of the load
+}
+
+TEUCHOS_UNIT_TEST(newmark, eulers_start_is_a_step_of_implicit_euler) {
+  stepping::Newmark newmark(0.3, 0.6, stepping::Newmark::Start::implicit_euler);
+  ImplicitEuler euler(2);
+  History ours(newmark.remembers(), 1), theirs(euler.remembers(), 1);
+  for (auto* history : {&ours, &theirs}) {
+    history->value()[0] = {1, 2, 3};
+    (*history)[0][0] = {4, 5, 6};
+  }
+  ours[1][0] = {7, 8, 9};  // of before a kink of the load
+  for (stepping::TimeScheme* scheme :
+       {static_cast<stepping::TimeScheme*>(&newmark), static_cast<stepping::TimeScheme*>(&euler)})
+    scheme->set_step_size(0.25);
+  TEST_EQUALITY(newmark.rate(), euler.rate());
+  TEST_COMPARE(norm(newmark.past(ours, 0) - euler.past(theirs, 0)), <, 1e-14);
+  TEST_COMPARE(norm(newmark.inertia_load(ours, 0) - euler.inertia_load(theirs, 0)), <, 1e-13);
+  const std::vector<Vec3> x{{2, 1, 5}};
+  const Vec3 v_old = theirs[0][0];
+  newmark.accept(x, ours);
+  euler.accept(x, theirs);
+  TEST_COMPARE(norm(ours[0][0] - theirs[0][0]), <, 1e-13);
+  TEST_COMPARE(norm(ours[1][0] - 4.0 * (theirs[0][0] - v_old)), <, 1e-12);  // a = (v − vⁿ⁻¹)/Δt
+}
+
+TEUCHOS_UNIT_TEST(trapezoidal, is_of_second_order_and_begins_anew_with_euler) {
+  const double pi = std::acos(-1.0), e = std::exp(-1.0);
+  // of ẋ + x = ½ (1 − cos 2πt):  x = ½ (1 − e⁻ᵗ) − (cos 2πt + 2π sin 2πt − e⁻ᵗ)/(2 (1 + 4π²))
+  const double smooth = 0.5 * (1.0 - e) * (1.0 - 1.0 / (1.0 + 4.0 * pi * pi));
+  stepping::Trapezoidal scheme;
+  for (const bool is_smooth : {true, false}) {
+    const auto error = [&](int n) {
+      return is_smooth ? decay_from_rest(scheme, n, smooth_load) - smooth
+                       : decay_from_rest(scheme, n, sudden_load) - (1.0 - e);
+    };
+    TEST_FLOATING_EQUALITY(std::log2(error(400) / error(800)), 2.0, 0.03);
+    TEST_COMPARE(std::abs(error(800)), <, 2e-6);
+  }
+}
+
+TEUCHOS_UNIT_TEST(trapezoidal, fluid_and_wall_make_the_same_velocity_of_a_displacement) {
+  // what the mesh on the interface does with the fluid's scheme, the wall does with its own
+  const auto wall = stepping::make_wall_scheme(wall_list("trapezoidal", "dynamic"));
+  stepping::Trapezoidal mesh;
+  History of_wall(wall->remembers(), 1), of_mesh(mesh.remembers(), 1);
+  double x = 0.0, previous = 0.0;
+  for (const double dt : {0.25, 0.25, 0.1, 0.4}) {
+    for (stepping::TimeScheme* scheme : {wall.get(), static_cast<stepping::TimeScheme*>(&mesh)})
+      scheme->set_step_size(dt, previous);
+    x += dt * dt;
+    TEST_FLOATING_EQUALITY(mesh.rate() * (x - mesh.past(of_mesh, 0)[0]),
+                           wall->rate() * (x - wall->past(of_wall, 0)[0]), 1e-12);
+    wall->accept({{x, 0, 0}}, of_wall);
+    mesh.accept({{x, 0, 0}}, of_mesh);
+    TEST_FLOATING_EQUALITY(of_mesh[0][0][0], of_wall[0][0][0], 1e-12);
+    previous = dt;
+  }
+}
+
+TEUCHOS_UNIT_TEST(trapezoidal, keeps_the_energy_of_an_oscillator) {
+  const auto scheme = stepping::make_wall_scheme(wall_list("trapezoidal", "dynamic"));
+  History history(scheme->remembers(), 1);
+  history.value()[0] = {1, 0, 0};
+  const auto energy = [&history] {
+    return 0.5 * (dot(history.value()[0], history.value()[0]) + dot(history[0][0], history[0][0]));
+  };
+  double first = 0.0;
+  for (stepping::Clock clock(0.3, 200); !clock.is_done(); clock.advance()) {
+    scheme->begin_step(clock);
+    const double x = scheme->inertia_load(history, 0)[0] / (scheme->inertia(1.0) + 1.0);
+    scheme->accept({{x, 0, 0}}, history);
+    if (clock.step() == 1) first = energy();  // behind Euler's step
+    TEST_FLOATING_EQUALITY(energy(), first, 1e-12);
+  }
 }
 
 TEUCHOS_UNIT_TEST(time_scheme, in_statics_nothing_has_inertia) {
