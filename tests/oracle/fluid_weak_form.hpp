@@ -16,10 +16,12 @@ struct FluidWeakFormOn {
   std::array<Vec<double>, 4> f;
   Vec<double> subscale;  ///< of the past
   Vec<double> viscous;   ///< div 2με
+  bool is_skew = false;  ///< convection has ρ/2 (div u) u beside it
 
   /// All sixteen rows of
   ///   (ρ(∂u + c·∇u − f), v) + 2μ (ε(u), ε(v)) − (p, div v) − (q, div u)
-  ///   + τ (c·∇v − ∇q/ρ, ρ(∂u + c·∇u − f) + ∇p − ρ ũ'/Δt − div 2με),   c = u − w.
+  ///   + τ (c·∇v − ∇q/ρ, ρ(∂u + c·∇u − f) + ∇p − ρ ũ'/Δt − div 2με),   c = u − w,
+  /// and + ρ/2 ((div u) u, v) where convection is skew-symmetric.
   template <class S>
   std::array<S, 16> residual(const std::array<S, 16>& x) const {
     std::array<Vec<S>, 4> u;
@@ -50,6 +52,9 @@ struct FluidWeakFormOn {
         S stream = 0.0;  // c·∇N_a
         for (int j = 0; j < 3; ++j) stream += (u_q[j] - w_q[j]) * T.grad_N[a][j];
         for (int i = 0; i < 3; ++i) {
+          if (is_skew)
+            R[3 * a + i] +=
+                dV * q.N[a] * 0.5 * density * u_q[i] * (grad_u[0][0] + grad_u[1][1] + grad_u[2][2]);
           S row = inertia[i] * q.N[a] - p * T.grad_N[a][i] + tau * stream * strong[i];
           for (int k = 0; k < 3; ++k)
             for (int l = 0; l < 3; ++l) {

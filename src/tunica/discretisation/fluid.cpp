@@ -23,8 +23,12 @@ Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
   for (auto* field : {&local_.u, &local_.u_old, &local_.w, &local_.f})
     field->assign(mesh.n_nodes(), Vec3{});
   local_.p.resize(mesh.n_nodes());
-  elements_.coefficients = {options_.density, options_.viscosity, 0.0, options_.viscous_factor,
-                            options_.has_dynamic_subscales};
+  elements_.coefficients = {options_.density,
+                            options_.viscosity,
+                            0.0,
+                            options_.viscous_factor,
+                            options_.has_dynamic_subscales,
+                            options_.has_skew_convection};
   if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::fluid_subscales(*mesh_, elements_, local_); });

@@ -15,13 +15,14 @@ namespace tunica::discretisation {
 
 // The energies and powers of fluid and wall close the balance of a coupled run,
 //
-//   d/dt (K_f + K_w + E) = P_t + P_k − P_μ − P_β − P_τ − P_w
+//   d/dt (K_f + K_w + E) = P_t + P_k + P_d − P_μ − P_β − P_τ − P_w
 //
 //   K_f  fluid_kinetic_energy  ½ρ ∫ |u|² dV      P_t  traction_power        ∫ t·u da
 //   K_w  wall_kinetic_energy   ½ρ ∫ |v|² dV      P_k  kinetic_inflow        −½ρ ∫ |u|² c·n da
 //   E    elastic_energy                          P_μ  viscous_power         ∫ 2μ ε:ε dV
 //        + volumetric_energy                     P_β  backflow_power        −βρ ∫ (c·n)₋ |u|² da
 //   c    u − w                                   P_τ  stabilisation_power   SUPG and PSPG
+//   P_d  divergence_power      ½ρ ∫ |u|² div u dV; zero where convection is skew-symmetric
 //                                                P_w  wall_stabilisation_power   PSPG of the wall
 //
 // up to what the time schemes take out, and the wall's stabilisation without inertia, which both
@@ -33,7 +34,7 @@ namespace tunica::discretisation {
 
 void Fluid::observe_volume(const assembly::FluidFields& state, Observables& found) const {
   const Comm& comm = *mesh_->comm;
-  double volume = 0.0, kinetic = 0.0, viscous = 0.0;
+  double volume = 0.0, kinetic = 0.0, viscous = 0.0, divergence = 0.0;
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
     if (!mesh_->is_owned[e]) continue;
     const kernels::Tet4& T = elements_.geometry[e];
@@ -41,12 +42,15 @@ void Fluid::observe_volume(const assembly::FluidFields& state, Observables& foun
     volume += T.volume;
     kinetic += 0.5 * options_.density * kernels::squared_norm(T.volume, u);
     viscous += kernels::viscous_dissipation(T, u, options_.viscosity);
+    if (!options_.has_skew_convection)
+      divergence += kernels::power_of_divergence(T, u, options_.density);
   }
   const double stabilisation = assembly::stabilisation_power(*mesh_, elements_, state);
   found.push_back({"fluid_volume_mm3", global_sum(comm, volume)});
   found.push_back({"fluid_kinetic_energy_kPa_mm3", global_sum(comm, kinetic)});
   found.push_back({"viscous_power_kPa_mm3_per_ms", global_sum(comm, viscous)});
   found.push_back({"stabilisation_power_kPa_mm3_per_ms", global_sum(comm, stabilisation)});
+  found.push_back({"divergence_power_kPa_mm3_per_ms", global_sum(comm, divergence)});
 }
 
 void Fluid::observe_open_surfaces(const assembly::FluidFields& state, Observables& found) const {

@@ -23,6 +23,10 @@ void add_fluid_keys(params::Table& table) {
       .choice("stabilisation velocity", "predicted", {"predicted", "past"},
               "the velocity in the SUPG and PSPG parameter: extrapolated to the new time, or that "
               "of the past from which the time scheme starts its step")
+      .choice(
+          "convection", "advective", {"advective", "skew-symmetric"},
+          "as the equations are written; or with rho/2 (div u) u beside it, which the mesh leaves "
+          "of what should be zero, so that convection neither takes out nor brings energy")
       .number("stabilisation viscous factor", 4.0, params::positive(), "1",
               "c of the viscous part c nu/h^2 in the SUPG and PSPG parameter; with the linear "
               "residual 12 is more accurate in slow viscous flow, where 4 blurs the pressure")
@@ -46,6 +50,7 @@ FluidOptions fluid_options(const Teuchos::ParameterList& list) {
   options.has_dynamic_subscales = list.get<std::string>("stabilisation") == "dynamic";
   options.has_viscous_residual = list.get<std::string>("stabilisation residual") == "viscous";
   options.has_predicted_tau = list.get<std::string>("stabilisation velocity") == "predicted";
+  options.has_skew_convection = list.get<std::string>("convection") == "skew-symmetric";
   options.viscous_factor = list.get<double>("stabilisation viscous factor");
   return options;
 }

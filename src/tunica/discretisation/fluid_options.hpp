@@ -13,6 +13,7 @@ struct FluidOptions {
   bool has_dynamic_subscales;  ///< they have inertia of their own
   bool has_viscous_residual;   ///< subscales see the viscous force
   bool has_predicted_tau;      ///< τ takes the velocity expected at the new time, not the past
+  bool has_skew_convection;    ///< convection takes out no energy
   double viscous_factor;       ///< c_ν of the stabilisation parameter
 };
 

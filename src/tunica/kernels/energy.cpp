@@ -25,6 +25,11 @@ double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u, double v
   return 2.0 * viscosity * T.volume * squares;
 }
 
+double power_of_divergence(const Tet4& T, const std::array<Vec3, 4>& u, double density) {
+  const Mat3 G = gradient(T, u);
+  return 0.5 * density * (G[0][0] + G[1][1] + G[2][2]) * squared_norm(T.volume, u);
+}
+
 double subscale_power(const Tet4& T, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,
                       const Vec3& velocity) {
   Vec3 gradient{0, 0, 0};

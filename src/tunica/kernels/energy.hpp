@@ -10,6 +10,10 @@ double squared_norm(double volume, const std::array<double, 4>& v);
 /// ∫ 2μ ε(u):ε(u) dV, the power that the viscosity μ [kPa ms] turns into heat [kPa mm³/ms].
 double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u, double viscosity);
 
+/// ∫ ½ρ |u|² div u dV, the power that convection of density ρ [mg/mm³] brings where the velocity is
+/// not free of divergence [kPa mm³/ms].
+double power_of_divergence(const Tet4& T, const std::array<Vec3, 4>& u, double density);
+
 /// Power that a wall's pressure does on its subscale, −∫ J F⁻ᵀ∇p · v' dV, v' the subscale's
 /// velocity [kPa mm³/ms]. It takes the element for rigid while the subscale moves.
 double subscale_power(const Tet4& T, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,

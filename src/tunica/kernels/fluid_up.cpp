@@ -9,6 +9,9 @@ namespace tunica::kernels {
 //   m      = ρ ((u − u_old)/Δt + G c − f),   c = u − w,   s_a = c·∇N_a
 //   h      = ∇p − ρ ũ'/Δt − q
 //
+// and, where convection is skew-symmetric, R_u[a] += ½ρ ∫ N_a (div u) u dV, which is zero but for
+// what stabilisation leaves of div u, and balances the energy ½ρ ∫ |u|² div u that it would bring.
+//
 //   u, u_old  velocity, that of the last step   mm/ms    ρ  density     mg/mm³
 //   w         mesh velocity                     mm/ms    μ  viscosity   kPa ms
 //   p         pressure                          kPa      τ  SUPG/PSPG   ms
@@ -29,6 +32,7 @@ namespace tunica::kernels {
 //
 //   A[a][b]   = δ {ρ [W_ab/Δt + ∫(N_a + τ s_a) s_b] + μ V ∇N_a·∇N_b} + ρ W_ab G
 //               + (τ ∫N_b (m + h) + μ V ∇N_b) ⊗ ∇N_a,     W_ab = ∫ (N_a + τ s_a) N_b
+//               (+ ½ρ [δ div u ∫N_a N_b + ∫N_a u ⊗ ∇N_b])
 //   B1ᵀ[a][b] = −V/4 ∇N_a + τ V s̄_a ∇N_b
 //   B2[a][b]  = −V/4 ∇N_b − τ V [(1/(4Δt) + s̄_b) ∇N_a + Gᵀ∇N_a/4]
 //   −C[a][b]  = −(τ/ρ) V ∇N_a·∇N_b
@@ -44,7 +48,7 @@ namespace tunica::kernels {
 // in all terms of the residual; dτ = V ∂τ/∂V ∂_j N_b − ∂τ/∂c_j/(4Δt).
 //
 // Source: [LY1] eq:weakns, written without the inlet term (surface_tri3.hpp); [CPGB07] for the
-// subscales in time.
+// subscales in time; [Tem] for skew-symmetric convection.
 // Deviation: [LY1] names SUPG/PSPG without its terms; these are the residual-based ones of P1,
 // where the viscous part of the strong residual vanishes, so that q is zero or reconstructed from
 // the neighbours of the element (assembly/viscous_residual.hpp) and known beforehand.
@@ -57,6 +61,7 @@ struct Point {
   Vec3 m[4];
   double s[4][4];   ///< s[a][k], value of s_a at vertex k
   double s_sum[4];  ///< Σ_k s[a][k]
+  Vec3 Nu[4];       ///< ∫ N_a u dV, where convection is skew-symmetric
   double p_mean;
 };
 
@@ -80,6 +85,9 @@ Point evaluate(const Tet4& T, const FluidState& s, const FluidCoefficients& c) {
       x.m[k][i] = c.density * ((s.u[k][i] - s.u_old[k][i]) * c.inv_dt + dot(x.G[i], v) - s.f[k][i]);
   }
   x.p_mean = 0.25 * (s.p[0] + s.p[1] + s.p[2] + s.p[3]);
+  if (c.has_skew_convection)
+    for (int a = 0; a < 4; ++a)
+      x.Nu[a] = T.volume / 20.0 * (s.u[0] + s.u[1] + s.u[2] + s.u[3] + s.u[a]);
   return x;
 }
 
@@ -104,9 +112,23 @@ void residual_at(const Tet4& T, const FluidCoefficients& c, double tau, const Po
                         x.s_sum[a] * x.h[i];
       R.u[a][i] =
           m * (m_sum[i] + x.m[a][i]) + dot(stress[i], N) + tau * m * (x.s_sum[a] * r_sum[i] + sm);
+      if (c.has_skew_convection) R.u[a][i] += 0.5 * c.density * div_u * x.Nu[a][i];
     }
     R.p[a] = -0.25 * V * div_u - 0.25 * V * tau / c.density * dot(N, r_sum);
   }
+}
+
+/// A[a][b] += ½ρ [δ div u ∫N_a N_b + ∫N_a u ⊗ ∇N_b].
+void add_skew_convection(const Tet4& T, const FluidCoefficients& c, const Point& x,
+                         double A[4][4][3][3]) {
+  const double half_rho = 0.5 * c.density;
+  const double mass = half_rho * T.volume / 20.0 * (x.G[0][0] + x.G[1][1] + x.G[2][2]);
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b)
+      for (int i = 0; i < 3; ++i) {
+        A[a][b][i][i] += a == b ? 2.0 * mass : mass;
+        for (int j = 0; j < 3; ++j) A[a][b][i][j] += half_rho * x.Nu[a][i] * T.grad_N[b][j];
+      }
 }
 
 void momentum_block(const Tet4& T, const FluidCoefficients& c, double tau, const Point& x,
@@ -134,6 +156,7 @@ void momentum_block(const Tet4& T, const FluidCoefficients& c, double tau, const
           A[a][b][i][j] = W * x.G[i][j] + column[i] * Na[j] + (i == j ? diagonal : 0.0);
     }
   }
+  if (c.has_skew_convection) add_skew_convection(T, c, x, A);
 }
 
 void pressure_blocks(const Tet4& T, const FluidCoefficients& c, double tau, const Point& x,
@@ -233,6 +256,9 @@ void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoef
                             inertia * Gj[i] - mu_V * Gj_Na * Nb[i] -
                             Na[j] * (V * stress_Nb[i] + tau_m * t_r[i]) -
                             5.0 * tau_m * x.s_sum[a] * grad_p[j] * Nb[i];
+        if (c.has_skew_convection)  // d(V div u) = V (∂_j N_b div u − G_j·∇N_b)
+          for (int i = 0; i < 3; ++i)
+            K.u[a][b][i][j] += 0.5 * c.density * (Nb[j] * div_u - Gj_Nb) * x.Nu[a][i];
         // dΣr = −ρ t_sum G_j − 4 ∂_j p ∇N_b
         const double Na_dr = -c.density * t_sum * Gj_Na - 4.0 * grad_p[j] * Na_Nb;
         K.p[a][b][j] = -0.25 * V * (Nb[j] * div_u - Gj_Nb) +

@@ -20,6 +20,7 @@ struct FluidCoefficients {
   double inv_dt;                       ///< 1/Δt, zero for steady flow [1/ms]
   double viscous_factor = 4.0;         ///< c_ν in τ
   bool has_dynamic_subscales = false;  ///< subscales have inertia, see fluid_tau()
+  bool has_skew_convection = false;    ///< convection takes out no energy inside, see fluid_up.cpp
 };
 
 /// SUPG/PSPG parameter τ [ms]; velocity: |c| at the centroid, known beforehand, so that τ is

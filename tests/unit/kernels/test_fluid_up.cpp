@@ -2,6 +2,7 @@
 
 #include "oracle/fluid_weak_form.hpp"
 #include "oracle/samples.hpp"
+#include "tunica/kernels/energy.hpp"
 #include "tunica/kernels/fluid_up.hpp"
 
 namespace {
@@ -13,7 +14,8 @@ using oracle::Deviation;
 using oracle::Samples;
 
 const FluidCoefficients blood{1.06, 3.5e-3, 8.0};
-const FluidCoefficients variants[] = {blood, {1.0, 3.5e-3, 0.0}, {1.3, 0.5, 8.0}};
+const FluidCoefficients variants[] = {
+    blood, {1.0, 3.5e-3, 0.0}, {1.3, 0.5, 8.0}, {1.2, 0.1, 8.0, 4.0, false, true}};
 
 /// Of the past through the centroid.
 Vec3 flow_through(const FluidState& s) {
@@ -38,8 +40,8 @@ struct Case {
   }
 
   oracle::FluidWeakForm weak_form(const FluidCoefficients& c, double tau) const {
-    return {oracle::Element(x), c.density, c.viscosity, c.inv_dt, tau, s.u_old, s.w, s.f,
-            s.subscale,         s.viscous};
+    return {oracle::Element(x), c.density, c.viscosity,          c.inv_dt, tau, s.u_old, s.w, s.f,
+            s.subscale,         s.viscous, c.has_skew_convection};
   }
 
   template <class S>
@@ -137,9 +139,17 @@ TEUCHOS_UNIT_TEST(FluidUp, shape_jacobian_is_derivative_with_respect_to_the_vert
           for (int a = 0; a < 4; ++a) velocity[i] += 0.25 * (test.s.u_old[a][i] - w[a][i]);
         }
         const Fad tau = tau_of(T.volume, velocity, c);
-        const oracle::FluidWeakFormOn<Fad> form{
-            T, c.density, c.viscosity,     c.inv_dt,      tau, test.s.u_old,
-            w, test.s.f,  test.s.subscale, test.s.viscous};
+        const oracle::FluidWeakFormOn<Fad> form{T,
+                                                c.density,
+                                                c.viscosity,
+                                                c.inv_dt,
+                                                tau,
+                                                test.s.u_old,
+                                                w,
+                                                test.s.f,
+                                                test.s.subscale,
+                                                test.s.viscous,
+                                                c.has_skew_convection};
         std::array<Fad, 16> unknowns;
         for (int a = 0; a < 4; ++a) {
           for (int i = 0; i < 3; ++i) unknowns[3 * a + i] = test.s.u[a][i];
@@ -161,6 +171,22 @@ TEUCHOS_UNIT_TEST(FluidUp, shape_jacobian_is_derivative_with_respect_to_the_vert
         TEST_COMPARE(of_u.relative(), <, 1e-11);
         TEST_COMPARE(of_p.relative(), <, 1e-11);
       }
+}
+
+TEUCHOS_UNIT_TEST(FluidUp, skew_convection_balances_the_energy_of_divergence) {
+  // what it adds to the rows, times u, is −(−½ρ ∫ |u|² div u) of the advective form
+  Samples samples(28);
+  FluidCoefficients skew = blood;
+  skew.has_skew_convection = true;
+  for (int trial = 0; trial < 5; ++trial) {
+    const Case test(samples);
+    const auto with = fluid_up_residual(test.T, test.s, skew, 0.01);
+    const auto without = fluid_up_residual(test.T, test.s, blood, 0.01);
+    double power = 0.0;
+    for (int a = 0; a < 4; ++a) power += dot(with.u[a] - without.u[a], test.s.u[a]);
+    TEST_FLOATING_EQUALITY(power, kernels::power_of_divergence(test.T, test.s.u, blood.density),
+                           1e-12);
+  }
 }
 
 TEUCHOS_UNIT_TEST(FluidUp, uniform_flow_on_a_moving_mesh_has_no_residual) {
