@@ -65,6 +65,11 @@ def period(case):
     return max((p for p in found if p > 0), default=None)
 
 
+def l2_norm(values, times):
+    squares = np.square(values)
+    return np.sqrt(np.sum(np.diff(times) * (squares[1:] + squares[:-1]) / 2))
+
+
 def changes_per_cycle(steps, length):
     """(column, relative L2 difference of the last cycle and the one before) for flows and mean pressures. None where
     there are no two cycles. At rest no step has ended: a cycle that begins there lacks its first one."""
@@ -78,6 +83,6 @@ def changes_per_cycle(steps, length):
         if not PERIODIC.match(column) or not all(isinstance(v, float) for v in values):
             continue
         now, before = np.interp(last, times, values), np.interp(last - length, times, values)
-        norm = np.sqrt(np.trapz(now**2, last))
-        rows.append((column, np.sqrt(np.trapz((now - before) ** 2, last)) / norm if norm > 0 else float("nan")))
+        norm, change = l2_norm(now, last), l2_norm(now - before, last)
+        rows.append((column, change / norm if norm > 0 else float("nan")))
     return rows
