@@ -17,6 +17,7 @@ struct FluidWeakFormOn {
   Vec<double> subscale;  ///< of the past
   Vec<double> viscous;   ///< div 2με
   bool is_skew = false;  ///< convection has ρ/2 (div u) u beside it
+  bool is_mean = false;  ///< SUPG has its factors at the centroid
 
   /// All sixteen rows of
   ///   (ρ(∂u + c·∇u − f), v) + 2μ (ε(u), ε(v)) − (p, div v) − (q, div u)
@@ -33,24 +34,33 @@ struct FluidWeakFormOn {
       const G dV = q.weight * T.volume;
       const Mat<S> grad_u = gradient(u, T.grad_N);
       const Vec<S> u_q = at(q.N, u);
-      const Vec<G> w_q = at(q.N, w);
-      const Vec<double> u_old_q = at(q.N, u_old), f_q = at(q.N, f);
       S p = 0.0;
       Vec<S> grad_p{S(0.0), S(0.0), S(0.0)};
       for (int a = 0; a < 4; ++a) {
         p += q.N[a] * x[12 + a];
         for (int j = 0; j < 3; ++j) grad_p[j] += x[12 + a] * T.grad_N[a][j];
       }
-      Vec<S> inertia, strong;
-      for (int i = 0; i < 3; ++i) {
-        S convection = 0.0;
-        for (int j = 0; j < 3; ++j) convection += (u_q[j] - w_q[j]) * grad_u[i][j];
-        inertia[i] = density * ((u_q[i] - u_old_q[i]) * inv_dt + convection - f_q[i]);
-        strong[i] = inertia[i] + grad_p[i] - density * subscale[i] * inv_dt - viscous[i];
-      }
+      const auto inertia_at = [&](const auto& N) {
+        const Vec<S> u_N = at(N, u);
+        const Vec<G> w_N = at(N, w);
+        const Vec<double> u_old_N = at(N, u_old), f_N = at(N, f);
+        Vec<S> inertia;
+        for (int i = 0; i < 3; ++i) {
+          S convection = 0.0;
+          for (int j = 0; j < 3; ++j) convection += (u_N[j] - w_N[j]) * grad_u[i][j];
+          inertia[i] = density * ((u_N[i] - u_old_N[i]) * inv_dt + convection - f_N[i]);
+        }
+        return inertia;
+      };
+      const auto point = is_mean ? decltype(q.N){0.25, 0.25, 0.25, 0.25} : q.N;  // of SUPG
+      const Vec<S> u_s = at(point, u), inertia = inertia_at(q.N);
+      const Vec<G> w_s = at(point, w);
+      Vec<S> strong = inertia_at(point);
+      for (int i = 0; i < 3; ++i)
+        strong[i] += grad_p[i] - density * subscale[i] * inv_dt - viscous[i];
       for (int a = 0; a < 4; ++a) {
         S stream = 0.0;  // c·∇N_a
-        for (int j = 0; j < 3; ++j) stream += (u_q[j] - w_q[j]) * T.grad_N[a][j];
+        for (int j = 0; j < 3; ++j) stream += (u_s[j] - w_s[j]) * T.grad_N[a][j];
         for (int i = 0; i < 3; ++i) {
           if (is_skew)
             R[3 * a + i] +=

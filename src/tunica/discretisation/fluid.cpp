@@ -28,7 +28,8 @@ Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
                             0.0,
                             options_.viscous_factor,
                             options_.has_dynamic_subscales,
-                            options_.has_skew_convection};
+                            options_.has_skew_convection,
+                            options_.has_mean_residual};
   if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::fluid_subscales(*mesh_, elements_, local_); });

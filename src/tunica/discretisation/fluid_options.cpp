@@ -24,6 +24,11 @@ void add_fluid_keys(params::Table& table) {
               "the velocity in the SUPG and PSPG parameter: extrapolated to the new time, or that "
               "of the past from which the time scheme starts its step")
       .choice(
+          "stabilisation within elements", "automatic", {"automatic", "varying", "mean"},
+          "SUPG by the residual as it varies within an element, or by its mean, which is all that "
+          "subscales in time know: with them only the mean keeps schemes of second order so at "
+          "small steps; automatic: the mean where subscales are dynamic")
+      .choice(
           "convection", "advective", {"advective", "skew-symmetric"},
           "as the equations are written; or with rho/2 (div u) u beside it, which the mesh leaves "
           "of what should be zero, so that convection neither takes out nor brings energy")
@@ -51,6 +56,9 @@ FluidOptions fluid_options(const Teuchos::ParameterList& list) {
   options.has_viscous_residual = list.get<std::string>("stabilisation residual") == "viscous";
   options.has_predicted_tau = list.get<std::string>("stabilisation velocity") == "predicted";
   options.has_skew_convection = list.get<std::string>("convection") == "skew-symmetric";
+  const auto& within = list.get<std::string>("stabilisation within elements");
+  options.has_mean_residual =
+      within == "mean" || (within == "automatic" && options.has_dynamic_subscales);
   options.viscous_factor = list.get<double>("stabilisation viscous factor");
   return options;
 }

@@ -14,6 +14,7 @@ struct FluidOptions {
   bool has_viscous_residual;   ///< subscales see the viscous force
   bool has_predicted_tau;      ///< τ takes the velocity expected at the new time, not the past
   bool has_skew_convection;    ///< convection takes out no energy
+  bool has_mean_residual;      ///< SUPG has only the mean of an element's residual
   double viscous_factor;       ///< c_ν of the stabilisation parameter
 };
 

@@ -27,8 +27,10 @@ namespace tunica::kernels {
 // Its inertia in the momentum rows is left out.
 //
 // m, c and s_a are linear on the element; integrals of products are exact by
-// ∫ f g = V/20 (Σf Σg + Σ_k f_k g_k). The Jacobian is exact at fixed τ, with full convective
-// derivative and the derivative of the test function s_a:
+// ∫ f g = V/20 (Σf Σg + Σ_k f_k g_k). SUPG may have the means of its factors only, V/16 Σf Σg in
+// the place of that: then −ρ ∫ s_a u' is all of it. What else it has, τ ∫ (s_a − s̄_a) (m − m̄),
+// vanishes with Δt as τ does, at first order, which no time scheme mends. The Jacobian is exact at
+// fixed τ, with full convective derivative and the derivative of the test function s_a:
 //
 //   A[a][b]   = δ {ρ [W_ab/Δt + ∫(N_a + τ s_a) s_b] + μ V ∇N_a·∇N_b} + ρ W_ab G
 //               + (τ ∫N_b (m + h) + μ V ∇N_b) ⊗ ∇N_a,     W_ab = ∫ (N_a + τ s_a) N_b
@@ -62,11 +64,15 @@ struct Point {
   double s[4][4];   ///< s[a][k], value of s_a at vertex k
   double s_sum[4];  ///< Σ_k s[a][k]
   Vec3 Nu[4];       ///< ∫ N_a u dV, where convection is skew-symmetric
+  double sums;      ///< τ∫ f g of SUPG = sums Σf Σg + products Σ_k f_k g_k
+  double products;
   double p_mean;
 };
 
-Point evaluate(const Tet4& T, const FluidState& s, const FluidCoefficients& c) {
+Point evaluate(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau) {
   Point x;
+  x.sums = tau * T.volume / (c.has_mean_residual ? 16.0 : 20.0);
+  x.products = c.has_mean_residual ? 0.0 : x.sums;
   x.G = {};
   x.h = -c.density * c.inv_dt * s.subscale - s.viscous;
   for (int a = 0; a < 4; ++a)
@@ -110,8 +116,8 @@ void residual_at(const Tet4& T, const FluidCoefficients& c, double tau, const Po
       // Σ_k s_k r_k = Σ_k s_k m_k + Σ_k s_k h
       const double sm = s[0] * x.m[0][i] + s[1] * x.m[1][i] + s[2] * x.m[2][i] + s[3] * x.m[3][i] +
                         x.s_sum[a] * x.h[i];
-      R.u[a][i] =
-          m * (m_sum[i] + x.m[a][i]) + dot(stress[i], N) + tau * m * (x.s_sum[a] * r_sum[i] + sm);
+      R.u[a][i] = m * (m_sum[i] + x.m[a][i]) + dot(stress[i], N) + x.sums * x.s_sum[a] * r_sum[i] +
+                  x.products * sm;
       if (c.has_skew_convection) R.u[a][i] += 0.5 * c.density * div_u * x.Nu[a][i];
     }
     R.p[a] = -0.25 * V * div_u - 0.25 * V * tau / c.density * dot(N, r_sum);
@@ -131,25 +137,27 @@ void add_skew_convection(const Tet4& T, const FluidCoefficients& c, const Point&
       }
 }
 
-void momentum_block(const Tet4& T, const FluidCoefficients& c, double tau, const Point& x,
+void momentum_block(const Tet4& T, const FluidCoefficients& c, const Point& x,
                     double A[4][4][3][3]) {
   const double V = T.volume;
   const double m = V / 20.0;
-  const double tau_m = tau * m;
   const double mu_V = c.viscosity * V;
   const Vec3 r_sum = x.m[0] + x.m[1] + x.m[2] + x.m[3] + 4.0 * x.h;
   for (int b = 0; b < 4; ++b) {
     const Vec3& Nb = T.grad_N[b];
     const double* sb = x.s[b];
     Vec3 column;  // τ ∫N_b r + μ V ∇N_b
-    for (int i = 0; i < 3; ++i) column[i] = tau_m * (r_sum[i] + x.m[b][i] + x.h[i]) + mu_V * Nb[i];
+    for (int i = 0; i < 3; ++i)
+      column[i] = x.sums * r_sum[i] + x.products * (x.m[b][i] + x.h[i]) + mu_V * Nb[i];
     for (int a = 0; a < 4; ++a) {
       const Vec3& Na = T.grad_N[a];
       const double* sa = x.s[a];
-      const double W = c.density * (m * (a == b ? 2.0 : 1.0) + tau_m * (x.s_sum[a] + sa[b]));
+      const double W =
+          c.density * (m * (a == b ? 2.0 : 1.0) + x.sums * x.s_sum[a] + x.products * sa[b]);
       const double NS = m * (x.s_sum[b] + sb[a]);
-      const double SS = tau_m * (x.s_sum[a] * x.s_sum[b] + sa[0] * sb[0] + sa[1] * sb[1] +
-                                 sa[2] * sb[2] + sa[3] * sb[3]);
+      const double SS =
+          x.sums * x.s_sum[a] * x.s_sum[b] +
+          x.products * (sa[0] * sb[0] + sa[1] * sb[1] + sa[2] * sb[2] + sa[3] * sb[3]);
       const double diagonal = W * c.inv_dt + c.density * (NS + SS) + mu_V * dot(Na, Nb);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
@@ -212,8 +220,8 @@ TauDerivative fluid_tau_derivative(const Tet4& T, const Vec3& velocity,
 
 void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
                              double tau, const TauDerivative& derivative, ShapeJacobian& K) {
-  const Point x = evaluate(T, s, c);
-  const double V = T.volume, m = V / 20.0, tau_m = tau * m, mu_V = c.viscosity * V;
+  const Point x = evaluate(T, s, c, tau);
+  const double V = T.volume, m = V / 20.0, mu_V = c.viscosity * V;
   const Vec3 grad_p = x.h + c.density * c.inv_dt * s.subscale + s.viscous;
   const Vec3 m_sum = x.m[0] + x.m[1] + x.m[2] + x.m[3];
   const Vec3 r_sum = m_sum + 4.0 * x.h;
@@ -227,8 +235,8 @@ void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoef
     double t[4], t_sum = 0.0;
     for (int k = 0; k < 4; ++k) t_sum += t[k] = x.s[b][k] + (k == b ? c.inv_dt : 0.0);
     const Vec3 stress_Nb = stress * Nb;
-    Vec3 t_r = t_sum * r_sum;  // Σ t_b Σ r + Σ_k t_b[k] r_k
-    for (int k = 0; k < 4; ++k) t_r += t[k] * (x.m[k] + x.h);
+    Vec3 t_r = x.sums * t_sum * r_sum;  // τ ∫ t_b r
+    for (int k = 0; k < 4; ++k) t_r += x.products * t[k] * (x.m[k] + x.h);
     const double Nb_r = dot(Nb, r_sum);
     Vec3 log_tau;  // dτ/τ
     for (int j = 0; j < 3; ++j)
@@ -239,13 +247,13 @@ void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoef
       const double* sa = x.s[a];
       const double Na_Nb = dot(Na, Nb);
       const Vec3 stress_Na = stress * Na;
-      const double st =
-          x.s_sum[a] * t_sum + sa[0] * t[0] + sa[1] * t[1] + sa[2] * t[2] + sa[3] * t[3];
-      const double inertia = c.density * (m * (t_sum + t[a]) + tau_m * st) + mu_V * Na_Nb;
+      const double st = x.sums * x.s_sum[a] * t_sum +
+                        x.products * (sa[0] * t[0] + sa[1] * t[1] + sa[2] * t[2] + sa[3] * t[3]);
+      const double inertia = c.density * (m * (t_sum + t[a]) + st) + mu_V * Na_Nb;
       const Vec3 galerkin = m * (m_sum + x.m[a]) + V * stress_Na;
-      Vec3 streamline = x.s_sum[a] * (r_sum + x.h);
-      for (int k = 0; k < 4; ++k) streamline += sa[k] * x.m[k];
-      streamline = tau_m * streamline;
+      Vec3 streamline = x.sums * x.s_sum[a] * r_sum;  // τ ∫ s_a r
+      for (int k = 0; k < 4; ++k) streamline += x.products * sa[k] * (x.m[k] + x.h);
+      const double tau_sa = (4.0 * x.sums + x.products) * x.s_sum[a];  // τ ∫ s_a
       const double pspg = -0.25 * V * tau / c.density;
       const double Na_r = dot(Na, r_sum);
       for (int j = 0; j < 3; ++j) {
@@ -254,8 +262,7 @@ void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoef
         for (int i = 0; i < 3; ++i)
           K.u[a][b][i][j] = Nb[j] * (galerkin[i] + streamline[i]) + log_tau[j] * streamline[i] -
                             inertia * Gj[i] - mu_V * Gj_Na * Nb[i] -
-                            Na[j] * (V * stress_Nb[i] + tau_m * t_r[i]) -
-                            5.0 * tau_m * x.s_sum[a] * grad_p[j] * Nb[i];
+                            Na[j] * (V * stress_Nb[i] + t_r[i]) - tau_sa * grad_p[j] * Nb[i];
         if (c.has_skew_convection)  // d(V div u) = V (∂_j N_b div u − G_j·∇N_b)
           for (int i = 0; i < 3; ++i)
             K.u[a][b][i][j] += 0.5 * c.density * (Nb[j] * div_u - Gj_Nb) * x.Nu[a][i];
@@ -269,7 +276,7 @@ void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoef
 }
 
 Vec3 fluid_subscale(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau) {
-  const Point x = evaluate(T, s, c);
+  const Point x = evaluate(T, s, c, tau);
   // u' = −(τ/ρ) (m̄ + h)
   return -tau / c.density * (0.25 * (x.m[0] + x.m[1] + x.m[2] + x.m[3]) + x.h);
 }
@@ -277,15 +284,15 @@ Vec3 fluid_subscale(const Tet4& T, const FluidState& s, const FluidCoefficients&
 MixedResidual fluid_up_residual(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
                                 double tau) {
   MixedResidual R;
-  residual_at(T, c, tau, evaluate(T, s, c), R);
+  residual_at(T, c, tau, evaluate(T, s, c, tau), R);
   return R;
 }
 
 void fluid_up_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau,
                        MixedResidual& R, MixedJacobian& K) {
-  const Point x = evaluate(T, s, c);
+  const Point x = evaluate(T, s, c, tau);
   residual_at(T, c, tau, x, R);
-  momentum_block(T, c, tau, x, K.A);
+  momentum_block(T, c, x, K.A);
   pressure_blocks(T, c, tau, x, K);
 }
 
@@ -293,7 +300,7 @@ void fluid_up_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficien
 // a minus, because −p div u is what it balances in the momentum's.
 double fluid_stabilisation_power(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
                                  double tau) {
-  const Point x = evaluate(T, s, c);
+  const Point x = evaluate(T, s, c, tau);
   const Vec3 grad_p = x.h + c.density * c.inv_dt * s.subscale + s.viscous;
   Vec3 q_sum{0, 0, 0}, r_sum{0, 0, 0};
   double products = 0.0;
@@ -304,7 +311,7 @@ double fluid_stabilisation_power(const Tet4& T, const FluidState& s, const Fluid
     r_sum += r;
     products += dot(q, r);
   }
-  return tau * T.volume / 20.0 * (dot(q_sum, r_sum) + products);
+  return x.sums * dot(q_sum, r_sum) + x.products * products;
 }
 
 }  // namespace tunica::kernels

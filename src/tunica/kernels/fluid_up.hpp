@@ -21,6 +21,7 @@ struct FluidCoefficients {
   double viscous_factor = 4.0;         ///< c_ν in τ
   bool has_dynamic_subscales = false;  ///< subscales have inertia, see fluid_tau()
   bool has_skew_convection = false;    ///< convection takes out no energy inside, see fluid_up.cpp
+  bool has_mean_residual = false;      ///< SUPG has only the mean of an element's residual
 };
 
 /// SUPG/PSPG parameter τ [ms]; velocity: |c| at the centroid, known beforehand, so that τ is

@@ -14,8 +14,11 @@ using oracle::Deviation;
 using oracle::Samples;
 
 const FluidCoefficients blood{1.06, 3.5e-3, 8.0};
-const FluidCoefficients variants[] = {
-    blood, {1.0, 3.5e-3, 0.0}, {1.3, 0.5, 8.0}, {1.2, 0.1, 8.0, 4.0, false, true}};
+const FluidCoefficients variants[] = {blood,
+                                      {1.0, 3.5e-3, 0.0},
+                                      {1.3, 0.5, 8.0},
+                                      {1.2, 0.1, 8.0, 4.0, false, true},
+                                      {1.1, 0.05, 8.0, 4.0, false, false, true}};
 
 /// Of the past through the centroid.
 Vec3 flow_through(const FluidState& s) {
@@ -40,8 +43,18 @@ struct Case {
   }
 
   oracle::FluidWeakForm weak_form(const FluidCoefficients& c, double tau) const {
-    return {oracle::Element(x), c.density, c.viscosity,          c.inv_dt, tau, s.u_old, s.w, s.f,
-            s.subscale,         s.viscous, c.has_skew_convection};
+    return {oracle::Element(x),
+            c.density,
+            c.viscosity,
+            c.inv_dt,
+            tau,
+            s.u_old,
+            s.w,
+            s.f,
+            s.subscale,
+            s.viscous,
+            c.has_skew_convection,
+            c.has_mean_residual};
   }
 
   template <class S>
@@ -149,7 +162,8 @@ TEUCHOS_UNIT_TEST(FluidUp, shape_jacobian_is_derivative_with_respect_to_the_vert
                                                 test.s.f,
                                                 test.s.subscale,
                                                 test.s.viscous,
-                                                c.has_skew_convection};
+                                                c.has_skew_convection,
+                                                c.has_mean_residual};
         std::array<Fad, 16> unknowns;
         for (int a = 0; a < 4; ++a) {
           for (int i = 0; i < 3; ++i) unknowns[3 * a + i] = test.s.u[a][i];
