@@ -19,6 +19,11 @@ public:
 
   Vector& operator[](int b) { return *blocks_[b]; }
   const Vector& operator[](int b) const { return *blocks_[b]; }
+  /// The block of that name. Throws std::invalid_argument for an unknown one.
+  Vector& operator[](const std::string& name) { return *blocks_[space_->index_of(name)]; }
+  const Vector& operator[](const std::string& name) const {
+    return *blocks_[space_->index_of(name)];
+  }
   Teuchos::RCP<Vector> block(int b) { return blocks_[b]; }
   Teuchos::RCP<const Vector> block(int b) const { return blocks_[b]; }
 

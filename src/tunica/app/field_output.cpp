@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <map>
 
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/error.hpp"
@@ -57,8 +56,8 @@ output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name) {
 
 std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
                                         const std::vector<Vec3>& mesh_displacement) {
-  std::vector<output::Array> arrays{dof_array("velocity", 3, fluid.state()[0]),
-                                    dof_array("pressure", 1, fluid.state()[1])};
+  std::vector<output::Array> arrays{dof_array("velocity", 3, fluid.state()["velocity"]),
+                                    dof_array("pressure", 1, fluid.state()["pressure"])};
   if (!mesh_displacement.empty())
     arrays.push_back(vector_array("displacement", mesh_displacement, fluid.mesh().n_owned));
   return arrays;
@@ -73,14 +72,13 @@ std::vector<output::Array> wall_arrays(const problems::SolidProblem& wall) {
     return values;
   };
   return {vector_array("displacement", at_points(wall.displacement()), n_points),
-          dof_array("pressure", 1, wall.state()[1]),
+          dof_array("pressure", 1, wall.state()["pressure"]),
           vector_array("velocity", at_points(wall.velocity()), n_points)};
 }
 
 namespace {
 
 constexpr const char* wall_arrays_key = "wall arrays";
-const std::vector<std::string> kinds_of_wall_arrays = {"stress", "principal", "fibres"};
 
 /// One of the wall's elements as it is deformed.
 struct Strained {
@@ -90,74 +88,78 @@ struct Strained {
   Sym3 sigma;  ///< Cauchy stress [kPa]
 };
 
-template <class Numbers>
-void append(const Numbers& values, output::Array& array) {
-  array.values.insert(array.values.end(), values.begin(), values.end());
+using Numbers = std::vector<double>;
+
+template <class Values>
+void append(const Values& values, Numbers& array) {
+  array.insert(array.end(), values.begin(), values.end());
 }
 
-/// Arrays that are filled element by element.
-class WallArrays {
-public:
-  WallArrays(const Teuchos::Array<std::string>& wanted, bool has_frames, std::size_t n_elements) {
-    for (const std::string& kind : wanted) has_[kind] = true;
-    has_["fibres"] = has_["fibres"] && has_frames;
-    for (output::Array* array : chosen()) array->values.reserve(array->components * n_elements);
-  }
+void stress(const Strained& element, Numbers& array) { append(element.sigma, array); }
+void von_mises(const Strained& element, Numbers& array) {
+  array.push_back(kernels::von_mises(element.sigma));
+}
+void principal_stress(const Strained& element, Numbers& array) {
+  append(kernels::principal_values(element.sigma), array);
+}
+void principal_stretch(const Strained& element, Numbers& array) {
+  for (const double squared : kernels::principal_values(kernels::right_cauchy_green(element.F)))
+    array.push_back(std::sqrt(squared));
+}
+void circumferential(const Strained& element, Numbers& array) {
+  append(element.frame.circumferential, array);
+}
+void axial(const Strained& element, Numbers& array) { append(element.frame.axial, array); }
+/// Zero where a layer has none.
+template <std::size_t f>
+void fibre(const Strained& element, Numbers& array) {
+  const std::vector<Vec3> fibres = element.law->fibre_directions(element.frame);
+  append(f < fibres.size() ? element.F * fibres[f] : Vec3{}, array);
+}
 
-  void add(const Strained& element) {
-    if (has_["stress"]) {
-      append(element.sigma, stress_);
-      von_mises_.values.push_back(kernels::von_mises(element.sigma));
-    }
-    if (has_["principal"]) {
-      append(kernels::principal_values(element.sigma), principal_stress_);
-      Vec3 stretch = kernels::principal_values(kernels::right_cauchy_green(element.F));
-      for (double& lambda : stretch) lambda = std::sqrt(lambda);
-      append(stretch, principal_stretch_);
-    }
-    if (!has_["fibres"]) return;
-    append(element.frame.circumferential, around_);
-    append(element.frame.axial, along_);
-    const std::vector<Vec3> fibres = element.law->fibre_directions(element.frame);
-    for (std::size_t f = 0; f < fibres_.size(); ++f)  // zero where a layer has none
-      append(f < fibres.size() ? element.F * fibres[f] : Vec3{}, fibres_[f]);
-  }
-
-  std::vector<output::Array> take() {
-    std::vector<output::Array> all;
-    for (output::Array* array : chosen()) all.push_back(std::move(*array));
-    return all;
-  }
-
-private:
-  /// In their order in files.
-  std::vector<output::Array*> chosen() {
-    std::vector<output::Array*> all;
-    if (has_["stress"]) all.insert(all.end(), {&stress_, &von_mises_});
-    if (has_["principal"]) all.insert(all.end(), {&principal_stress_, &principal_stretch_});
-    if (has_["fibres"]) all.insert(all.end(), {&around_, &along_, &fibres_[0], &fibres_[1]});
-    return all;
-  }
-
-  std::map<std::string, bool> has_;
-  output::Array stress_{"cauchy_stress", 6, {}}, von_mises_{"von_mises", 1, {}};
-  output::Array principal_stress_{"principal_stress", 3, {}};
-  output::Array principal_stretch_{"principal_stretch", 3, {}};
-  output::Array around_{"circumferential", 3, {}}, along_{"axial", 3, {}};
-  std::array<output::Array, 2> fibres_{{{"fibre_1", 3, {}}, {"fibre_2", 3, {}}}};
+/// An array with values per element of the wall.
+struct WallArray {
+  const char* name;
+  const char* kind;  ///< the word of "wall arrays" that asks for it
+  int components;
+  void (*append)(const Strained&, Numbers&);
+  bool needs_frames = false;
 };
+
+/// In their order in files.
+const std::vector<WallArray>& registered_wall_arrays() {
+  static const std::vector<WallArray> all = {
+      {"cauchy_stress", "stress", 6, stress},
+      {"von_mises", "stress", 1, von_mises},
+      {"principal_stress", "principal", 3, principal_stress},
+      {"principal_stretch", "principal", 3, principal_stretch},
+      {"circumferential", "fibres", 3, circumferential, true},
+      {"axial", "fibres", 3, axial, true},
+      {"fibre_1", "fibres", 3, fibre<0>, true},
+      {"fibre_2", "fibres", 3, fibre<1>, true},
+  };
+  return all;
+}
+
+std::vector<std::string> kinds_of_wall_arrays() {
+  std::vector<std::string> kinds;
+  for (const WallArray& array : registered_wall_arrays())
+    if (std::find(kinds.begin(), kinds.end(), array.kind) == kinds.end())
+      kinds.push_back(array.kind);
+  return kinds;
+}
 
 }  // namespace
 
 void add_wall_array_keys(params::Table& table) {
   table
-      .names(wall_arrays_key, kinds_of_wall_arrays,
+      .names(wall_arrays_key, kinds_of_wall_arrays(),
              "what fields.h5 has of the wall's elements: stress (cauchy_stress, von_mises), "
              "principal (principal_stress, principal_stretch, the largest first), fibres (fibre_1, "
              "fibre_2 in the deformed wall, as long as they are stretched; circumferential and "
              "axial in the unloaded one)")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
-        const auto& kinds = kinds_of_wall_arrays;
+        const std::vector<std::string> kinds = kinds_of_wall_arrays();
         for (const auto& kind : list.get<Teuchos::Array<std::string>>(wall_arrays_key))
           TUNICA_CHECK(std::find(kinds.begin(), kinds.end(), kind) != kinds.end(),
                        path + ": \"" + wall_arrays_key + "\" holds \"" + kind +
@@ -168,23 +170,35 @@ void add_wall_array_keys(params::Table& table) {
 std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall,
                                             const Teuchos::ParameterList& wanted) {
   const fields::FieldMesh& mesh = wall.mesh();
-  auto d = fields::ghosted_vectors(mesh, wall.state()[0]);
+  auto d = fields::ghosted_vectors(mesh, wall.state()["displacement"]);
   for (std::size_t a = 0; a < d.size(); ++a) d[a] += wall.from_stress_free()[a];
-  const auto p = fields::ghosted_scalars(wall.scalar_mesh(), wall.state()[1]);
-  WallArrays arrays(wanted.get<Teuchos::Array<std::string>>(wall_arrays_key),
-                    !wall.elements().frames.empty(),
-                    std::count(mesh.is_owned.begin(), mesh.is_owned.end(), 1));
+  const auto p = fields::ghosted_scalars(wall.scalar_mesh(), wall.state()["pressure"]);
+  const auto kinds = wanted.get<Teuchos::Array<std::string>>(wall_arrays_key);
+  const auto n_elements =
+      static_cast<std::size_t>(std::count(mesh.is_owned.begin(), mesh.is_owned.end(), 1));
+  std::vector<const WallArray*> chosen;
+  std::vector<output::Array> arrays;
+  for (const WallArray& array : registered_wall_arrays()) {
+    if (std::find(kinds.begin(), kinds.end(), array.kind) == kinds.end() ||
+        (array.needs_frames && wall.elements().frames.empty()))
+      continue;
+    chosen.push_back(&array);
+    arrays.push_back({array.name, array.components, {}});
+    arrays.back().values.reserve(array.components * n_elements);
+  }
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
     const kernels::Tet4& T = wall.elements().geometry[e];
     const materials::HyperelasticLaw& law = *wall.elements().law[e];
     const materials::Frame frame = wall.elements().frame(e);
     const auto d_e = assembly::gather(d, mesh.tets[e]);
-    arrays.add({&law, frame, kernels::deformation_gradient(T, d_e),
-                kernels::cauchy_stress(T, d_e, assembly::gather(p, wall.scalar_mesh().tets[e]), law,
-                                       frame)});
+    const Strained element{
+        &law, frame, kernels::deformation_gradient(T, d_e),
+        kernels::cauchy_stress(T, d_e, assembly::gather(p, wall.scalar_mesh().tets[e]), law,
+                               frame)};
+    for (std::size_t k = 0; k < chosen.size(); ++k) chosen[k]->append(element, arrays[k].values);
   }
-  return arrays.take();
+  return arrays;
 }
 
 FieldSeries::FieldSeries(const RunOutput& output, const std::vector<output::Grid>& grids,

@@ -99,9 +99,9 @@ discretisation::Observables Probes::observe(const problems::FluidProblem* fluid,
   if (probes_.empty()) return {};
   std::vector<double> p;
   std::vector<Vec3> u, d;
-  if (fluid != nullptr) u = fields::ghosted_vectors(fluid->mesh(), fluid->state()[0]);
-  if (fluid != nullptr) p = fields::ghosted_scalars(fluid->mesh(), fluid->state()[1]);
-  if (wall != nullptr) d = fields::ghosted_vectors(wall->mesh(), wall->state()[0]);
+  if (fluid != nullptr) u = fields::ghosted_vectors(fluid->mesh(), fluid->state()["velocity"]);
+  if (fluid != nullptr) p = fields::ghosted_scalars(fluid->mesh(), fluid->state()["pressure"]);
+  if (wall != nullptr) d = fields::ghosted_vectors(wall->mesh(), wall->state()["displacement"]);
   const Comm& comm = fluid != nullptr ? *fluid->mesh().comm : *wall->mesh().comm;
   discretisation::Observables found;
   for (const Probe& probe : probes_) {

@@ -58,11 +58,12 @@ public:
     if (is_zero()) return;
     const CoupledProblem& p = *problem_;
     algebra::BlockVector y(p.fluid_->space()), F(y.space());
-    Vector d(y[0].getMap());
+    Vector& velocity = y["velocity"];
+    Vector d(velocity.getMap());
     p.fluid_part_->restrict(x, y);
-    drop_fixed(y[0]);
-    y[0].scale(p.dt_);
-    p.motion_->extend_increment(p.product_tolerance_, y[0], d);  // d = E Δt y
+    drop_fixed(velocity);
+    velocity.scale(p.dt_);
+    p.motion_->extend_increment(p.product_tolerance_, velocity, d);  // d = E Δt y
     p.fluid_->shape_jacobian().add(d, F);
     p.fluid_part_->add(F, result);
   }
@@ -129,10 +130,10 @@ void CoupledProblem::tie_fields() {
 // On the interface d̃ is the past of the mesh, which moves with the wall; elsewhere in the wall any
 // d̃ does, as only d counts.
 void CoupledProblem::set_reference() {
-  reference_[0].assign(wall_->state()[0]);
-  reference_[1].putScalar(0.0);
+  reference_["displacement"].assign(wall_->state()["displacement"]);
+  reference_["pressure"].putScalar(0.0);
   const std::vector<Vec3> past = motion_->past_displacement();
-  const auto d = reference_[0].getLocalViewHost(read_write);
+  const auto d = reference_["displacement"].getLocalViewHost(read_write);
   for (int k = 0; k < interface_->n_owned(); ++k)
     for (int i = 0; i < 3; ++i)
       d(3 * interface_->wall_nodes[k] + i, 0) = past[interface_->fluid_nodes[k]][i];
@@ -168,7 +169,7 @@ bool CoupledProblem::refuse(const std::string& reason) {
 
 Outcome CoupledProblem::follow_wall(std::optional<double> tolerance) {
   const Stopwatch watch;
-  const std::vector<Vec3> d = fields::owned_vectors(wall_->mesh(), wall_x_[0]);
+  const std::vector<Vec3> d = fields::owned_vectors(wall_->mesh(), wall_x_["displacement"]);
   const Outcome moved = motion_->extend(interface_->to_fluid(interface_->from_wall(d)), tolerance);
   seconds_.motion += watch.seconds();
   if (moved.is_failure()) return moved.at("the mesh motion");
@@ -258,7 +259,7 @@ Teuchos::RCP<const CrsMatrix> CoupledProblem::assemble_operator(const std::strin
 }
 
 double CoupledProblem::increment_norm(const algebra::BlockVector& dx) {
-  return dt_ * dx[0].norm2() /
+  return dt_ * dx["velocity"].norm2() /
          std::sqrt(static_cast<double>(mesh_->node_map->getGlobalNumElements()));
 }
 

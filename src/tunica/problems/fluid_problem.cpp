@@ -20,11 +20,11 @@ nonlinear::NewtonReport FluidProblem::solve() {
 void FluidProblem::set_initial_velocity(const std::function<Vec3(const Vec3& x)>& u) {
   std::vector<Vec3> values(mesh().n_nodes());
   for (int a = 0; a < mesh().n_nodes(); ++a) values[a] = u(mesh().x[a]);
-  fields::store(values, mesh(), x_[0]);
+  fields::store(values, mesh(), x_["velocity"]);
   fluid_->start_from(x_);
 }
 
-void FluidProblem::set_initial_pressure(double p) { x_[1].putScalar(p); }
+void FluidProblem::set_initial_pressure(double p) { x_["pressure"].putScalar(p); }
 
 params::Table fluid_solver_table() { return linear::linear_solver_table({"multigrid"}); }
 

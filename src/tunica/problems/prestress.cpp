@@ -116,7 +116,7 @@ private:
       equilibrium.begin_step(start);
       const nonlinear::NewtonReport newton = equilibrium.solve();
       if (!newton.is_converged) return Outcome::failure(newton.reason);
-      found_.state[1].assign(equilibrium.state()[1]);
+      found_.state["pressure"].assign(equilibrium.state()["pressure"]);
       const std::vector<Vec3> d = equilibrium.displacement();
       unload(d);
       const double moved = largest(d, comm()), way = largest(found_.from_stress_free, comm());

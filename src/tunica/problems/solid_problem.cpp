@@ -49,7 +49,7 @@ Result<std::vector<Vec3>> SolidProblem::solve_linearised(const stepping::Clock& 
   try {
     const linear::SolveReport report = linear_solver().solve(b, x, 1e-8);
     const bool is_near = report.true_residual < usable_residual;
-    if (report.is_converged || is_near) return fields::owned_vectors(mesh(), x[0]);
+    if (report.is_converged || is_near) return fields::owned_vectors(mesh(), x["displacement"]);
     return Result<std::vector<Vec3>>::failure(linear::describe_unconverged(report));
   } catch (const linear::SetupFailure& error) {
     return Result<std::vector<Vec3>>::failure(error.what());
@@ -57,7 +57,7 @@ Result<std::vector<Vec3>> SolidProblem::solve_linearised(const stepping::Clock& 
 }
 
 std::vector<Vec3> SolidProblem::displacement() const {
-  return fields::owned_vectors(mesh(), x_[0]);
+  return fields::owned_vectors(mesh(), x_["displacement"]);
 }
 
 std::vector<Vec3> SolidProblem::velocity() const {

@@ -22,7 +22,7 @@ StepError::StepError(FluidProblem& fluid, const StepTolerance& tolerance)
     : StepError(fluid, fluid.time_scheme(), tolerance) {
   watch({"velocity",
          tolerance.velocity_scale,
-         [&fluid] { return fields::owned_vectors(fluid.mesh(), fluid.state()[0]); },
+         [&fluid] { return fields::owned_vectors(fluid.mesh(), fluid.state()["velocity"]); },
          [this](const auto& sizes) { return scheme_->value_error(sizes); },
          {}});
 }
