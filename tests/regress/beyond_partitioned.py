@@ -77,7 +77,7 @@ def long_step(runs):
     sudden = runs.run("long-step", ["Fluid/Surfaces/inlet/Amplitude/values={1,1,0}",
                                     "Coupling/Newton/max iterations=8"], steps=3)
     tries = table(runs.folder / "long-step" / "steps.csv")["coupling_iterations"]
-    runs.verdict.claim(sudden.status == 0 and tries[0] == 2 and len(tries) == 3,
+    runs.verdict.claim(sudden.status == 0 and max(tries) == 2 and len(tries) == 3,
                        f"long-step, loaded at once: {tries} attempts, the second with care")
     other = runs.run("long-step", PARTITIONED)
     runs.verdict.claim(other.status == 2, "long-step: partitioned coupling does not converge")
