@@ -38,6 +38,7 @@ GalerkinProduct::GalerkinProduct(const Teuchos::RCP<const CrsMatrix>& R,
   refresh();
 }
 
+// R A P, on one rank with R = Pᵀ without the product between
 void GalerkinProduct::refresh() {
   if (triple_) {
     triple_->refresh();
@@ -48,6 +49,7 @@ void GalerkinProduct::refresh() {
   if (stabilisation_factor_ != 1.0) scale_stabilisation();
 }
 
+// −C ← −σ C, the block of the scalars
 void GalerkinProduct::scale_stabilisation() {
   CrsMatrix& K = *matrix();
   const auto domain = K.getDomainMap(), range = K.getRangeMap();

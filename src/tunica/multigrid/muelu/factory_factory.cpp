@@ -3,8 +3,8 @@
 #include <MueLu_SmootherFactory.hpp>
 
 #include "tunica/multigrid/muelu/matrix_kind.hpp"
-#include "tunica/multigrid/muelu/pressure_schwarz_smoother.hpp"
-#include "tunica/multigrid/muelu/zero_start_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/pressure_schwarz_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/zero_start_smoother.hpp"
 
 namespace tunica::multigrid {
 

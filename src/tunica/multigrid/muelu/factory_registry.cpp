@@ -9,15 +9,15 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "tunica/multigrid/muelu/braess_sarazin_smoother.hpp"
-#include "tunica/multigrid/muelu/field_smoother.hpp"
 #include "tunica/multigrid/muelu/galerkin_factory.hpp"
-#include "tunica/multigrid/muelu/ifpack2_smoother.hpp"
 #include "tunica/multigrid/muelu/nodal_blocked_p_factory.hpp"
-#include "tunica/multigrid/muelu/nodal_ilu_smoother.hpp"
 #include "tunica/multigrid/muelu/nodal_p_factory.hpp"
-#include "tunica/multigrid/muelu/sparse_lu_solver.hpp"
-#include "tunica/multigrid/muelu/vanka_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/braess_sarazin_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/field_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/ifpack2_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/nodal_ilu_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/sparse_lu_solver.hpp"
+#include "tunica/multigrid/muelu/smoothers/vanka_smoother.hpp"
 #include "tunica/params/known_keys.hpp"
 
 namespace tunica::multigrid {

@@ -1,4 +1,4 @@
-#include "tunica/multigrid/muelu/nodal_ilu_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/nodal_ilu_smoother.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tunica/multigrid/muelu/field_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/field_smoother.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "tunica/multigrid/muelu/ifpack2_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/ifpack2_smoother.hpp"
 
 namespace tunica::multigrid {
 

@@ -1,4 +1,4 @@
-#include "tunica/multigrid/muelu/pressure_schwarz_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/pressure_schwarz_smoother.hpp"
 
 #include <Ifpack2_Factory.hpp>
 #include <Xpetra_MapExtractorFactory.hpp>

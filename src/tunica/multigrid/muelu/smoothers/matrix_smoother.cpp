@@ -1,4 +1,4 @@
-#include "tunica/multigrid/muelu/matrix_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/matrix_smoother.hpp"
 
 #include "tunica/algebra/columns.hpp"
 

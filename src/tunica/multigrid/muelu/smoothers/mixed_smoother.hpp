@@ -1,6 +1,6 @@
 #pragma once
 #include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
-#include "tunica/multigrid/muelu/matrix_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/matrix_smoother.hpp"
 
 namespace tunica::multigrid {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "tunica/multigrid/muelu/ifpack2_sweeps.hpp"
-#include "tunica/multigrid/muelu/mixed_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/ifpack2_sweeps.hpp"
+#include "tunica/multigrid/muelu/smoothers/mixed_smoother.hpp"
 
 namespace tunica::multigrid {
 

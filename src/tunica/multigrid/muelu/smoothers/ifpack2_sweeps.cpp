@@ -1,4 +1,4 @@
-#include "tunica/multigrid/muelu/ifpack2_sweeps.hpp"
+#include "tunica/multigrid/muelu/smoothers/ifpack2_sweeps.hpp"
 
 #include <Ifpack2_Factory.hpp>
 #include <stdexcept>

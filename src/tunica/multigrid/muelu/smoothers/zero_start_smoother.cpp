@@ -1,4 +1,4 @@
-#include "tunica/multigrid/muelu/zero_start_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/zero_start_smoother.hpp"
 
 namespace tunica::multigrid {
 

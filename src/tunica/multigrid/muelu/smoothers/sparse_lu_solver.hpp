@@ -1,5 +1,5 @@
 #pragma once
-#include "tunica/multigrid/muelu/matrix_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/matrix_smoother.hpp"
 #include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
 
 namespace tunica::multigrid {

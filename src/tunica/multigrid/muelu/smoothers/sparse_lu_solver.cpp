@@ -1,4 +1,4 @@
-#include "tunica/multigrid/muelu/sparse_lu_solver.hpp"
+#include "tunica/multigrid/muelu/smoothers/sparse_lu_solver.hpp"
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-#include "tunica/multigrid/muelu/vanka_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/vanka_smoother.hpp"
 
 #include "tunica/multigrid/muelu/validated_choice.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "tunica/multigrid/muelu/ifpack2_sweeps.hpp"
-#include "tunica/multigrid/muelu/matrix_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/ifpack2_sweeps.hpp"
+#include "tunica/multigrid/muelu/smoothers/matrix_smoother.hpp"
 
 namespace tunica::multigrid {
 

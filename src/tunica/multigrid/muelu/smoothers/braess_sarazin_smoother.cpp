@@ -1,4 +1,4 @@
-#include "tunica/multigrid/muelu/braess_sarazin_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/braess_sarazin_smoother.hpp"
 
 #include "tunica/base/trilinos.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
