@@ -42,6 +42,7 @@ InterfaceVector AddedMass::apply(const InterfaceVector& residual) {
   const auto normal_part = [&](int k) {
     return dot(normal_[k], {residual[3 * k], residual[3 * k + 1], residual[3 * k + 2]});
   };
+  // (L + W C) p = W n·r, then z = r − C p n
   right_side_.putScalar(0.0);
   {
     const auto b = right_side_.getLocalViewHost(read_write);
@@ -62,6 +63,7 @@ InterfaceVector AddedMass::apply(const InterfaceVector& residual) {
   return result;
 }
 
+// C_k = n_k·d_k, d the wall's linear answer to the pressure 1
 Result<std::vector<double>> wall_compliance(const stepping::Clock& clock,
                                             const fields::InterfaceTransfer& interface,
                                             const std::vector<Vec3>& area,

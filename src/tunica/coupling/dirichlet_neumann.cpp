@@ -58,6 +58,17 @@ InterfaceVector DirichletNeumann::wall_displacement() const {
   return interface_->from_wall(wall_->displacement());
 }
 
+// One step of the fixed point d = S(F(d)) on the interface:
+//
+//   d⁰ = Σ_k c_k dⁿ⁻ᵏ                            predict()
+//   F(d): mesh d_f = E d, fluid on it with u = (d − d̃)/Δt_e, its reaction f     move_and_flow()
+//   S(f): the wall under f;   r = S(F(d)) − d    evaluate()
+//   d ← d + A(r), A of the accelerator; stop where |r| is small                update()
+//
+//   d   displacement of the interface    mm      f   nodal force of the fluid on the wall    mN
+//   E   extension into the fluid's mesh          r   residual of the interface               mm
+
+/// d⁰ = Σ_k c_k dⁿ⁻ᵏ, the polynomial through the last steps.
 InterfaceVector DirichletNeumann::predict(const stepping::Clock& clock) const {
   const int order = std::min<int>(options_.predictor_order, static_cast<int>(history_.size()) - 1);
   const std::array<double, 3> weights = stepping::extrapolation(order, clock.step_sizes());
@@ -68,10 +79,12 @@ InterfaceVector DirichletNeumann::predict(const stepping::Clock& clock) const {
 }
 
 Outcome DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& iteration) {
+  // d_f = E d
   const Stopwatch moving;
   const Outcome moved = motion_->extend(interface_->to_fluid(d));
   iteration.seconds("motion") = moving.seconds();
   if (moved.is_failure()) return moved.at("the mesh motion");
+  // F_f(u, p; d_f) = 0, u = (d − d̃)/Δt_e on the interface
   const Stopwatch flowing;
   const Outcome placed = fluid_->set_domain(motion_->displacement(), motion_->past_displacement());
   if (placed.is_failure()) return placed.at("the fluid's mesh");
@@ -85,6 +98,7 @@ Outcome DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& ite
 Outcome DirichletNeumann::evaluate(const InterfaceVector& d, Iteration& iteration,
                                    InterfaceVector& answer) {
   if (const Outcome flow = move_and_flow(d, iteration); flow.is_failure()) return flow;
+  // F_s(d, p) = f with f = −R_u of the fluid
   const Stopwatch watch;
   wall_->set_nodal_force(interface_->to_wall(interface_->from_fluid(fluid_->reaction())));
   nonlinear::NewtonReport& report = iteration.solve("wall");
@@ -95,11 +109,13 @@ Outcome DirichletNeumann::evaluate(const InterfaceVector& d, Iteration& iteratio
   return Outcome::failure("the wall's Newton method: " + report.reason);
 }
 
+// |r| = (Σ_k |r_k|²/n)^(1/2) over the nodes of the interface
 double DirichletNeumann::size_of(const InterfaceVector& residual) const {
   const double square = inner_product(*wall_->mesh().comm, residual, residual);
   return std::sqrt(square / static_cast<double>(interface_->n_total()));
 }
 
+// d + min(1, m/max_i |next_i − d_i|) (next − d), m the largest update
 InterfaceVector DirichletNeumann::limited(const InterfaceVector& d, InterfaceVector next) const {
   if (options_.largest_update == 0.0) return next;
   double largest = 0.0;
@@ -147,7 +163,7 @@ std::string DirichletNeumann::restore(const fields::State& state) {
 
 bool DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
                               Iteration& iteration) {
-  const InterfaceVector residual = difference(answer, d);
+  const InterfaceVector residual = difference(answer, d);  // r = S(F(d)) − d
   iteration.residual = size_of(residual);
   if (iteration.residual < options_.tolerance) return true;
   const Stopwatch watch;
@@ -159,6 +175,7 @@ bool DirichletNeumann::update(InterfaceVector& d, const InterfaceVector& answer,
   return false;
 }
 
+// d ← (d + d_reached)/2 where the fields could not be solved at d
 bool DirichletNeumann::go_back(InterfaceVector& d, const InterfaceVector& reached,
                                int n_failed) const {
   if (n_failed > options_.halvings || size_of(difference(d, reached)) == 0.0) return false;

@@ -45,6 +45,8 @@ Monolithic::Monolithic(const Teuchos::ParameterList& list,
       fluid_states_(parts.fluid, list.get<int>("predictor order")),
       wall_states_(parts.wall, list.get<int>("predictor order")) {}
 
+// F(x) = 0 of fluid, wall and mesh together, once from x⁰ = Σ_k c_k xⁿ⁻ᵏ and, where that fails,
+// once more from xⁿ⁻¹ with care.
 Outcome Monolithic::attempt(bool is_careful, const stepping::Clock& clock, Iteration& iteration,
                             bool& is_over) {
   const Stopwatch all;

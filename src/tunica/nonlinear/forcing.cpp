@@ -119,6 +119,7 @@ ForcingOptions forcing_options(const Teuchos::ParameterList& list) {
           number("final part")};
 }
 
+// η = min(η_max, max((s e)², f·stop/e, η_min))
 double increment_forcing(const ForcingOptions& options, double e, double stop) {
   const double wanted = options.scale * e * options.scale * e;
   const double enough = e > 0.0 ? options.final_part * stop / e : options.largest;

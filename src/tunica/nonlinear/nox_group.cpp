@@ -63,7 +63,7 @@ void NoxGroup::setX(const NOX::Abstract::Vector& y) {
 
 void NoxGroup::computeX(const NOX::Abstract::Group& group, const NOX::Abstract::Vector& d,
                         double step) {
-  x_.update(1.0, group.getX(), step, d, 0.0);
+  x_.update(1.0, group.getX(), step, d, 0.0);  // x ← x + λ d
   log_->step_length = step;
   forget();
 }
@@ -92,6 +92,7 @@ NOX::Abstract::Group::ReturnType NoxGroup::computeJacobian() {
 
 NOX::Abstract::Group::ReturnType NoxGroup::computeNewton(Teuchos::ParameterList& list) {
   if (is_newton_) return Ok;
+  // d = −J⁻¹ F to the tolerance of this step
   algebra::BlockVector direction = blocks(newton_);
   log_->linear.push_back(
       problem_->linear_solver().solve(blocks(f_), direction, list.get<double>("Tolerance")));

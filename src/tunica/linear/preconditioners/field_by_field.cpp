@@ -129,6 +129,7 @@ private:
     const int n = static_cast<int>(fields_.size());
     bool is_first = true;
     algebra::BlockVector r(K_->space());
+    // y ← y + ω R_fᵀ K_f⁻¹ R_f (b − K y)
     const auto correct = [&](int f) {
       r.assign(b);
       if (!is_first) subtract_product(y, r);
