@@ -1,5 +1,5 @@
 """Steps that fail are cut and repeated as if the short ones had been chosen at once; adaptive steps
-go on after a restart; both in a coupled run.
+go on after a restart; both in a coupled run, and on two ranks as on one.
 
 Usage: step_control.py FOLDER_OF_PROGRAMS SCRATCH
 """
@@ -20,11 +20,11 @@ ADAPTIVE = ["Time/step control=adaptive", "Time/end time=0.2", "Time/tolerance=0
             "Time/displacement scale=0.005", "Time/velocity scale=0.2", "Output/fields interval=0.08"]
 
 
-def run_case(programs, folder, output, settings, more=()):
+def run_case(programs, folder, output, settings, more=(), ranks=1):
     words = [CASE, "--output", output, *more]
     for setting in EXACT + settings:
         words += ["--set", setting]
-    return Run(command(programs / "tunica-fsi", words), folder), folder / output
+    return Run(command(programs / "tunica-fsi", words, ranks), folder), folder / output
 
 
 def same(verdict, name, one, other, but=("seconds",)):
@@ -34,6 +34,17 @@ def same(verdict, name, one, other, but=("seconds",)):
                  if column not in but and one[column] != other.get(column)]
     verdict.claim(one.keys() == other.keys() and not differing,
                   f"{name}: {len(one['step'])} steps agree to the last digit {differing[:5]}")
+
+
+def alike(verdict, name, one, other, tolerance):
+    """Two histories have the same steps, and values that agree."""
+    one, other = table(one / "steps.csv"), table(other / "steps.csv")
+    verdict.claim(one["rejected"] == other["rejected"], f"{name}: the same steps are repeated {other['rejected']}")
+    for column in ("time", "max_displacement_wall_mm", "elastic_energy_kPa_mm3", "max_speed_mm_per_ms"):
+        scale = max(abs(value) for value in one[column])
+        worst = max(abs(a - b) for a, b in zip(one[column], other[column])) / scale
+        verdict.claim(len(one[column]) == len(other[column]) and worst < tolerance,
+                      f"{name}: {column} agrees to {worst:.1e}")
 
 
 def cuts(verdict, programs, folder):
@@ -57,6 +68,9 @@ def cuts(verdict, programs, folder):
     _, chosen = run_case(programs, folder, "chosen", HARD + ["Output/fields at={0.75}"],
                          ["--steps", 2])
     same(verdict, "cut", results, chosen, ("seconds", "rejected"))
+    run, both = run_case(programs, folder, "cut-2", HARD + ["Time/cuts=2"], ["--steps", 2], 2)
+    verdict.claim(run.status == 0, f"cut on two ranks: exit status {run.status} is 0")
+    alike(verdict, "cut on two ranks", results, both, 1e-9)
 
 
 def goes_on(verdict, programs, folder):
@@ -68,6 +82,9 @@ def goes_on(verdict, programs, folder):
                   f"straight: steps grow from {rows['step_size'][0]:.4f} to "
                   f"{max(rows['step_size']):.4f} ms within the tolerance")
     verdict.claim(0.08 in rows["time"] and 0.16 in rows["time"], "straight: asked times are hit")
+    run, both = run_case(programs, folder, "straight-2", ADAPTIVE, ["--steps", 9], 2)
+    verdict.claim(run.status == 0, f"straight on two ranks: exit status {run.status} is 0")
+    alike(verdict, "straight on two ranks", straight, both, 1e-9)
     run_case(programs, folder, "broken", ADAPTIVE, ["--steps", 5])
     run, broken = run_case(programs, folder, "broken", ADAPTIVE, ["--steps", 9, "--restart"])
     verdict.claim(run.status == 0 and "restart after step 5" in run.out,
