@@ -1,11 +1,7 @@
 #include "tunica/multigrid/muelu/factory_registry.hpp"
 
-#include <Trilinos_version.h>
-
+#include <MueLu_FactoryFactory_def.hpp>  // from 14 on Build2() is a template of its own
 #include <MueLu_SmootherFactory.hpp>
-#if TRILINOS_MAJOR_VERSION >= 14
-#include <MueLu_FactoryFactory_def.hpp>  // Build2() is a template of its own
-#endif
 #include <algorithm>
 #include <type_traits>
 
