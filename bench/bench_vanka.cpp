@@ -12,6 +12,7 @@
 
 #include <Ifpack2_BlockRelaxation.hpp>
 #include <Tpetra_Core.hpp>
+#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -64,7 +65,7 @@ struct Wall {
   std::unique_ptr<algebra::MergedMatrix> merged;
 
   Wall(const std::string& case_file, const std::string& mesh) : list(params::read_xml(case_file)) {
-    list.sublist("Mesh").set("file", mesh);
+    list.sublist("Mesh").set("file", std::filesystem::absolute(mesh).string());
     for (const char* field : {"Fluid", "Wall"})
       list.sublist(field).sublist("Linear Solver") =
           Teuchos::ParameterList("Linear Solver").set("preconditioner", "none");
