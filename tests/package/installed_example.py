@@ -1,4 +1,5 @@
-"""examples/smoothers needs the component multigrid and nothing of the source tree.
+"""examples/smoothers needs the component multigrid and nothing of the source tree; the smoothers by
+themselves need no multigrid, no mesh and no file format.
 
 Usage: installed_example.py SOURCE BUILD CMAKE
 """
@@ -10,6 +11,7 @@ import tempfile
 from installation import CMAKE, SOURCE, Run, Verdict, install_and_move, mentions, must
 from runs import command
 
+HERE = pathlib.Path(__file__).resolve().parent
 LISTS = ["vanka.xml", "node-ilu.xml", "braess-sarazin.xml"]
 ASK = """cmake_minimum_required(VERSION 3.21)
 project(ask LANGUAGES CXX)
@@ -41,6 +43,29 @@ def solve_the_example(verdict, prefix, scratch):
     one, two = (count.get("braess-sarazin.xml") for count in counts)
     verdict.claim(one == two, f"Braess-Sarazin with direct solvers: {one} iterations on one rank, {two} on two; "
                               "the executable carries the repair of KLU2")
+
+
+def use_the_smoothers_alone(verdict, scratch):
+    """The least component: its prefix has no other, and its programs need none of their libraries."""
+    scratch = scratch / "alone"
+    scratch.mkdir()
+    prefix = install_and_move("smoothers", scratch)
+    build = scratch / "build"
+    must([CMAKE, "-S", HERE / "smoothers_alone", "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
+          f"-DCMAKE_CXX_FLAGS=-I{SOURCE / 'examples' / 'smoothers'}"], scratch)
+    must([CMAKE, "--build", build], scratch)
+    needed = must(["readelf", "--dynamic", build / "alone"], scratch).lower()
+    libraries = [line.split("[")[1].rstrip("]") for line in needed.splitlines() if "(needed)" in line]
+    beyond = [name for name in libraries for part in ("muelu", "hdf5", "metis", "nox", "teko", "zoltan")
+              if part in name]
+    verdict.claim(not beyond, f"the smoothers alone need {len(libraries)} libraries, none of others' {beyond}")
+    for ranks in (1, 2):
+        run = Run(command(build / "alone", [], ranks), scratch)
+        print(run.out + run.err)
+        reductions = {words[0]: float(words[1]) for words in map(str.split, run.out.splitlines())}
+        verdict.claim(run.status == 0 and sorted(reductions) == ["braess-sarazin", "node-ilu", "vanka"]
+                      and max(reductions.values()) < 0.1,
+                      f"20 sweeps of each reduce the residual on {ranks} rank(s)")
 
 
 def refusal(scratch, name, ask, options):
@@ -75,6 +100,7 @@ def main():
         verdict.claim(not found, f"no file names the place of installation {found}")
         solve_the_example(verdict, prefix, scratch)
         refuse_what_does_not_fit(verdict, prefix, scratch)
+        use_the_smoothers_alone(verdict, scratch)
     return verdict.status()
 
 
