@@ -11,6 +11,13 @@ namespace tunica {
 /// otherwise the message of the lowest rank that has one. The same on all ranks. Collective.
 std::string agreed_message(const Comm& comm, const std::string& message);
 
+/// Throws the same Exception on all ranks where some have a message. Collective.
+template <class Exception>
+void throw_if_any(const Comm& comm, const std::string& message) {
+  const std::string agreed = agreed_message(comm, message);
+  if (!agreed.empty()) throw Exception(agreed);
+}
+
 /// The outcome of the lowest rank that failed; success where none did. Collective.
 Outcome agreed(const Comm& comm, const Outcome& mine);
 

@@ -1,7 +1,6 @@
 #pragma once
-#include <string>
-
 #include "tunica/algebra/block_matrix.hpp"
+#include "tunica/base/outcome.hpp"
 #include "tunica/linear/named_operators.hpp"
 
 namespace tunica::discretisation {
@@ -13,11 +12,9 @@ class Discretisation : public linear::NamedOperators {
 public:
   virtual const algebra::BlockSpacePtr& space() const = 0;
 
-  /// F at x; rows of constrained unknowns are zero. False where x is not admissible (an inverted
-  /// element), on all ranks alike.
-  virtual bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) = 0;
-  /// Why the last residual() was refused.
-  virtual std::string refusal() const { return "the residual is not a number"; }
+  /// F at x, or why x is not admissible (an inverted element), the same on all ranks. Rows of
+  /// constrained unknowns are zero.
+  virtual Outcome residual(const algebra::BlockVector& x, algebra::BlockVector& F) = 0;
 
   /// Brings jacobian() to x.
   virtual void assemble_jacobian(const algebra::BlockVector& x) = 0;

@@ -55,12 +55,12 @@ MeshMotion::MeshMotion(const fields::FieldMesh& mesh)
     : extension_(mesh, nodes_of_surfaces(mesh)),
       space_(fields::nodal_space(mesh, {{"mesh displacement", 3}})) {}
 
-bool MeshMotion::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
+Outcome MeshMotion::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
   const fields::FieldMesh& mesh = extension_.mesh();
   MultiVector columns(mesh.node_map, 3);
   extension_.residual(columns_of(mesh, x[0]), columns);
   assign_columns(mesh, columns, F[0]);
-  return true;
+  return Outcome::success();
 }
 
 void MeshMotion::assemble_jacobian(const algebra::BlockVector&) {

@@ -36,7 +36,7 @@ public:
   // Discretisation: one block, the displacement of the mesh
   const algebra::BlockSpacePtr& space() const override { return space_; }
   /// x has the given displacements at the nodes of surfaces.
-  bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override;
+  Outcome residual(const algebra::BlockVector& x, algebra::BlockVector& F) override;
   void assemble_jacobian(const algebra::BlockVector& x) override;
   const algebra::BlockMatrix& jacobian() const override { return K_; }
   double mass_norm(const algebra::BlockVector& dx) const override;

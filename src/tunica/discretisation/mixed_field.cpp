@@ -53,13 +53,13 @@ std::vector<double> MixedField::motion_values() const {
   return values;
 }
 
-bool MixedField::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
+Outcome MixedField::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
   read(x);
-  if (!is_admissible()) return false;
+  if (Outcome outcome = is_admissible(); outcome.is_failure()) return outcome;
   assemble(nullptr);
   R_.store(*mesh_, fixed_, F);
   common_motions_.store(R_, *surroundings().u, motion_values(), F);
-  return true;
+  return Outcome::success();
 }
 
 void MixedField::assemble_jacobian(const algebra::BlockVector& x) {

@@ -28,7 +28,7 @@ public:
 
   // Discretisation
   const algebra::BlockSpacePtr& space() const override { return space_; }
-  bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override;
+  Outcome residual(const algebra::BlockVector& x, algebra::BlockVector& F) override;
   void assemble_jacobian(const algebra::BlockVector& x) override;
   /// Made when it is first asked for: a field that is part of a system does without. Collective
   /// then.
@@ -68,7 +68,7 @@ protected:
   /// Takes the values at x to owned and ghost nodes. Collective.
   virtual void read(const algebra::BlockVector& x) = 0;
   /// False where the values read cannot be assembled, on all ranks alike.
-  virtual bool is_admissible() { return true; }
+  virtual Outcome is_admissible() const { return Outcome::success(); }
   /// Fills R_, and K where it is not null, for the values read.
   virtual void assemble(assembly::BlockAssembler* K) = 0;
   /// What the terms of the surfaces see, of the values read.

@@ -172,15 +172,9 @@ void Solid::read(const algebra::BlockVector& x) {
   local_.p = fields::ghosted_scalars(scalar_mesh(), x[1]);
 }
 
-bool Solid::is_admissible() {
+Outcome Solid::is_admissible() const {
   const auto worst = assembly::worst_solid_element(*mesh_, elements_, local_.d);
-  const Outcome outcome = check_inversion(*mesh_, worst.determinant, worst.element, "det F");
-  inversion_ = outcome.reason();
-  return outcome.is_success();
-}
-
-std::string Solid::refusal() const {
-  return inversion_.empty() ? MixedField::refusal() : inversion_;
+  return check_inversion(*mesh_, worst.determinant, worst.element, "det F");
 }
 
 constexpr const char* stress_free_name = "displacement from the shape without stress";

@@ -57,7 +57,6 @@ public:
   Observables observe_surfaces(const algebra::BlockVector& x, const std::vector<int>& surfaces);
 
   // Discretisation
-  std::string refusal() const override;
   void save_history(fields::State& state) const override;
   std::string restore_history(const fields::State& state, const algebra::BlockVector& x) override;
 
@@ -83,7 +82,7 @@ private:
     return {mesh_, &mesh_->x, &mesh_->x, &d_, &v_, 0.0, time_};
   }
   void read(const algebra::BlockVector& x) override;
-  bool is_admissible() override;
+  Outcome is_admissible() const override;
   void assemble(assembly::BlockAssembler* K) override;
   const std::vector<kernels::Tet4>& geometry() const override { return elements_.geometry; }
 
@@ -105,7 +104,6 @@ private:
   std::vector<Vec3> nodal_force_;
   boundary::VectorField body_force_;
   double time_ = 0.0;
-  std::string inversion_;  ///< at the last point of evaluation
 };
 
 /// True where a layer of the wall has fibres, which need frames.

@@ -64,8 +64,7 @@ Hdf5File::Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, 
     : path_(path), comm_(comm), file_(open(path, mode, bytes_to_come, comm), H5Fclose) {
   side_channel(*comm_);  // for the destructor
   noted<hid_t>(file_, mode == Mode::create ? "create" : "open");
-  const std::string problem = agreed_message(*comm_, failure_);
-  if (!problem.empty()) throw MachineFault(problem);
+  throw_if_any<MachineFault>(*comm_, failure_);
 }
 
 Hdf5File::~Hdf5File() {
@@ -190,8 +189,7 @@ void Hdf5File::write(const std::string& name, long long total, int columns,
 void Hdf5File::close() {
   noted(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush");
   noted(file_.close(), "close");
-  const std::string problem = agreed_message(*comm_, failure_);
-  if (!problem.empty()) throw MachineFault(problem);
+  throw_if_any<MachineFault>(*comm_, failure_);
 }
 
 }  // namespace tunica::io

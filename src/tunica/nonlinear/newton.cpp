@@ -123,7 +123,7 @@ NewtonReport try_newton(NonlinearProblem& problem, const NewtonOptions& options,
                               options.relative_increment};
   const auto group = Teuchos::rcp(new NoxGroup(problem, choice, log, nox_vector(space, x)));
   if (group->computeF() != NOX::Abstract::Group::Ok) {
-    report.reason = "the residual cannot be computed at the start: " + problem.refusal();
+    report.reason = "the residual cannot be computed at the start: " + log.refusal;
     return report;
   }
   const auto test = Teuchos::rcp(new IncrementTest(problem, options, log, rule, report));
@@ -143,7 +143,8 @@ NewtonReport try_newton(NonlinearProblem& problem, const NewtonOptions& options,
   report.is_converged = status == NOX::StatusTest::Converged;
   if (!report.is_converged) rule.forget();
   if (!report.is_converged && report.reason.empty())
-    report.reason = "no admissible step along the Newton direction: " + problem.refusal();
+    report.reason = "no admissible step along the Newton direction" +
+                    (log.refusal.empty() ? "" : ": " + log.refusal);
   x.assign(blocks_of(solver->getSolutionGroup().getX(), problem.space()));
   return report;
 }

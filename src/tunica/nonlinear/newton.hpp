@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "tunica/algebra/block_vector.hpp"
+#include "tunica/base/outcome.hpp"
 #include "tunica/linear/linear_solver.hpp"
 #include "tunica/nonlinear/forcing.hpp"
 #include "tunica/nonlinear/jacobian_rule.hpp"
@@ -16,8 +17,8 @@ public:
   virtual ~NonlinearProblem() = default;
 
   virtual const algebra::BlockSpacePtr& space() const = 0;
-  /// F at x. False where x is not admissible (an inverted element), on all ranks alike.
-  virtual bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) = 0;
+  /// F at x, or why x is not admissible (an inverted element). The same on all ranks.
+  virtual Outcome residual(const algebra::BlockVector& x, algebra::BlockVector& F) = 0;
   /// Brings the Jacobian of linear_solver() to x.
   virtual void jacobian(const algebra::BlockVector& x) = 0;
   virtual void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const = 0;
@@ -25,8 +26,6 @@ public:
   /// The norm by which Newton's method stops; of a field (dxᵀ M dx)^½ with the mass matrices of all
   /// unknowns, [LY1] newstop.
   virtual double increment_norm(const algebra::BlockVector& dx) = 0;
-  /// Why the last residual() was refused.
-  virtual std::string refusal() const = 0;
 };
 
 enum class StopAt { increment, next_increment, remaining_error };

@@ -71,11 +71,13 @@ void NoxGroup::computeX(const NOX::Abstract::Group& group, const NOX::Abstract::
 NOX::Abstract::Group::ReturnType NoxGroup::computeF() {
   if (is_f_) return Ok;
   algebra::BlockVector F = blocks(f_);
-  if (!problem_->residual(blocks(x_), F)) return Failed;
+  const Outcome outcome = problem_->residual(blocks(x_), F);
+  log_->refusal = outcome.reason();
+  if (outcome.is_failure()) return Failed;
   norm_f_ = f_.norm(NOX::Abstract::Vector::TwoNorm);
-  if (!std::isfinite(norm_f_)) return Failed;
-  is_f_ = true;
-  return Ok;
+  is_f_ = std::isfinite(norm_f_);
+  if (!is_f_) log_->refusal = "the residual is not a number";
+  return is_f_ ? Ok : Failed;
 }
 
 NOX::Abstract::Group::ReturnType NoxGroup::computeJacobian() {

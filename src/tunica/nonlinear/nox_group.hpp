@@ -13,6 +13,7 @@ algebra::BlockVector blocks_of(const NOX::Abstract::Vector& v, const algebra::Bl
 struct SolveLog {
   std::vector<linear::SolveReport> linear;
   double step_length = 1.0;
+  std::string refusal;  ///< why the last residual cannot serve; empty where it can
 };
 
 /// Whether a step takes a new Jacobian.

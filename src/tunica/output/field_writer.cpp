@@ -98,8 +98,7 @@ FieldWriter::FieldWriter(const std::string& folder, const std::vector<Grid>& gri
     shapes_.push_back(shape_of(grid));
     if (problem.empty()) problem = misfit(grid, sum(*comm_, shapes_.back().points));
   }
-  problem = agreed_message(*comm_, problem);
-  if (!problem.empty()) throw std::logic_error(problem);
+  throw_if_any<std::logic_error>(*comm_, problem);
 
   if (can_go_on(kept_step))
     go_on(grids, kept_step);
@@ -254,8 +253,7 @@ std::string FieldWriter::complaint(int step, double time, const Block& block) co
 }
 
 void FieldWriter::finish_step() {
-  const std::string problem = agreed_message(*comm_, complaint_);
-  if (!problem.empty()) throw std::logic_error(problem);
+  throw_if_any<std::logic_error>(*comm_, complaint_);
   if (blocks_.empty()) return;
 
   const std::string group = group_of(step_);

@@ -162,11 +162,6 @@ void CoupledProblem::read(const algebra::BlockVector& x) {
   for (int b = 0; b < wall_x_.n_blocks(); ++b) wall_x_[b].update(1.0, reference_[b], 1.0);
 }
 
-bool CoupledProblem::refuse(const std::string& reason) {
-  refusal_ = reason;
-  return false;
-}
-
 Outcome CoupledProblem::follow_wall(std::optional<double> tolerance) {
   const Stopwatch watch;
   const std::vector<Vec3> d = fields::owned_vectors(wall_->mesh(), wall_x_["displacement"]);
@@ -177,24 +172,24 @@ Outcome CoupledProblem::follow_wall(std::optional<double> tolerance) {
       .at("the fluid's mesh");
 }
 
-bool CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
+Outcome CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
   read(x);
   if (!is_extrapolated_) {
-    if (const Outcome outcome = follow_wall(mesh_tolerance_); outcome.is_failure())
-      return refuse(outcome.reason());
+    if (const Outcome outcome = follow_wall(mesh_tolerance_); outcome.is_failure()) return outcome;
     fluid_->fix_coefficients();
   }
   const Stopwatch flowing;
-  if (!fluid_->residual(fluid_x_, fluid_F_)) return refuse("the fluid: " + fluid_->refusal());
+  if (const Outcome outcome = fluid_->residual(fluid_x_, fluid_F_); outcome.is_failure())
+    return outcome.at("the fluid");
   seconds_.fluid += flowing.seconds();
   const Stopwatch straining;
-  if (!wall_->residual(wall_x_, wall_F_)) return refuse("the wall: " + wall_->refusal());
+  if (const Outcome outcome = wall_->residual(wall_x_, wall_F_); outcome.is_failure())
+    return outcome.at("the wall");
   seconds_.wall += straining.seconds();
   F.set_zero();
   fluid_part_->add(fluid_F_, F);
   wall_part_->add(wall_F_, F);
-  refusal_ = "the residual is not a number";
-  return true;
+  return Outcome::success();
 }
 
 void CoupledProblem::jacobian(const algebra::BlockVector& x) {
@@ -302,7 +297,7 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
   if (!solution.is_taken && wants_any &&
       static_cast<int>(solution.newton.steps.size()) >= options.max_iterations) {
     algebra::BlockVector F(space());
-    solution.is_taken = residual(x, F);
+    solution.is_taken = residual(x, F).is_success();
   }
   if (solution.is_taken) {
     read(x);

@@ -71,7 +71,7 @@ public:
 
   // NonlinearProblem
   const algebra::BlockSpacePtr& space() const override { return K_->space(); }
-  bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override;
+  Outcome residual(const algebra::BlockVector& x, algebra::BlockVector& F) override;
   void jacobian(const algebra::BlockVector& x) override;
   void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const override {
     K_->apply(x, y);
@@ -79,7 +79,6 @@ public:
   linear::LinearSolver& linear_solver() override { return *solver_; }
   /// Root mean square of Δt |dy| over the vertices: how far the increment moves them [mm].
   double increment_norm(const algebra::BlockVector& dx) override;
-  std::string refusal() const override { return refusal_; }
 
   // SystemSource
   void watch_solves(SolveWatch watch) override;
@@ -103,7 +102,6 @@ private:
   void read(const algebra::BlockVector& x);
   /// The mesh moves with wall_x_; tolerance: none for that of the mesh motion.
   Outcome follow_wall(std::optional<double> tolerance);
-  bool refuse(const std::string& reason);
 
   const fields::FieldMesh* mesh_;
   const fields::InterfaceTransfer* interface_;
@@ -126,7 +124,6 @@ private:
   algebra::BlockVector jacobian_fluid_x_, jacobian_wall_x_;  ///< where K was made
   algebra::BlockVector reference_;                           ///< (d̃, 0) of the wall
   double dt_ = 0.0;                                          ///< Δt of y
-  std::string refusal_;
   Seconds seconds_;
 };
 

@@ -138,7 +138,7 @@ void agree(const fields::FieldMesh& mesh, int element, const std::string& what) 
          << ", " << x[2] << ") has no " << what;
     message = text.str();
   }
-  throw Error(agreed_message(*mesh.comm, message));
+  throw_if_any<Error>(*mesh.comm, message);
 }
 
 std::vector<materials::Frame> frames_of(const fields::FieldMesh& mesh, const Directions& d,

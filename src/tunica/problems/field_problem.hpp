@@ -60,7 +60,7 @@ public:
 
   // NonlinearProblem
   const algebra::BlockSpacePtr& space() const override { return field_->space(); }
-  bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override {
+  Outcome residual(const algebra::BlockVector& x, algebra::BlockVector& F) override {
     return field_->residual(x, F);
   }
   void jacobian(const algebra::BlockVector& x) override;
@@ -70,7 +70,6 @@ public:
   /// Made when it is first asked for: a field that others solve for does without.
   linear::LinearSolver& linear_solver() override;
   double increment_norm(const algebra::BlockVector& dx) override { return field_->mass_norm(dx); }
-  std::string refusal() const override { return field_->refusal(); }
 
 protected:
   /// Newton's method from the present state, to which it goes back where it fails. What a step or

@@ -38,7 +38,7 @@ TEUCHOS_UNIT_TEST(coupled_problem, momentum_of_both_fields_adds_up_on_the_interf
   TEST_ASSERT(both.problem.begin_step(stepping::Clock(0.125, 1)).is_success());
   algebra::BlockVector F(both.problem.space());
   const auto x = both.point(1);
-  TEST_ASSERT(both.problem.residual(x, F));
+  TEST_ASSERT(both.problem.residual(x, F).is_success());
   // The fields at the same point, by their own equations: d = Δt y from rest.
   const double dt = 1.0 / both.fluid.time_scheme().rate();
   algebra::BlockVector u(both.fluid.space()), d(both.wall.space());
@@ -54,10 +54,11 @@ TEUCHOS_UNIT_TEST(coupled_problem, momentum_of_both_fields_adds_up_on_the_interf
   set(both.tube.fluid, 1.0, u[0]);
   set(both.tube.wall, dt, d[0]);
   // Pressures do not act on the sums below: both have a mean that the surface takes.
-  TEST_ASSERT(both.fluid.residual(u, of_fluid) && both.wall.residual(d, of_wall));
+  TEST_ASSERT(both.fluid.residual(u, of_fluid).is_success() &&
+              both.wall.residual(d, of_wall).is_success());
   algebra::BlockVector y(both.problem.space()), sum(both.problem.space());
   y[0].assign(x[0]);
-  TEST_ASSERT(both.problem.residual(y, sum));
+  TEST_ASSERT(both.problem.residual(y, sum).is_success());
   const auto total = sum[0].getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto one = of_fluid[0].getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto other = of_wall[0].getLocalViewHost(Tpetra::Access::ReadOnly);

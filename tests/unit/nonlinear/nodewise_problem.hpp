@@ -24,7 +24,7 @@ public:
   const std::vector<double>& tolerances() const { return tolerances_; }
 
   const algebra::BlockSpacePtr& space() const override { return diagonal_.space(); }
-  bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override {
+  Outcome residual(const algebra::BlockVector& x, algebra::BlockVector& F) override {
     const auto u = x[0].getLocalViewHost(Tpetra::Access::ReadOnly);
     const auto p = x[1].getLocalViewHost(Tpetra::Access::ReadOnly);
     const auto Fu = F[0].getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -35,7 +35,8 @@ public:
       is_admissible = is_admissible && !(refuses_ && refuses_(p(k, 0)));
       Fp(k, 0) = f_(p(k, 0));
     }
-    return all_agree(*mesh_->comm, is_admissible);
+    return all_agree(*mesh_->comm, is_admissible) ? Outcome::success()
+                                                  : Outcome::failure("p is out of range");
   }
   void jacobian(const algebra::BlockVector& x) override {
     diagonal_[0].putScalar(1.0);
@@ -51,7 +52,6 @@ public:
   double increment_norm(const algebra::BlockVector& dx) override {
     return assembly::mass_norm(*mesh_, geometry_, dx);
   }
-  std::string refusal() const override { return "p is out of range"; }
 
   void matrix_changed() override {}
   void prepare() override {}

@@ -21,14 +21,14 @@ public:
   }
 
   const algebra::BlockSpacePtr& space() const override { return space_; }
-  bool residual(const algebra::BlockVector& x, algebra::BlockVector& F) override {
+  Outcome residual(const algebra::BlockVector& x, algebra::BlockVector& F) override {
     for (int b = 0; b < space_->n_blocks(); ++b) {
       F[b].putScalar(-cubes_[b]);
       const auto to = F[b].getLocalViewHost(read_write);
       const auto from = x[b].getLocalViewHost(read_only);
       for (std::size_t i = 0; i < from.extent(0); ++i) to(i, 0) += std::pow(from(i, 0), 3);
     }
-    return true;
+    return Outcome::success();
   }
   void jacobian(const algebra::BlockVector& x) override {
     for (int b = 0; b < space_->n_blocks(); ++b)
@@ -44,7 +44,6 @@ public:
     for (int b = 0; b < dx.n_blocks(); ++b) sum += std::pow(dx[b].norm2(), 2);
     return std::sqrt(sum);
   }
-  std::string refusal() const override { return ""; }
 
   void matrix_changed() override {}
   void prepare() override {}

@@ -1,6 +1,7 @@
 #pragma once
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <limits>
 #include <string>
 
 #include "tunica/params/table.hpp"
@@ -74,8 +75,8 @@ double jacobian_error(Problem& problem, const algebra::BlockVector& x,
   minus.assign(x);
   add(epsilon, v, plus);
   add(-epsilon, v, minus);
-  problem.residual(plus, quotient);
-  problem.residual(minus, F);
+  if (problem.residual(plus, quotient).is_failure() || problem.residual(minus, F).is_failure())
+    return std::numeric_limits<double>::infinity();
   add(-1.0, F, quotient);
   quotient[0].scale(0.5 / epsilon);
   quotient[1].scale(0.5 / epsilon);

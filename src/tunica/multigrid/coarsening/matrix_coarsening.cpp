@@ -24,8 +24,7 @@ void check_nodes(const Map& rows, const Map& nodes, const algebra::DofLayout& nu
                 " on the same rank. Unknowns are numbered " + std::to_string(numbering.dofs()) +
                 " * node + i, the scalar last.";
   }
-  problem = agreed_message(*rows.getComm(), problem);
-  TUNICA_CHECK(problem.empty(), problem);
+  throw_if_any<Error>(*rows.getComm(), problem);
 }
 
 Teuchos::RCP<CrsMatrix> matrix_of(Neighbours neighbours, const Teuchos::RCP<const Map>& nodes) {

@@ -155,11 +155,10 @@ void MixedCoarsening::check_mixed(int level, const CrsMatrix& K) {
   for (std::size_t i = 0; is_mixed && i < n; ++i)
     is_mixed = rows.getGlobalElement(static_cast<int>(i)) % numbering_.dofs() ==
                static_cast<GlobalOrdinal>(i % dofs);
-  const std::string problem = agreed_message(
+  throw_if_any<std::runtime_error>(
       *rows.getComm(), is_mixed ? ""
                                 : "a smoother for mixed matrices needs one with " +
                                       std::to_string(dofs) + " unknowns per node, the scalar last");
-  if (!problem.empty()) throw std::runtime_error(problem);
 }
 
 const Teuchos::RCP<const Map>& MixedCoarsening::map(int level, int block) {

@@ -110,11 +110,10 @@ void set_blocks(MueLu::Level& finest, const CrsMatrix& A, const algebra::DofLayo
     is_whole &= number % numbering.dofs() == expected;
     expected = (expected + 1) % numbering.components(0);
   }
-  const std::string problem = agreed_message(
+  throw_if_any<std::runtime_error>(
       *rows.getComm(), is_whole && expected == 0
                            ? ""
                            : "\"matrix\" = \"blocked\" needs all components at each vector node.");
-  if (!problem.empty()) throw std::runtime_error(problem);
   const auto blocks = blocked(A, numbering);
   finest.Set<Teuchos::RCP<XMatrix>>("A", blocks);
   for (int b = 0; b < numbering.n_blocks(); ++b)

@@ -83,8 +83,7 @@ struct BraessSarazin::Parts {
         inverse(i, 0) = 1.0 / ((blocks.is_uncovered[i] ? 1.0 : options.scaling) * d(i, 0));
       }
     }
-    problem = agreed_message(*K->getComm(), problem);
-    if (!problem.empty()) throw std::runtime_error(problem);
+    throw_if_any<std::runtime_error>(*K->getComm(), problem);
   }
 };
 

@@ -42,8 +42,7 @@ public:
       message = "NodalIluSmoother: the block of node " + std::to_string(blocks_.number(singular)) +
                 " cannot be inverted in the order of the nodes; systems without stabilisation need "
                 "another smoother.";
-    message = agreed_message(*K_->getComm(), message);
-    if (!message.empty()) throw std::runtime_error(message);
+    throw_if_any<std::runtime_error>(*K_->getComm(), message);
   }
 
   void smooth(double damping, const MultiVector& b, MultiVector& x) override {

@@ -30,8 +30,8 @@ public:
           "the patch of the pressure in" + name(patches_.rows[patches_.start[patch + 1] - 1]);
     if (const int row = refresh_uncovered_rows(); row >= 0 && singular.empty())
       singular = "the diagonal of the velocity in" + name(row);
-    singular = agreed_message(*K_->getComm(), singular);
-    if (!singular.empty()) throw std::runtime_error("Vanka: " + singular + " is singular.");
+    if (!singular.empty()) singular = "Vanka: " + singular + " is singular.";
+    throw_if_any<std::runtime_error>(*K_->getComm(), singular);
   }
 
   void smooth(const MultiVector& b, MultiVector& x) const override {
@@ -177,8 +177,7 @@ std::unique_ptr<Vanka> make_vanka(const CrsMatrix& K, const std::vector<char>& i
     } catch (const std::invalid_argument& error) {
       problem = error.what();
     }
-    problem = agreed_message(*K.getComm(), problem);
-    if (!problem.empty()) throw std::invalid_argument(problem);
+    throw_if_any<std::invalid_argument>(*K.getComm(), problem);
   }
   return std::make_unique<PatchVanka>(K, is_pressure, options);
 }
