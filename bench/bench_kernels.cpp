@@ -61,6 +61,16 @@ void run(benchmark::State& state, const Kernel& kernel) {
                                               benchmark::Counter::kIsRate);
 }
 
+/// Four elements at a time, with what it takes to put them into lanes.
+template <class Kernel>
+void run_packs(benchmark::State& state, const Kernel& kernel) {
+  elements();
+  for (auto _ : state)
+    for (int e = 0; e < n_elements; e += Pack::size) kernel(e);
+  state.counters["tets"] = benchmark::Counter(static_cast<double>(state.iterations()) * n_elements,
+                                              benchmark::Counter::kIsRate);
+}
+
 void geometry(benchmark::State& state) {
   run(state, [](int e) { benchmark::DoNotOptimize(make_tet4(elements().x[e])); });
 }
@@ -91,6 +101,46 @@ void solid_jacobian(benchmark::State& state, const char* name) {
   });
 }
 
+void packed_solid_jacobian(benchmark::State& state, const char* name) {
+  const auto law = materials::make_law(name, {});
+  Tet4Of<Pack> T;
+  SolidStateOf<Pack> solid;
+  const SolidCoefficientsOf<Pack> constants{solid_constants.alpha, solid_constants.inv_kappa,
+                                            solid_constants.tau};
+  PackedLaws laws;
+  laws.laws.fill(law.get());
+  MixedResidualOf<Pack> R;
+  MixedJacobianOf<Pack> K;
+  run_packs(state, [&](int e) {
+    for (int lane = 0; lane < Pack::size; ++lane) {
+      set_lane(T, lane, elements().T[e + lane]);
+      set_lane(solid, lane, elements().solid[e + lane]);
+    }
+    solid_up_jacobian(T, solid, laws, constants, R, K);
+    benchmark::DoNotOptimize(R);
+    benchmark::DoNotOptimize(K);
+  });
+}
+
+void packed_fluid_jacobian(benchmark::State& state) {
+  Tet4Of<Pack> T;
+  FluidStateOf<Pack> fluid;
+  MixedResidualOf<Pack> R;
+  MixedJacobianOf<Pack> K;
+  run_packs(state, [&](int e) {
+    Pack tau;
+    for (int lane = 0; lane < Pack::size; ++lane) {
+      const FluidState& mine = elements().fluid[e + lane];
+      set_lane(T, lane, elements().T[e + lane]);
+      set_lane(fluid, lane, mine);
+      set_lane(tau, lane, fluid_tau(elements().T[e + lane], mine.u[0], fluid_constants));
+    }
+    fluid_up_jacobian(T, fluid, fluid_constants, tau, R, K);
+    benchmark::DoNotOptimize(R);
+    benchmark::DoNotOptimize(K);
+  });
+}
+
 void fluid_residual(benchmark::State& state) {
   run(state, [](int e) {
     const double tau = fluid_tau(elements().T[e], elements().fluid[e].u[0], fluid_constants);
@@ -114,8 +164,12 @@ BENCHMARK(geometry);
 BENCHMARK(laplace);
 BENCHMARK_CAPTURE(solid_residual, mooney_rivlin, "mooney-rivlin");
 BENCHMARK_CAPTURE(solid_jacobian, mooney_rivlin, "mooney-rivlin");
+BENCHMARK_CAPTURE(packed_solid_jacobian, mooney_rivlin, "mooney-rivlin");
+BENCHMARK_CAPTURE(solid_jacobian, holzapfel, "holzapfel");
+BENCHMARK_CAPTURE(packed_solid_jacobian, holzapfel, "holzapfel");
 BENCHMARK(fluid_residual);
 BENCHMARK(fluid_jacobian);
+BENCHMARK(packed_fluid_jacobian);
 
 }  // namespace
 

@@ -10,19 +10,82 @@ namespace tunica::assembly {
 namespace {
 
 /// Zeroes constrained rows and columns of an element matrix but for their diagonals.
-void constrain(const std::array<std::uint8_t, 4>& fixed, kernels::MixedJacobian& K) {
+void constrain(const std::array<std::uint8_t, 4>& fixed, ElementMatrix& K) {
+  for (int a = 0; a < 4; ++a)
+    for (int i = 0; i < 4; ++i) {
+      if (!((fixed[a] >> i) & 1)) continue;
+      const double diagonal = K.k[a][a][i][i];
+      for (int b = 0; b < 4; ++b)
+        for (int j = 0; j < 4; ++j) K.k[a][b][i][j] = K.k[b][a][j][i] = 0.0;
+      K.k[a][a][i][i] = diagonal;
+    }
+}
+
+/// Row i of a pair of nodes in all lanes, four packs, into the elements' matrices.
+inline void separate(const Pack& c0, const Pack& c1, const Pack& c2, const Pack& c3, int a, int b,
+                     int i, ElementMatrix* K) {
+  static_assert(Pack::size == 4);
+  const auto &v0 = c0.values(), &v1 = c1.values(), &v2 = c2.values(), &v3 = c3.values();
+  const auto even01 = __builtin_shufflevector(v0, v1, 0, 4, 2, 6);
+  const auto odd01 = __builtin_shufflevector(v0, v1, 1, 5, 3, 7);
+  const auto even23 = __builtin_shufflevector(v2, v3, 0, 4, 2, 6);
+  const auto odd23 = __builtin_shufflevector(v2, v3, 1, 5, 3, 7);
+  Pack(__builtin_shufflevector(even01, even23, 0, 1, 4, 5)).store(K[0].k[a][b][i]);
+  Pack(__builtin_shufflevector(odd01, odd23, 0, 1, 4, 5)).store(K[1].k[a][b][i]);
+  Pack(__builtin_shufflevector(even01, even23, 2, 3, 6, 7)).store(K[2].k[a][b][i]);
+  Pack(__builtin_shufflevector(odd01, odd23, 2, 3, 6, 7)).store(K[3].k[a][b][i]);
+}
+
+/// A pack of Jacobians, times the units of their blocks, as those of its elements.
+TUNICA_PACKED void separate(const kernels::MixedJacobianOf<Pack>& Ke, const double units[2][2],
+                            ElementMatrix* K) {
+  const Pack uu = units[0][0], up = units[0][1], pu = units[1][0], pp = units[1][1];
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b) {
-      const bool is_fixed_p_row = fixed[a] & fixed_scalar, is_fixed_p_col = fixed[b] & fixed_scalar;
       for (int i = 0; i < 3; ++i) {
-        const bool is_fixed_row = (fixed[a] >> i) & 1, is_fixed_col = (fixed[b] >> i) & 1;
-        for (int j = 0; j < 3; ++j)
-          if ((is_fixed_row || ((fixed[b] >> j) & 1)) && !(a == b && i == j)) K.A[a][b][i][j] = 0.0;
-        if (is_fixed_row || is_fixed_p_col) K.B1T[a][b][i] = 0.0;
-        if (is_fixed_p_row || is_fixed_col) K.B2[a][b][i] = 0.0;
+        const Pack* const A = Ke.A[a][b][i];
+        separate(uu * A[0], uu * A[1], uu * A[2], up * Ke.B1T[a][b][i], a, b, i, K);
       }
-      if ((is_fixed_p_row || is_fixed_p_col) && a != b) K.mC[a][b] = 0.0;
+      const Pack* const B2 = Ke.B2[a][b];
+      separate(pu * B2[0], pu * B2[1], pu * B2[2], pp * Ke.mC[a][b], a, b, 3, K);
     }
+}
+
+/// Where the unknowns of an element's nodes have their rows; null where other ranks have them.
+struct ElementRows {
+  double *vector[4], *scalar[4];  ///< of component 0
+  std::size_t length[4];          ///< of the vector's rows
+};
+
+/// Adds where the unknowns of a node stand side by side: places[4a + b] is where those of b begin
+/// in the rows of a.
+TUNICA_CLONES void add_side_by_side(const ElementMatrix& Ke, const ElementRows& rows,
+                                    const std::int16_t* places) {
+  const auto add = [](const double* from, double* to) {
+    (Pack::load(to) + Pack::load(from)).store(to);
+  };
+  for (int a = 0; a < 4; ++a) {
+    if (rows.vector[a] == nullptr) continue;
+    for (int b = 0; b < 4; ++b) {
+      double* const row = rows.vector[a] + places[4 * a + b];
+      for (int i = 0; i < 3; ++i) add(Ke.k[a][b][i], row + i * rows.length[a]);
+      add(Ke.k[a][b][3], rows.scalar[a] + places[4 * a + b]);
+    }
+  }
+}
+
+kernels::MixedJacobian lane_of(const kernels::MixedJacobianOf<Pack>& Ke, int lane) {
+  kernels::MixedJacobian K;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) K.A[a][b][i][j] = Ke.A[a][b][i][j][lane];
+        K.B1T[a][b][i] = Ke.B1T[a][b][i][lane];
+        K.B2[a][b][i] = Ke.B2[a][b][i][lane];
+      }
+      K.mC[a][b] = Ke.mC[a][b][lane];
+    }
+  return K;
 }
 
 /// Copies what is not constrained.
@@ -39,14 +102,17 @@ void NodalResidual::set_zero() {
   std::fill(p.begin(), p.end(), 0.0);
 }
 
-void NodalResidual::add(const fields::FieldMesh& mesh, std::size_t e,
-                        const kernels::MixedResidual& R) {
-  const auto& scalar_nodes = fields::scalar_mesh(mesh, split_).tets[e];
-  for (int a = 0; a < 4; ++a) {
-    const int node = mesh.tets[e][a];
-    if (node >= mesh.n_owned) continue;
-    u[node] += R.u[a];
-    p[scalar_nodes[a]] += R.p[a];
+void NodalResidual::add(const fields::FieldMesh& mesh, const PackedElements& elements,
+                        const kernels::MixedResidualOf<Pack>& R) {
+  for (int lane = 0; lane < elements.n; ++lane) {
+    const std::size_t e = elements.number[lane];
+    const auto& scalar_nodes = fields::scalar_mesh(mesh, split_).tets[e];
+    for (int a = 0; a < 4; ++a) {
+      const int node = mesh.tets[e][a];
+      if (node >= mesh.n_owned) continue;
+      for (int i = 0; i < 3; ++i) u[node][i] += R.u[a][i][lane];
+      p[scalar_nodes[a]] += R.p[a][lane];
+    }
   }
 }
 
@@ -94,15 +160,20 @@ void BlockAssembler::finish() {
   if (place_ == nullptr) K_->end_assembly();
 }
 
-void BlockAssembler::add(std::size_t e, const kernels::MixedJacobian& Ke) {
-  const auto& nodes = mesh_->tets[e];
-  const std::array<std::uint8_t, 4> fixed{(*fixed_)[nodes[0]], (*fixed_)[nodes[1]],
-                                          (*fixed_)[nodes[2]], (*fixed_)[nodes[3]]};
-  if ((fixed[0] | fixed[1] | fixed[2] | fixed[3]) == 0) return scatter(e, Ke);
-  if (motions_ != nullptr) motions_->collect(e, Ke);
-  kernels::MixedJacobian constrained = Ke;
-  constrain(fixed, constrained);
-  scatter(e, constrained);
+void BlockAssembler::add(const PackedElements& elements, const kernels::MixedJacobianOf<Pack>& Ke) {
+  ElementMatrix K[Pack::size];
+  separate(Ke, units_, K);
+  for (int lane = 0; lane < elements.n; ++lane) {
+    const std::size_t e = elements.number[lane];
+    const auto& nodes = mesh_->tets[e];
+    const std::array<std::uint8_t, 4> fixed{(*fixed_)[nodes[0]], (*fixed_)[nodes[1]],
+                                            (*fixed_)[nodes[2]], (*fixed_)[nodes[3]]};
+    if ((fixed[0] | fixed[1] | fixed[2] | fixed[3]) != 0) {
+      if (motions_ != nullptr) motions_->collect(e, lane_of(Ke, lane));
+      constrain(fixed, K[lane]);
+    }
+    scatter(e, K[lane]);
+  }
 }
 
 void BlockAssembler::add(double s, const std::vector<Vec3>& w, const std::vector<Vec3>& v) {
@@ -114,26 +185,30 @@ void BlockAssembler::add(double s, const std::vector<Vec3>& w, const std::vector
   store_free(v, *fixed_, product.v[0]);
 }
 
-void BlockAssembler::scatter(std::size_t e, const kernels::MixedJacobian& Ke) {
+void BlockAssembler::scatter(std::size_t e, const ElementMatrix& Ke) {
   const std::size_t t = place_ != nullptr ? place_->tets[e] : e;
   const auto &nodes = K_->mesh().tets[t], &scalar_nodes = K_->mesh_of(1).tets[t];
+  ElementRows rows;
+  for (int a = 0; a < 4; ++a) {
+    const bool is_owned = nodes[a] < K_->mesh().n_owned;
+    rows.vector[a] = is_owned ? values_ + K_->rows(0).start[nodes[a]] : nullptr;
+    rows.scalar[a] = is_owned ? values_ + K_->rows(1).start[scalar_nodes[a]] : nullptr;
+    rows.length[a] = is_owned ? K_->rows(0).length[nodes[a]] : 0;
+  }
+  if (const std::int16_t* const places = K_->places_side_by_side(t))
+    return add_side_by_side(Ke, rows, places);
   const auto uu = K_->places(t, 0, 0), up = K_->places(t, 0, 1), pu = K_->places(t, 1, 0),
              pp = K_->places(t, 1, 1);
   for (int a = 0; a < 4; ++a) {
-    if (nodes[a] >= K_->mesh().n_owned) continue;
-    double* const row_u = values_ + K_->rows(0).start[nodes[a]];
-    double* const row_p = values_ + K_->rows(1).start[scalar_nodes[a]];
-    const std::size_t length = K_->rows(0).length[nodes[a]];
+    if (rows.vector[a] == nullptr) continue;
     for (int b = 0; b < 4; ++b) {
-      double* const A = row_u + uu(a, b);
-      double* const B1T = row_u + up(a, b);
-      double* const B2 = row_p + pu(a, b);
-      for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) A[length * i + j] += units_[0][0] * Ke.A[a][b][i][j];
-        B1T[length * i] += units_[0][1] * Ke.B1T[a][b][i];
-        B2[i] += units_[1][0] * Ke.B2[a][b][i];
+      double* row = rows.vector[a];
+      for (int i = 0; i < 3; ++i, row += rows.length[a]) {
+        for (int j = 0; j < 3; ++j) row[uu(a, b) + j] += Ke.k[a][b][i][j];
+        row[up(a, b)] += Ke.k[a][b][i][3];
       }
-      row_p[pp(a, b)] += units_[1][1] * Ke.mC[a][b];
+      for (int j = 0; j < 3; ++j) rows.scalar[a][pu(a, b) + j] += Ke.k[a][b][3][j];
+      rows.scalar[a][pp(a, b)] += Ke.k[a][b][3][3];
     }
   }
 }

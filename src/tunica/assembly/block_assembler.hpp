@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,19 @@ using Constraints = std::vector<std::uint8_t>;
 constexpr std::uint8_t fixed_vector = 7;
 constexpr std::uint8_t fixed_scalar = 8;
 
+/// The elements that a pack of kernels' results belongs to: the first n of its lanes; the others
+/// hold the last of them again.
+struct PackedElements {
+  std::array<std::size_t, Pack::size> number;
+  int n;
+
+  /// Those that follow, from first on, of so many.
+  PackedElements(std::size_t first, std::size_t count)
+      : n(static_cast<int>(std::min<std::size_t>(Pack::size, count - first))) {
+    for (int lane = 0; lane < Pack::size; ++lane) number[lane] = first + std::min(lane, n - 1);
+  }
+};
+
 /// Residual of a field on the owned nodes, before Dirichlet rows are removed, so that it holds
 /// the reactions there.
 struct NodalResidual {
@@ -26,7 +40,8 @@ struct NodalResidual {
   explicit NodalResidual(const fields::FieldMesh& mesh, const fields::SplitMesh* split = nullptr)
       : u(mesh.n_owned), p(fields::scalar_mesh(mesh, split).n_owned), split_(split) {}
   void set_zero();
-  void add(const fields::FieldMesh& mesh, std::size_t e, const kernels::MixedResidual& R);
+  void add(const fields::FieldMesh& mesh, const PackedElements& elements,
+           const kernels::MixedResidualOf<Pack>& R);
   void add(const fields::FieldMesh& mesh, const fields::Face& face,
            const kernels::SurfaceResidual& R);
   /// Copies into F with zeros in the constrained rows.
@@ -35,6 +50,11 @@ struct NodalResidual {
 
 private:
   const fields::SplitMesh* split_;
+};
+
+/// An element's Jacobian by pairs of its nodes: k[a][b][i][j] is ∂R_ai/∂x_bj, the scalar last.
+struct alignas(sizeof(Pack)) ElementMatrix {
+  double k[4][4][4][4];
 };
 
 /// What the Jacobian of a field is part of: that of several fields, in which the field has other
@@ -61,7 +81,7 @@ public:
   /// Added to a larger one; products may be null where there are none.
   BlockAssembler(const Whole& whole, const fields::FieldMesh& mesh, const Constraints& fixed,
                  CommonMotions* motions, algebra::LowRank* products);
-  void add(std::size_t e, const kernels::MixedJacobian& Ke);
+  void add(const PackedElements& elements, const kernels::MixedJacobianOf<Pack>& Ke);
   void add(const fields::Face& face, const kernels::SurfaceJacobian& Ke);
   /// s w vᵀ on the vector unknown, given on the owned nodes.
   void add(double s, const std::vector<Vec3>& w, const std::vector<Vec3>& v);
@@ -72,7 +92,7 @@ private:
                  CommonMotions* motions, algebra::LowRank* products, double* values);
 
   int node_of(int a) const { return place_ != nullptr ? place_->nodes[a] : a; }
-  void scatter(std::size_t e, const kernels::MixedJacobian& Ke);
+  void scatter(std::size_t e, const ElementMatrix& Ke);
   /// Of the vector unknowns at the owned nodes, in the field's units.
   Vector diagonal() const;
 

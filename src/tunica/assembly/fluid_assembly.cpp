@@ -17,18 +17,26 @@ kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh
 
 void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements,
                     const FluidFields& state, NodalResidual& R, BlockAssembler* K) {
-  kernels::MixedResidual Re;
-  kernels::MixedJacobian Ke;
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    const kernels::FluidState s = state_of(state, mesh, e);
-    const kernels::Tet4& T = elements.geometry[e];
-    if (K == nullptr) {
-      Re = kernels::fluid_up_residual(T, s, elements.coefficients, elements.tau[e]);
-    } else {
-      kernels::fluid_up_jacobian(T, s, elements.coefficients, elements.tau[e], Re, Ke);
-      K->add(e, Ke);
+  kernels::Tet4Of<Pack> T;
+  kernels::FluidStateOf<Pack> s;
+  Pack tau;
+  kernels::MixedResidualOf<Pack> Re;
+  kernels::MixedJacobianOf<Pack> Ke;
+  for (std::size_t first = 0; first < mesh.tets.size(); first += Pack::size) {
+    const PackedElements pack(first, mesh.tets.size());
+    for (int lane = 0; lane < Pack::size; ++lane) {
+      const std::size_t e = pack.number[lane];
+      set_lane(T, lane, elements.geometry[e]);
+      set_lane(s, lane, state_of(state, mesh, e));
+      set_lane(tau, lane, elements.tau[e]);
     }
-    R.add(mesh, e, Re);
+    if (K == nullptr) {
+      kernels::fluid_up_residual(T, s, elements.coefficients, tau, Re);
+    } else {
+      kernels::fluid_up_jacobian(T, s, elements.coefficients, tau, Re, Ke);
+      K->add(pack, Ke);
+    }
+    R.add(mesh, pack, Re);
   }
 }
 

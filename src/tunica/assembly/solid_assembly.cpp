@@ -44,20 +44,29 @@ std::vector<Vec3> solid_subscales(const fields::FieldMesh& mesh, const SolidElem
 
 void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements,
                     const SolidFields& state, NodalResidual& R, BlockAssembler* K) {
-  kernels::MixedResidual Re;
-  kernels::MixedJacobian Ke;
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    const kernels::SolidState s = state_of(state, mesh, elements, e);
-    const kernels::Tet4& T = elements.geometry[e];
-    if (K == nullptr) {
-      Re = kernels::solid_up_residual(T, s, *elements.law[e], elements.coefficients[e],
-                                      elements.frame(e));
-    } else {
-      kernels::solid_up_jacobian(T, s, *elements.law[e], elements.coefficients[e], Re, Ke,
-                                 elements.frame(e));
-      K->add(e, Ke);
+  kernels::Tet4Of<Pack> T;
+  kernels::SolidStateOf<Pack> s;
+  kernels::SolidCoefficientsOf<Pack> c;
+  kernels::PackedLaws laws;
+  kernels::MixedResidualOf<Pack> Re;
+  kernels::MixedJacobianOf<Pack> Ke;
+  for (std::size_t first = 0; first < mesh.tets.size(); first += Pack::size) {
+    const PackedElements pack(first, mesh.tets.size());
+    for (int lane = 0; lane < Pack::size; ++lane) {
+      const std::size_t e = pack.number[lane];
+      set_lane(T, lane, elements.geometry[e]);
+      set_lane(s, lane, state_of(state, mesh, elements, e));
+      set_lane(c, lane, elements.coefficients[e]);
+      laws.laws[lane] = elements.law[e];
+      if (!elements.frames.empty()) set_lane(laws.frames, lane, elements.frames[e]);
     }
-    R.add(mesh, e, Re);
+    if (K == nullptr) {
+      kernels::solid_up_residual(T, s, laws, c, Re);
+    } else {
+      kernels::solid_up_jacobian(T, s, laws, c, Re, Ke);
+      K->add(pack, Ke);
+    }
+    R.add(mesh, pack, Re);
   }
 }
 

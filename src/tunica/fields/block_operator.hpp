@@ -81,6 +81,12 @@ public:
     if (own < 0) return {places_[tet].data(), offsets_[column]};
     return {more_places_[static_cast<std::size_t>(own) + row * n_blocks() + column].data(), 0};
   }
+  /// Of an element where the unknowns of each node stand side by side in every row: where they
+  /// begin; else null. Of a vector and a scalar only.
+  const std::int16_t* places_side_by_side(std::size_t tet) const {
+    if (!own_places_.empty() && own_places_[tet] >= 0) return nullptr;
+    return places_[tet].data();
+  }
   /// The same between two local nodes of the first block that share an element.
   int place(int row, int column) const;
 

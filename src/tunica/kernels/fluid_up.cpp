@@ -57,20 +57,23 @@ namespace tunica::kernels {
 
 namespace {
 
+template <class Real>
 struct Point {
-  Mat3 G;
-  Vec3 h;
-  Vec3 m[4];
-  double s[4][4];   ///< s[a][k], value of s_a at vertex k
-  double s_sum[4];  ///< Σ_k s[a][k]
-  Vec3 Nu[4];       ///< ∫ N_a u dV, where convection is skew-symmetric
-  double sums;      ///< τ∫ f g of SUPG = sums Σf Σg + products Σ_k f_k g_k
-  double products;
-  double p_mean;
+  Mat3Of<Real> G;
+  Vec3Of<Real> h;
+  Vec3Of<Real> m[4];
+  Real s[4][4];        ///< s[a][k], value of s_a at vertex k
+  Real s_sum[4];       ///< Σ_k s[a][k]
+  Vec3Of<Real> Nu[4];  ///< ∫ N_a u dV, where convection is skew-symmetric
+  Real sums;           ///< τ∫ f g of SUPG = sums Σf Σg + products Σ_k f_k g_k
+  Real products;
+  Real p_mean;
 };
 
-Point evaluate(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau) {
-  Point x;
+template <class Real>
+Point<Real> evaluate(const Tet4Of<Real>& T, const FluidStateOf<Real>& s, const FluidCoefficients& c,
+                     Real tau) {
+  Point<Real> x;
   x.sums = tau * T.volume / (c.has_mean_residual ? 16.0 : 20.0);
   x.products = c.has_mean_residual ? 0.0 : x.sums;
   x.G = {};
@@ -82,7 +85,7 @@ Point evaluate(const Tet4& T, const FluidState& s, const FluidCoefficients& c, d
     }
   for (int a = 0; a < 4; ++a) x.s_sum[a] = 0.0;
   for (int k = 0; k < 4; ++k) {
-    const Vec3 v = s.u[k] - s.w[k];
+    const Vec3Of<Real> v = s.u[k] - s.w[k];
     for (int a = 0; a < 4; ++a) {
       x.s[a][k] = dot(v, T.grad_N[a]);
       x.s_sum[a] += x.s[a][k];
@@ -97,25 +100,26 @@ Point evaluate(const Tet4& T, const FluidState& s, const FluidCoefficients& c, d
   return x;
 }
 
-void residual_at(const Tet4& T, const FluidCoefficients& c, double tau, const Point& x,
-                 MixedResidual& R) {
-  const double V = T.volume;
-  const double m = V / 20.0;
-  const Mat3& G = x.G;
-  const double div_u = G[0][0] + G[1][1] + G[2][2];
-  const Vec3 m_sum = x.m[0] + x.m[1] + x.m[2] + x.m[3];
-  const Vec3 r_sum = m_sum + 4.0 * x.h;
-  Mat3 stress;  // V (2μ ε − p̄ I)
+template <class Real>
+void residual_at(const Tet4Of<Real>& T, const FluidCoefficients& c, Real tau, const Point<Real>& x,
+                 MixedResidualOf<Real>& R) {
+  const Real V = T.volume;
+  const Real m = V / 20.0;
+  const Mat3Of<Real>& G = x.G;
+  const Real div_u = G[0][0] + G[1][1] + G[2][2];
+  const Vec3Of<Real> m_sum = x.m[0] + x.m[1] + x.m[2] + x.m[3];
+  const Vec3Of<Real> r_sum = m_sum + 4.0 * x.h;
+  Mat3Of<Real> stress;  // V (2μ ε − p̄ I)
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       stress[i][j] = V * (c.viscosity * (G[i][j] + G[j][i]) - (i == j ? x.p_mean : 0.0));
   for (int a = 0; a < 4; ++a) {
-    const Vec3& N = T.grad_N[a];
-    const double* s = x.s[a];
+    const Vec3Of<Real>& N = T.grad_N[a];
+    const Real* s = x.s[a];
     for (int i = 0; i < 3; ++i) {
       // Σ_k s_k r_k = Σ_k s_k m_k + Σ_k s_k h
-      const double sm = s[0] * x.m[0][i] + s[1] * x.m[1][i] + s[2] * x.m[2][i] + s[3] * x.m[3][i] +
-                        x.s_sum[a] * x.h[i];
+      const Real sm = s[0] * x.m[0][i] + s[1] * x.m[1][i] + s[2] * x.m[2][i] + s[3] * x.m[3][i] +
+                      x.s_sum[a] * x.h[i];
       R.u[a][i] = m * (m_sum[i] + x.m[a][i]) + dot(stress[i], N) + x.sums * x.s_sum[a] * r_sum[i] +
                   x.products * sm;
       if (c.has_skew_convection) R.u[a][i] += 0.5 * c.density * div_u * x.Nu[a][i];
@@ -125,10 +129,11 @@ void residual_at(const Tet4& T, const FluidCoefficients& c, double tau, const Po
 }
 
 /// A[a][b] += ½ρ [δ div u ∫N_a N_b + ∫N_a u ⊗ ∇N_b].
-void add_skew_convection(const Tet4& T, const FluidCoefficients& c, const Point& x,
-                         double A[4][4][3][3]) {
-  const double half_rho = 0.5 * c.density;
-  const double mass = half_rho * T.volume / 20.0 * (x.G[0][0] + x.G[1][1] + x.G[2][2]);
+template <class Real>
+void add_skew_convection(const Tet4Of<Real>& T, const FluidCoefficients& c, const Point<Real>& x,
+                         Real A[4][4][3][3]) {
+  const Real half_rho = 0.5 * c.density;
+  const Real mass = half_rho * T.volume / 20.0 * (x.G[0][0] + x.G[1][1] + x.G[2][2]);
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b)
       for (int i = 0; i < 3; ++i) {
@@ -137,28 +142,28 @@ void add_skew_convection(const Tet4& T, const FluidCoefficients& c, const Point&
       }
 }
 
-void momentum_block(const Tet4& T, const FluidCoefficients& c, const Point& x,
-                    double A[4][4][3][3]) {
-  const double V = T.volume;
-  const double m = V / 20.0;
-  const double mu_V = c.viscosity * V;
-  const Vec3 r_sum = x.m[0] + x.m[1] + x.m[2] + x.m[3] + 4.0 * x.h;
+template <class Real>
+void momentum_block(const Tet4Of<Real>& T, const FluidCoefficients& c, const Point<Real>& x,
+                    Real A[4][4][3][3]) {
+  const Real V = T.volume;
+  const Real m = V / 20.0;
+  const Real mu_V = c.viscosity * V;
+  const Vec3Of<Real> r_sum = x.m[0] + x.m[1] + x.m[2] + x.m[3] + 4.0 * x.h;
   for (int b = 0; b < 4; ++b) {
-    const Vec3& Nb = T.grad_N[b];
-    const double* sb = x.s[b];
-    Vec3 column;  // τ ∫N_b r + μ V ∇N_b
+    const Vec3Of<Real>& Nb = T.grad_N[b];
+    const Real* sb = x.s[b];
+    Vec3Of<Real> column;  // τ ∫N_b r + μ V ∇N_b
     for (int i = 0; i < 3; ++i)
       column[i] = x.sums * r_sum[i] + x.products * (x.m[b][i] + x.h[i]) + mu_V * Nb[i];
     for (int a = 0; a < 4; ++a) {
-      const Vec3& Na = T.grad_N[a];
-      const double* sa = x.s[a];
-      const double W =
+      const Vec3Of<Real>& Na = T.grad_N[a];
+      const Real* sa = x.s[a];
+      const Real W =
           c.density * (m * (a == b ? 2.0 : 1.0) + x.sums * x.s_sum[a] + x.products * sa[b]);
-      const double NS = m * (x.s_sum[b] + sb[a]);
-      const double SS =
-          x.sums * x.s_sum[a] * x.s_sum[b] +
-          x.products * (sa[0] * sb[0] + sa[1] * sb[1] + sa[2] * sb[2] + sa[3] * sb[3]);
-      const double diagonal = W * c.inv_dt + c.density * (NS + SS) + mu_V * dot(Na, Nb);
+      const Real NS = m * (x.s_sum[b] + sb[a]);
+      const Real SS = x.sums * x.s_sum[a] * x.s_sum[b] +
+                      x.products * (sa[0] * sb[0] + sa[1] * sb[1] + sa[2] * sb[2] + sa[3] * sb[3]);
+      const Real diagonal = W * c.inv_dt + c.density * (NS + SS) + mu_V * dot(Na, Nb);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
           A[a][b][i][j] = W * x.G[i][j] + column[i] * Na[j] + (i == j ? diagonal : 0.0);
@@ -167,20 +172,21 @@ void momentum_block(const Tet4& T, const FluidCoefficients& c, const Point& x,
   if (c.has_skew_convection) add_skew_convection(T, c, x, A);
 }
 
-void pressure_blocks(const Tet4& T, const FluidCoefficients& c, double tau, const Point& x,
-                     MixedJacobian& K) {
-  const double quarter_V = 0.25 * T.volume;
-  const double tau_q = tau * quarter_V;
-  const double tau_V_rho = tau * T.volume / c.density;
+template <class Real>
+void pressure_blocks(const Tet4Of<Real>& T, const FluidCoefficients& c, Real tau,
+                     const Point<Real>& x, MixedJacobianOf<Real>& K) {
+  const Real quarter_V = 0.25 * T.volume;
+  const Real tau_q = tau * quarter_V;
+  const Real tau_V_rho = tau * T.volume / c.density;
   for (int a = 0; a < 4; ++a) {
-    const Vec3& Na = T.grad_N[a];
-    Vec3 GN;
+    const Vec3Of<Real>& Na = T.grad_N[a];
+    Vec3Of<Real> GN;
     for (int j = 0; j < 3; ++j)
       GN[j] = tau_q * (Na[0] * x.G[0][j] + Na[1] * x.G[1][j] + Na[2] * x.G[2][j]);
-    const double sa = tau_q * x.s_sum[a];
+    const Real sa = tau_q * x.s_sum[a];
     for (int b = 0; b < 4; ++b) {
-      const Vec3& Nb = T.grad_N[b];
-      const double sb = tau_q * (c.inv_dt + x.s_sum[b]);
+      const Vec3Of<Real>& Nb = T.grad_N[b];
+      const Real sb = tau_q * (c.inv_dt + x.s_sum[b]);
       K.mC[a][b] = -tau_V_rho * dot(Na, Nb);
       for (int j = 0; j < 3; ++j) {
         K.B1T[a][b][j] = sa * Nb[j] - quarter_V * Na[j];
@@ -220,7 +226,7 @@ TauDerivative fluid_tau_derivative(const Tet4& T, const Vec3& velocity,
 
 void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
                              double tau, const TauDerivative& derivative, ShapeJacobian& K) {
-  const Point x = evaluate(T, s, c, tau);
+  const Point<double> x = evaluate(T, s, c, tau);
   const double V = T.volume, m = V / 20.0, mu_V = c.viscosity * V;
   const Vec3 grad_p = x.h + c.density * c.inv_dt * s.subscale + s.viscous;
   const Vec3 m_sum = x.m[0] + x.m[1] + x.m[2] + x.m[3];
@@ -276,7 +282,7 @@ void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoef
 }
 
 Vec3 fluid_subscale(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau) {
-  const Point x = evaluate(T, s, c, tau);
+  const Point<double> x = evaluate(T, s, c, tau);
   // u' = −(τ/ρ) (m̄ + h)
   return -tau / c.density * (0.25 * (x.m[0] + x.m[1] + x.m[2] + x.m[3]) + x.h);
 }
@@ -290,7 +296,22 @@ MixedResidual fluid_up_residual(const Tet4& T, const FluidState& s, const FluidC
 
 void fluid_up_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau,
                        MixedResidual& R, MixedJacobian& K) {
-  const Point x = evaluate(T, s, c, tau);
+  const Point<double> x = evaluate(T, s, c, tau);
+  residual_at(T, c, tau, x, R);
+  momentum_block(T, c, x, K.A);
+  pressure_blocks(T, c, tau, x, K);
+}
+
+TUNICA_PACKED void fluid_up_residual(const Tet4Of<Pack>& T, const FluidStateOf<Pack>& s,
+                                     const FluidCoefficients& c, const Pack& tau,
+                                     MixedResidualOf<Pack>& R) {
+  residual_at(T, c, tau, evaluate(T, s, c, tau), R);
+}
+
+TUNICA_PACKED void fluid_up_jacobian(const Tet4Of<Pack>& T, const FluidStateOf<Pack>& s,
+                                     const FluidCoefficients& c, const Pack& tau,
+                                     MixedResidualOf<Pack>& R, MixedJacobianOf<Pack>& K) {
+  const Point<Pack> x = evaluate(T, s, c, tau);
   residual_at(T, c, tau, x, R);
   momentum_block(T, c, x, K.A);
   pressure_blocks(T, c, tau, x, K);
@@ -300,7 +321,7 @@ void fluid_up_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficien
 // a minus, because −p div u is what it balances in the momentum's.
 double fluid_stabilisation_power(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
                                  double tau) {
-  const Point x = evaluate(T, s, c, tau);
+  const Point<double> x = evaluate(T, s, c, tau);
   const Vec3 grad_p = x.h + c.density * c.inv_dt * s.subscale + s.viscous;
   Vec3 q_sum{0, 0, 0}, r_sum{0, 0, 0};
   double products = 0.0;

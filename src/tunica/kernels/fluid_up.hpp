@@ -1,18 +1,30 @@
 #pragma once
+#include "tunica/base/pack.hpp"
 #include "tunica/kernels/tet4.hpp"
 
 namespace tunica::kernels {
 
 /// What the ALE fluid needs on one tetrahedron of the current mesh; nodal values.
-struct FluidState {
-  std::array<Vec3, 4> u;      ///< velocity [mm/ms]
-  std::array<double, 4> p;    ///< pressure [kPa]
-  std::array<Vec3, 4> u_old;  ///< velocity of the previous step [mm/ms]
-  std::array<Vec3, 4> w;      ///< mesh velocity [mm/ms]
-  std::array<Vec3, 4> f;      ///< body force per mass [mm/ms²], zero but for tests
-  Vec3 subscale{};            ///< ũ', velocity of the past that the mesh does not resolve [mm/ms]
-  Vec3 viscous{};             ///< q = div 2με, which linear velocities do not have [kPa/mm]
+template <class Real>
+struct FluidStateOf {
+  std::array<Vec3Of<Real>, 4> u;      ///< velocity [mm/ms]
+  std::array<Real, 4> p;              ///< pressure [kPa]
+  std::array<Vec3Of<Real>, 4> u_old;  ///< velocity of the previous step [mm/ms]
+  std::array<Vec3Of<Real>, 4> w;      ///< mesh velocity [mm/ms]
+  std::array<Vec3Of<Real>, 4> f;      ///< body force per mass [mm/ms²], zero but for tests
+  Vec3Of<Real> subscale{};  ///< ũ', velocity of the past that the mesh does not resolve [mm/ms]
+  Vec3Of<Real> viscous{};   ///< q = div 2με, which linear velocities do not have [kPa/mm]
 };
+using FluidState = FluidStateOf<double>;
+inline void set_lane(FluidStateOf<Pack>& to, int lane, const FluidState& from) {
+  set_lane(to.u, lane, from.u);
+  set_lane(to.p, lane, from.p);
+  set_lane(to.u_old, lane, from.u_old);
+  set_lane(to.w, lane, from.w);
+  set_lane(to.f, lane, from.f);
+  set_lane(to.subscale, lane, from.subscale);
+  set_lane(to.viscous, lane, from.viscous);
+}
 
 struct FluidCoefficients {
   double density;                      ///< ρ [mg/mm³]
@@ -44,6 +56,13 @@ MixedResidual fluid_up_residual(const Tet4& T, const FluidState& s, const FluidC
 /// Residual and its exact Jacobian (tau held constant).
 void fluid_up_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau,
                        MixedResidual& R, MixedJacobian& K);
+
+/// Both for a pack of elements, each as the functions above have it to round-off.
+void fluid_up_residual(const Tet4Of<Pack>& T, const FluidStateOf<Pack>& s,
+                       const FluidCoefficients& c, const Pack& tau, MixedResidualOf<Pack>& R);
+void fluid_up_jacobian(const Tet4Of<Pack>& T, const FluidStateOf<Pack>& s,
+                       const FluidCoefficients& c, const Pack& tau, MixedResidualOf<Pack>& R,
+                       MixedJacobianOf<Pack>& K);
 
 /// Derivatives of the residual with respect to the positions of the vertices, which move with the
 /// mesh velocity: ∂w/∂x = 1/Δt.

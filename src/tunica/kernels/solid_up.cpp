@@ -49,30 +49,33 @@ namespace tunica::kernels {
 
 namespace {
 
+template <class Real>
 struct Point {
-  Mat3 F;
-  Sym3 C;
-  double J;
-  double p_mean;
-  double p_sub;  ///< p'
-  Vec3 g[4];     ///< F⁻ᵀ∇N_a
-  Vec3 g_p;      ///< F⁻ᵀ∇p
-  Vec3 q[4];     ///< α d_a − r_a
-  Vec3 s;        ///< mean of q + J g_p − r'
+  Mat3Of<Real> F;
+  Sym3Of<Real> C;
+  Real J;
+  Real p_mean;
+  Real p_sub;         ///< p'
+  Vec3Of<Real> g[4];  ///< F⁻ᵀ∇N_a
+  Vec3Of<Real> g_p;   ///< F⁻ᵀ∇p
+  Vec3Of<Real> q[4];  ///< α d_a − r_a
+  Vec3Of<Real> s;     ///< mean of q + J g_p − r'
 };
 
-Point evaluate(const Tet4& T, const SolidState& s, const SolidCoefficients& c) {
-  Point x;
+template <class Real>
+Point<Real> evaluate(const Tet4Of<Real>& T, const SolidStateOf<Real>& s,
+                     const SolidCoefficientsOf<Real>& c) {
+  Point<Real> x;
   x.F = deformation_gradient(T, s.d);
   x.C = right_cauchy_green(x.F);
-  const Mat3 adj = adjugate(x.F);
+  const Mat3Of<Real> adj = adjugate(x.F);
   x.J = x.F[0][0] * adj[0][0] + x.F[0][1] * adj[1][0] + x.F[0][2] * adj[2][0];
-  TUNICA_ASSERT(x.J > 0.0, "inverted element reached the solid kernel");
-  const double inv_J = 1.0 / x.J;
+  TUNICA_ASSERT(!any_greater(Real(0.0), x.J), "inverted element reached the solid kernel");
+  const Real inv_J = 1.0 / x.J;
   x.g_p = {0, 0, 0};
-  Vec3 q_sum{0, 0, 0};
+  Vec3Of<Real> q_sum{0, 0, 0};
   for (int a = 0; a < 4; ++a) {
-    const Vec3& N = T.grad_N[a];
+    const Vec3Of<Real>& N = T.grad_N[a];
     for (int i = 0; i < 3; ++i) {
       x.g[a][i] = inv_J * (adj[0][i] * N[0] + adj[1][i] * N[1] + adj[2][i] * N[2]);
       x.g_p[i] += s.p[a] * x.g[a][i];
@@ -86,14 +89,16 @@ Point evaluate(const Tet4& T, const SolidState& s, const SolidCoefficients& c) {
   return x;
 }
 
-void residual_at(const Tet4& T, const SolidState& s, const SolidCoefficients& c, const Point& x,
-                 const Sym3& S, MixedResidual& R) {
-  const double V = T.volume;
-  const double m = V / 20.0;
-  const double pJV = (x.p_mean + x.p_sub) * x.J * V;
-  const Vec3 q_sum = x.q[0] + x.q[1] + x.q[2] + x.q[3];
+template <class Real>
+void residual_at(const Tet4Of<Real>& T, const SolidStateOf<Real>& s,
+                 const SolidCoefficientsOf<Real>& c, const Point<Real>& x, const Sym3Of<Real>& S,
+                 MixedResidualOf<Real>& R) {
+  const Real V = T.volume;
+  const Real m = V / 20.0;
+  const Real pJV = (x.p_mean + x.p_sub) * x.J * V;
+  const Vec3Of<Real> q_sum = x.q[0] + x.q[1] + x.q[2] + x.q[3];
   for (int a = 0; a < 4; ++a) {
-    const Vec3 FSN = x.F * apply(S, T.grad_N[a]);
+    const Vec3Of<Real> FSN = x.F * apply(S, T.grad_N[a]);
     for (int i = 0; i < 3; ++i)
       R.u[a][i] = m * (q_sum[i] + x.q[a][i]) + V * FSN[i] - pJV * x.g[a][i];
     R.p[a] = -0.25 * V * (x.J - 1.0 + c.inv_kappa * x.p_sub) -
@@ -102,9 +107,10 @@ void residual_at(const Tet4& T, const SolidState& s, const SolidCoefficients& c,
 }
 
 /// B[I][3a+k] = dE_I / dd_a[k] for the first three vertices, engineering shears.
-void strain_operator(const Tet4& T, const Mat3& F, double B[6][9]) {
+template <class Real>
+void strain_operator(const Tet4Of<Real>& T, const Mat3Of<Real>& F, Real B[6][9]) {
   for (int a = 0; a < 3; ++a) {
-    const Vec3& N = T.grad_N[a];
+    const Vec3Of<Real>& N = T.grad_N[a];
     for (int k = 0; k < 3; ++k) {
       B[0][3 * a + k] = F[k][0] * N[0];
       B[1][3 * a + k] = F[k][1] * N[1];
@@ -117,17 +123,18 @@ void strain_operator(const Tet4& T, const Mat3& F, double B[6][9]) {
 }
 
 /// H = V Bᵀ D B, upper triangle by rows of three.
-void material_tangent(double V, const double B[6][9], const Sym3Map& D, double H[9][9]) {
-  double DB[6][9];
+template <class Real>
+void material_tangent(Real V, const Real B[6][9], const Sym3MapOf<Real>& D, Real H[9][9]) {
+  Real DB[6][9];
   for (int I = 0; I < 6; ++I)
     for (int n = 0; n < 9; ++n) {
-      double sum = 0.0;
+      Real sum = 0.0;
       for (int J = 0; J < 6; ++J) sum += D[I][J] * B[J][n];
       DB[I][n] = V * sum;
     }
   for (int m = 0; m < 9; ++m)
     for (int n = 3 * (m / 3); n < 9; ++n) {
-      double sum = 0.0;
+      Real sum = 0.0;
       for (int I = 0; I < 6; ++I) sum += B[I][m] * DB[I][n];
       H[m][n] = sum;
     }
@@ -135,24 +142,26 @@ void material_tangent(double V, const double B[6][9], const Sym3Map& D, double H
 
 /// The stiffness depends on the vertices through F alone, hence its rows and columns add up
 /// to zero over the vertices: three are computed, the fourth follows. Mass comes on top.
-void stiffness_block(const Tet4& T, const Point& x, const materials::StressTangent& law,
-                     const SolidCoefficients& c, double A[4][4][3][3]) {
-  const double V = T.volume;
-  const double pJV = (x.p_mean + x.p_sub) * x.J * V;
-  const double outer = c.tau_v * x.J * x.J * V - pJV;  // of g_a⊗g_b
-  double B[6][9];
-  double H[9][9];
+template <class Real>
+void stiffness_block(const Tet4Of<Real>& T, const Point<Real>& x,
+                     const materials::StressTangentOf<Real>& law,
+                     const SolidCoefficientsOf<Real>& c, Real A[4][4][3][3]) {
+  const Real V = T.volume;
+  const Real pJV = (x.p_mean + x.p_sub) * x.J * V;
+  const Real outer = c.tau_v * x.J * x.J * V - pJV;  // of g_a⊗g_b
+  Real B[6][9];
+  Real H[9][9];
   strain_operator(T, x.F, B);
   material_tangent(V, B, law.D, H);
   for (int a = 0; a < 3; ++a) {
-    const Vec3 SN = apply(law.S, T.grad_N[a]);
-    const Vec3 along = outer * x.g[a], across = pJV * x.g[a];
+    const Vec3Of<Real> SN = apply(law.S, T.grad_N[a]);
+    const Vec3Of<Real> along = outer * x.g[a], across = pJV * x.g[a];
     for (int b = a; b < 3; ++b) {
-      const double geometric = V * dot(SN, T.grad_N[b]);
+      const Real geometric = V * dot(SN, T.grad_N[b]);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-          const double value = H[3 * a + i][3 * b + j] + (i == j ? geometric : 0.0) +
-                               along[i] * x.g[b][j] + x.g[b][i] * across[j];
+          const Real value = H[3 * a + i][3 * b + j] + (i == j ? geometric : 0.0) +
+                             along[i] * x.g[b][j] + x.g[b][i] * across[j];
           A[a][b][i][j] = value;
           A[b][a][j][i] = value;
         }
@@ -161,36 +170,38 @@ void stiffness_block(const Tet4& T, const Point& x, const materials::StressTange
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       for (int a = 0; a < 3; ++a) {
-        const double value = -(A[a][0][i][j] + A[a][1][i][j] + A[a][2][i][j]);
+        const Real value = -(A[a][0][i][j] + A[a][1][i][j] + A[a][2][i][j]);
         A[a][3][i][j] = value;
         A[3][a][j][i] = value;
       }
     }
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) A[3][3][i][j] = -(A[0][3][i][j] + A[1][3][i][j] + A[2][3][i][j]);
-  const double m = c.alpha * V / 20.0;
+  const Real m = c.alpha * V / 20.0;
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b)
       for (int i = 0; i < 3; ++i) A[a][b][i][i] += a == b ? 2.0 * m : m;
 }
 
-void pressure_blocks(const Tet4& T, const Point& x, const SolidCoefficients& c, MixedJacobian& K) {
-  const double V = T.volume;
-  const double tau_V = c.tau * V;
-  const double tau_VJ = tau_V * x.J;
-  const double quarter_VJ = 0.25 * V * x.J;
-  const double m = c.inv_kappa * V / 20.0;
-  const double coupling = quarter_VJ * (1.0 - c.tau_v * c.inv_kappa);
-  const double volumetric = c.tau_v * V * (0.25 * c.inv_kappa) * (0.25 * c.inv_kappa);
-  double sg[4];
-  double pg[4];
+template <class Real>
+void pressure_blocks(const Tet4Of<Real>& T, const Point<Real>& x,
+                     const SolidCoefficientsOf<Real>& c, MixedJacobianOf<Real>& K) {
+  const Real V = T.volume;
+  const Real tau_V = c.tau * V;
+  const Real tau_VJ = tau_V * x.J;
+  const Real quarter_VJ = 0.25 * V * x.J;
+  const Real m = c.inv_kappa * V / 20.0;
+  const Real coupling = quarter_VJ * (1.0 - c.tau_v * c.inv_kappa);
+  const Real volumetric = c.tau_v * V * (0.25 * c.inv_kappa) * (0.25 * c.inv_kappa);
+  Real sg[4];
+  Real pg[4];
   for (int a = 0; a < 4; ++a) {
     sg[a] = tau_V * (0.25 * c.alpha - dot(x.s, x.g[a]));
     pg[a] = coupling + tau_VJ * dot(x.g_p, x.g[a]);
   }
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b) {
-      const double gg = tau_VJ * dot(x.g[a], x.g[b]);
+      const Real gg = tau_VJ * dot(x.g[a], x.g[b]);
       K.mC[a][b] = -(a == b ? 2.0 * m : m) + volumetric - gg;
       for (int j = 0; j < 3; ++j) {
         K.B1T[a][b][j] = -coupling * x.g[a][j];
@@ -212,7 +223,7 @@ Vec3 solid_subscale(const Tet4& T, const SolidState& s, const SolidCoefficients&
 MixedResidual solid_up_residual(const Tet4& T, const SolidState& s,
                                 const materials::HyperelasticLaw& law, const SolidCoefficients& c,
                                 const materials::Frame& frame) {
-  const Point x = evaluate(T, s, c);
+  const Point<double> x = evaluate(T, s, c);
   MixedResidual R;
   residual_at(T, s, c, x, law.stress(x.C, frame), R);
   return R;
@@ -221,8 +232,54 @@ MixedResidual solid_up_residual(const Tet4& T, const SolidState& s,
 void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::HyperelasticLaw& law,
                        const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K,
                        const materials::Frame& frame) {
-  const Point x = evaluate(T, s, c);
+  const Point<double> x = evaluate(T, s, c);
   const materials::StressTangent response = law.response(x.C, frame);
+  residual_at(T, s, c, x, response.S, R);
+  stiffness_block(T, x, response, c, K.A);
+  pressure_blocks(T, x, c, K);
+}
+
+namespace {
+
+// One law at all points, and where another holds its values in the place of those.
+
+Sym3Of<Pack> stress_of(const PackedLaws& at, const Sym3Of<Pack>& C) {
+  Sym3Of<Pack> S = at.laws[0]->packed_stress(C, at.frames);
+  for (int lane = 1; lane < Pack::size; ++lane)
+    if (at.laws[lane] != at.laws[0]) {
+      const Sym3Of<Pack> other = at.laws[lane]->packed_stress(C, at.frames);
+      for (int I = 0; I < 6; ++I) S[I].set(lane, other[I][lane]);
+    }
+  return S;
+}
+
+materials::StressTangentOf<Pack> response_of(const PackedLaws& at, const Sym3Of<Pack>& C) {
+  materials::StressTangentOf<Pack> response = at.laws[0]->packed_response(C, at.frames);
+  for (int lane = 1; lane < Pack::size; ++lane)
+    if (at.laws[lane] != at.laws[0]) {
+      const auto other = at.laws[lane]->packed_response(C, at.frames);
+      for (int I = 0; I < 6; ++I) {
+        response.S[I].set(lane, other.S[I][lane]);
+        for (int J = 0; J < 6; ++J) response.D[I][J].set(lane, other.D[I][J][lane]);
+      }
+    }
+  return response;
+}
+
+}  // namespace
+
+TUNICA_PACKED void solid_up_residual(const Tet4Of<Pack>& T, const SolidStateOf<Pack>& s,
+                                     const PackedLaws& laws, const SolidCoefficientsOf<Pack>& c,
+                                     MixedResidualOf<Pack>& R) {
+  const Point<Pack> x = evaluate(T, s, c);
+  residual_at(T, s, c, x, stress_of(laws, x.C), R);
+}
+
+TUNICA_PACKED void solid_up_jacobian(const Tet4Of<Pack>& T, const SolidStateOf<Pack>& s,
+                                     const PackedLaws& laws, const SolidCoefficientsOf<Pack>& c,
+                                     MixedResidualOf<Pack>& R, MixedJacobianOf<Pack>& K) {
+  const Point<Pack> x = evaluate(T, s, c);
+  const materials::StressTangentOf<Pack> response = response_of(laws, x.C);
   residual_at(T, s, c, x, response.S, R);
   stiffness_block(T, x, response, c, K.A);
   pressure_blocks(T, x, c, K);

@@ -5,20 +5,37 @@
 namespace tunica::kernels {
 
 /// What the mixed solid needs on one tetrahedron; nodal values.
-struct SolidState {
-  std::array<Vec3, 4> d;    ///< displacement [mm]
-  std::array<double, 4> p;  ///< pressure, compression positive [kPa]
-  std::array<Vec3, 4> r;    ///< time scheme and body force f: ρ (a − f) = alpha d − r [kPa/mm]
-  Vec3 subscale_r{};        ///< time scheme of the subscale: ρ a' = alpha d' − r' [kPa/mm]
+template <class Real>
+struct SolidStateOf {
+  std::array<Vec3Of<Real>, 4> d;  ///< displacement [mm]
+  std::array<Real, 4> p;          ///< pressure, compression positive [kPa]
+  std::array<Vec3Of<Real>, 4>
+      r;  ///< time scheme and body force f: ρ (a − f) = alpha d − r [kPa/mm]
+  Vec3Of<Real> subscale_r{};  ///< time scheme of the subscale: ρ a' = alpha d' − r' [kPa/mm]
 };
+using SolidState = SolidStateOf<double>;
+inline void set_lane(SolidStateOf<Pack>& to, int lane, const SolidState& from) {
+  set_lane(to.d, lane, from.d);
+  set_lane(to.p, lane, from.p);
+  set_lane(to.r, lane, from.r);
+  set_lane(to.subscale_r, lane, from.subscale_r);
+}
 
 /// Constants of one element.
-struct SolidCoefficients {
-  double alpha;      ///< ρ/(βΔt²), zero in statics [kPa/mm²]
-  double inv_kappa;  ///< 1/κ, zero for the incompressible limit [1/kPa]
-  double tau;        ///< PSPG parameter [mm²/kPa]
-  double tau_v = 0;  ///< of the volumetric subscale [kPa]
+template <class Real>
+struct SolidCoefficientsOf {
+  Real alpha;        ///< ρ/(βΔt²), zero in statics [kPa/mm²]
+  Real inv_kappa;    ///< 1/κ, zero for the incompressible limit [1/kPa]
+  Real tau;          ///< PSPG parameter [mm²/kPa]
+  Real tau_v = 0.0;  ///< of the volumetric subscale [kPa]
 };
+using SolidCoefficients = SolidCoefficientsOf<double>;
+inline void set_lane(SolidCoefficientsOf<Pack>& to, int lane, const SolidCoefficients& from) {
+  set_lane(to.alpha, lane, from.alpha);
+  set_lane(to.inv_kappa, lane, from.inv_kappa);
+  set_lane(to.tau, lane, from.tau);
+  set_lane(to.tau_v, lane, from.tau_v);
+}
 
 /// det F of the element; positive unless it is inverted.
 double solid_jacobian_determinant(const Tet4& T, const std::array<Vec3, 4>& d);
@@ -36,5 +53,18 @@ MixedResidual solid_up_residual(const Tet4& T, const SolidState& s,
 void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::HyperelasticLaw& law,
                        const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K,
                        const materials::Frame& frame = {});
+
+/// The laws of a pack of elements and their frames.
+struct PackedLaws {
+  std::array<const materials::HyperelasticLaw*, Pack::size> laws;
+  materials::FrameOf<Pack> frames;  ///< matter where a law has fibres
+};
+
+/// Both for a pack of elements, each as the functions above have it to round-off.
+void solid_up_residual(const Tet4Of<Pack>& T, const SolidStateOf<Pack>& s, const PackedLaws& laws,
+                       const SolidCoefficientsOf<Pack>& c, MixedResidualOf<Pack>& R);
+void solid_up_jacobian(const Tet4Of<Pack>& T, const SolidStateOf<Pack>& s, const PackedLaws& laws,
+                       const SolidCoefficientsOf<Pack>& c, MixedResidualOf<Pack>& R,
+                       MixedJacobianOf<Pack>& K);
 
 }  // namespace tunica::kernels

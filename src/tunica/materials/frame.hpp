@@ -1,14 +1,22 @@
 #pragma once
+#include "tunica/base/pack.hpp"
 #include "tunica/base/tensor.hpp"
 
 namespace tunica::materials {
 
 /// Orthonormal directions of the wall at a point of the reference configuration, right-handed
 /// in this order. Fibres are described in it; isotropic laws ignore it.
-struct Frame {
-  Vec3 radial{1, 0, 0};  ///< from the lumen outward
-  Vec3 circumferential{0, 1, 0};
-  Vec3 axial{0, 0, 1};
+template <class Real>
+struct FrameOf {
+  Vec3Of<Real> radial{1, 0, 0};  ///< from the lumen outward
+  Vec3Of<Real> circumferential{0, 1, 0};
+  Vec3Of<Real> axial{0, 0, 1};
 };
+using Frame = FrameOf<double>;
+inline void set_lane(FrameOf<Pack>& to, int lane, const Frame& from) {
+  set_lane(to.radial, lane, from.radial);
+  set_lane(to.circumferential, lane, from.circumferential);
+  set_lane(to.axial, lane, from.axial);
+}
 
 }  // namespace tunica::materials

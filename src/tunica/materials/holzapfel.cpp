@@ -32,76 +32,36 @@ constexpr double slack = 1e-12;
 /// Beyond this exponent the stress is some 1e21 k1: no solution, but a Newton step gone astray.
 constexpr double largest_exponent = 50.0;
 
+template <class Real>
 struct Strain {
-  Sym3 C_inv;
-  double a;
+  Sym3Of<Real> C_inv;
+  Real a;
 };
 
-Strain strain_of(const Sym3& C) {
-  const auto [C_inv, I3] = inverse_of(C);
-  return {C_inv, 1.0 / std::cbrt(I3)};
+template <class Real>
+Strain<Real> strain_of(const Sym3Of<Real>& C) {
+  using std::cbrt;
+  const Inverse<Real> inverse = inverse_of(C);
+  return {inverse.inverse, 1.0 / cbrt(inverse.det)};
 }
 
-double exponential(double exponent) {
-  return exponent <= largest_exponent ? std::exp(exponent)
-                                      : std::numeric_limits<double>::infinity();
+template <class Real>
+Real exponential(const Real& exponent) {
+  using std::exp;
+  return where_greater(exponent, largest_exponent, std::numeric_limits<double>::infinity(),
+                       exp(exponent));
 }
 
-/// G without a.
-Sym3 direction(const Sym3& H, double HC, const Sym3& C_inv) {
-  Sym3 G;
-  for (int I = 0; I < 6; ++I) G[I] = H[I] - HC / 3.0 * C_inv[I];
-  return G;
-}
-
-/// What stress and tangent need of a family of fibres that carries.
-struct Stretch {
-  double HC, e;
-  double w;  ///< 2 k1 exp(k2 e²) a
-  Sym3 G;
-};
-
-/// False where the family is slack.
-bool is_stretched(const Sym3& H, const Sym3& C, const Strain& strain, double k1, double k2,
-                  Stretch& out) {
-  out.HC = contract(H, C);
-  out.e = strain.a * out.HC - 1.0;
-  if (!(out.e > slack)) return false;
-  out.w = 2.0 * k1 * exponential(k2 * out.e * out.e) * strain.a;
-  out.G = direction(H, out.HC, strain.C_inv);
-  return true;
-}
-
-}  // namespace
-
-Holzapfel::Holzapfel(const MooneyRivlin& matrix, const Fibres& fibres)
-    : matrix_(matrix), k1_(fibres.k1), k2_(fibres.k2),
-      cos_angle_(std::cos(fibres.angle * std::acos(-1.0) / 180.0)),
-      sin_angle_(std::sin(fibres.angle * std::acos(-1.0) / 180.0)), dispersion_(fibres.dispersion) {
-}
-
-// The paper's 2 (c10 + k1/(2 k2)).
-double Holzapfel::stabilisation_modulus() const {
-  return matrix_.stabilisation_modulus() + k1_ / k2_;
-}
-
-Vec3 Holzapfel::direction(const Frame& frame, int family) const {
-  return cos_angle_ * frame.circumferential +
-         (family == 0 ? sin_angle_ : -sin_angle_) * frame.axial;
-}
-
-std::vector<Vec3> Holzapfel::fibre_directions(const Frame& frame) const {
-  return {direction(frame, 0), direction(frame, 1)};
-}
-
-std::array<Sym3, 2> Holzapfel::structure(const Frame& frame) const {
-  std::array<Sym3, 2> H;
+/// H of each family.
+template <class Real>
+std::array<Sym3Of<Real>, 2> structure(const HolzapfelConstants& c, const FrameOf<Real>& frame) {
+  std::array<Sym3Of<Real>, 2> H;
+  const double aligned = 1.0 - 3.0 * c.dispersion;
   for (int i = 0; i < 2; ++i) {
-    const Vec3 f = direction(frame, i);
-    const double aligned = 1.0 - 3.0 * dispersion_;
-    H[i] = {dispersion_ + aligned * f[0] * f[0],
-            dispersion_ + aligned * f[1] * f[1],
-            dispersion_ + aligned * f[2] * f[2],
+    const Vec3Of<Real> f = c.direction(frame, i);
+    H[i] = {c.dispersion + aligned * f[0] * f[0],
+            c.dispersion + aligned * f[1] * f[1],
+            c.dispersion + aligned * f[2] * f[2],
             aligned * f[0] * f[1],
             aligned * f[1] * f[2],
             aligned * f[2] * f[0]};
@@ -109,14 +69,94 @@ std::array<Sym3, 2> Holzapfel::structure(const Frame& frame) const {
   return H;
 }
 
+/// What stress and tangent need of a family of fibres that carries.
+template <class Real>
+struct Stretch {
+  Real HC, e;
+  Real w;          ///< 2 k1 exp(k2 e²) a, zero where it is slack
+  Sym3Of<Real> G;  ///< without a
+};
+
+/// False where the family is slack at all points.
+template <class Real>
+bool is_stretched(const Sym3Of<Real>& H, const Sym3Of<Real>& C, const Strain<Real>& strain,
+                  const HolzapfelConstants& c, Stretch<Real>& out) {
+  out.HC = contract(H, C);
+  out.e = strain.a * out.HC - 1.0;
+  if (!any_greater(out.e, slack)) return false;
+  out.w = where_greater(out.e, slack,
+                        2.0 * c.k1 * exponential<Real>(c.k2 * out.e * out.e) * strain.a, 0.0);
+  for (int I = 0; I < 6; ++I) out.G[I] = H[I] - 1.0 / 3.0 * out.HC * strain.C_inv[I];
+  return true;
+}
+
+template <class Real>
+void add_fibre_stress(const HolzapfelConstants& c, const Sym3Of<Real>& C,
+                      const FrameOf<Real>& frame, Sym3Of<Real>& S) {
+  const Strain<Real> strain = strain_of(C);
+  Stretch<Real> fibre;
+  for (const Sym3Of<Real>& H : structure(c, frame)) {
+    if (!is_stretched(H, C, strain, c, fibre)) continue;
+    for (int I = 0; I < 6; ++I) S[I] += fibre.w * fibre.e * fibre.G[I];
+  }
+}
+
+template <class Real>
+void add_fibre_response(const HolzapfelConstants& c, const Sym3Of<Real>& C,
+                        const FrameOf<Real>& frame, StressTangentOf<Real>& result) {
+  const Strain<Real> strain = strain_of(C);
+  const Sym3Of<Real>& C_inv = strain.C_inv;
+  Stretch<Real> fibre;
+  for (const Sym3Of<Real>& H : structure(c, frame)) {
+    if (!is_stretched(H, C, strain, c, fibre)) continue;
+    const auto& [HC, e, w, G] = fibre;
+    const Real on_GG = 2.0 * w * strain.a * (1.0 + 2.0 * c.k2 * e * e);
+    const Real on_dG = 2.0 * w * e;
+    Sym3Of<Real> Y;  // half of what stands beside C⁻¹ in ∂G/∂C
+    for (int I = 0; I < 6; ++I) {
+      result.S[I] += w * e * G[I];
+      Y[I] = on_dG * (1.0 / 18.0 * HC * C_inv[I] - 1.0 / 3.0 * H[I]);
+      for (int J = 0; J < 6; ++J) result.D[I][J] += on_GG * G[I] * G[J];
+    }
+    add_symmetric_product(result.D, Y, C_inv);
+    add_congruence(result.D, 1.0 / 3.0 * on_dG * HC, C_inv);
+  }
+}
+
+TUNICA_PACKED void add_packed_stress(const HolzapfelConstants& c, const Sym3Of<Pack>& C,
+                                     const FrameOf<Pack>& frame, Sym3Of<Pack>& S) {
+  add_fibre_stress(c, C, frame, S);
+}
+
+TUNICA_PACKED void add_packed_response(const HolzapfelConstants& c, const Sym3Of<Pack>& C,
+                                       const FrameOf<Pack>& frame, StressTangentOf<Pack>& result) {
+  add_fibre_response(c, C, frame, result);
+}
+
+}  // namespace
+
+Holzapfel::Holzapfel(const MooneyRivlin& matrix, const Fibres& fibres)
+    : matrix_(matrix), fibres_{
+                           fibres.k1, fibres.k2, std::cos(fibres.angle * std::acos(-1.0) / 180.0),
+                           std::sin(fibres.angle * std::acos(-1.0) / 180.0), fibres.dispersion} {}
+
+// The paper's 2 (c10 + k1/(2 k2)).
+double Holzapfel::stabilisation_modulus() const {
+  return matrix_.stabilisation_modulus() + fibres_.k1 / fibres_.k2;
+}
+
+std::vector<Vec3> Holzapfel::fibre_directions(const Frame& frame) const {
+  return {fibres_.direction(frame, 0), fibres_.direction(frame, 1)};
+}
+
 double Holzapfel::energy(const Sym3& C, const Frame& frame) const {
   double Psi = matrix_.energy(C, frame);
   const double a = strain_of(C).a;
-  for (const Sym3& H : structure(frame)) {
+  for (const Sym3& H : structure(fibres_, frame)) {
     const double e = a * contract(H, C) - 1.0;
-    const double exponent = k2_ * e * e;
+    const double exponent = fibres_.k2 * e * e;
     if (e > slack)
-      Psi += 0.5 * k1_ / k2_ *
+      Psi += 0.5 * fibres_.k1 / fibres_.k2 *
              (exponent <= largest_exponent ? std::expm1(exponent) : exponential(exponent));
   }
   return Psi;
@@ -124,34 +164,26 @@ double Holzapfel::energy(const Sym3& C, const Frame& frame) const {
 
 Sym3 Holzapfel::stress(const Sym3& C, const Frame& frame) const {
   Sym3 S = matrix_.stress(C, frame);
-  const Strain strain = strain_of(C);
-  Stretch fibre;
-  for (const Sym3& H : structure(frame)) {
-    if (!is_stretched(H, C, strain, k1_, k2_, fibre)) continue;
-    for (int I = 0; I < 6; ++I) S[I] += fibre.w * fibre.e * fibre.G[I];
-  }
+  add_fibre_stress(fibres_, C, frame, S);
   return S;
 }
 
 StressTangent Holzapfel::response(const Sym3& C, const Frame& frame) const {
   StressTangent result = matrix_.response(C, frame);
-  const Strain strain = strain_of(C);
-  const auto& [C_inv, a] = strain;
-  Stretch fibre;
-  for (const Sym3& H : structure(frame)) {
-    if (!is_stretched(H, C, strain, k1_, k2_, fibre)) continue;
-    const auto& [HC, e, w, G] = fibre;
-    const double on_GG = 2.0 * w * a * (1.0 + 2.0 * k2_ * e * e);
-    const double on_dG = 2.0 * w * e;
-    Sym3 Y;  // half of what stands beside C⁻¹ in ∂G/∂C
-    for (int I = 0; I < 6; ++I) {
-      result.S[I] += w * e * G[I];
-      Y[I] = on_dG * (HC / 18.0 * C_inv[I] - H[I] / 3.0);
-      for (int J = 0; J < 6; ++J) result.D[I][J] += on_GG * G[I] * G[J];
-    }
-    add_symmetric_product(result.D, Y, C_inv);
-    add_congruence(result.D, on_dG * HC / 3.0, C_inv);
-  }
+  add_fibre_response(fibres_, C, frame, result);
+  return result;
+}
+
+Sym3Of<Pack> Holzapfel::packed_stress(const Sym3Of<Pack>& C, const FrameOf<Pack>& frame) const {
+  Sym3Of<Pack> S = matrix_.packed_stress(C, frame);
+  add_packed_stress(fibres_, C, frame, S);
+  return S;
+}
+
+StressTangentOf<Pack> Holzapfel::packed_response(const Sym3Of<Pack>& C,
+                                                 const FrameOf<Pack>& frame) const {
+  StressTangentOf<Pack> result = matrix_.packed_response(C, frame);
+  add_packed_response(fibres_, C, frame, result);
   return result;
 }
 

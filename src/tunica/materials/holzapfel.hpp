@@ -1,6 +1,4 @@
 #pragma once
-#include <array>
-
 #include "tunica/materials/mooney_rivlin.hpp"
 
 namespace tunica::materials {
@@ -13,6 +11,19 @@ struct Fibres {
   double dispersion;  ///< 0: all parallel; 1/3: isotropic
 };
 
+/// The same as the equations have them.
+struct HolzapfelConstants {
+  double k1, k2;
+  double cos_angle, sin_angle;
+  double dispersion;
+
+  /// Of the fibres of the first or the second family.
+  template <class Real>
+  Vec3Of<Real> direction(const FrameOf<Real>& frame, int family) const {
+    return cos_angle * frame.circumferential + (family == 0 ? sin_angle : -sin_angle) * frame.axial;
+  }
+};
+
 /// Mooney–Rivlin matrix with two families of fibres that stiffen exponentially and carry
 /// tension only. Equations in holzapfel.cpp.
 class Holzapfel final : public HyperelasticLaw {
@@ -22,18 +33,16 @@ public:
   double energy(const Sym3& C, const Frame& frame) const override;
   Sym3 stress(const Sym3& C, const Frame& frame) const override;
   StressTangent response(const Sym3& C, const Frame& frame) const override;
+  Sym3Of<Pack> packed_stress(const Sym3Of<Pack>& C, const FrameOf<Pack>& frame) const override;
+  StressTangentOf<Pack> packed_response(const Sym3Of<Pack>& C,
+                                        const FrameOf<Pack>& frame) const override;
   double stabilisation_modulus() const override;
   bool has_fibres() const override { return true; }
   std::vector<Vec3> fibre_directions(const Frame& frame) const override;
 
 private:
-  Vec3 direction(const Frame& frame, int family) const;
-  std::array<Sym3, 2> structure(const Frame& frame) const;
-
   MooneyRivlin matrix_;
-  double k1_, k2_;
-  double cos_angle_, sin_angle_;
-  double dispersion_;
+  HolzapfelConstants fibres_;
 };
 
 /// Registration: "holzapfel".

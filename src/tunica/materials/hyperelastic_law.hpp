@@ -1,17 +1,21 @@
 #pragma once
 #include <vector>
 
+#include "tunica/base/pack.hpp"
 #include "tunica/base/tensor.hpp"
 #include "tunica/materials/frame.hpp"
 
 namespace tunica::materials {
 
 /// Stress and tangent of a hyperelastic law at one point.
-struct StressTangent {
-  Sym3 S;     ///< second Piola–Kirchhoff stress S' = 2 ∂Ψ'/∂C [kPa]
-  Sym3Map D;  ///< D[I][J] = dS_I / dE_J with E = (C − I)/2 and engineering shears
-              ///< (E_J = 2 E_xy for J = xy): maps Voigt strain to Voigt stress [kPa], symmetric
+template <class Real>
+struct StressTangentOf {
+  Sym3Of<Real> S;     ///< second Piola–Kirchhoff stress S' = 2 ∂Ψ'/∂C [kPa]
+  Sym3MapOf<Real> D;  ///< D[I][J] = dS_I / dE_J with E = (C − I)/2 and engineering shears
+                      ///< (E_J = 2 E_xy for J = xy): maps Voigt strain to Voigt stress [kPa],
+                      ///< symmetric
 };
+using StressTangent = StressTangentOf<double>;
 
 /// Isochoric part of a hyperelastic law, as the mixed displacement–pressure solid sees it.
 ///
@@ -32,6 +36,11 @@ public:
 
   /// S'(C) and its tangent.
   virtual StressTangent response(const Sym3& C, const Frame& frame) const = 0;
+
+  /// The same at the points of a pack. Here point by point: a law overrides them to be fast.
+  virtual Sym3Of<Pack> packed_stress(const Sym3Of<Pack>& C, const FrameOf<Pack>& frame) const;
+  virtual StressTangentOf<Pack> packed_response(const Sym3Of<Pack>& C,
+                                                const FrameOf<Pack>& frame) const;
 
   /// The modulus μ_l of the paper, 2(c10 + c01) for Mooney–Rivlin [kPa]; scales the PSPG τ.
   virtual double stabilisation_modulus() const = 0;

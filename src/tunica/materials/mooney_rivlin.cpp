@@ -24,67 +24,104 @@ namespace tunica::materials {
 
 namespace {
 
+template <class Real>
 struct Invariants {
-  Sym3 C_inv;
-  double I1, I2, a;
+  Sym3Of<Real> C_inv;
+  Real I1, I2, a;
 };
 
-Invariants invariants(const Sym3& C) {
-  const Sym3 adj = adjugate(C);
-  const double I3 = det(C, adj);
-  const double inverse = 1.0 / I3;
-  Invariants inv;
+template <class Real>
+Invariants<Real> invariants(const Sym3Of<Real>& C) {
+  using std::cbrt;
+  const Sym3Of<Real> adj = adjugate(C);
+  const Real I3 = det(C, adj);
+  const Real inverse = 1.0 / I3;
+  Invariants<Real> inv;
   for (int I = 0; I < 6; ++I) inv.C_inv[I] = inverse * adj[I];
   inv.I1 = trace(C);
   inv.I2 = trace(adj);
-  inv.a = 1.0 / std::cbrt(I3);
+  inv.a = 1.0 / cbrt(I3);
   return inv;
 }
 
-Sym3 stress_of(const Sym3& C, const Invariants& inv, double c10_a, double c01_a2) {
-  const double on_unit = c10_a + c01_a2 * inv.I1;
-  const double on_inverse = -(c10_a * inv.I1 + 2.0 * c01_a2 * inv.I2) / 3.0;
-  Sym3 S;
+template <class Real>
+Sym3Of<Real> stress_of(const Sym3Of<Real>& C, const Invariants<Real>& inv, const Real& c10_a,
+                       const Real& c01_a2) {
+  const Real on_unit = c10_a + c01_a2 * inv.I1;
+  const Real on_inverse = -1.0 / 3.0 * (c10_a * inv.I1 + 2.0 * c01_a2 * inv.I2);
+  Sym3Of<Real> S;
   for (int I = 0; I < 6; ++I)
     S[I] = on_unit * unit_tensor[I] - c01_a2 * C[I] + on_inverse * inv.C_inv[I];
   return S;
 }
 
-}  // namespace
-
-double MooneyRivlin::energy(const Sym3& C, const Frame&) const {
-  const Invariants inv = invariants(C);
-  return 0.5 * c10_ * (inv.I1 * inv.a - 3.0) + 0.5 * c01_ * (inv.I2 * inv.a * inv.a - 3.0);
+template <class Real>
+Sym3Of<Real> stress_at(double c10, double c01, const Sym3Of<Real>& C) {
+  const Invariants<Real> inv = invariants(C);
+  return stress_of<Real>(C, inv, c10 * inv.a, c01 * inv.a * inv.a);
 }
 
-Sym3 MooneyRivlin::stress(const Sym3& C, const Frame&) const {
-  const Invariants inv = invariants(C);
-  return stress_of(C, inv, c10_ * inv.a, c01_ * inv.a * inv.a);
-}
-
-StressTangent MooneyRivlin::response(const Sym3& C, const Frame&) const {
-  const Invariants inv = invariants(C);
-  const double c10_a = c10_ * inv.a;
-  const double c01_a2 = c01_ * inv.a * inv.a;
-  const double w = 2.0 / 3.0 * (c10_a * inv.I1 + 2.0 * c01_a2 * inv.I2);
-  const double half_w1 = 1.0 / 9.0 * (c10_a * inv.I1 + 4.0 * c01_a2 * inv.I2);
-  const double on_unit = -2.0 / 3.0 * (c10_a + 2.0 * c01_a2 * inv.I1);
-  const double on_C = 4.0 / 3.0 * c01_a2;
-  Sym3 Z;
+template <class Real>
+StressTangentOf<Real> response_at(double c10, double c01, const Sym3Of<Real>& C) {
+  const Invariants<Real> inv = invariants(C);
+  const Real c10_a = c10 * inv.a;
+  const Real c01_a2 = c01 * inv.a * inv.a;
+  const Real w = 2.0 / 3.0 * (c10_a * inv.I1 + 2.0 * c01_a2 * inv.I2);
+  const Real half_w1 = 1.0 / 9.0 * (c10_a * inv.I1 + 4.0 * c01_a2 * inv.I2);
+  const Real on_unit = -2.0 / 3.0 * (c10_a + 2.0 * c01_a2 * inv.I1);
+  const Real on_C = 4.0 / 3.0 * c01_a2;
+  Sym3Of<Real> Z;
   for (int I = 0; I < 6; ++I)
     Z[I] = on_unit * unit_tensor[I] + on_C * C[I] + half_w1 * inv.C_inv[I];
 
-  StressTangent result;
+  StressTangentOf<Real> result;
   result.S = stress_of(C, inv, c10_a, c01_a2);
-  const double e = 2.0 * c01_a2;  // 2 c01 a² (I⊗I − 𝕀) in Voigt's order
-  result.D = {{{0, e, e, 0, 0, 0},
-               {e, 0, e, 0, 0, 0},
-               {e, e, 0, 0, 0, 0},
-               {0, 0, 0, -0.5 * e, 0, 0},
-               {0, 0, 0, 0, -0.5 * e, 0},
-               {0, 0, 0, 0, 0, -0.5 * e}}};
+  const Real e = 2.0 * c01_a2;  // 2 c01 a² (I⊗I − 𝕀) in Voigt's order
+  const Real f = -0.5 * e, o = 0.0;
+  result.D = {{{o, e, e, o, o, o},
+               {e, o, e, o, o, o},
+               {e, e, o, o, o, o},
+               {o, o, o, f, o, o},
+               {o, o, o, o, f, o},
+               {o, o, o, o, o, f}}};
   add_symmetric_product(result.D, Z, inv.C_inv);
   add_congruence(result.D, w, inv.C_inv);
+  return result;
+}
+
+TUNICA_PACKED void find_packed_stress(double c10, double c01, const Sym3Of<Pack>& C,
+                                      Sym3Of<Pack>& S) {
+  S = stress_at(c10, c01, C);
+}
+
+TUNICA_PACKED void find_packed_response(double c10, double c01, const Sym3Of<Pack>& C,
+                                        StressTangentOf<Pack>& result) {
+  result = response_at(c10, c01, C);
+}
+
+}  // namespace
+
+double MooneyRivlin::energy(const Sym3& C, const Frame&) const {
+  const Invariants<double> inv = invariants(C);
+  return 0.5 * c10_ * (inv.I1 * inv.a - 3.0) + 0.5 * c01_ * (inv.I2 * inv.a * inv.a - 3.0);
+}
+
+Sym3 MooneyRivlin::stress(const Sym3& C, const Frame&) const { return stress_at(c10_, c01_, C); }
+
+StressTangent MooneyRivlin::response(const Sym3& C, const Frame&) const {
+  return response_at(c10_, c01_, C);
+}
+
+Sym3Of<Pack> MooneyRivlin::packed_stress(const Sym3Of<Pack>& C, const FrameOf<Pack>&) const {
+  Sym3Of<Pack> S;
+  find_packed_stress(c10_, c01_, C, S);
+  return S;
+}
+
+StressTangentOf<Pack> MooneyRivlin::packed_response(const Sym3Of<Pack>& C,
+                                                    const FrameOf<Pack>&) const {
+  StressTangentOf<Pack> result;
+  find_packed_response(c10_, c01_, C, result);
   return result;
 }
 

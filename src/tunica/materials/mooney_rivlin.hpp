@@ -12,6 +12,8 @@ public:
   double energy(const Sym3& C, const Frame&) const override;
   Sym3 stress(const Sym3& C, const Frame&) const override;
   StressTangent response(const Sym3& C, const Frame&) const override;
+  Sym3Of<Pack> packed_stress(const Sym3Of<Pack>& C, const FrameOf<Pack>&) const override;
+  StressTangentOf<Pack> packed_response(const Sym3Of<Pack>& C, const FrameOf<Pack>&) const override;
   double stabilisation_modulus() const override { return 2.0 * (c10_ + c01_); }
 
 private:

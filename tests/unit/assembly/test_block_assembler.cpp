@@ -13,18 +13,23 @@ double entry(int number, int v, int i, int w, int j) {
   return test::scatter(97.0 * number + 13.0 * v + 5.0 * w + 4.0 * i + j + 0.01 * v * w);
 }
 
-kernels::MixedJacobian element_matrix(const fields::FieldMesh& mesh, std::size_t e) {
-  kernels::MixedJacobian K;
-  for (int a = 0; a < 4; ++a)
-    for (int b = 0; b < 4; ++b) {
-      const int v = mesh.vertex[mesh.tets[e][a]], w = mesh.vertex[mesh.tets[e][b]];
-      for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) K.A[a][b][i][j] = entry(mesh.tet_number[e], v, i, w, j);
-        K.B1T[a][b][i] = entry(mesh.tet_number[e], v, i, w, 3);
-        K.B2[a][b][i] = entry(mesh.tet_number[e], v, 3, w, i);
+kernels::MixedJacobianOf<Pack> element_matrices(const fields::FieldMesh& mesh,
+                                                const assembly::PackedElements& elements) {
+  kernels::MixedJacobianOf<Pack> K;
+  for (int lane = 0; lane < Pack::size; ++lane) {
+    const std::size_t e = elements.number[lane];
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b) {
+        const int v = mesh.vertex[mesh.tets[e][a]], w = mesh.vertex[mesh.tets[e][b]];
+        const auto at = [&](int i, int j) { return entry(mesh.tet_number[e], v, i, w, j); };
+        for (int i = 0; i < 3; ++i) {
+          for (int j = 0; j < 3; ++j) K.A[a][b][i][j].set(lane, at(i, j));
+          K.B1T[a][b][i].set(lane, at(i, 3));
+          K.B2[a][b][i].set(lane, at(3, i));
+        }
+        K.mC[a][b].set(lane, at(3, 3));
       }
-      K.mC[a][b] = entry(mesh.tet_number[e], v, 3, w, 3);
-    }
+  }
   return K;
 }
 
@@ -55,7 +60,10 @@ fields::BlockOperator assembled(const fields::FieldMesh& mesh, bool is_constrain
   fields::BlockOperator K(mesh);
   for (int pass = 0; pass < 2; ++pass) {  // the second pass must start from zeros
     assembly::BlockAssembler assembler(K, fixed);
-    for (std::size_t e = 0; e < mesh.tets.size(); ++e) assembler.add(e, element_matrix(mesh, e));
+    for (std::size_t e = 0; e < mesh.tets.size(); e += Pack::size) {
+      const assembly::PackedElements elements(e, mesh.tets.size());
+      assembler.add(elements, element_matrices(mesh, elements));
+    }
     for (const auto& face : mesh.faces) assembler.add(face, face_matrix(mesh, face));
     assembler.finish();
   }
@@ -120,12 +128,11 @@ TEUCHOS_UNIT_TEST(block_assembler, constrained_rows_and_columns_keep_only_their_
 TEUCHOS_UNIT_TEST(nodal_residual, sums_elements_and_faces_and_stores_zeros_in_fixed_rows) {
   const SmallTube tube;
   assembly::NodalResidual R(tube.wall);
-  for (std::size_t e = 0; e < tube.wall.tets.size(); ++e) {
-    kernels::MixedResidual one;
-    one.u.fill({1, 2, 3});
-    one.p.fill(4);
-    R.add(tube.wall, e, one);
-  }
+  kernels::MixedResidualOf<Pack> one;
+  one.u.fill({1.0, 2.0, 3.0});
+  one.p.fill(4.0);
+  for (std::size_t e = 0; e < tube.wall.tets.size(); e += Pack::size)
+    R.add(tube.wall, assembly::PackedElements(e, tube.wall.tets.size()), one);
   for (const auto& face : tube.wall.faces) {
     kernels::SurfaceResidual ten;
     ten.u.fill({100, 0, 0});

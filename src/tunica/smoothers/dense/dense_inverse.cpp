@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "tunica/smoothers/dense/clones.hpp"
+#include "tunica/base/clones.hpp"
 
 namespace tunica::smoothers {
 

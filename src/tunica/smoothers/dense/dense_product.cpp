@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "tunica/smoothers/dense/clones.hpp"
+#include "tunica/base/clones.hpp"
 
 namespace tunica::smoothers {
 

@@ -1,6 +1,6 @@
 #include "tunica/smoothers/node_ilu/node_ilu_sweeps.hpp"
 
-#include "tunica/smoothers/dense/clones.hpp"
+#include "tunica/base/clones.hpp"
 
 namespace tunica::smoothers {
 

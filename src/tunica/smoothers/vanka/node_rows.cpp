@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "tunica/base/clones.hpp"
 #include "tunica/base/trilinos.hpp"
-#include "tunica/smoothers/dense/clones.hpp"
 
 namespace tunica::smoothers {
 
