@@ -22,11 +22,13 @@ params::Table monolithic_table() {
               "tolerance of \"Newton\"");
   params::Table table("One Newton's method for fluid and wall together.");
   table
-      .variant("geometry", "quasi",
-               {{"newton", moving}, {"quasi", moving}, {"extrapolated", fixed}},
-               "how the fluid's domain follows the wall: in each Newton step, with a Jacobian that "
-               "knows (newton) or does not (quasi); or extrapolated from earlier steps to the "
-               "order of the time scheme, and moved once the step is solved")
+      .variant(
+          "geometry", "automatic",
+          {{"automatic", moving}, {"newton", moving}, {"quasi", moving}, {"extrapolated", fixed}},
+          "how the fluid's domain follows the wall: in each Newton step, with a Jacobian that "
+          "knows (newton) or does not (quasi), or that of the two which takes less work, "
+          "found by trying (automatic); or extrapolated from earlier steps to the order of "
+          "the time scheme, and moved once the step is solved")
       .integer("predictor order", 1, params::between(0, 2),
                "first guess of a step: 0 the last state, 1 linear and 2 quadratic extrapolation in "
                "time")
@@ -43,7 +45,9 @@ Monolithic::Monolithic(const Teuchos::ParameterList& list,
       accepts_unconverged_(list.get<std::string>("when not converged") == "accept"),
       fluid_(&parts.fluid), wall_(&parts.wall),
       fluid_states_(parts.fluid, list.get<int>("predictor order")),
-      wall_states_(parts.wall, list.get<int>("predictor order")) {}
+      wall_states_(parts.wall, list.get<int>("predictor order")) {
+  if (list.get<std::string>("geometry") == "automatic") rule_.emplace();
+}
 
 // F(x) = 0 of fluid, wall and mesh together, once from x⁰ = Σ_k c_k xⁿ⁻ᵏ and, where that fails,
 // once more from xⁿ⁻¹ with care.
@@ -51,10 +55,17 @@ Outcome Monolithic::attempt(bool is_careful, const stepping::Clock& clock, Itera
                             bool& is_over) {
   const Stopwatch all;
   const problems::CoupledProblem::Seconds before = problem_.seconds();
+  if (rule_) problem_.want_shape_derivatives(rule_->wants_derivatives());
   const auto solution =
       is_careful ? problem_.solve_carefully(fluid_->state(), wall_->state(), accepts_unconverged_)
                  : problem_.solve(fluid_states_.extrapolated(clock.step_sizes()),
                                   wall_states_.extrapolated(clock.step_sizes()), false);
+  if (rule_ && !is_careful) {
+    if (solution.newton.is_converged)
+      rule_->note(solution.newton);
+    else
+      rule_->note_failure();
+  }
   iteration.solve("system") = solution.newton;
   if (!solution.newton.steps.empty()) iteration.residual = solution.newton.steps.back().increment;
   is_over = solution.is_taken;
@@ -69,6 +80,17 @@ Outcome Monolithic::attempt(bool is_careful, const stepping::Clock& clock, Itera
   for (const Stage& stage : iteration.stages) others += stage.seconds;
   iteration.seconds("system") = all.seconds() - others;
   return outcome;
+}
+
+fields::State Monolithic::save() const {
+  fields::State state;
+  if (rule_) rule_->save(state);
+  return state;
+}
+
+std::string Monolithic::restore(const fields::State& state) {
+  if (rule_ && state.numbers.count("geometry") > 0) rule_->restore(state);
+  return "";
 }
 
 Report Monolithic::solve_step(const stepping::Clock& clock, const Watch& watch) {

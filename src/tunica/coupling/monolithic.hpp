@@ -1,4 +1,7 @@
 #pragma once
+#include <optional>
+
+#include "tunica/coupling/geometry_rule.hpp"
 #include "tunica/coupling/scheme.hpp"
 #include "tunica/problems/coupled_problem.hpp"
 #include "tunica/problems/state_history.hpp"
@@ -29,8 +32,8 @@ public:
   Report solve_step(const stepping::Clock& clock, const Watch& watch) override;
 
   // Restartable: the states that a step is guessed from belong to its parts
-  fields::State save() const override { return {}; }
-  std::string restore(const fields::State&) override { return ""; }
+  fields::State save() const override;
+  std::string restore(const fields::State& state) override;
   std::map<std::string, fields::Restartable*> inner_parts() override {
     return {{"fluid states", &fluid_states_}, {"wall states", &wall_states_}};
   }
@@ -43,6 +46,7 @@ private:
 
   problems::CoupledProblem problem_;
   bool accepts_unconverged_;
+  std::optional<GeometryRule> rule_;  ///< where the geometry is "automatic"
   problems::FluidProblem* fluid_;
   problems::SolidProblem* wall_;
   problems::StateHistory fluid_states_, wall_states_;

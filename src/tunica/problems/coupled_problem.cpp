@@ -83,10 +83,10 @@ private:
 CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& parts)
     : mesh_(&parts.mesh), interface_(&parts.interface), fluid_(&parts.fluid), wall_(&parts.wall),
       motion_(&parts.motion), is_extrapolated_(list.get<std::string>("geometry") == "extrapolated"),
-      has_shape_derivatives_(list.get<std::string>("geometry") == "newton"),
+      wants_shape_derivatives_(list.get<std::string>("geometry") == "newton"),
       mesh_tolerance_(is_extrapolated_ ? 0.0 : list.get<double>("mesh tolerance")),
       product_tolerance_(is_extrapolated_ ? 0.0 : list.get<double>("product tolerance")),
-      knows_domain_(has_shape_derivatives_), split_(mesh_of_pressures(parts)),
+      knows_domain_(wants_shape_derivatives_), split_(mesh_of_pressures(parts)),
       K_(std::make_unique<fields::BlockOperator>(
           parts.mesh, fields::NodalBlocks{{"velocity", 3}, {"pressure", 1}}, split_.get(),
           parts_of_mesh(parts))),
@@ -260,7 +260,8 @@ double CoupledProblem::increment_norm(const algebra::BlockVector& dx) {
 
 CoupledProblem::Solution CoupledProblem::solve(const algebra::BlockVector& fluid,
                                                const algebra::BlockVector& wall, bool wants_any) {
-  knows_domain_ = has_shape_derivatives_;
+  if (wants_shape_derivatives_ && !knows_domain_) rule_.forget();  // the last Jacobian has none
+  knows_domain_ = wants_shape_derivatives_;
   return solve(newton_, rule_, fluid, wall, wants_any);
 }
 

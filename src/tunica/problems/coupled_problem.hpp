@@ -46,6 +46,9 @@ public:
   /// Begins the clock's present step in all fields. Fails where the extrapolated domain is none.
   /// Collective.
   Outcome begin_step(const stepping::Clock& clock);
+  /// Whether Jacobians have shape derivatives from the next solve on: with "geometry" = "newton"
+  /// they have, else not until told. Not where the domain is extrapolated.
+  void want_shape_derivatives(bool wanted) { wants_shape_derivatives_ = wanted; }
   /// Newton's method from these states of the fields; on success they are those of the new time,
   /// else they stay what they were, unless wants_any is true and all steps that are permitted have
   /// led to a state that is admissible, though not accurate. Collective.
@@ -108,7 +111,7 @@ private:
   FluidProblem* fluid_;
   SolidProblem* wall_;
   MeshMotion* motion_;
-  bool is_extrapolated_, has_shape_derivatives_;
+  bool is_extrapolated_, wants_shape_derivatives_;
   double mesh_tolerance_, product_tolerance_;
   bool knows_domain_;  ///< the present Jacobian has shape derivatives
   std::unique_ptr<fields::SplitMesh> split_;

@@ -1,0 +1,43 @@
+#pragma once
+#include "tunica/fields/state.hpp"
+#include "tunica/nonlinear/newton.hpp"
+
+namespace tunica::coupling {
+
+/// Whether the Jacobians of a step have shape derivatives, that is, know how the fluid's domain
+/// follows the wall, where this is to be found out. The answer is the same either way. With them
+/// Newton's method takes half the steps in a vessel that is bent, and as many as without in a
+/// straight tube; but each product with the Jacobian then moves the mesh. The work of a step is
+/// counted in products without them: of n Newton steps with m_k Krylov iterations
+///
+///   W = c n + (1 + s) Σ_k m_k,   s = 0 without shape derivatives.
+///
+/// The rule goes one way, tries the other for two steps every so often, and takes that if they need
+/// clearly less than the two before. As long as its way wins it tries half as often each time.
+/// There is no clock in it: runs can be repeated, and ranks agree.
+class GeometryRule {
+public:
+  bool wants_derivatives() const { return present_ != is_trial(); }
+
+  /// A step was solved in the way that it wants.
+  void note(const nonlinear::NewtonReport& report);
+  /// A step could not be solved so.
+  void note_failure();
+
+  void save(fields::State& state) const;
+  void restore(const fields::State& state);
+
+private:
+  bool is_trial() const { return steps_ >= wait_; }
+  void go(bool has_derivatives, int wait);
+
+  static constexpr int first_wait = 4;
+
+  bool present_ = false;              ///< the way it goes has derivatives
+  int wait_ = first_wait;             ///< steps on it until the other one is tried
+  int steps_ = 0;                     ///< since it goes it, or since the last trial
+  double rival_ = 0.0;                ///< W of the two steps before a trial
+  double before_ = 0.0, last_ = 0.0;  ///< W of the last two steps
+};
+
+}  // namespace tunica::coupling
