@@ -9,16 +9,56 @@ namespace tunica::assembly {
 
 namespace {
 
-/// Zeroes constrained rows and columns of an element matrix but for their diagonals.
-void constrain(const std::array<std::uint8_t, 4>& fixed, ElementMatrix& K) {
-  for (int a = 0; a < 4; ++a)
-    for (int i = 0; i < 4; ++i) {
-      if (!((fixed[a] >> i) & 1)) continue;
-      const double diagonal = K.k[a][a][i][i];
-      for (int b = 0; b < 4; ++b)
-        for (int j = 0; j < 4; ++j) K.k[a][b][i][j] = K.k[b][a][j][i] = 0.0;
-      K.k[a][a][i][i] = diagonal;
+/// Rows and columns of unknown i at node a become zero but for their diagonal.
+template <std::size_t n, std::size_t m>
+void leave_out(int a, int i, double (&k)[n][n][m][m]) {
+  const double diagonal = k[a][a][i][i];
+  for (std::size_t b = 0; b < n; ++b)
+    for (std::size_t j = 0; j < m; ++j) k[a][b][i][j] = k[b][a][j][i] = 0.0;
+  k[a][a][i][i] = diagonal;
+}
+
+/// The same across the axes: k ← P k P + s N, N = I − P, s the mean of k's diagonal along N.
+template <std::size_t n, std::size_t m>
+void leave_out(int a, const Mat3& P, double (&k)[n][n][m][m]) {
+  double trace = 0.0, rank = 3.0;
+  for (int i = 0; i < 3; ++i) {
+    rank -= P[i][i];
+    for (int j = 0; j < 3; ++j) trace += ((i == j ? 1.0 : 0.0) - P[i][j]) * k[a][a][j][i];
+  }
+  for (std::size_t b = 0; b < n; ++b)
+    for (std::size_t j = 0; j < m; ++j) {
+      const Vec3 row = P * Vec3{k[a][b][0][j], k[a][b][1][j], k[a][b][2][j]};
+      for (int i = 0; i < 3; ++i) k[a][b][i][j] = row[i];
     }
+  for (std::size_t b = 0; b < n; ++b)
+    for (std::size_t j = 0; j < m; ++j) {
+      const Vec3 column = P * Vec3{k[b][a][j][0], k[b][a][j][1], k[b][a][j][2]};
+      for (int i = 0; i < 3; ++i) k[b][a][j][i] = column[i];
+    }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) k[a][a][i][j] += trace / rank * ((i == j ? 1.0 : 0.0) - P[i][j]);
+}
+
+/// Leaves out what is prescribed, in the matrix of an element or of a face; m = 4: with a scalar.
+template <class Nodes, std::size_t n, std::size_t m>
+void constrain(const Constraints& fixed, const Nodes& nodes, double (&k)[n][n][m][m]) {
+  for (std::size_t a = 0; a < n; ++a) {
+    if (fixed.is_free(nodes[a])) continue;
+    if (const Mat3* const P = fixed.oblique(nodes[a])) {
+      leave_out(a, *P, k);
+    } else {
+      for (int i = 0; i < 3; ++i)
+        if (fixed.is_fixed(nodes[a], i)) leave_out(a, i, k);
+    }
+    if constexpr (m == 4)
+      if (fixed.is_scalar_fixed(nodes[a])) leave_out(a, 3, k);
+  }
+}
+
+template <class Nodes>
+bool are_free(const Constraints& fixed, const Nodes& nodes) {
+  return std::all_of(nodes.begin(), nodes.end(), [&](int a) { return fixed.is_free(a); });
 }
 
 /// Row i of a pair of nodes in all lanes, four packs, into the elements' matrices.
@@ -91,8 +131,10 @@ kernels::MixedJacobian lane_of(const kernels::MixedJacobianOf<Pack>& Ke, int lan
 /// Copies what is not constrained.
 void store_free(const std::vector<Vec3>& values, const Constraints& fixed, Vector& x) {
   const auto rows = x.getLocalViewHost(overwrite_all);
-  for (std::size_t a = 0; a < values.size(); ++a)
-    for (int i = 0; i < 3; ++i) rows(3 * a + i, 0) = (fixed[a] >> i) & 1 ? 0.0 : values[a][i];
+  for (std::size_t a = 0; a < values.size(); ++a) {
+    const Vec3 free = fixed.project(static_cast<int>(a), values[a]);
+    for (int i = 0; i < 3; ++i) rows(3 * a + i, 0) = free[i];
+  }
 }
 
 }  // namespace
@@ -122,14 +164,11 @@ void NodalResidual::add(const fields::FieldMesh& mesh, const fields::Face& face,
     if (face.nodes[a] < mesh.n_owned) u[face.nodes[a]] += R.u[a];
 }
 
-void NodalResidual::store(const fields::FieldMesh& mesh, const Constraints& fixed,
-                          algebra::BlockVector& F) const {
-  const auto fu = F[0].getLocalViewHost(overwrite_all);
+void NodalResidual::store(const Constraints& fixed, algebra::BlockVector& F) const {
+  store_free(u, fixed, F[0]);
   const auto fp = F[1].getLocalViewHost(overwrite_all);
-  for (int a = 0; a < mesh.n_owned; ++a)
-    for (int i = 0; i < 3; ++i) fu(3 * a + i, 0) = (fixed[a] >> i) & 1 ? 0.0 : u[a][i];
   for (std::size_t a = 0; a < p.size(); ++a)
-    fp(a, 0) = fixed[fields::host_of(static_cast<int>(a), split_)] & fixed_scalar ? 0.0 : p[a];
+    fp(a, 0) = fixed.is_scalar_fixed(fields::host_of(static_cast<int>(a), split_)) ? 0.0 : p[a];
 }
 
 BlockAssembler::BlockAssembler(fields::BlockOperator& K, const Constraints& fixed,
@@ -165,12 +204,9 @@ void BlockAssembler::add(const PackedElements& elements, const kernels::MixedJac
   separate(Ke, units_, K);
   for (int lane = 0; lane < elements.n; ++lane) {
     const std::size_t e = elements.number[lane];
-    const auto& nodes = mesh_->tets[e];
-    const std::array<std::uint8_t, 4> fixed{(*fixed_)[nodes[0]], (*fixed_)[nodes[1]],
-                                            (*fixed_)[nodes[2]], (*fixed_)[nodes[3]]};
-    if ((fixed[0] | fixed[1] | fixed[2] | fixed[3]) != 0) {
+    if (const auto& nodes = mesh_->tets[e]; !are_free(*fixed_, nodes)) {
       if (motions_ != nullptr) motions_->collect(e, lane_of(Ke, lane));
-      constrain(fixed, K[lane]);
+      constrain(*fixed_, nodes, K[lane].k);
     }
     scatter(e, K[lane]);
   }
@@ -215,6 +251,8 @@ void BlockAssembler::scatter(std::size_t e, const ElementMatrix& Ke) {
 
 void BlockAssembler::add(const fields::Face& face, const kernels::SurfaceJacobian& Ke) {
   if (motions_ != nullptr) motions_->collect(face, Ke);
+  kernels::SurfaceJacobian K = Ke;
+  constrain(*fixed_, face.nodes, K.A);
   for (int a = 0; a < 3; ++a) {
     const int row = node_of(face.nodes[a]);
     if (row >= K_->mesh().n_owned) continue;
@@ -222,12 +260,7 @@ void BlockAssembler::add(const fields::Face& face, const kernels::SurfaceJacobia
     for (int b = 0; b < 3; ++b) {
       double* const A = values_ + K_->rows(0).start[row] + K_->place(row, node_of(face.nodes[b]));
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          const bool is_fixed =
-              (((*fixed_)[face.nodes[a]] >> i) | ((*fixed_)[face.nodes[b]] >> j)) & 1;
-          const bool is_diagonal = a == b && i == j;
-          if (!is_fixed || is_diagonal) A[length * i + j] += units_[0][0] * Ke.A[a][b][i][j];
-        }
+        for (int j = 0; j < 3; ++j) A[length * i + j] += units_[0][0] * K.A[a][b][i][j];
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tunica/assembly/constraints.hpp"
 #include "tunica/fields/embed_field.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
 #include "tunica/kernels/tet4.hpp"
@@ -10,12 +11,6 @@
 namespace tunica::assembly {
 
 class CommonMotions;
-
-/// Dirichlet dofs of the local nodes: bits 0, 1, 2 for the components of the vector unknown,
-/// bit 3 for the scalar one.
-using Constraints = std::vector<std::uint8_t>;
-constexpr std::uint8_t fixed_vector = 7;
-constexpr std::uint8_t fixed_scalar = 8;
 
 /// The elements that a pack of kernels' results belongs to: the first n of its lanes; the others
 /// hold the last of them again.
@@ -45,8 +40,7 @@ struct NodalResidual {
   void add(const fields::FieldMesh& mesh, const fields::Face& face,
            const kernels::SurfaceResidual& R);
   /// Copies into F with zeros in the constrained rows.
-  void store(const fields::FieldMesh& mesh, const Constraints& fixed,
-             algebra::BlockVector& F) const;
+  void store(const Constraints& fixed, algebra::BlockVector& F) const;
 
 private:
   const fields::SplitMesh* split_;

@@ -16,11 +16,12 @@ int CommonMotions::add(int component, bool has_force, const std::vector<char>& m
                        Constraints& fixed) {
   const int number = static_cast<int>(motions_.size());
   double mine = 0.0;
-  bool is_alone = true;
+  bool is_alone = true, is_along_axes = true;
   for (int a = 0; a < mesh_->n_nodes(); ++a) {
     if (members[a] && motion_of(a, component) >= 0) is_alone = false;
-    if (!members[a] || (fixed[a] >> component) & 1) continue;
-    fixed[a] |= std::uint8_t(1U << component);
+    if (!members[a] || fixed.is_fixed(a, component)) continue;
+    if (fixed.oblique(a) != nullptr) is_along_axes = false;
+    fixed.fix_component(a, component);
     motion_of_[3 * a + component] = number;
     is_touched_[a] = 1;
     if (a < mesh_->n_owned) mine += 1.0;
@@ -29,6 +30,10 @@ int CommonMotions::add(int component, bool has_force, const std::vector<char>& m
       all_agree(*mesh_->comm, is_alone),
       "a surface that moves as one along " + std::string(1, "xyz"[component]) +
           " shares nodes with another one that does. Name that component for one of them.");
+  TUNICA_CHECK(all_agree(*mesh_->comm, is_along_axes),
+               "a surface that moves as one along " + std::string(1, "xyz"[component]) +
+                   " shares nodes with one that is held along a normal across the axes. Hold that "
+                   "one by components, or clamp it.");
   const Values zero{std::vector<Vec3>(mesh_->n_owned), std::vector<double>(scalar_mesh_->n_owned)};
   motions_.push_back({component, has_force, global_sum(*mesh_->comm, mine), zero, zero});
   return static_cast<int>(motions_.back().count);
@@ -117,8 +122,8 @@ void CommonMotions::store_first(int m, const Constraints& fixed, const Vector& d
   const auto d = diagonal.getLocalViewHost(read_only);
   for (int a = 0; a < mesh_->n_owned; ++a)
     for (int i = 0; i < 3; ++i) {
-      const bool is_member = motion_of(a, i) == m, is_fixed = (fixed[a] >> i) & 1;
-      w(3 * a + i, 0) = is_member ? -d(3 * a + i, 0) : is_fixed ? 0.0 : column.u[a][i];
+      const bool is_member = motion_of(a, i) == m;
+      w(3 * a + i, 0) = is_member ? -d(3 * a + i, 0) : fixed.project(a, column.u[a])[i];
       v(3 * a + i, 0) = is_member ? 1.0 / motions_[m].count : 0.0;
     }
   const auto w_p = product.w[1].getLocalViewHost(overwrite_all);
@@ -137,9 +142,8 @@ void CommonMotions::store_second(int m, const Constraints& fixed,
   for (int a = 0; a < mesh_->n_owned; ++a)
     for (int i = 0; i < 3; ++i) {
       const int other = motion_of(a, i);
-      const bool is_fixed = (fixed[a] >> i) & 1;
       w(3 * a + i, 0) = other == m ? 1.0 / motion.count : 0.0;
-      double value = is_fixed ? 0.0 : motion.row.u[a][i];
+      double value = fixed.project(a, motion.row.u[a])[i];
       if (other >= 0) value = products[m * motions_.size() + other] / motions_[other].count;
       if (!motion.has_force) value = other == m ? 1.0 / motion.count : 0.0;
       v(3 * a + i, 0) = value;

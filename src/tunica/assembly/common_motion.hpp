@@ -59,7 +59,7 @@ private:
     Values column, row;  ///< K e and Kᵀ e
   };
   bool is_fixed_scalar(int node, const Constraints& fixed) const {
-    return fixed[fields::host_of(node, split_)] & fixed_scalar;
+    return fixed.is_scalar_fixed(fields::host_of(node, split_));
   }
   int motion_of(int node, int component) const { return motion_of_[3 * node + component]; }
   template <class Jacobian, class Nodes>

@@ -39,10 +39,10 @@ void FluidShapeMatrix::add(std::size_t e, const kernels::ShapeJacobian& Ke,
     for (int b = 0; b < 4; ++b) {
       const std::size_t column = 3 * graph_->position[e][4 * a + b];
       for (int j = 0; j < 3; ++j) {
-        for (int i = 0; i < 3; ++i)
-          if (!((fixed[node] >> i) & 1))
-            u(9 * start + 3 * length * i + column + j) += Ke.u[a][b][i][j];
-        if (!(fixed[node] & fixed_scalar)) p(3 * start + column + j) += Ke.p[a][b][j];
+        const auto& k = Ke.u[a][b];
+        const Vec3 free = fixed.project(node, {k[0][j], k[1][j], k[2][j]});
+        for (int i = 0; i < 3; ++i) u(9 * start + 3 * length * i + column + j) += free[i];
+        if (!fixed.is_scalar_fixed(node)) p(3 * start + column + j) += Ke.p[a][b][j];
       }
     }
   }

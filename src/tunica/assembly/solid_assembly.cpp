@@ -8,8 +8,10 @@ namespace tunica::assembly {
 
 namespace {
 
-kernels::SolidState state_of(const SolidFields& s, const fields::FieldMesh& mesh,
-                             const SolidElements& elements, std::size_t e) {
+[[gnu::always_inline]] inline kernels::SolidState state_of(const SolidFields& s,
+                                                           const fields::FieldMesh& mesh,
+                                                           const SolidElements& elements,
+                                                           std::size_t e) {
   const std::array<int, 4>& nodes = mesh.tets[e];
   const double density = elements.density[e];
   const auto& pressure_nodes = fields::scalar_mesh(mesh, elements.split).tets[e];

@@ -48,6 +48,8 @@ public:
   virtual bool wants_whole_section() const { return false; }
   /// Components of the vector unknown that the term prescribes at its nodes.
   virtual std::vector<int> prescribed_components() const { return {}; }
+  /// Directions along which the vector unknown stays zero at its nodes, of length 1.
+  virtual std::vector<Vec3> held_directions() const { return {}; }
   /// Comes before prescribed() of the same surroundings. Collective.
   virtual void prepare(const Surroundings&) {}
   /// Their values; of the others it says nothing.

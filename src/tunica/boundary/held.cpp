@@ -1,8 +1,11 @@
 #include "tunica/boundary/held.hpp"
 
 #include <Teuchos_Array.hpp>
+#include <cmath>
+#include <sstream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/boundary/surface_geometry.hpp"
 
 namespace tunica::boundary {
 
@@ -32,25 +35,64 @@ ConditionEntry clamped() {
 
 namespace {
 
+constexpr const char* normal = "normal";
+
+bool is_along_normal(const Teuchos::ParameterList& list) {
+  return list.get<Names>("components") == Names(1, normal);
+}
+
+void check_held_components(const Teuchos::ParameterList& list, const std::string& path) {
+  if (!list.isParameter("components") || is_along_normal(list)) return;
+  for (const auto& c : list.get<Names>("components"))
+    TUNICA_CHECK(c != normal, path +
+                                  ": \"components\" holds \"normal\" beside others, expected it "
+                                  "alone.");
+  check_components(list, path);
+}
+
+/// Its unit normal. Throws Error where the surface is no plane. Collective.
+Vec3 normal_of_plane(const fields::FieldMesh& mesh, int surface) {
+  const SurfaceGeometry plane = surface_geometry(mesh, surface);
+  const double degrees = plane.bend * 180.0 / std::acos(-1.0);
+  std::ostringstream message;
+  message
+      << "Surfaces / " << mesh.surfaces[surface]
+      << ": it is held along its normal, but no plane: its normals are up to " << degrees
+      << " degrees off their mean, expected at most 1. Give each plane a surface of its own, or "
+         "hold components.";
+  TUNICA_CHECK(degrees <= 1.0, message.str());
+  return plane.normal;
+}
+
+std::unique_ptr<Held> held_along_normal(const Vec3& n) {
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(n[i]) > 1.0 - 1e-12) return std::make_unique<Held>(std::vector<int>{i});
+  return std::make_unique<Held>(std::vector<int>(), std::vector<Vec3>{n});
+}
+
 ConditionEntry held_in(Field field, const std::string& sentence) {
   params::Table table;
-  table.names("components", std::nullopt, sentence).check(check_components);
+  table.names("components", std::nullopt, sentence).check(check_held_components);
   return {field, "held", table,
-          [](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
-            return terms(std::make_unique<Held>(components_of(list)));
+          [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {
+            return terms(is_along_normal(list) ? held_along_normal(normal_of_plane(mesh, surface))
+                                               : std::make_unique<Held>(components_of(list)));
           }};
 }
 
 }  // namespace
 
 ConditionEntry held() {
-  return held_in(Field::wall, "components without displacement, of x, y and z");
+  return held_in(
+      Field::wall,
+      "components without displacement, of x, y and z; or \"normal\" alone: the one along "
+      "the normal of a plane, in which the wall slides");
 }
 
 ConditionEntry held_velocity() {
   return held_in(Field::fluid,
-                 "components without velocity, of x, y and z; the one along the normal on a plane "
-                 "of symmetry");
+                 "components without velocity, of x, y and z; or \"normal\" alone: the one along "
+                 "the normal of a plane, as on a plane of symmetry");
 }
 
 ConditionEntry loaded_by_fluid() {

@@ -4,14 +4,18 @@
 namespace tunica::boundary {
 
 /// Components of the vector unknown, displacement or velocity, that stay zero; all of them where a
-/// wall is clamped.
+/// wall is clamped. Or the one along the normal of a plane, so that its nodes slide in it.
 class Held final : public BoundaryTerm {
 public:
-  explicit Held(std::vector<int> components) : components_(std::move(components)) {}
+  /// directions: of length 1.
+  explicit Held(std::vector<int> components, std::vector<Vec3> directions = {})
+      : components_(std::move(components)), directions_(std::move(directions)) {}
   std::vector<int> prescribed_components() const override { return components_; }
+  std::vector<Vec3> held_directions() const override { return directions_; }
 
 private:
   std::vector<int> components_;
+  std::vector<Vec3> directions_;
 };
 
 /// The "components" of a resolved list, as numbers; and the check of the key.

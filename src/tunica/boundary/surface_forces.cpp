@@ -18,7 +18,8 @@ std::vector<Vec3> shared_reactions(const fields::FieldMesh& mesh, const SurfaceT
   std::vector<Vec3> taken(on.size());
   for (int i = 0; i < 3; ++i) {
     std::vector<char> takes(n_surfaces);
-    for (int s = 0; s < n_surfaces; ++s) takes[s] = terms.prescribes(s, i);
+    for (int s = 0; s < n_surfaces; ++s)
+      takes[s] = terms.prescribes(s, i) || terms.has_held_directions(s);
     for (int a = 0; a < mesh.n_owned; ++a) {
       double area = 0.0, rest = reaction[a][i];
       for (int k = on.begin(a); k < on.end(a); ++k)

@@ -8,6 +8,8 @@ struct SurfaceGeometry {
   double area;
   Vec3 centre;    ///< centroid
   double radius;  ///< largest distance of a node from the centre
+  Vec3 normal;    ///< out of the field, the mean of the triangles'; of length 1
+  double bend;    ///< largest angle between it and that of a triangle [rad]
 };
 
 /// Area times normal, out of the field, that belongs to each owned node on one of the surfaces, a

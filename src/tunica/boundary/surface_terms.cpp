@@ -11,7 +11,7 @@ SurfaceTerms::SurfaceTerms(const std::vector<Condition>& conditions,
                            const std::vector<ConditionEntry>& registry,
                            const fields::FieldMesh& mesh)
     : mesh_(&mesh), kept_(conditions), conditions_(mesh.surfaces.size()),
-      terms_(mesh.surfaces.size()) {
+      terms_(mesh.surfaces.size()), fixed_(mesh.n_nodes()) {
   for (const Condition& condition : kept_) {
     const int surface = mesh.surface_index(condition.surface);
     if (surface < 0) continue;
@@ -25,12 +25,13 @@ SurfaceTerms::SurfaceTerms(const std::vector<Condition>& conditions,
     }
   }
   check_sections();
+  constrain();
 }
 
 void SurfaceTerms::check_sections() const {
   const auto is_plane = [this](int s) {
     const int held = prescribes(s, 0) + prescribes(s, 1) + prescribes(s, 2);
-    return held == 1 || held == 2;
+    return held == 1 || held == 2 || has_held_directions(s);
   };
   const int n = static_cast<int>(terms_.size());
   for (int s = 0; s < n; ++s) {
@@ -61,7 +62,8 @@ bool SurfaceTerms::has_condition(int surface, const std::string& kind) const {
 bool SurfaceTerms::is_natural(int surface) const {
   const Terms& terms = terms_[surface];
   return std::all_of(terms.begin(), terms.end(), [](const auto& term) {
-    return term->prescribed_components().empty() && term->common_motions().empty();
+    return term->prescribed_components().empty() && term->held_directions().empty() &&
+           term->common_motions().empty();
   });
 }
 
@@ -81,12 +83,29 @@ bool SurfaceTerms::moves_as_one(int surface) const {
                      [](const auto& term) { return !term->common_motions().empty(); });
 }
 
-void SurfaceTerms::constrain(assembly::Constraints& fixed) const {
+bool SurfaceTerms::has_held_directions(int surface) const {
+  const Terms& terms = terms_[surface];
+  return std::any_of(terms.begin(), terms.end(),
+                     [](const auto& term) { return !term->held_directions().empty(); });
+}
+
+Vec3 SurfaceTerms::free_part(int surface, const Vec3& v) const {
+  assembly::Constraints fixed(1);
+  for (int i = 0; i < 3; ++i)
+    if (prescribes(surface, i)) fixed.fix_component(0, i);
+  for (const auto& term : terms_[surface])
+    for (const Vec3& n : term->held_directions()) fixed.fix_direction(0, n);
+  return fixed.project(0, v);
+}
+
+void SurfaceTerms::constrain() {
   for (std::size_t s = 0; s < terms_.size(); ++s)
     for (const auto& term : terms_[s])
-      for (const int i : term->prescribed_components())
-        for (int a = 0; a < mesh_->n_nodes(); ++a)
-          if (mesh_->is_on(a, static_cast<int>(s))) fixed[a] |= std::uint8_t(1U << i);
+      for (int a = 0; a < mesh_->n_nodes(); ++a) {
+        if (!mesh_->is_on(a, static_cast<int>(s))) continue;
+        for (const int i : term->prescribed_components()) fixed_.fix_component(a, i);
+        for (const Vec3& n : term->held_directions()) fixed_.fix_direction(a, n);
+      }
 }
 
 std::vector<std::pair<int, CommonMotion>> SurfaceTerms::common_motions() const {
@@ -98,6 +117,7 @@ std::vector<std::pair<int, CommonMotion>> SurfaceTerms::common_motions() const {
   return all;
 }
 
+// On nodes that are held across the axes u ← g + P (u − g), g the prescribed components.
 void SurfaceTerms::impose(const Surroundings& s, Vector& u) {
   for (const Terms& terms : terms_)
     for (const auto& term : terms) term->prepare(s);
@@ -113,6 +133,13 @@ void SurfaceTerms::impose(const Surroundings& s, Vector& u) {
           for (const int i : components) values(3 * a + i, 0) = value[i];
         }
       }
+  for (int a = 0; a < mesh_->n_owned; ++a) {
+    if (fixed_.oblique(a) == nullptr) continue;
+    Vec3 given{}, rest{};
+    for (int i = 0; i < 3; ++i) (fixed_.is_fixed(a, i) ? given : rest)[i] = values(3 * a + i, 0);
+    const Vec3 free = fixed_.project(a, rest);
+    for (int i = 0; i < 3; ++i) values(3 * a + i, 0) = given[i] + free[i];
+  }
 }
 
 void SurfaceTerms::add(const Surroundings& s, assembly::NodalResidual& R,

@@ -20,13 +20,16 @@ public:
   /// move as one.
   bool prescribes(int surface, int component) const;
   bool moves_as_one(int surface) const;
+  bool has_held_directions(int surface) const;
+  /// The part of v along which the vector unknown is free there.
+  Vec3 free_part(int surface, const Vec3& v) const;
   bool is_interface(int surface) const { return has_condition(surface, interface_condition); }
 
-  /// Adds the bits of the components that the terms prescribe, for each local node.
-  void constrain(assembly::Constraints& fixed) const;
+  /// What the terms prescribe, for each local node.
+  const assembly::Constraints& constraints() const { return fixed_; }
   /// What moves as one, each with its surface.
   std::vector<std::pair<int, CommonMotion>> common_motions() const;
-  /// Gives the prescribed components of the vector unknown their values on owned nodes. Collective.
+  /// Gives what is prescribed of the vector unknown its values on owned nodes. Collective.
   void impose(const Surroundings& s, Vector& u);
 
   /// Products of vectors that the terms add to a Jacobian.
@@ -51,6 +54,7 @@ public:
   std::string restore(const fields::State& state);
 
 private:
+  void constrain();
   /// Throws Error where a profile would be made of a part of a section. Collective.
   void check_sections() const;
   std::vector<double> state_of(int surface) const;
@@ -61,6 +65,7 @@ private:
   std::vector<Condition> kept_;
   std::vector<std::vector<const Condition*>> conditions_;  ///< per surface
   std::vector<Terms> terms_;                               ///< per surface
+  assembly::Constraints fixed_;
   int highest_precedence_ = 0;
 };
 

@@ -45,19 +45,17 @@ Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
   for (const int vertex : mesh.vertex) smallest = std::min<double>(smallest, vertex);
   smallest = global_min(*mesh.comm, smallest);
   for (int a = 0; a < mesh.n_nodes(); ++a)
-    if (mesh.vertex[a] == smallest) fixed_[a] |= assembly::fixed_scalar;
+    if (mesh.vertex[a] == smallest) fixed_.fix_scalar(a);
 }
 
 Fluid::~Fluid() = default;
 
-// Fluid passes a face where a component of the velocity is free along which it has a normal.
+// Fluid passes a face where velocities along a part of its normal are free.
 void Fluid::find_open_surfaces() {
   std::vector<double> passes(mesh_->surfaces.size(), 0.0);
   for (const fields::Face& face : mesh_->faces) {
     const Vec3 n = kernels::area_normal(assembly::gather(mesh_->x, face.nodes));
-    for (int i = 0; i < 3; ++i)
-      if (std::abs(n[i]) > 1e-6 * norm(n) && !surfaces_.prescribes(face.surface, i))
-        passes[face.surface] = 1.0;
+    if (norm(surfaces_.free_part(face.surface, n)) > 1e-6 * norm(n)) passes[face.surface] = 1.0;
   }
   for (const double found : global_sum(*mesh_->comm, passes)) is_open_.push_back(found > 0.0);
 }
@@ -144,15 +142,14 @@ void Fluid::prescribe(algebra::BlockVector& x) {
   fix_coefficients();
 }
 
-void Fluid::release_interface(const assembly::Constraints& fixed) {
+void Fluid::release_interface(const std::vector<Mat3>& free) {
   for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s) {
     const int surface = static_cast<int>(s);
     if (!surfaces_.is_interface(surface)) continue;
     for (int a = 0; a < mesh_->n_nodes(); ++a)
-      if (mesh_->is_on(a, surface)) fixed_[a] = fixed[a] & assembly::fixed_vector;
+      if (mesh_->is_on(a, surface)) fixed_.replace(a, free[a]);
   }
-  if (is_closed_)
-    for (std::uint8_t& bits : fixed_) bits &= ~assembly::fixed_scalar;
+  if (is_closed_) fixed_.free_scalars();
   is_closed_ = false;
 }
 

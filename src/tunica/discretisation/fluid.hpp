@@ -26,10 +26,10 @@ public:
   /// on the interface are those that the time scheme sees between d_past, its past of the mesh's
   /// displacement, and d. Fails where an element is inverted, and says which.
   Outcome set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_past);
-  /// Makes the velocity on the interface an unknown, but for the components in fixed, per local
-  /// node: the motion of the wall is not known beforehand. A fluid that was closed now has a
-  /// pressure that the wall bears.
-  void release_interface(const assembly::Constraints& fixed);
+  /// Makes the velocity on the interface an unknown as far as free, per local node, leaves it free
+  /// (assembly::Constraints): the motion of the wall is not known beforehand. A fluid that was
+  /// closed now has a pressure that the wall bears.
+  void release_interface(const std::vector<Mat3>& free);
   /// Gives x the prescribed velocities and fixes what stays constant in a Newton solve.
   void prescribe(algebra::BlockVector& x);
   /// Fixes it on the present domain: the stabilisation parameters and the body force.

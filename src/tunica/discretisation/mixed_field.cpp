@@ -9,11 +9,10 @@ namespace tunica::discretisation {
 MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
     : mesh_(&mesh), split_(std::move(parts.split)), scheme_(std::move(parts.scheme)),
       history_(scheme_->remembers(), mesh.n_nodes()),
-      surfaces_(parts.conditions, parts.registry, mesh), fixed_(mesh.n_nodes(), 0),
+      surfaces_(parts.conditions, parts.registry, mesh), fixed_(surfaces_.constraints()),
       R_(mesh, split_.get()), blocks_(parts.blocks),
       space_(fields::nodal_space(mesh, blocks_, split_.get())),
       common_motions_(mesh, split_.get()) {
-  surfaces_.constrain(fixed_);
   surfaces_.follow(*scheme_);
   tie_surfaces();
   const int rank = surfaces_.rank() + common_motions_.rank();
@@ -57,7 +56,7 @@ Outcome MixedField::residual(const algebra::BlockVector& x, algebra::BlockVector
   read(x);
   if (Outcome outcome = is_admissible(); outcome.is_failure()) return outcome;
   assemble(nullptr);
-  R_.store(*mesh_, fixed_, F);
+  R_.store(fixed_, F);
   common_motions_.store(R_, *surroundings().u, motion_values(), F);
   return Outcome::success();
 }

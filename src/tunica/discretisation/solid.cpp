@@ -160,7 +160,7 @@ std::vector<int> Solid::pressure_parts() const {
 void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const {
   assembly::NodalResidual load(*mesh_, split());
   load.u = force;
-  load.store(*mesh_, fixed_, b);
+  load.store(fixed_, b);
 }
 
 void Solid::read(const algebra::BlockVector& x) {

@@ -29,18 +29,23 @@ fields::MeshParts parts_of_mesh(const CoupledProblem::Parts& parts) {
 
 int rank_of(const FieldProblem& field) { return field.products() ? field.products()->rank() : 0; }
 
-/// The bits of owned interface nodes of the wall, at all nodes of the fluid.
-assembly::Constraints seen_by_fluid(const fields::InterfaceTransfer& interface,
-                                    const fields::FieldMesh& fluid,
-                                    const assembly::Constraints& wall) {
-  Vector owned(fluid.node_map);
-  {
-    const auto bits = owned.getLocalViewHost(read_write);
-    for (int k = 0; k < interface.n_owned(); ++k)
-      bits(interface.fluid_nodes[k], 0) = wall[interface.wall_nodes[k]];
+/// What the wall leaves free at its owned interface nodes, at all nodes of the fluid.
+std::vector<Mat3> seen_by_fluid(const fields::InterfaceTransfer& interface,
+                                const fields::FieldMesh& fluid, const assembly::Constraints& wall) {
+  std::vector<Mat3> free(fluid.n_nodes());
+  for (int i = 0; i < 3; ++i) {
+    Vector owned(fluid.vector_map);  // row i of P
+    {
+      const auto rows = owned.getLocalViewHost(read_write);
+      for (int k = 0; k < interface.n_owned(); ++k) {
+        const Mat3 P = wall.projector(interface.wall_nodes[k]);
+        for (int j = 0; j < 3; ++j) rows(3 * interface.fluid_nodes[k] + j, 0) = P[i][j];
+      }
+    }
+    const std::vector<Vec3> all = fields::ghosted_vectors(fluid, owned);
+    for (int a = 0; a < fluid.n_nodes(); ++a) free[a][i] = all[a];
   }
-  const std::vector<double> all = fields::ghosted_scalars(fluid, owned);
-  return {all.begin(), all.end()};
+  return free;
 }
 
 }  // namespace
@@ -72,9 +77,10 @@ private:
   void drop_fixed(Vector& velocity) const {
     const assembly::Constraints& fixed = problem_->fluid_->constraints();
     const auto y = velocity.getLocalViewHost(read_write);
-    for (int a = 0; a < problem_->fluid_->mesh().n_owned; ++a)
-      for (int i = 0; i < 3; ++i)
-        if ((fixed[a] >> i) & 1) y(3 * a + i, 0) = 0.0;
+    for (int a = 0; a < problem_->fluid_->mesh().n_owned; ++a) {
+      const Vec3 free = fixed.project(a, {y(3 * a, 0), y(3 * a + 1, 0), y(3 * a + 2, 0)});
+      for (int i = 0; i < 3; ++i) y(3 * a + i, 0) = free[i];
+    }
   }
 
   const CoupledProblem* problem_;

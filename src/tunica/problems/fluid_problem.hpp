@@ -20,7 +20,7 @@ public:
   void prepare() { prescribe(x_); }
   void prescribe(algebra::BlockVector& x) { fluid_->prescribe(x); }
   /// Where the velocity on the interface is solved for: see discretisation::Fluid.
-  void release_interface(const assembly::Constraints& fixed) { fluid_->release_interface(fixed); }
+  void release_interface(const std::vector<Mat3>& free) { fluid_->release_interface(free); }
   void fix_coefficients() { fluid_->fix_coefficients(); }
   nonlinear::NewtonReport solve();
 

@@ -41,7 +41,7 @@ struct Bedded {
     std::vector<Vec3> v(d.size());
     for (std::size_t a = 0; a < d.size(); ++a) v[a] = scheme.rate() * (d[a] - past[a]);
     const boundary::Surroundings s{&mesh, &mesh.x, &mesh.x, &d, &v, 0.0, 0.0};
-    const assembly::Constraints fixed(mesh.n_nodes(), 0);
+    const assembly::Constraints fixed(mesh.n_nodes());
     assembly::NodalResidual R(mesh);
     if (K == nullptr) {
       terms.add(s, R, nullptr);
@@ -51,7 +51,7 @@ struct Bedded {
       assembler.finish();
     }
     algebra::BlockVector F = fields::zero_vector(mesh);
-    R.store(mesh, fixed, F);
+    R.store(fixed, F);
     return F;
   }
 };

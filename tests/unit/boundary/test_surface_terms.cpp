@@ -99,8 +99,6 @@ TEUCHOS_UNIT_TEST(surface_terms, where_surfaces_meet_the_stronger_condition_hold
                      boundary::fluid_conditions(), tube.fluid);
   const int inlet = tube.surface("inlet"), side = tube.surface("interface");
   TEST_ASSERT(!terms.is_natural(inlet) && terms.is_natural(tube.surface("outlet")));
-  assembly::Constraints fixed(tube.fluid.n_nodes(), 0);
-  terms.constrain(fixed);
   Vector u(tube.fluid.vector_map);
   u.putScalar(7.0);
   const std::vector<Vec3> zero(tube.fluid.n_nodes());
@@ -108,7 +106,7 @@ TEUCHOS_UNIT_TEST(surface_terms, where_surfaces_meet_the_stronger_condition_hold
   const auto values = fields::owned_vectors(tube.fluid, u);
   for (int a = 0; a < tube.fluid.n_owned; ++a) {
     const bool is_held = tube.fluid.is_on(a, inlet) || tube.fluid.is_on(a, side);
-    TEST_EQUALITY(fixed[a] == assembly::fixed_vector, is_held);
+    for (int i = 0; i < 3; ++i) TEST_EQUALITY(terms.constraints().is_fixed(a, i), is_held);
     const Vec3 expected = tube.fluid.is_on(a, side)    ? Vec3{0, 0, 0}
                           : tube.fluid.is_on(a, inlet) ? Vec3{1, 2, 3}
                                                        : Vec3{7, 7, 7};
@@ -120,7 +118,7 @@ TEUCHOS_UNIT_TEST(surface_terms, a_term_of_ones_own_adds_to_residual_and_jacobia
   const SmallTube tube;
   const SurfaceTerms terms({condition("outlet", "springs")}, with_springs(), tube.fluid);
   TEST_ASSERT(terms.is_natural(tube.surface("outlet")));
-  assembly::Constraints fixed(tube.fluid.n_nodes(), 0);
+  assembly::Constraints fixed(tube.fluid.n_nodes());
   fields::BlockOperator K(tube.fluid);
   assembly::NodalResidual R(tube.fluid);
   const auto x = test::scattered(tube.fluid, 1);
@@ -131,7 +129,7 @@ TEUCHOS_UNIT_TEST(surface_terms, a_term_of_ones_own_adds_to_residual_and_jacobia
     assembler.finish();
   }
   algebra::BlockVector F = K.zero(), Kx = K.zero();
-  R.store(tube.fluid, fixed, F);
+  R.store(fixed, F);
   K.apply(x, Kx);
   TEST_COMPARE(test::norm(F), >, 0.1);
   TEST_COMPARE(test::relative_difference(Kx, F), <, 1e-14);  // it is linear
@@ -175,7 +173,7 @@ TEUCHOS_UNIT_TEST(surface_terms, a_term_of_a_whole_surface_has_an_exact_jacobian
   TEST_FLOATING_EQUALITY(state.number_list("memory at outlet").at(0),
                          -state.number_list("memory at inlet").at(0), 1e-12);
 
-  assembly::Constraints fixed(tube.fluid.n_nodes(), 0);
+  assembly::Constraints fixed(tube.fluid.n_nodes());
   const auto residual = [&](const algebra::BlockVector& x, fields::BlockOperator* K) {
     const std::vector<Vec3> u = fields::ghosted_vectors(tube.fluid, x[0]);
     assembly::NodalResidual R(tube.fluid);
@@ -187,7 +185,7 @@ TEUCHOS_UNIT_TEST(surface_terms, a_term_of_a_whole_surface_has_an_exact_jacobian
       terms.add(at(u), R, nullptr);
     }
     algebra::BlockVector F = fields::zero_vector(tube.fluid);
-    R.store(tube.fluid, fixed, F);
+    R.store(fixed, F);
     return F;
   };
   fields::BlockOperator K(tube.fluid);

@@ -152,9 +152,9 @@ TEUCHOS_UNIT_TEST(windkessel, its_jacobian_is_one_product_and_exact) {
   outlet.terms.follow(scheme);
   outlet.terms.begin_step();
   TEST_EQUALITY(outlet.terms.rank(), 1);
-  assembly::Constraints fixed(mesh.n_nodes(), 0);
+  assembly::Constraints fixed(mesh.n_nodes());
   for (int a = 0; a < mesh.n_nodes(); ++a)
-    if (mesh.is_on(a, outlet.tube.surface("interface"))) fixed[a] = assembly::fixed_vector;
+    if (mesh.is_on(a, outlet.tube.surface("interface"))) fixed.fix_vector(a);
   const auto residual = [&](const algebra::BlockVector& x, fields::BlockOperator* K) {
     const std::vector<Vec3> u = fields::ghosted_vectors(mesh, x[0]);
     assembly::NodalResidual R(mesh);
@@ -167,13 +167,13 @@ TEUCHOS_UNIT_TEST(windkessel, its_jacobian_is_one_product_and_exact) {
       assembler.finish();
     }
     algebra::BlockVector F = fields::zero_vector(mesh);
-    R.store(mesh, fixed, F);
+    R.store(fixed, F);
     return F;
   };
   const auto free = [&](algebra::BlockVector x) {
     const auto values = x[0].getLocalViewHost(read_write);
     for (int a = 0; a < mesh.n_owned; ++a)
-      for (int i = 0; i < 3 && fixed[a] != 0; ++i) values(3 * a + i, 0) = 0.0;
+      for (int i = 0; i < 3 && !fixed.is_free(a); ++i) values(3 * a + i, 0) = 0.0;
     return x;
   };
   fields::BlockOperator K(mesh);

@@ -13,14 +13,14 @@ class WallJacobian {
 public:
   explicit WallJacobian(const SmallTube& tube)
       : mesh_(&tube.wall), law_(materials::make_law("mooney-rivlin", {})), K(tube.wall),
-        fixed_(tube.wall.n_nodes(), 0) {
+        fixed_(tube.wall.n_nodes()) {
     elements_.geometry = assembly::geometry_of(tube.wall, tube.wall.x);
     const std::size_t n = tube.wall.tets.size();
     elements_.law.assign(n, law_.get());
     elements_.density.assign(n, 1.2);
     elements_.coefficients.assign(n, {1.2 / (0.625 * 0.125 * 0.125), 1e-5, 1e-3});
     for (int a = 0; a < tube.wall.n_nodes(); ++a)
-      if (tube.wall.is_on(a, tube.surface("struct_in"))) fixed_[a] = assembly::fixed_vector;
+      if (tube.wall.is_on(a, tube.surface("struct_in"))) fixed_.fix_vector(a);
     set(0.0);
   }
 

@@ -116,11 +116,10 @@ struct Tube {
   }
   assembly::Constraints fixed(const fields::FieldMesh& field,
                               const std::vector<std::string>& surfaces) const {
-    assembly::Constraints constraints(field.n_nodes(), 0);
+    assembly::Constraints constraints(field.n_nodes());
     for (int a = 0; a < field.n_nodes(); ++a)
       for (const std::string& name : surfaces)
-        if (field.is_on(a, mesh::surface_index(mesh, name)))
-          constraints[a] = assembly::fixed_vector;
+        if (field.is_on(a, mesh::surface_index(mesh, name))) constraints.fix_vector(a);
     return constraints;
   }
 
