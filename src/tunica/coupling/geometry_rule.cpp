@@ -7,7 +7,8 @@ namespace tunica::coupling {
 namespace {
 
 constexpr int longest_wait = 64, steps_of_trial = 2;
-constexpr double gain = 0.9;  ///< another way must need less than this part of the work
+constexpr int wait_after_failure = 32;  // an attempt for nothing costs as much as many steps
+constexpr double gain = 0.9;            ///< another way must need less than this part of the work
 
 // Measured on tubes and vessels of 10,000 to 300,000 tetrahedra.
 constexpr double of_newton_step = 2.0;  ///< c: residual, mesh motion, a part of a Jacobian
@@ -39,8 +40,8 @@ void GeometryRule::note(const nonlinear::NewtonReport& report) {
 }
 
 void GeometryRule::note_failure() {
-  if (is_trial()) return go(present_, 2 * wait_);
-  if (!present_) go(true, first_wait);
+  if (is_trial()) return go(present_, std::max(2 * wait_, wait_after_failure));
+  if (!present_) go(true, wait_after_failure);
 }
 
 void GeometryRule::save(fields::State& state) const {
