@@ -31,18 +31,29 @@ Triangle<S> pressure_load(const Triangle<S>& x, double p) {
   return R;
 }
 
-/// −βρ ∫ (c·n)₋ u N_a da by the given rule.
+/// −∫ N_a t da.
 template <class S>
-Triangle<S> backflow_load(const Triangle<double>& x, const Triangle<S>& u,
-                          const Triangle<double>& w, double beta_rho,
-                          const std::vector<TriPoint>& rule) {
-  const Vec<double> n = surface_element(x);
+Triangle<S> traction_load(const Triangle<S>& x, const Vec<double>& t) {
+  using std::sqrt;
+  const Vec<S> n = surface_element(x);
+  const S area = 0.5 * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  Triangle<S> R;
+  for (int a = 0; a < 3; ++a)
+    for (int i = 0; i < 3; ++i) R[a][i] = -area / 3.0 * t[i];
+  return R;
+}
+
+/// −βρ ∫ (c·n)₋ u N_a da by the given rule.
+template <class S, class X, class U>
+Triangle<S> backflow_load(const Triangle<X>& x, const Triangle<U>& u, const Triangle<X>& w,
+                          double beta_rho, const std::vector<TriPoint>& rule) {
+  const Vec<X> n = surface_element(x);
   Triangle<S> R;
   for (auto& row : R)
     for (S& value : row) value = 0.0;
   for (const TriPoint& q : rule) {
-    const Vec<S> u_q = at(q.N, u);
-    const Vec<double> w_q = at(q.N, w);
+    const Vec<U> u_q = at(q.N, u);
+    const Vec<X> w_q = at(q.N, w);
     S flux = 0.0;
     for (int i = 0; i < 3; ++i) flux += (u_q[i] - w_q[i]) * n[i];
     if (flux >= 0.0) flux = 0.0;

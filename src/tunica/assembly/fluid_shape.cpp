@@ -1,16 +1,20 @@
 #include "tunica/assembly/fluid_shape.hpp"
 
+#include <algorithm>
+
 #include "tunica/assembly/gather.hpp"
 
 namespace tunica::assembly {
 
-FluidShapeMatrix::FluidShapeMatrix(const fields::FieldMesh& mesh, const fields::NodeGraph& graph)
-    : mesh_(&mesh), graph_(&graph), u_(fields::make_matrix(graph, mesh, 3, 3)),
+FluidShapeMatrix::FluidShapeMatrix(const fields::FieldMesh& mesh, const fields::NodeGraph& graph,
+                                   const Constraints& fixed)
+    : mesh_(&mesh), graph_(&graph), fixed_(&fixed), u_(fields::make_matrix(graph, mesh, 3, 3)),
       p_(fields::make_matrix(graph, mesh, 1, 3)) {}
 
-void FluidShapeMatrix::assemble(const FluidElements& elements, const FluidFields& state,
-                                const std::vector<Vec3>& velocity, const Constraints& fixed) {
+void FluidShapeMatrix::begin(const FluidElements& elements, const FluidFields& state,
+                             const std::vector<Vec3>& velocity) {
   const fields::FieldMesh& mesh = *mesh_;
+  products_.clear();
   for (CrsMatrix* matrix : {u_.get(), p_.get()}) {
     matrix->resumeFill();
     matrix->setAllToScalar(0.0);
@@ -23,14 +27,16 @@ void FluidShapeMatrix::assemble(const FluidElements& elements, const FluidFields
     kernels::fluid_up_shape_jacobian(
         T, state_of(state, mesh, e), elements.coefficients, elements.tau[e],
         kernels::fluid_tau_derivative(T, c, elements.coefficients), Ke);
-    add(e, Ke, fixed);
+    add(e, Ke);
   }
+}
+
+void FluidShapeMatrix::finish() {
   for (CrsMatrix* matrix : {u_.get(), p_.get()})
     matrix->fillComplete(matrix->getDomainMap(), matrix->getRangeMap());
 }
 
-void FluidShapeMatrix::add(std::size_t e, const kernels::ShapeJacobian& Ke,
-                           const Constraints& fixed) {
+void FluidShapeMatrix::add(std::size_t e, const kernels::ShapeJacobian& Ke) {
   const auto u = u_->getLocalMatrixHost().values, p = p_->getLocalMatrixHost().values;
   for (int a = 0; a < 4; ++a) {
     const int node = mesh_->tets[e][a];
@@ -40,17 +46,53 @@ void FluidShapeMatrix::add(std::size_t e, const kernels::ShapeJacobian& Ke,
       const std::size_t column = 3 * graph_->position[e][4 * a + b];
       for (int j = 0; j < 3; ++j) {
         const auto& k = Ke.u[a][b];
-        const Vec3 free = fixed.project(node, {k[0][j], k[1][j], k[2][j]});
+        const Vec3 free = fixed_->project(node, {k[0][j], k[1][j], k[2][j]});
         for (int i = 0; i < 3; ++i) u(9 * start + 3 * length * i + column + j) += free[i];
-        if (!fixed.is_scalar_fixed(node)) p(3 * start + column + j) += Ke.p[a][b][j];
+        if (!fixed_->is_scalar_fixed(node)) p(3 * start + column + j) += Ke.p[a][b][j];
       }
     }
   }
 }
 
-void FluidShapeMatrix::add(const Vector& d, algebra::BlockVector& F) const {
+void FluidShapeMatrix::add(const fields::Face& face, const kernels::SurfaceJacobian& Ke) {
+  const auto u = u_->getLocalMatrixHost().values;
+  for (int a = 0; a < 3; ++a) {
+    const int node = face.nodes[a];
+    if (node >= mesh_->n_owned) continue;
+    const std::size_t start = graph_->row_start[node], length = graph_->length(node);
+    const auto first = graph_->columns.begin() + static_cast<std::ptrdiff_t>(start);
+    for (int b = 0; b < 3; ++b) {
+      const auto found =
+          std::lower_bound(first, first + static_cast<std::ptrdiff_t>(length), face.nodes[b]);
+      const std::size_t column = 3 * static_cast<std::size_t>(found - first);
+      for (int j = 0; j < 3; ++j) {
+        const auto& k = Ke.A[a][b];
+        const Vec3 free = fixed_->project(node, {k[0][j], k[1][j], k[2][j]});
+        for (int i = 0; i < 3; ++i) u(9 * start + 3 * length * i + column + j) += free[i];
+      }
+    }
+  }
+}
+
+void FluidShapeMatrix::add(double s, const std::vector<Vec3>& w, const std::vector<Vec3>& v) {
+  Product& product =
+      products_.emplace_back(Product{s, Vector(mesh_->vector_map), Vector(mesh_->vector_map)});
+  const auto rows = product.w.getLocalViewHost(overwrite_all);
+  const auto columns = product.v.getLocalViewHost(overwrite_all);
+  for (int a = 0; a < mesh_->n_owned; ++a) {
+    const Vec3 free = fixed_->project(a, w[a]);
+    for (int i = 0; i < 3; ++i) {
+      rows(3 * a + i, 0) = free[i];
+      columns(3 * a + i, 0) = v[a][i];
+    }
+  }
+}
+
+void FluidShapeMatrix::add_product(const Vector& d, algebra::BlockVector& F) const {
   u_->apply(d, F[0], Teuchos::NO_TRANS, 1.0, 1.0);
   p_->apply(d, F[1], Teuchos::NO_TRANS, 1.0, 1.0);
+  for (const Product& product : products_)
+    F[0].update(product.scale * product.v.dot(d), product.w, 1.0);
 }
 
 }  // namespace tunica::assembly

@@ -4,26 +4,40 @@
 namespace tunica::assembly {
 
 /// What the displacement of its mesh makes of the fluid's residual: ∂F/∂d with rows of velocity and
-/// pressure and columns 3*node + j. Faces are left out: they are those of surfaces that stand
-/// still.
+/// pressure and columns 3*node + j. Constrained rows are zero. Loads on open surfaces may add
+/// products s w vᵀ of all of a surface.
 class FluidShapeMatrix {
 public:
-  /// The fluid's mesh and the graph of its nodes; they must outlive the object.
-  FluidShapeMatrix(const fields::FieldMesh& mesh, const fields::NodeGraph& graph);
+  /// The fluid's mesh, the graph of its nodes and what is prescribed at them; they must outlive the
+  /// object.
+  FluidShapeMatrix(const fields::FieldMesh& mesh, const fields::NodeGraph& graph,
+                   const Constraints& fixed);
 
-  /// Sets the values for a state; velocity: the one that τ is made of, on local nodes. Constrained
-  /// rows are zero.
-  void assemble(const FluidElements& elements, const FluidFields& state,
-                const std::vector<Vec3>& velocity, const Constraints& fixed);
-  /// F ← F + ∂F/∂d d.
-  void add(const Vector& d, algebra::BlockVector& F) const;
+  /// Begins anew with the elements of a state; velocity: the one that τ is made of, on local nodes.
+  void begin(const FluidElements& elements, const FluidFields& state,
+             const std::vector<Vec3>& velocity);
+  /// Adds ∂R/∂x of a face.
+  void add(const fields::Face& face, const kernels::SurfaceJacobian& Ke);
+  /// Adds s w vᵀ, w of the momentum's rows, v of displacements, given on the owned nodes.
+  void add(double s, const std::vector<Vec3>& w, const std::vector<Vec3>& v);
+  void finish();
+
+  /// F ← F + ∂F/∂d d. Collective.
+  void add_product(const Vector& d, algebra::BlockVector& F) const;
 
 private:
-  void add(std::size_t e, const kernels::ShapeJacobian& Ke, const Constraints& fixed);
+  void add(std::size_t e, const kernels::ShapeJacobian& Ke);
+
+  struct Product {
+    double scale;
+    Vector w, v;
+  };
 
   const fields::FieldMesh* mesh_;
   const fields::NodeGraph* graph_;
+  const Constraints* fixed_;
   Teuchos::RCP<CrsMatrix> u_, p_;
+  std::vector<Product> products_;
 };
 
 }  // namespace tunica::assembly

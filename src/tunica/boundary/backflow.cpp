@@ -19,6 +19,15 @@ void Backflow::add(const Surroundings& s, const fields::Face& face, assembly::No
   R.add(*s.mesh, face, Re);
 }
 
+void Backflow::add_shape(const Surroundings& s, const fields::Face& face,
+                         assembly::FluidShapeMatrix& S) const {
+  const auto x = assembly::gather(*s.position, face.nodes), u = assembly::gather(*s.u, face.nodes),
+             w = assembly::gather(*s.w, face.nodes);
+  kernels::SurfaceJacobian K;
+  kernels::backflow_shape(x, u, w, beta_ * s.density, s.mesh_rate, K);
+  S.add(face, K);
+}
+
 void Backflow::observe(const Surroundings& s, const fields::Face& face,
                        std::map<std::string, double>& sums) const {
   const auto x = assembly::gather(*s.position, face.nodes), u = assembly::gather(*s.u, face.nodes),

@@ -13,6 +13,8 @@ public:
 
   void add(const Surroundings& s, const fields::Face& face, assembly::NodalResidual& R,
            assembly::BlockAssembler* K) const override;
+  void add_shape(const Surroundings& s, const fields::Face& face,
+                 assembly::FluidShapeMatrix& S) const override;
   /// backflow_power_kPa_mm3_per_ms: −β ρ ∫ (c·n)₋ |u|² da.
   void observe(const Surroundings& s, const fields::Face& face,
                std::map<std::string, double>& sums) const override;

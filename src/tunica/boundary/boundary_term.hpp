@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tunica/assembly/block_assembler.hpp"
+#include "tunica/assembly/fluid_shape.hpp"
 #include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::boundary {
@@ -24,6 +25,7 @@ struct Surroundings {
   /// Where it is not null, it takes the place of prescribed velocities; for verification.
   const VectorField* velocity = nullptr;
   double viscosity = 0.0;  ///< of a fluid [kPa ms]
+  double mesh_rate = 0.0;  ///< ∂w/∂x of a mesh that moves [1/ms]
 };
 
 /// A component of the vector unknown that the nodes of a surface have in common.
@@ -65,6 +67,10 @@ public:
   virtual void add(const Surroundings&, const fields::Face&, assembly::NodalResidual&,
                    assembly::BlockAssembler* /*K*/) const {}
 
+  /// Adds the derivative of add() with respect to where the fluid's mesh lies, w included.
+  virtual void add_shape(const Surroundings&, const fields::Face&,
+                         assembly::FluidShapeMatrix&) const {}
+
   /// Adds what one face does, by names of observables.
   virtual void observe(const Surroundings&, const fields::Face&,
                        std::map<std::string, double>& /*sums*/) const {}
@@ -75,6 +81,8 @@ public:
   /// Jacobian where K is not null. Collective.
   virtual void add_whole(const Surroundings&, assembly::NodalResidual&,
                          assembly::BlockAssembler* /*K*/) const {}
+  /// The same of add_whole(). Collective.
+  virtual void add_whole_shape(const Surroundings&, assembly::FluidShapeMatrix&) const {}
   /// Adds what the whole surface does, by names of observables, the same on all ranks. Collective.
   virtual void observe_whole(const Surroundings&, std::map<std::string, double>& /*found*/) const {}
 

@@ -150,6 +150,13 @@ void SurfaceTerms::add(const Surroundings& s, assembly::NodalResidual& R,
     for (const auto& term : terms) term->add_whole(s, R, K);
 }
 
+void SurfaceTerms::add_shape(const Surroundings& s, assembly::FluidShapeMatrix& S) const {
+  for (const fields::Face& face : mesh_->faces)
+    for (const auto& term : terms_[face.surface]) term->add_shape(s, face, S);
+  for (const Terms& terms : terms_)
+    for (const auto& term : terms) term->add_whole_shape(s, S);
+}
+
 int SurfaceTerms::rank() const {
   int sum = 0;
   for (const Terms& terms : terms_)

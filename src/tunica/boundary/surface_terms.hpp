@@ -37,6 +37,8 @@ public:
   /// Adds all faces, in the order of the mesh, and then whole surfaces to the residual, and to K
   /// where it is not null. Collective.
   void add(const Surroundings& s, assembly::NodalResidual& R, assembly::BlockAssembler* K) const;
+  /// Adds the derivatives with respect to where a fluid's mesh lies. Collective.
+  void add_shape(const Surroundings& s, assembly::FluidShapeMatrix& S) const;
   /// What the terms of one surface load the field with, this rank's part: minus their residual, all
   /// nodes together [mN]. Collective.
   Vec3 load(const Surroundings& s, int surface) const;

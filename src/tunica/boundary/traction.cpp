@@ -34,6 +34,18 @@ void Traction::add(const Surroundings& s, const fields::Face& face, assembly::No
   R.add(*s.mesh, face, load(s, face));
 }
 
+void Traction::add_shape(const Surroundings& s, const fields::Face& face,
+                         assembly::FluidShapeMatrix& S) const {
+  const auto x = assembly::gather(*s.position, face.nodes);
+  kernels::SurfaceResidual R;
+  kernels::SurfaceJacobian K;
+  if (is_normal_)
+    kernels::follower_pressure_jacobian(x, amplitude_(s.time) * pressure_, R, K);
+  else
+    kernels::dead_traction_shape(x, amplitude_(s.time) * traction_, K);
+  S.add(face, K);
+}
+
 void Traction::observe(const Surroundings& s, const fields::Face& face,
                        std::map<std::string, double>& sums) const {
   const auto R = load(s, face);

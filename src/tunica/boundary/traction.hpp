@@ -18,6 +18,8 @@ public:
 
   void add(const Surroundings& s, const fields::Face& face, assembly::NodalResidual& R,
            assembly::BlockAssembler* K) const override;
+  void add_shape(const Surroundings& s, const fields::Face& face,
+                 assembly::FluidShapeMatrix& S) const override;
   /// traction_power_kPa_mm3_per_ms: ∫ t·u da.
   void observe(const Surroundings& s, const fields::Face& face,
                std::map<std::string, double>& sums) const override;

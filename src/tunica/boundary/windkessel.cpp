@@ -1,10 +1,12 @@
 #include "tunica/boundary/windkessel.hpp"
 
+#include "tunica/assembly/gather.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/boundary/backflow.hpp"
 #include "tunica/boundary/surface_geometry.hpp"
 #include "tunica/boundary/traction.hpp"
+#include "tunica/kernels/surface_tri3.hpp"
 
 namespace tunica::boundary {
 
@@ -31,6 +33,27 @@ void Windkessel::add_whole(const Surroundings& s, assembly::NodalResidual& R,
   const double Q = flow(s, area), p = proximal_ * Q + stored(Q);
   for (std::size_t a = 0; a < area.size(); ++a) R.u[a] += p * area[a];
   if (K != nullptr) K->add(proximal_ + slope_, area, area);
+}
+
+void Windkessel::add_whole_shape(const Surroundings& s, assembly::FluidShapeMatrix& S) const {
+  const std::vector<Vec3> area = nodal_areas(*s.mesh, *s.position, {surface_});
+  const double Q = flow(s, area), p = proximal_ * Q + stored(Q);
+  std::vector<Vec3> of_flow(area.size());  // ∂Q/∂x, by the areas and by w
+  for (std::size_t a = 0; a < area.size(); ++a) of_flow[a] = -s.mesh_rate * area[a];
+  kernels::SurfaceResidual R;
+  kernels::SurfaceJacobian K;
+  for (const fields::Face& face : s.mesh->faces) {
+    if (face.surface != surface_) continue;
+    const auto x = assembly::gather(*s.position, face.nodes);
+    kernels::follower_pressure_jacobian(x, p, R, K);
+    S.add(face, K);
+    Vec3 c{};
+    for (const int a : face.nodes) c += 1.0 / 3.0 * ((*s.u)[a] - (*s.w)[a]);
+    const std::array<Mat3, 3> D = kernels::area_normal_derivative(x);
+    for (int b = 0; b < 3; ++b)
+      if (face.nodes[b] < s.mesh->n_owned) of_flow[face.nodes[b]] += transpose(D[b]) * c;
+  }
+  S.add(proximal_ + slope_, area, of_flow);
 }
 
 void Windkessel::observe_whole(const Surroundings& s, std::map<std::string, double>& found) const {

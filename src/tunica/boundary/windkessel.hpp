@@ -32,6 +32,8 @@ public:
   int rank() const override { return 1; }
   void add_whole(const Surroundings& s, assembly::NodalResidual& R,
                  assembly::BlockAssembler* K) const override;
+  /// p ∂a_a/∂x + dp/dQ a_a (∂Q/∂x)ᵀ.
+  void add_whole_shape(const Surroundings& s, assembly::FluidShapeMatrix& S) const override;
   /// pressure_SURFACE_kPa: p; stored_pressure_SURFACE_kPa: p_c; to traction_power −p ∫ u·n da.
   void observe_whole(const Surroundings& s, std::map<std::string, double>& found) const override;
 

@@ -102,7 +102,8 @@ boundary::Surroundings Fluid::surroundings() const {
           options_.density,
           time_,
           boundary_velocity_ ? &boundary_velocity_ : nullptr,
-          options_.viscosity};
+          options_.viscosity,
+          scheme_->rate()};
 }
 
 std::vector<Vec3> Fluid::viscous_forces() const {
@@ -182,9 +183,11 @@ void Fluid::read(const algebra::BlockVector& x) {
 
 void Fluid::assemble_shape_jacobian(const algebra::BlockVector& x) {
   read(x);
-  if (!shape_) shape_ = std::make_unique<assembly::FluidShapeMatrix>(*mesh_, scalar_graph());
-  shape_->assemble(elements_, local_, options_.has_predicted_tau ? predicted_ : local_.u_old,
-                   fixed_);
+  if (!shape_)
+    shape_ = std::make_unique<assembly::FluidShapeMatrix>(*mesh_, scalar_graph(), fixed_);
+  shape_->begin(elements_, local_, options_.has_predicted_tau ? predicted_ : local_.u_old);
+  surfaces_.add_shape(surroundings(), *shape_);
+  shape_->finish();
 }
 
 void Fluid::assemble(assembly::BlockAssembler* K) {

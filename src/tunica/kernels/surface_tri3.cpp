@@ -70,9 +70,31 @@ void add_backflow(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& u,
 
 Vec3 area_normal(const std::array<Vec3, 3>& x) { return 0.5 * cross(x[1] - x[0], x[2] - x[0]); }
 
+// ∂n/∂x_b: v -> ½ v × e, e the opposite edge against the orientation
+std::array<Mat3, 3> area_normal_derivative(const std::array<Vec3, 3>& x) {
+  std::array<Mat3, 3> D;
+  for (int b = 0; b < 3; ++b) {
+    const Vec3 e = 0.5 * (x[(b + 1) % 3] - x[(b + 2) % 3]);
+    D[b] = {{{0.0, e[2], -e[1]}, {-e[2], 0.0, e[0]}, {e[1], -e[0], 0.0}}};
+  }
+  return D;
+}
+
 SurfaceResidual dead_traction(const std::array<Vec3, 3>& x, const Vec3& t) {
   const Vec3 share = (-norm(area_normal(x)) / 3.0) * t;
   return {{share, share, share}};
+}
+
+// ∂|n| = ν·∂n
+void dead_traction_shape(const std::array<Vec3, 3>& x, const Vec3& t, SurfaceJacobian& K) {
+  const Vec3 n = area_normal(x);
+  const std::array<Mat3, 3> D = area_normal_derivative(x);
+  for (int b = 0; b < 3; ++b) {
+    const Vec3 of_area = 1.0 / norm(n) * (transpose(D[b]) * n);
+    for (int a = 0; a < 3; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) K.A[a][b][i][j] = -t[i] * of_area[j] / 3.0;
+  }
 }
 
 SurfaceResidual follower_pressure(const std::array<Vec3, 3>& x, double pressure) {
@@ -83,14 +105,11 @@ SurfaceResidual follower_pressure(const std::array<Vec3, 3>& x, double pressure)
 void follower_pressure_jacobian(const std::array<Vec3, 3>& x, double pressure, SurfaceResidual& R,
                                 SurfaceJacobian& K) {
   R = follower_pressure(x, pressure);
-  for (int b = 0; b < 3; ++b) {
-    // dn/dx_b: v -> ½ v × e, e the opposite edge against the orientation
-    const Vec3 e = (pressure / 6.0) * (x[(b + 1) % 3] - x[(b + 2) % 3]);
-    const Mat3 D = {{{0.0, e[2], -e[1]}, {-e[2], 0.0, e[0]}, {e[1], -e[0], 0.0}}};
-    for (int a = 0; a < 3; ++a)
+  const std::array<Mat3, 3> D = area_normal_derivative(x);
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b)
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) K.A[a][b][i][j] = D[i][j];
-  }
+        for (int j = 0; j < 3; ++j) K.A[a][b][i][j] = pressure / 3.0 * D[b][i][j];
 }
 
 SurfaceResidual backflow(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& u,
@@ -106,6 +125,26 @@ void backflow_jacobian(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& 
   R = {};
   K = {};
   add_backflow(x, u, w, beta_rho, R, &K);
+}
+
+void backflow_shape(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& u,
+                    const std::array<Vec3, 3>& w, double beta_rho, double mesh_rate,
+                    SurfaceJacobian& K) {
+  const Vec3 n = area_normal(x);
+  const std::array<Mat3, 3> D = area_normal_derivative(x);
+  K = {};
+  for (const QuadraturePoint& point : points) {
+    const Vec3 v = interpolate(point.N, u), c = v - interpolate(point.N, w);
+    if (dot(c, n) >= 0.0) continue;
+    for (int b = 0; b < 3; ++b) {
+      // ∂(c·n)/∂x_b
+      const Vec3 of_flux = transpose(D[b]) * c - (mesh_rate * point.N[b]) * n;
+      for (int a = 0; a < 3; ++a)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            K.A[a][b][i][j] -= beta_rho * point.weight * point.N[a] * v[i] * of_flux[j];
+    }
+  }
 }
 
 double kinetic_outflow(const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& u,

@@ -69,7 +69,7 @@ public:
     drop_fixed(velocity);
     velocity.scale(p.dt_);
     p.motion_->extend_increment(p.product_tolerance_, velocity, d);  // d = E Δt y
-    p.fluid_->shape_jacobian().add(d, F);
+    p.fluid_->shape_jacobian().add_product(d, F);
     p.fluid_part_->add(F, result);
   }
 

@@ -37,8 +37,12 @@ struct CoupledTube {
     auto& outer = list.sublist("Layers").sublist("adventitia");
     outer.set("law", std::string("mooney-rivlin"));
     outer.set("c10", 5.0);
-    condition(list, "struct_in", "clamped");
-    condition(list, "struct_out", end);
+    const bool slides = end == "held";  // both ends, in their planes
+    for (const auto& [name, kind] : {std::pair("struct_in", slides ? end : std::string("clamped")),
+                                     std::pair("struct_out", end)}) {
+      auto& surface = condition(list, name, kind);
+      if (slides) surface.set("components", Teuchos::Array<std::string>(1, "normal"));
+    }
     if (!outside.empty()) condition(list, "outer", outside);
     condition(list, "interface", "interface");
     return resolved(list, problems::solid_table());
@@ -59,13 +63,14 @@ struct CoupledTube {
   }
 
   /// Numbers without pattern, small enough that no element inverts, and zero at the
-  /// ends.
-  algebra::BlockVector point(int seed) const {
+  /// ends, or along their normal.
+  algebra::BlockVector point(int seed, bool slides = false) const {
     algebra::BlockVector x(problem.space());
     const auto y = x[0].getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (int a = 0; a < mesh.n_owned; ++a)
       for (int i = 0; i < 3; ++i)
-        y(3 * a + i, 0) = is_held(mesh.x[a]) ? 0.0 : 0.1 * number(a, i, seed);
+        y(3 * a + i, 0) =
+            is_held(mesh.x[a]) && (i == 2 || !slides) ? 0.0 : 0.1 * number(a, i, seed);
     const auto p = x[1].getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (std::size_t a = 0; a < p.extent(0); ++a)
       p(a, 0) = scatter(31.7 * seed +

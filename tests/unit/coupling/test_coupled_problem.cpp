@@ -33,6 +33,15 @@ TEUCHOS_UNIT_TEST(coupled_problem, jacobian_is_the_derivative_where_the_domain_f
   }
 }
 
+// The rim of the openings moves, so that areas, flows and the windkessel's pressure do.
+TEUCHOS_UNIT_TEST(coupled_problem, jacobian_is_the_derivative_where_ends_slide) {
+  CoupledTube both("newton", "held");
+  TEST_ASSERT(both.problem.begin_step(stepping::Clock(0.125, 1)).is_success());
+  const auto x = both.point(1, true);
+  for (int direction = 2; direction < 5; ++direction)
+    TEST_COMPARE(test::jacobian_error(both.problem, x, both.point(direction, true), 1e-5), <, 1e-7);
+}
+
 TEUCHOS_UNIT_TEST(coupled_problem, momentum_of_both_fields_adds_up_on_the_interface) {
   CoupledTube both("extrapolated");
   TEST_ASSERT(both.problem.begin_step(stepping::Clock(0.125, 1)).is_success());

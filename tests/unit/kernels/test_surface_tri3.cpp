@@ -88,7 +88,7 @@ TEUCHOS_UNIT_TEST(SurfaceTri3, backflow_and_its_jacobian_are_those_of_the_quadra
     kernels::SurfaceResidual R;
     kernels::SurfaceJacobian K;
     kernels::backflow_jacobian(x, u, w, 0.2, R, K);
-    const auto expected = oracle::backflow_load(x, seeded(u), w, 0.2, oracle::radon_rule());
+    const auto expected = oracle::backflow_load<Fad>(x, seeded(u), w, 0.2, oracle::radon_rule());
     const auto deviation = compare(R, K, expected);
     TEST_COMPARE(deviation[0], <, 1e-12);
     TEST_COMPARE(deviation[1], <, 1e-12);
@@ -101,6 +101,28 @@ TEUCHOS_UNIT_TEST(SurfaceTri3, backflow_and_its_jacobian_are_those_of_the_quadra
   TEST_COMPARE(partial, >, 5);
 }
 
+TEUCHOS_UNIT_TEST(SurfaceTri3, loads_know_how_they_change_where_the_triangle_moves) {
+  Samples samples(36);
+  const double rate = 8.0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Triangle x = random_triangle(samples, 0.3);
+    const Triangle u = random_triangle(samples, 2.0);
+    const Triangle w = random_triangle(samples, 1.0);
+    const Vec3 t = samples.vector(2.0);
+    kernels::SurfaceJacobian K;
+    kernels::dead_traction_shape(x, t, K);
+    TEST_COMPARE(compare(kernels::dead_traction(x, t), K, oracle::traction_load(seeded(x), t))[1],
+                 <, 1e-12);
+    oracle::Triangle<Fad> moving = seeded(x), velocity;
+    for (int a = 0; a < 3; ++a)
+      for (int i = 0; i < 3; ++i) velocity[a][i] = w[a][i] + rate * (moving[a][i] - x[a][i]);
+    kernels::backflow_shape(x, u, w, 0.2, rate, K);
+    const auto expected =
+        oracle::backflow_load<Fad>(moving, u, velocity, 0.2, oracle::radon_rule());
+    TEST_COMPARE(compare(kernels::backflow(x, u, w, 0.2), K, expected)[1], <, 1e-12);
+  }
+}
+
 TEUCHOS_UNIT_TEST(SurfaceTri3, backflow_is_exact_where_all_fluid_enters) {
   Samples samples(34);
   const Triangle x = {{{0, 0, 0}, {0.3, 0, 0}, {0.1, 0.4, 0}}};
@@ -108,7 +130,7 @@ TEUCHOS_UNIT_TEST(SurfaceTri3, backflow_is_exact_where_all_fluid_enters) {
   Triangle w = random_triangle(samples, 1.0);
   for (int a = 0; a < 3; ++a) u[a][2] -= 3.0;
   const auto R = kernels::backflow(x, u, w, 0.2);
-  const auto exact = oracle::backflow_load(x, u, w, 0.2, oracle::tri_rule());
+  const auto exact = oracle::backflow_load<double>(x, u, w, 0.2, oracle::tri_rule());
   Deviation of_R;
   for (int a = 0; a < 3; ++a)
     for (int i = 0; i < 3; ++i) of_R.add(R.u[a][i], exact[a][i]);
