@@ -182,7 +182,7 @@ Outcome CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVe
   read(x);
   if (!is_extrapolated_) {
     if (const Outcome outcome = follow_wall(mesh_tolerance_); outcome.is_failure()) return outcome;
-    fluid_->fix_coefficients();
+    fluid_->prescribe(fluid_x_);  // a flow rate through an opening that has changed
   }
   const Stopwatch flowing;
   if (const Outcome outcome = fluid_->residual(fluid_x_, fluid_F_); outcome.is_failure())
@@ -200,6 +200,7 @@ Outcome CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVe
 
 void CoupledProblem::jacobian(const algebra::BlockVector& x) {
   read(x);
+  if (!is_extrapolated_) fluid_->prescribe(fluid_x_);
   jacobian_fluid_x_.assign(fluid_x_);
   jacobian_wall_x_.assign(wall_x_);
   // K = Σ R Pᵀ K_i P S over the fields, see algebra::Embedding
@@ -308,6 +309,7 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
   }
   if (solution.is_taken) {
     read(x);
+    if (!is_extrapolated_) fluid_->prescribe(fluid_x_);
     fluid_->take(fluid_x_);
     wall_->take(wall_x_);
   }
