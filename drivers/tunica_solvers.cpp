@@ -9,6 +9,7 @@
 #include <iostream>
 #include <memory>
 
+#include "tunica/app/prestress.hpp"
 #include "tunica/app/run.hpp"
 #include "tunica/app/run_log.hpp"
 #include "tunica/app/schema.hpp"
@@ -60,6 +61,8 @@ Outcome march(const Teuchos::ParameterList& resolved, const app::Domain& domain,
   // 1. The coupled problem of the case, as in tunica_fsi.cpp.
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
+  const Outcome stressed = app::take_prestress(list.sublist("Wall"), output, wall, &fluid);
+  if (stressed.is_failure()) return stressed;
   problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid, domain.interface_surfaces,
                               fluid.time_scheme());
   const stepping::Clock clock(list.sublist("Time"));
