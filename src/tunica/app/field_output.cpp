@@ -206,6 +206,7 @@ FieldSeries::FieldSeries(const RunOutput& output, const std::vector<output::Grid
     : every_(output.fields_every) {
   if (every_ == 0 && !output.has_asked_times) return;
   writer_.emplace(output.folder.path(), grids, comm, output.steps_done());
+  writer_->compress(output.compression);
   if (comm->getRank() == 0 && !writer_->remark().empty())
     std::cerr << "warning: " << writer_->remark() << std::endl;
 }

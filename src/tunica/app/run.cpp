@@ -129,7 +129,7 @@ std::string folder_of(const Teuchos::ParameterList& list) {
 }
 
 /// A key of the list "Output" that not every case has.
-int every(const Teuchos::ParameterList& list, const std::string& key) {
+int of_output(const Teuchos::ParameterList& list, const std::string& key) {
   const Teuchos::ParameterList& output = list.sublist("Output");
   return output.isParameter(key) ? output.get<int>(key) : 0;
 }
@@ -199,7 +199,9 @@ RunOutput::RunOutput(const Call& call, const Teuchos::ParameterList& list, const
                      io::FolderLock& lock, std::optional<Restart> from)
     : folder(folder_of(list), comm),
       record(folder.file("run.json"), call.program.name, TUNICA_VERSION, comm),
-      fields_every(every(list, "fields every")), checkpoint_every(every(list, "checkpoint every")),
+      fields_every(of_output(list, "fields every")),
+      checkpoint_every(of_output(list, "checkpoint every")),
+      compression(of_output(list, "compression")),
       has_asked_times(has_asked_times_in(list.sublist("Output"))), restart(std::move(from)),
       parameters(params::to_xml(list)), since_start(call.since_start) {
   enter(folder.path(), call, *comm, lock);  // again, for it may be new

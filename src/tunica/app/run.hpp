@@ -43,6 +43,7 @@ struct RunOutput {
   output::RunFolder folder;
   output::RunRecord record;
   int fields_every, checkpoint_every;
+  int compression;                 ///< of the fields
   bool has_asked_times;            ///< the case wants fields at times
   std::optional<Restart> restart;  ///< from where the run goes on
   std::string parameters;          ///< the resolved case, XML

@@ -45,6 +45,8 @@ params::Table output_table(bool has_fluid, bool has_wall) {
                "times at which the fields are written, too; a step ends there")
       .number("fields interval", 0.0, params::non_negative(), "ms",
               "the same at every multiple of this time; 0 never")
+      .integer("compression", 0, params::between(0, 9),
+               "of the fields in fields.h5, without loss: 1 fast to 9 small; 0 none")
       .integer("checkpoint every", 1, params::non_negative(),
                "write a checkpoint for --restart after every so many steps; 0 never");
   add_surface_keys(table);

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -15,6 +16,8 @@
 namespace tunica::io {
 
 namespace {
+
+constexpr hsize_t rows_of_chunk = 16384;
 
 /// Takes room behind the end of a file, which HDF5 gives back on closing as far as it is not
 /// needed. A failure leaves the file as it was.
@@ -146,6 +149,12 @@ Hdf5Handle Hdf5File::make_dataset(const std::string& name, long long total, int 
   const Hdf5Handle parents(with_parents(), H5Pclose);
   const Hdf5Handle storage(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_fill_time(storage, H5D_FILL_TIME_NEVER);  // every row is written
+  if (compression_ > 0 && total > 0) {
+    const std::array<hsize_t, 2> chunk{std::min<hsize_t>(whole[0], rows_of_chunk), whole[1]};
+    noted(H5Pset_chunk(storage, columns == 1 ? 1 : 2, chunk.data()), "cut " + name);
+    H5Pset_shuffle(storage);
+    noted(H5Pset_deflate(storage, static_cast<unsigned>(compression_)), "compress " + name);
+  }
   return {noted(H5Dcreate2(file_, name.c_str(), type, on_disk, parents, storage, H5P_DEFAULT),
                 "create " + name),
           H5Dclose};

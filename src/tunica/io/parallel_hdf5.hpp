@@ -47,6 +47,9 @@ public:
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
 
+  /// Datasets of numbers that are created from now on are deflated in chunks: 1 fast to 9 small;
+  /// 0: not.
+  void compress(int level) { compression_ = level; }
   /// Names of what lies at the top.
   std::vector<std::string> groups();
   /// Takes a group or dataset out; its room is not used again.
@@ -84,6 +87,7 @@ private:
   std::string path_;
   CommPtr comm_;
   std::string failure_;
+  int compression_ = 0;
   Hdf5Handle file_;  ///< closes without a word on the way out of an exception
 };
 

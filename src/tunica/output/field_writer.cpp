@@ -273,6 +273,7 @@ void FieldWriter::write_blocks(const std::string& group) const {
   }
   io::Hdf5File file(folder_ + "/" + hdf5_name, io::Hdf5File::Mode::extend,
                     bytes_of(numbers, datasets), comm_);
+  file.compress(compression_);
   fault_point("field output");
   file.make_group(group);
   file.attribute(group, "step", static_cast<long long>(step_));

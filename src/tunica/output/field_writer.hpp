@@ -56,6 +56,9 @@ public:
   FieldWriter(const std::string& folder, const std::vector<Grid>& grids, const CommPtr& comm,
               int kept_step = 0);
 
+  /// Of the steps to come, see io::Hdf5File::compress().
+  void compress(int level) { compression_ = level; }
+
   /// A sentence for the user if files of an earlier run could not be continued, or nothing.
   const std::string& remark() const { return remark_; }
 
@@ -98,6 +101,7 @@ private:
 
   std::string folder_;
   CommPtr comm_;
+  int compression_ = 0;
   std::vector<Shape> shapes_;
   std::string finished_steps_;  ///< their XDMF text
 

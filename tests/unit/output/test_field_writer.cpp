@@ -252,6 +252,36 @@ TEUCHOS_UNIT_TEST(field_writer, full_disk_is_an_error_on_all_ranks_and_not_in_th
   TEST_EQUALITY(read(folder, "/fluid/points").size(), 12000u);
 }
 
+/// Bytes that a dataset takes in the file.
+hsize_t stored_bytes(const std::string& folder, const std::string& name) {
+  const hid_t file = H5Fopen((folder + "/fields.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t dataset = H5Dopen2(file, name.c_str(), H5P_DEFAULT);
+  const hsize_t bytes = H5Dget_storage_size(dataset);
+  H5Dclose(dataset);
+  H5Fclose(file);
+  return bytes;
+}
+
+// Several chunks, whose rows belong to more than one rank, and ranks without rows.
+TEUCHOS_UNIT_TEST(field_writer, compressed_fields_are_smaller_and_the_same) {
+  const std::string folder = RunFolder(scratch("compressed"), world()).path();
+  const Grid fluid = chain("fluid", 50000, world()->getSize() - 1);
+  FieldWriter writer(folder, {fluid}, world());
+  for (const int step : {1, 2}) {
+    if (step == 2) writer.compress(1);
+    writer.write(step, 0.1 * step, "fluid", {point_array(fluid, "velocity", 3, 7)},
+                 {cell_array(fluid, "shear", 7)});
+    writer.finish_step();
+  }
+  world()->barrier();
+  for (const char* name : {"velocity", "shear"}) {
+    const std::string plain = "/step_000001/fluid/" + std::string(name),
+                      small = "/step_000002/fluid/" + std::string(name);
+    TEST_ASSERT(read(folder, plain) == read(folder, small));
+    TEST_COMPARE(2 * stored_bytes(folder, small), <, stored_bytes(folder, plain));
+  }
+}
+
 TEUCHOS_UNIT_TEST(field_writer, replaces_the_files_of_an_earlier_run) {
   Run run("earlier");
   run.write(7);
