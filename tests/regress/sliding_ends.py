@@ -111,12 +111,18 @@ def main(programs, scratch):
         write_case(folder / f"across-{load}.xml", across, "{normal}", load)
     for load, scheme, more, tolerance in (
             ("plain", "monolithic", ["Coupling/scheme=monolithic"], 1e-7),
+            ("plain", "newton", ["Coupling/scheme=monolithic", "Coupling/geometry=newton",
+                                 "Coupling/Newton/jacobian cost=0"], 1e-7),
             ("plain", "partitioned", ["Coupling/tolerance=1e-10"], 1e-6),
             ("prestressed", "monolithic", ["Coupling/scheme=monolithic"], 1e-6)):
         name = f"{load}-{scheme}"
         expected = run(verdict, programs, folder, f"straight-{name}", f"straight-{load}.xml", more)
         found = run(verdict, programs, folder, f"across-{name}", f"across-{load}.xml", more)
         compare(verdict, name, found, expected, tolerance)
+        if name == "plain-newton" and found is not None and expected is not None:
+            counts = [steps["system_newton"] for steps in (found, expected)]
+            verdict.claim(counts[0] == counts[1] and max(counts[0][1:]) <= 4,
+                          f"{name}: {counts[0]} steps of Newton's method, along an axis {counts[1]}")
         if found is not None:
             look_at_ends(verdict, folder, f"across-{name}")
         if name == "plain-monolithic":

@@ -63,7 +63,8 @@ struct Whole {
 ///
 /// Constrained rows and columns keep only their diagonal, summed like any other entry, so
 /// that it has the size of its neighbours; the increments there are zero, so that the dropped
-/// columns need no right-hand side. Products of vectors go to a part of low rank in the numbers and
+/// columns need no right-hand side. Across the axes they are projected, see constrain() in the
+/// source. Products of vectors go to a part of low rank in the numbers and
 /// units of the field, which has as many as are added.
 class BlockAssembler {
 public:

@@ -8,6 +8,7 @@ namespace tunica::assembly {
 namespace {
 
 constexpr double round_off = 1e-10;
+constexpr double same_direction = 0.02;  // what is left of one that is known to a degree
 
 }  // namespace
 
@@ -26,7 +27,7 @@ void Constraints::fix_direction(int node, const Vec3& n) {
   Mat3 P = projector(node);
   Vec3 m = P * n;
   const double length = norm(m);
-  if (length < round_off) return;
+  if (length < same_direction) return;
   m = 1.0 / length * m;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) P[i][j] -= m[i] * m[j];

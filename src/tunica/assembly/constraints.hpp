@@ -16,7 +16,8 @@ public:
   void fix_component(int node, int i);
   void fix_vector(int node);
   void fix_scalar(int node) { bits_[node] |= scalar_bit; }
-  /// Of the vector; n of length 1, along an axis or across them.
+  /// Of the vector; n of length 1, along an axis or across them. A direction that lies within a
+  /// degree of what is prescribed already adds nothing.
   void fix_direction(int node, const Vec3& n);
   /// P of the node becomes this one, and the scalar free.
   void replace(int node, const Mat3& P);

@@ -77,12 +77,32 @@ inline bool any_greater(const Pack& a, const Pack& b) {
   for (int lane = 0; lane < Pack::size; ++lane) is_any |= a[lane] > b[lane];
   return is_any;
 }
+inline bool all_greater(double a, double b) { return a > b; }
+inline bool all_greater(const Pack& a, const Pack& b) {
+  bool are_all = true;
+  for (int lane = 0; lane < Pack::size; ++lane) are_all &= a[lane] > b[lane];
+  return are_all;
+}
 
-// One element's numbers into a lane, of tensors as of numbers.
+// One element's numbers into a lane and out of it, of tensors as of numbers.
 inline void set_lane(Pack& to, int lane, double from) { to.set(lane, from); }
 template <class Packs, class Numbers, std::size_t n>
 void set_lane(std::array<Packs, n>& to, int lane, const std::array<Numbers, n>& from) {
   for (std::size_t i = 0; i < n; ++i) set_lane(to[i], lane, from[i]);
+}
+inline double lane_of(const Pack& from, int lane) { return from[lane]; }
+template <std::size_t n>
+std::array<double, n> lane_of(const std::array<Pack, n>& from, int lane) {
+  std::array<double, n> to;
+  for (std::size_t i = 0; i < n; ++i) to[i] = from[i][lane];
+  return to;
+}
+template <std::size_t n, std::size_t m>
+std::array<std::array<double, m>, n> lane_of(const std::array<std::array<Pack, m>, n>& from,
+                                             int lane) {
+  std::array<std::array<double, m>, n> to;
+  for (std::size_t i = 0; i < n; ++i) to[i] = lane_of(from[i], lane);
+  return to;
 }
 
 }  // namespace tunica

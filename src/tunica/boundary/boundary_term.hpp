@@ -50,6 +50,8 @@ public:
   virtual bool wants_whole_section() const { return false; }
   /// Components of the vector unknown that the term prescribes at its nodes.
   virtual std::vector<int> prescribed_components() const { return {}; }
+  /// True where these values are zero at all times.
+  virtual bool prescribes_zero() const { return false; }
   /// Directions along which the vector unknown stays zero at its nodes, of length 1.
   virtual std::vector<Vec3> held_directions() const { return {}; }
   /// Comes before prescribed() of the same surroundings. Collective.

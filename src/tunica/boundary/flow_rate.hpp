@@ -16,7 +16,7 @@ namespace tunica::boundary {
 ///      harmonic k of the flow rate its own                     1/mm²
 ///
 /// φ vanishes on the rim, where conditions of other surfaces hold. As the surface grows φ shrinks,
-/// so that the flow rate stays what is given; it is that of the domain at the beginning of a solve.
+/// so that the flow rate stays what is given on the domain as it lies.
 /// What a Fourier series of K harmonics leaves of Q(t) has the profile of the steady flow.
 class FlowRate final : public GivenVelocity {
 public:

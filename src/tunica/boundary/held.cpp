@@ -53,21 +53,14 @@ void check_held_components(const Teuchos::ParameterList& list, const std::string
 /// Its unit normal. Throws Error where the surface is no plane. Collective.
 Vec3 normal_of_plane(const fields::FieldMesh& mesh, int surface) {
   const SurfaceGeometry plane = surface_geometry(mesh, surface);
-  const double degrees = plane.bend * 180.0 / std::acos(-1.0);
+  const double to_degrees = 180.0 / std::acos(-1.0);
   std::ostringstream message;
-  message
-      << "Surfaces / " << mesh.surfaces[surface]
-      << ": it is held along its normal, but no plane: its normals are up to " << degrees
-      << " degrees off their mean, expected at most 1. Give each plane a surface of its own, or "
-         "hold components.";
-  TUNICA_CHECK(degrees <= 1.0, message.str());
+  message << "Surfaces / " << mesh.surfaces[surface]
+          << ": it is held along its normal, but no plane: its normals are up to "
+          << plane.bend * to_degrees << " degrees off their mean, expected at most "
+          << flat * to_degrees << ". Give each plane a surface of its own, or hold components.";
+  TUNICA_CHECK(plane.bend <= flat, message.str());
   return plane.normal;
-}
-
-std::unique_ptr<Held> held_along_normal(const Vec3& n) {
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(n[i]) > 1.0 - 1e-12) return std::make_unique<Held>(std::vector<int>{i});
-  return std::make_unique<Held>(std::vector<int>(), std::vector<Vec3>{n});
 }
 
 ConditionEntry held_in(Field field, const std::string& sentence) {
@@ -75,8 +68,9 @@ ConditionEntry held_in(Field field, const std::string& sentence) {
   table.names("components", std::nullopt, sentence).check(check_held_components);
   return {field, "held", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {
-            return terms(is_along_normal(list) ? held_along_normal(normal_of_plane(mesh, surface))
-                                               : std::make_unique<Held>(components_of(list)));
+            if (!is_along_normal(list)) return terms(std::make_unique<Held>(components_of(list)));
+            const std::vector<Vec3> directions{normal_of_plane(mesh, surface)};
+            return terms(std::make_unique<Held>(std::vector<int>(), directions));
           }};
 }
 

@@ -11,6 +11,7 @@ public:
   explicit Held(std::vector<int> components, std::vector<Vec3> directions = {})
       : components_(std::move(components)), directions_(std::move(directions)) {}
   std::vector<int> prescribed_components() const override { return components_; }
+  bool prescribes_zero() const override { return true; }
   std::vector<Vec3> held_directions() const override { return directions_; }
 
 private:

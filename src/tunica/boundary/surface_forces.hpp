@@ -24,7 +24,8 @@ std::vector<Vec3> shared_reactions(const fields::FieldMesh& mesh, const SurfaceT
 
 /// The field's forces on the surfaces that prescribe its vector unknown, this rank's part, by the
 /// reactions r of owned nodes [mN]. Each component of a reaction goes to the surfaces s of the node
-/// that prescribe it:
+/// that prescribe it, and all of
+/// it to planes that are held along their normal:
 ///
 ///   r_a[s] = e_a[s] + A_a[s] / Σ_t A_a[t] (r_a − Σ_t e_a[t])
 ///

@@ -24,7 +24,10 @@ SurfaceGeometry surface_geometry(const fields::FieldMesh& mesh, int surface) {
   area = global_sum(*mesh.comm, area);
   for (double& m : moment) m = global_sum(*mesh.comm, m) / area;
   for (double& n : normal) n = global_sum(*mesh.comm, n);
-  if (norm(normal) > 0.0) normal = 1.0 / norm(normal) * normal;  // a closed surface has none
+  if (norm(normal) > 1e-12 * area)
+    normal = 1.0 / norm(normal) * normal;
+  else
+    bend = std::acos(-1.0);  // closed, or two that look away from each other
   for (const fields::Face& face : mesh.faces) {
     if (face.surface != surface) continue;
     const Vec3 An = kernels::area_normal(assembly::gather(mesh.x, face.nodes));

@@ -3,6 +3,10 @@
 
 namespace tunica::boundary {
 
+/// How far the normals of a plane's triangles may be off their mean [rad]: a degree, for meshes
+/// whose numbers are rounded.
+constexpr double flat = 0.0174533;
+
 /// Size and place of a surface of the undeformed mesh.
 struct SurfaceGeometry {
   double area;

@@ -1,9 +1,11 @@
 #include "tunica/boundary/surface_terms.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/boundary/surface_geometry.hpp"
 
 namespace tunica::boundary {
 
@@ -98,14 +100,36 @@ Vec3 SurfaceTerms::free_part(int surface, const Vec3& v) const {
   return fixed.project(0, v);
 }
 
+// Components first: a direction that is theirs to a degree adds nothing.
 void SurfaceTerms::constrain() {
+  const auto at_nodes_of = [this](std::size_t s, const auto& fix) {
+    for (int a = 0; a < mesh_->n_nodes(); ++a)
+      if (mesh_->is_on(a, static_cast<int>(s))) fix(a);
+  };
+  std::vector<Vec3> given(mesh_->n_nodes());  // 1 for components with values, of terms in part
+  for (std::size_t s = 0; s < terms_.size(); ++s)
+    for (const auto& term : terms_[s]) {
+      const std::vector<int> components = term->prescribed_components();
+      const bool gives_some = components.size() < 3 && !term->prescribes_zero();
+      at_nodes_of(s, [&](int a) {
+        for (const int i : components) {
+          fixed_.fix_component(a, i);
+          if (gives_some) given[a][i] = 1.0;
+        }
+      });
+    }
+  bool is_clear = true;
   for (std::size_t s = 0; s < terms_.size(); ++s)
     for (const auto& term : terms_[s])
-      for (int a = 0; a < mesh_->n_nodes(); ++a) {
-        if (!mesh_->is_on(a, static_cast<int>(s))) continue;
-        for (const int i : term->prescribed_components()) fixed_.fix_component(a, i);
-        for (const Vec3& n : term->held_directions()) fixed_.fix_direction(a, n);
-      }
+      for (const Vec3& n : term->held_directions())
+        at_nodes_of(s, [&](int a) {
+          fixed_.fix_direction(a, n);
+          for (int i = 0; i < 3; ++i)
+            if (std::abs(given[a][i] * n[i]) > flat) is_clear = false;
+        });
+  TUNICA_CHECK(all_agree(*mesh_->comm, is_clear),
+               "Surfaces: nodes that are held along a normal are given a component across it by "
+               "another condition. Give all components, or hold the plane by components.");
 }
 
 std::vector<std::pair<int, CommonMotion>> SurfaceTerms::common_motions() const {

@@ -56,6 +56,7 @@ public:
   std::string restore(const fields::State& state);
 
 private:
+  /// Throws Error where a component is given along the normal of a plane. Collective.
   void constrain();
   /// Throws Error where a profile would be made of a part of a section. Collective.
   void check_sections() const;

@@ -112,7 +112,9 @@ std::string state_of(const LinearSystem& system, const output::RunRecord& record
   out["sizes"] = {{"nodes", nodes},
                   {"vector unknowns", 3 * nodes},
                   {"scalar unknowns", (*system.K->space())[1].map->getGlobalNumElements()}};
-  out["operator"] = "K = [A B1T; B2 -C]; constrained rows and columns keep their diagonal only";
+  out["operator"] =
+      "K = [A B1T; B2 -C]; constrained rows and columns keep their diagonal only; nodes that "
+      "slide in a plane across the axes have P K P + s (I - P), P = I - n nT";
   if (system.K->low_rank())
     out["low rank"] =
         "K has W VT beside these blocks, for what couples whole surfaces: a column of "

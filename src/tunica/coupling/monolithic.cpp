@@ -63,7 +63,7 @@ Outcome Monolithic::attempt(bool is_careful, const stepping::Clock& clock, Itera
   if (rule_ && !is_careful) {
     if (solution.newton.is_converged)
       rule_->note(solution.newton);
-    else
+    else if (!solution.newton.steps.empty())
       rule_->note_failure();
   }
   iteration.solve("system") = solution.newton;

@@ -8,6 +8,7 @@
 #include "tunica/assembly/viscous_residual.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/boundary/surface_geometry.hpp"
 #include "tunica/discretisation/inverted_element.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
 #include "tunica/stepping/registry.hpp"
@@ -55,7 +56,8 @@ void Fluid::find_open_surfaces() {
   std::vector<double> passes(mesh_->surfaces.size(), 0.0);
   for (const fields::Face& face : mesh_->faces) {
     const Vec3 n = kernels::area_normal(assembly::gather(mesh_->x, face.nodes));
-    if (norm(surfaces_.free_part(face.surface, n)) > 1e-6 * norm(n)) passes[face.surface] = 1.0;
+    const double least = surfaces_.has_held_directions(face.surface) ? boundary::flat : 1e-6;
+    if (norm(surfaces_.free_part(face.surface, n)) > least * norm(n)) passes[face.surface] = 1.0;
   }
   for (const double found : global_sum(*mesh_->comm, passes)) is_open_.push_back(found > 0.0);
 }

@@ -70,7 +70,7 @@ Point<Real> evaluate(const Tet4Of<Real>& T, const SolidStateOf<Real>& s,
   x.C = right_cauchy_green(x.F);
   const Mat3Of<Real> adj = adjugate(x.F);
   x.J = x.F[0][0] * adj[0][0] + x.F[0][1] * adj[1][0] + x.F[0][2] * adj[2][0];
-  TUNICA_ASSERT(!any_greater(Real(0.0), x.J), "inverted element reached the solid kernel");
+  TUNICA_ASSERT(all_greater(x.J, Real(0.0)), "inverted element reached the solid kernel");
   const Real inv_J = 1.0 / x.J;
   x.g_p = {0, 0, 0};
   Vec3Of<Real> q_sum{0, 0, 0};
@@ -248,7 +248,7 @@ Sym3Of<Pack> stress_of(const PackedLaws& at, const Sym3Of<Pack>& C) {
   for (int lane = 1; lane < Pack::size; ++lane)
     if (at.laws[lane] != at.laws[0]) {
       const Sym3Of<Pack> other = at.laws[lane]->packed_stress(C, at.frames);
-      for (int I = 0; I < 6; ++I) S[I].set(lane, other[I][lane]);
+      set_lane(S, lane, lane_of(other, lane));
     }
   return S;
 }
@@ -258,10 +258,8 @@ materials::StressTangentOf<Pack> response_of(const PackedLaws& at, const Sym3Of<
   for (int lane = 1; lane < Pack::size; ++lane)
     if (at.laws[lane] != at.laws[0]) {
       const auto other = at.laws[lane]->packed_response(C, at.frames);
-      for (int I = 0; I < 6; ++I) {
-        response.S[I].set(lane, other.S[I][lane]);
-        for (int J = 0; J < 6; ++J) response.D[I][J].set(lane, other.D[I][J][lane]);
-      }
+      set_lane(response.S, lane, lane_of(other.S, lane));
+      set_lane(response.D, lane, lane_of(other.D, lane));
     }
   return response;
 }

@@ -190,11 +190,16 @@ TEUCHOS_UNIT_TEST(block_assembler, constrained_rows_and_columns_keep_only_what_i
 TEUCHOS_UNIT_TEST(nodal_residual, sums_elements_and_faces_and_stores_zeros_in_fixed_rows) {
   const SmallTube tube;
   assembly::NodalResidual R(tube.wall);
-  kernels::MixedResidualOf<Pack> one;
-  one.u.fill({1.0, 2.0, 3.0});
-  one.p.fill(4.0);
-  for (std::size_t e = 0; e < tube.wall.tets.size(); e += Pack::size)
-    R.add(tube.wall, assembly::PackedElements(e, tube.wall.tets.size()), one);
+  for (std::size_t e = 0; e < tube.wall.tets.size(); e += Pack::size) {
+    const assembly::PackedElements elements(e, tube.wall.tets.size());
+    Pack number;
+    for (int lane = 0; lane < Pack::size; ++lane)
+      number.set(lane, tube.wall.tet_number[elements.number[lane]]);
+    kernels::MixedResidualOf<Pack> one;
+    one.u.fill({number, 2.0 * number, 3.0 * number});
+    one.p.fill(4.0 * number);
+    R.add(tube.wall, elements, one);
+  }
   for (const auto& face : tube.wall.faces) {
     kernels::SurfaceResidual ten;
     ten.u.fill({100, 0, 0});
@@ -202,8 +207,9 @@ TEUCHOS_UNIT_TEST(nodal_residual, sums_elements_and_faces_and_stores_zeros_in_fi
   }
   std::vector<int> tets(tube.mesh.vertices.size(), 0), faces(tets);
   const SmallTube serial(test::alone());
-  for (const auto& tet : serial.wall.tets)
-    for (const int a : tet) ++tets[serial.wall.vertex[a]];
+  for (std::size_t e = 0; e < serial.wall.tets.size(); ++e)
+    for (const int a : serial.wall.tets[e])
+      tets[serial.wall.vertex[a]] += serial.wall.tet_number[e];
   for (const auto& face : serial.wall.faces)
     for (const int a : face.nodes) ++faces[serial.wall.vertex[a]];
   assembly::Constraints fixed(tube.wall.n_nodes());

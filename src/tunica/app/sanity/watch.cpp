@@ -116,7 +116,7 @@ void Watch::look_at_iterations(const StepSummary& step) {
   int newton = 0;
   for (const StepSummary::Solves& field : step.fields) newton = std::max(newton, field.newton);
   near_cap(newton, most_newton_, "Newton steps",
-           "Coupling / geometry = \"newton\", whose Jacobian knows how the domain moves");
+           "larger elements of the fluid beside walls that move far");
 }
 
 void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>& d) {
