@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include "tunica/base/clones.hpp"
 
@@ -23,8 +24,12 @@ public:
   using Values = double __attribute__((vector_size(size * sizeof(double))));
 
   /// To and from four doubles in a row.
-  static Pack load(const double* from) { return *reinterpret_cast<const Row*>(from); }
-  void store(double* to) const { *reinterpret_cast<Row*>(to) = v_; }
+  static Pack load(const double* from) {
+    Values v;
+    std::memcpy(&v, from, sizeof(v));
+    return v;
+  }
+  void store(double* to) const { std::memcpy(to, &v_, sizeof(v_)); }
 
   Pack() = default;  // Pack{} is zero, as double{} is
   Pack(double value) : v_{value, value, value, value} {}
@@ -58,8 +63,6 @@ public:
 
 private:
   Pack(double a, double b, double c, double d) : v_{a, b, c, d} {}
-
-  using Row __attribute__((aligned(sizeof(double)), may_alias)) = Values;
 
   Values v_;
 };
