@@ -9,12 +9,12 @@ namespace tunica::app {
 
 namespace {
 
-constexpr const char* key = "surfaces";
-constexpr const char* all = "all";
+constexpr const char* surfaces_key = "surfaces";
+constexpr const char* every = "all";
 constexpr const char* none = "none";
 
 std::vector<std::string> names_of(const Teuchos::ParameterList& output) {
-  return output.get<Teuchos::Array<std::string>>(key).toVector();
+  return output.get<Teuchos::Array<std::string>>(surfaces_key).toVector();
 }
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
@@ -23,9 +23,9 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 
 void check_names(const Teuchos::ParameterList& output, const std::string& path) {
   const std::vector<std::string> names = names_of(output);
-  for (const char* word : {all, none})
+  for (const char* word : {every, none})
     TUNICA_CHECK(!holds(names, word) || names.size() == 1,
-                 path + ": \"" + key + "\" holds \"" + word +
+                 path + ": \"" + surfaces_key + "\" holds \"" + word +
                      "\" beside other names. Let it stand "
                      "alone, or name the surfaces.");
 }
@@ -33,7 +33,7 @@ void check_names(const Teuchos::ParameterList& output, const std::string& path) 
 std::vector<int> chosen(const std::vector<std::string>& names, const fields::FieldMesh& mesh) {
   std::vector<int> surfaces;
   for (const int s : fields::bounding_surfaces(mesh))
-    if (holds(names, all) || holds(names, mesh.surfaces[s])) surfaces.push_back(s);
+    if (holds(names, every) || holds(names, mesh.surfaces[s])) surfaces.push_back(s);
   return surfaces;
 }
 
@@ -41,7 +41,7 @@ std::vector<int> chosen(const std::vector<std::string>& names, const fields::Fie
 
 void add_surface_keys(params::Table& table) {
   table
-      .names(key, std::vector<std::string>{all},
+      .names(surfaces_key, std::vector<std::string>{every},
              "surfaces whose area, flow, pressure, forces and displacement become columns of "
              "steps.csv; all or none")
       .check(check_names);
@@ -49,7 +49,7 @@ void add_surface_keys(params::Table& table) {
 
 std::vector<std::string> named_surfaces(const Teuchos::ParameterList& output) {
   const std::vector<std::string> names = names_of(output);
-  return holds(names, all) || holds(names, none) ? std::vector<std::string>{} : names;
+  return holds(names, every) || holds(names, none) ? std::vector<std::string>{} : names;
 }
 
 SurfaceReport::SurfaceReport(const Teuchos::ParameterList& output, const fields::FieldMesh* fluid,

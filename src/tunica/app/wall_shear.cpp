@@ -8,7 +8,7 @@ namespace tunica::app {
 
 namespace {
 
-constexpr const char* key = "averages from";
+constexpr const char* averages_key = "averages from";
 
 output::Array array_of(const std::string& name, const std::vector<Vec3>& values) {
   output::Array array{name, 3, {}};
@@ -19,13 +19,13 @@ output::Array array_of(const std::string& name, const std::vector<Vec3>& values)
 }  // namespace
 
 void add_wall_shear_keys(params::Table& table) {
-  table.number(key, 0.0, params::non_negative(), "ms",
+  table.number(averages_key, 0.0, params::non_negative(), "ms",
                "time from which the wall shear stress is averaged over time; the beginning of the "
                "last beat where there are several");
 }
 
 WallShear::WallShear(const Teuchos::ParameterList& output, problems::FluidProblem& fluid)
-    : fluid_(&fluid), from_(output.get<double>(key)), stress_(fluid.mesh().n_owned),
+    : fluid_(&fluid), from_(output.get<double>(averages_key)), stress_(fluid.mesh().n_owned),
       integral_(stress_.size()), integral_of_size_(stress_.size(), 0.0) {}
 
 void WallShear::accept(const stepping::Clock& clock) {

@@ -52,6 +52,8 @@ inline Vec3Of<Real> cross(const Vec3Of<Real>& a, const Vec3Of<Real>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 inline double norm(const Vec3& a) { return std::sqrt(dot(a, a)); }
+/// a / |a|.
+inline Vec3 unit(const Vec3& a) { return 1.0 / norm(a) * a; }
 
 template <class Real = double>
 inline Mat3Of<Real> identity() {

@@ -25,7 +25,7 @@ SurfaceGeometry surface_geometry(const fields::FieldMesh& mesh, int surface) {
   for (double& m : moment) m = global_sum(*mesh.comm, m) / area;
   for (double& n : normal) n = global_sum(*mesh.comm, n);
   if (norm(normal) > 1e-12 * area)
-    normal = 1.0 / norm(normal) * normal;
+    normal = unit(normal);
   else
     bend = std::acos(-1.0);  // closed, or two that look away from each other
   for (const fields::Face& face : mesh.faces) {

@@ -74,10 +74,10 @@ namespace {
 materials::Frame pulled_back(const materials::Frame& frame, const Mat3& F) {
   const Mat3 F_inverse = adjugate(F);  // but for a factor, which does not matter
   const Vec3 around = F_inverse * frame.circumferential;
-  const Vec3 c = 1.0 / norm(around) * around;
+  const Vec3 c = unit(around);
   Vec3 along = F_inverse * frame.axial;
   along += -dot(along, c) * c;
-  const Vec3 a = 1.0 / norm(along) * along;
+  const Vec3 a = unit(along);
   return {cross(c, a), c, a};
 }
 

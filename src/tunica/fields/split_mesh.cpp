@@ -10,7 +10,7 @@ namespace tunica::fields {
 
 namespace {
 
-constexpr double absent = -1.0;
+constexpr double no_part = -1.0;
 
 /// The number of the node for each vertex and part, on owned and ghost nodes: only the owner of a
 /// vertex knows all its parts.
@@ -21,7 +21,7 @@ public:
         total_(static_cast<GlobalOrdinal>(mesh.node_map->getGlobalNumElements())),
         numbers_(mesh.ghosted_map, n_parts_) {
     MultiVector owned(mesh.node_map, n_parts_);
-    owned.putScalar(absent);
+    owned.putScalar(no_part);
     number(mesh, parts, owned);
     numbers_.doImport(owned, *mesh.import, insert);
   }
@@ -42,7 +42,7 @@ private:
       for (int a = 0; a < mesh.n_owned; ++a) {
         bool is_first = true;
         for (int part = 0; part < n_parts_; ++part) {
-          if (view(a, part) == absent) continue;
+          if (view(a, part) == no_part) continue;
           work(a, part, is_first);
           is_first = false;
         }
@@ -79,7 +79,7 @@ std::vector<Copy> local_copies(const FieldMesh& mesh, const std::vector<int>& pa
   std::vector<Copy> copies;
   for (int a = 0; a < mesh.n_nodes(); ++a)
     for (int part = 0, copy = 0; part < numbers.n_parts(); ++part) {
-      if (view(a, part) == absent) continue;
+      if (view(a, part) == no_part) continue;
       if (is_used[a * numbers.n_parts() + part])
         copies.push_back({static_cast<GlobalOrdinal>(view(a, part)), a, part, copy});
       ++copy;

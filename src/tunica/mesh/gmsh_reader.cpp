@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 
 #include "tunica/mesh/gmsh.hpp"
 
 namespace tunica::mesh {
 namespace {
 
-constexpr int most = std::numeric_limits<int>::max();
 constexpr int line_type = 1, triangle_type = 2, tet_type = 4, point_type = 15;
 
 }  // namespace
@@ -78,7 +76,7 @@ void GmshReader::read_names() {
   const std::size_t n = in_.count("the number of physical names", 7);
   for (std::size_t i = 0; i < n; ++i) {
     const int dimension = in_.integer("the dimension of a physical group", 0, 3);
-    const int id = in_.integer("the number of a physical group", 1, most);
+    const int id = in_.integer("the number of a physical group", 1, largest_int);
     const std::string name = in_.quoted("the name of a physical group");
     if (dimension == 3) mesh_.region_names[id] = name;
     if (dimension == 2) mesh_.surface_names[id] = name;
@@ -175,11 +173,11 @@ void GmshReader::read_elements_22() {
   const std::size_t n = in_.count("the number of elements", 8);
   for (std::size_t i = 0; i < n; ++i) {
     const long long number = in_.integer("the number of an element");
-    const int type = in_.integer("the type of an element", 1, most);
+    const int type = in_.integer("the type of an element", 1, largest_int);
     const std::size_t tags = in_.count("the number of an element's tags", 2);
     int physical = 0;
     for (std::size_t tag = 0; tag < tags; ++tag) {
-      const int value = in_.integer("a tag of an element", -most, most);
+      const int value = in_.integer("a tag of an element", -largest_int, largest_int);
       if (tag == 0) physical = std::abs(value);
     }
     read_element(number, type, physical);

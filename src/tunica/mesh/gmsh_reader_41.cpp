@@ -1,21 +1,14 @@
 #include <cstdlib>
-#include <limits>
 #include <vector>
 
 #include "tunica/mesh/gmsh_reader.hpp"
 
 namespace tunica::mesh {
-namespace {
-
-constexpr int most = std::numeric_limits<int>::max();
-
-}  // namespace
-
 int GmshReader::read_physical() {
   const std::size_t n = in_.count("the number of an entity's physical groups", 2);
   int physical = 0;
   for (std::size_t i = 0; i < n; ++i)
-    physical = std::abs(in_.integer("the number of a physical group", -most, most));
+    physical = std::abs(in_.integer("the number of a physical group", -largest_int, largest_int));
   if (n > 1)
     in_.fail("the entity belongs to " + std::to_string(n) +
              " physical groups, expected at most one");
@@ -76,7 +69,7 @@ void GmshReader::read_elements_41() {
   for (std::size_t block = 0; block < blocks; ++block) {
     const int dimension = in_.integer("the dimension of an entity", 0, 3);
     const long long entity = in_.integer("the number of an entity");
-    const int type = in_.integer("the type of an element", 1, most);
+    const int type = in_.integer("the type of an element", 1, largest_int);
     const std::size_t n = in_.count("the number of elements in a block", 4);
     const auto group = physical_of_entity_.find({dimension, entity});
     const int physical = group == physical_of_entity_.end() ? 0 : group->second;

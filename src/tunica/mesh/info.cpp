@@ -169,7 +169,7 @@ double least_dihedral_angle(const std::array<Vec3, 4>& x) {
   for (int f = 0; f < 4; ++f) {
     const auto& v = tet_faces[f];
     const Vec3 normal = cross(x[v[1]] - x[v[0]], x[v[2]] - x[v[0]]);
-    normals[f] = (1.0 / norm(normal)) * normal;
+    normals[f] = unit(normal);
   }
   double most = -1.0;  // cosine of the angle within
   for (int f = 0; f < 4; ++f)

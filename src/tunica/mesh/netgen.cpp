@@ -1,15 +1,12 @@
 #include "tunica/mesh/netgen.hpp"
 
 #include <cctype>
-#include <limits>
 
 #include "tunica/mesh/raw_mesh.hpp"
 #include "tunica/mesh/text_scanner.hpp"
 
 namespace tunica::mesh {
 namespace {
-
-constexpr int most = std::numeric_limits<int>::max();
 
 class NetgenReader {
 public:
@@ -60,7 +57,7 @@ private:
       in_.fail("a " + kind + " element with " + std::to_string(n) + " points, expected " +
                std::to_string(N) + ". Mesh with tetrahedra of first order.");
     std::array<int, N> corners;
-    for (int& corner : corners) corner = in_.integer("the number of a point", 1, most) - 1;
+    for (int& corner : corners) corner = in_.integer("the number of a point", 1, largest_int) - 1;
     in_.rest_of_line();
     return corners;
   }
@@ -71,7 +68,8 @@ private:
     mesh_.triangle_tag.clear();
     for (std::size_t i = 0; i < n; ++i) {
       in_.integer("the number of a surface");
-      mesh_.triangle_tag.push_back(in_.integer("the number of a boundary condition", 0, most));
+      mesh_.triangle_tag.push_back(
+          in_.integer("the number of a boundary condition", 0, largest_int));
       in_.integer("the domain inside");
       in_.integer("the domain outside");
       mesh_.triangles.push_back(read_corners<3>("surface"));
@@ -81,7 +79,7 @@ private:
   void read_tets() {
     const std::size_t n = in_.count("the number of volume elements", 12);
     for (std::size_t i = 0; i < n; ++i) {
-      mesh_.tet_tag.push_back(in_.integer("the number of a material", 0, most));
+      mesh_.tet_tag.push_back(in_.integer("the number of a material", 0, largest_int));
       mesh_.tets.push_back(read_corners<4>("volume"));
       mesh_.tet_number.push_back(static_cast<long long>(mesh_.tets.size()));
     }
@@ -98,7 +96,7 @@ private:
   void read_names(std::map<int, std::string>& names) {
     const std::size_t n = in_.count("the number of names", 3);
     for (std::size_t i = 0; i < n; ++i) {
-      const int id = in_.integer("the number of a name", 0, most);
+      const int id = in_.integer("the number of a name", 0, largest_int);
       names[id] = in_.rest_of_line();
     }
   }

@@ -1,5 +1,6 @@
 #include "tunica/mesh/read.hpp"
 
+#include <filesystem>
 #include <fstream>
 
 #include "tunica/base/error.hpp"
@@ -9,10 +10,6 @@
 
 namespace tunica::mesh {
 namespace {
-
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 
 bool starts_with(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
@@ -37,14 +34,17 @@ std::string first_line(const std::string& path) {
 }  // namespace
 
 bool is_hdf5(const std::string& path) {
-  return starts_with(first_line(path), "\x89HDF") || ends_with(path, ".h5");
+  return starts_with(first_line(path), "\x89HDF") ||
+         std::filesystem::path(path).extension() == ".h5";
 }
 
 Mesh read(const std::string& path) {
   const std::string head = first_line(path);
   if (is_hdf5(path)) return read_hdf5(path);
-  if (starts_with(head, "$MeshFormat") || ends_with(path, ".msh")) return read_gmsh(path);
-  if (starts_with(head, "mesh3d") || ends_with(path, ".vol")) return read_netgen(path);
+  if (starts_with(head, "$MeshFormat") || std::filesystem::path(path).extension() == ".msh")
+    return read_gmsh(path);
+  if (starts_with(head, "mesh3d") || std::filesystem::path(path).extension() == ".vol")
+    return read_netgen(path);
   TUNICA_CHECK(std::ifstream(path), path + ": cannot be opened for reading");
   throw Error(path +
               ": not a mesh this program knows. Expected Gmsh (.msh, ASCII 2.2 or 4.1), "

@@ -1,9 +1,12 @@
 #pragma once
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 
 namespace tunica::mesh {
+
+constexpr int largest_int = std::numeric_limits<int>::max();
 
 /// Reads a text file word by word. Every mistake of the file becomes an Error that begins
 /// with "path:line:". Words are separated by white space.

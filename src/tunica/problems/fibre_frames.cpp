@@ -155,7 +155,7 @@ std::vector<materials::Frame> frames_of(const fields::FieldMesh& mesh, const Dir
     frame.axial = 1.0 / length * d.along[e];
     const Vec3 across = d.outward[e] - dot(d.outward[e], frame.axial) * frame.axial;
     if (no_radial < 0 && !(norm(across) > tiny * scale_outward)) no_radial = static_cast<int>(e);
-    frame.radial = 1.0 / norm(across) * across;
+    frame.radial = unit(across);
     frame.circumferential = cross(frame.axial, frame.radial);
     frames.push_back(frame);
   }

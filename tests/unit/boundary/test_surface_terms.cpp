@@ -16,7 +16,7 @@ using test::SmallTube;
 /// As one adds a term: a bed of springs, R[a] += k A/3 u[a], of the stiffness that the list gives.
 class Springs final : public boundary::BoundaryTerm {
 public:
-  explicit Springs(double stiffness) : stiffness_(stiffness) {}
+  explicit Springs(double k) : stiffness_(k) {}
 
   void add(const boundary::Surroundings& s, const fields::Face& face, assembly::NodalResidual& R,
            assembly::BlockAssembler* K) const override {

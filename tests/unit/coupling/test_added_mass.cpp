@@ -14,7 +14,7 @@ using test::SmallTube;
 
 constexpr double pi = 3.14159265358979323846;
 
-Teuchos::ParameterList solver(const std::string& method) {
+Teuchos::ParameterList wall_solver(const std::string& method) {
   Teuchos::ParameterList list;
   list.set("method", method);
   return test::resolved(list, linear::scalar_solver_table());
@@ -36,7 +36,7 @@ struct Tube {
                 const std::function<double(const Vec3&)>& c = same_everywhere,
                 const std::string& method = "direct")
       : tube(comm, shape), interface(tube.fluid, tube.wall, {tube.surface("interface")}),
-        P(solver(method), tube.fluid, fields::make_node_graph(tube.fluid), interface,
+        P(wall_solver(method), tube.fluid, fields::make_node_graph(tube.fluid), interface,
           model(open, c)) {}
 
   coupling::AddedMassModel model(const std::vector<std::string>& open,

@@ -65,7 +65,7 @@ Teuchos::ParameterList field(const Names& parts, const std::string& own = "") {
 }
 
 /// One application of the preconditioner as a solver: "fixed point" from zero.
-Teuchos::ParameterList solver(const std::vector<Teuchos::ParameterList>& fields,
+Teuchos::ParameterList sweeps(const std::vector<Teuchos::ParameterList>& fields,
                               int applications = 1) {
   Teuchos::ParameterList list;
   list.set("method", std::string("fixed point"));
@@ -139,7 +139,7 @@ TEUCHOS_UNIT_TEST(field_by_field, one_field_of_all_parts_is_the_inverse) {
   const auto x = numbers(tube.K().space());
   algebra::BlockVector b(x.space());
   tube.K().apply(x, b);  // with the windkessel
-  const auto found = solved(solver({field({"wall", "lumen", "interface"})}, 5), tube, tube.K(), b);
+  const auto found = solved(sweeps({field({"wall", "lumen", "interface"})}, 5), tube, tube.K(), b);
   TEST_COMPARE(distance(found, x), <, 1e-8 * norm(x));
 }
 
@@ -148,7 +148,7 @@ TEUCHOS_UNIT_TEST(field_by_field, one_field_of_all_parts_is_the_inverse) {
 TEUCHOS_UNIT_TEST(field_by_field, a_sweep_leaves_nothing_in_the_last_field) {
   const Coupled tube;
   const auto b = numbers(tube.K().space());
-  const auto y = solved(solver({field(wall), field(lumen)}), tube, blocks_of(tube.K()), b);
+  const auto y = solved(sweeps({field(wall), field(lumen)}), tube, blocks_of(tube.K()), b);
   auto rest = product_of_blocks(tube.K(), y);
   for (int k = 0; k < rest.n_blocks(); ++k) rest[k].update(1.0, b[k], -1.0);  // b − K y
   const algebra::SubSystem first(tube.K(), wall), last(tube.K(), lumen);
@@ -194,7 +194,7 @@ TEUCHOS_UNIT_TEST(field_by_field, solves_with_each_order_and_share) {
       {field(wall, "wall"), field(lumen)},
       {field(wall), field(lumen_and_interface)}};
   for (const auto& fields : ways) {
-    auto list = solver(fields, 200);
+    auto list = sweeps(fields, 200);
     list.set("method", std::string("gcr"));
     TEST_COMPARE(distance(solved(list, tube, K, b), x), <, 1e-7 * norm(x));
   }
@@ -210,17 +210,17 @@ TEUCHOS_UNIT_TEST(field_by_field, refuses_parts_that_are_unknown_or_left_out) {
     }
     return "";
   };
-  TEST_ASSERT(message(solver({field({"lumen", "walls"})})).find("no part \"walls\"; it has") !=
+  TEST_ASSERT(message(sweeps({field({"lumen", "walls"})})).find("no part \"walls\"; it has") !=
               std::string::npos);
   TEST_ASSERT(
-      message(solver({field(wall)})).find("no entry of \"Fields\" has the part \"lumen\"") !=
+      message(sweeps({field(wall)})).find("no entry of \"Fields\" has the part \"lumen\"") !=
       std::string::npos);
-  TEST_ASSERT(message(solver({field(wall, "interface"), field(lumen)}))
+  TEST_ASSERT(message(sweeps({field(wall, "interface"), field(lumen)}))
                   .find("no own block of \"interface\"") != std::string::npos);
-  auto gmres = solver({field(wall), field(lumen)});
+  auto gmres = sweeps({field(wall), field(lumen)});
   gmres.set("method", std::string("gmres"));
   TEST_ASSERT(message(gmres).find("field by field") != std::string::npos);
-  TEST_ASSERT(message(solver({})).find("at least one entry") != std::string::npos);
+  TEST_ASSERT(message(sweeps({})).find("at least one entry") != std::string::npos);
 }
 
 }  // namespace

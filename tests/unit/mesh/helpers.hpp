@@ -2,10 +2,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "tunica/base/error.hpp"
 #include "tunica/mesh/mesh.hpp"
@@ -14,6 +17,13 @@
 namespace tunica::mesh {
 
 const std::string data_folder = TUNICA_TEST_DATA;
+const double pi = std::acos(-1.0);
+
+inline std::set<std::string> names(const std::vector<Tag>& tags) {
+  std::set<std::string> result;
+  for (const Tag& tag : tags) result.insert(tag.name);
+  return result;
+}
 
 /// A name in the system's folder for temporary files; the file is removed at the end.
 class TemporaryFile {

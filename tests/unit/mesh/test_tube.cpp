@@ -10,8 +10,6 @@ using namespace tunica::mesh;
 
 namespace {
 
-const double pi = std::acos(-1.0);
-
 /// Cross-section between two regular polygons of n corners on circles.
 double polygon_ring(int n, double inner, double outer) {
   return 0.5 * n * std::sin(2.0 * pi / n) * (outer * outer - inner * inner);
@@ -23,12 +21,6 @@ double exact_volume(const Tube& t, const std::string& region) {
                          : region == "media" ? b * b - a * a
                                              : c * c - b * b;
   return pi * section * t.length;
-}
-
-std::set<std::string> names(const std::vector<Tag>& tags) {
-  std::set<std::string> result;
-  for (const Tag& tag : tags) result.insert(tag.name);
-  return result;
 }
 
 TEUCHOS_UNIT_TEST(mesh_tube, volumes_are_those_of_the_polygon) {

@@ -16,14 +16,6 @@ using namespace tunica::mesh;
 
 namespace {
 
-const double pi = std::acos(-1.0);
-
-std::set<std::string> names(const std::vector<Tag>& tags) {
-  std::set<std::string> result;
-  for (const Tag& tag : tags) result.insert(tag.name);
-  return result;
-}
-
 std::set<int> vertices_of(const Mesh& mesh, const std::string& surface) {
   std::set<int> result;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

@@ -16,7 +16,7 @@ ParameterList after(const std::string& assignment) {
   return list;
 }
 
-std::string refusal(const std::string& assignment) {
+std::string refused(const std::string& assignment) {
   const std::string message = message_of([&] { after(assignment); });
   const std::string start = "--set \"" + assignment + "\": ";
   return message.rfind(start, 0) == 0 ? message.substr(start.size()) : message;
@@ -52,25 +52,25 @@ TEUCHOS_UNIT_TEST(set_from_text, a_misspelt_entry_does_not_become_a_new_one) {
 }
 
 TEUCHOS_UNIT_TEST(set_from_text, unknown_keys_name_the_nearest) {
-  TEST_EQUALITY(refusal("fluid/density=1"), "unknown key \"fluid\". Did you mean \"Fluid\"?");
-  TEST_EQUALITY(refusal("Fluid/Density=1"),
+  TEST_EQUALITY(refused("fluid/density=1"), "unknown key \"fluid\". Did you mean \"Fluid\"?");
+  TEST_EQUALITY(refused("Fluid/Density=1"),
                 "Fluid: unknown key \"Density\". Did you mean \"density\"?");
-  TEST_EQUALITY(refusal("Fluid/viscosity mu=1"),
+  TEST_EQUALITY(refused("Fluid/viscosity mu=1"),
                 "Fluid: \"viscosity mu\" is no more; use \"viscosity\"");
 }
 
 TEUCHOS_UNIT_TEST(set_from_text, a_text_of_another_type_is_refused) {
-  TEST_EQUALITY(refusal("Fluid/density=heavy"),
+  TEST_EQUALITY(refused("Fluid/density=heavy"),
                 "Fluid: \"density\" cannot be \"heavy\", expected a number (double)");
-  TEST_EQUALITY(refusal("Fluid/max iterations=2.5"),
+  TEST_EQUALITY(refused("Fluid/max iterations=2.5"),
                 "Fluid: \"max iterations\" cannot be \"2.5\", expected an integer (int)");
 }
 
 TEUCHOS_UNIT_TEST(set_from_text, the_path_must_end_at_a_parameter) {
-  TEST_EQUALITY(refusal("Fluid=1"), "\"Fluid\" is a list; name a key in it");
-  TEST_EQUALITY(refusal("Fluid/density/x=1"), "Fluid: \"density\" is a parameter, not a list");
-  TEST_EQUALITY(refusal("Fluid/density"), "expected \"List/key=value\"");
-  TEST_EQUALITY(refusal("Fluid//density=1"), "a name is empty, expected \"List/key=value\"");
+  TEST_EQUALITY(refused("Fluid=1"), "\"Fluid\" is a list; name a key in it");
+  TEST_EQUALITY(refused("Fluid/density/x=1"), "Fluid: \"density\" is a parameter, not a list");
+  TEST_EQUALITY(refused("Fluid/density"), "expected \"List/key=value\"");
+  TEST_EQUALITY(refused("Fluid//density=1"), "a name is empty, expected \"List/key=value\"");
 }
 
 TEUCHOS_UNIT_TEST(set_from_text, foreign_lists_keep_their_default_and_declared_types) {
@@ -78,7 +78,7 @@ TEUCHOS_UNIT_TEST(set_from_text, foreign_lists_keep_their_default_and_declared_t
   TEST_EQUALITY(belos.sublist("Output").get<int>("Verbosity"), 3);
   TEST_EQUALITY(belos.get<double>("Tolerance"), 1e-6);
   TEST_EQUALITY(after("Belos/Tolerance=1").sublist("Belos").get<double>("Tolerance"), 1.0);
-  TEST_EQUALITY(refusal("Belos/Tolerence=1"),
+  TEST_EQUALITY(refused("Belos/Tolerence=1"),
                 "Belos: unknown key \"Tolerence\". Did you mean \"Tolerance\"?");
 }
 

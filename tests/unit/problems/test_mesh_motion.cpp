@@ -10,7 +10,7 @@ namespace {
 using namespace tunica;
 using test::SmallTube;
 
-Teuchos::ParameterList options(const std::string& method) {
+Teuchos::ParameterList solved_by(const std::string& method) {
   Teuchos::ParameterList list;
   list.sublist("Linear Solver").set("method", method);
   return test::resolved(list, problems::mesh_motion_table());
@@ -32,7 +32,7 @@ TEUCHOS_UNIT_TEST(mesh_motion, a_linear_field_on_the_whole_boundary_is_reproduce
   const SmallTube tube;
   for (const std::string method : {"cg", "direct"}) {
     problems::MeshMotion motion(
-        options(method), tube.fluid,
+        solved_by(method), tube.fluid,
         {tube.surface("inlet"), tube.surface("outlet"), tube.surface("interface")}, scheme);
     std::vector<Vec3> given(tube.fluid.n_owned), expected(tube.fluid.n_nodes());
     for (int a = 0; a < tube.fluid.n_nodes(); ++a) expected[a] = linear_field(tube.fluid.x[a]);
@@ -45,7 +45,7 @@ TEUCHOS_UNIT_TEST(mesh_motion, a_linear_field_on_the_whole_boundary_is_reproduce
 
 TEUCHOS_UNIT_TEST(mesh_motion, other_surfaces_stay_and_the_interface_moves_as_given) {
   const SmallTube tube;
-  problems::MeshMotion motion(options("cg"), tube.fluid, {tube.surface("interface")}, scheme);
+  problems::MeshMotion motion(solved_by("cg"), tube.fluid, {tube.surface("interface")}, scheme);
   std::vector<Vec3> given(tube.fluid.n_owned);
   for (int a = 0; a < tube.fluid.n_owned; ++a) given[a] = linear_field(tube.fluid.x[a]);
   TEST_ASSERT(motion.extend(given).is_success());
@@ -65,18 +65,18 @@ TEUCHOS_UNIT_TEST(mesh_motion, other_surfaces_stay_and_the_interface_moves_as_gi
 TEUCHOS_UNIT_TEST(mesh_motion, the_tolerance_asked_for_is_enough_and_no_number_is_a_failure) {
   const SmallTube tube;
   const std::vector<Vec3> given(tube.fluid.n_owned, Vec3{0.01, 0.02, 0.03});
-  Teuchos::ParameterList loose = options("cg");
+  Teuchos::ParameterList loose = solved_by("cg");
   loose.sublist("Linear Solver").set("tolerance", 1e-4);
   problems::MeshMotion coarse(loose, tube.fluid, {tube.surface("interface")}, scheme);
   TEST_ASSERT(coarse.extend(given).is_success());
-  problems::MeshMotion motion(options("cg"), tube.fluid, {tube.surface("interface")}, scheme);
+  problems::MeshMotion motion(solved_by("cg"), tube.fluid, {tube.surface("interface")}, scheme);
   const std::vector<Vec3> nowhere(tube.fluid.n_owned, Vec3{std::nan(""), 0, 0});
   TEST_ASSERT(motion.extend(nowhere).reason().find("relative residual") != std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(mesh_motion, the_old_displacement_is_that_of_the_last_accepted_step) {
   const SmallTube tube;
-  problems::MeshMotion motion(options("direct"), tube.fluid, {tube.surface("interface")}, scheme);
+  problems::MeshMotion motion(solved_by("direct"), tube.fluid, {tube.surface("interface")}, scheme);
   const std::vector<Vec3> zero(tube.fluid.n_nodes());
   const std::vector<Vec3> given(tube.fluid.n_owned, Vec3{0.01, 0.02, 0.03});
   TEST_ASSERT(motion.extend(given).is_success());
@@ -90,8 +90,8 @@ TEUCHOS_UNIT_TEST(mesh_motion, the_old_displacement_is_that_of_the_last_accepted
 
 TEUCHOS_UNIT_TEST(mesh_motion, goes_on_from_a_saved_state) {
   const SmallTube tube;
-  problems::MeshMotion motion(options("cg"), tube.fluid, {tube.surface("interface")}, scheme);
-  problems::MeshMotion other(options("cg"), tube.fluid, {tube.surface("interface")}, scheme);
+  problems::MeshMotion motion(solved_by("cg"), tube.fluid, {tube.surface("interface")}, scheme);
+  problems::MeshMotion other(solved_by("cg"), tube.fluid, {tube.surface("interface")}, scheme);
   std::vector<Vec3> given(tube.fluid.n_owned);
   for (int a = 0; a < tube.fluid.n_owned; ++a) given[a] = linear_field(tube.fluid.x[a]);
   TEST_ASSERT(motion.extend(given).is_success());
@@ -107,7 +107,7 @@ TEUCHOS_UNIT_TEST(mesh_motion, goes_on_from_a_saved_state) {
 TEUCHOS_UNIT_TEST(mesh_motion, its_discretisation_has_the_same_solution) {
   const SmallTube tube;
   discretisation::MeshMotion motion(tube.fluid);
-  problems::MeshMotion solved(options("direct"), tube.fluid, {tube.surface("interface")}, scheme);
+  problems::MeshMotion solved(solved_by("direct"), tube.fluid, {tube.surface("interface")}, scheme);
   std::vector<Vec3> given(tube.fluid.n_owned);
   for (int a = 0; a < tube.fluid.n_owned; ++a)
     if (tube.fluid.is_on(a, tube.surface("interface"))) given[a] = linear_field(tube.fluid.x[a]);

@@ -203,11 +203,11 @@ TEUCHOS_UNIT_TEST(newmark, eulers_start_is_a_step_of_implicit_euler) {
   TEST_COMPARE(norm(newmark.past(ours, 0) - euler.past(theirs, 0)), <, 1e-14);
   TEST_COMPARE(norm(newmark.inertia_load(ours, 0) - euler.inertia_load(theirs, 0)), <, 1e-13);
   const std::vector<Vec3> x{{2, 1, 5}};
-  const Vec3 v_old = theirs[0][0];
+  const Vec3 v_before = theirs[0][0];
   newmark.accept(x, ours);
   euler.accept(x, theirs);
   TEST_COMPARE(norm(ours[0][0] - theirs[0][0]), <, 1e-13);
-  TEST_COMPARE(norm(ours[1][0] - 4.0 * (theirs[0][0] - v_old)), <, 1e-12);  // a = (v − vⁿ⁻¹)/Δt
+  TEST_COMPARE(norm(ours[1][0] - 4.0 * (theirs[0][0] - v_before)), <, 1e-12);  // a = (v − vⁿ⁻¹)/Δt
 }
 
 TEUCHOS_UNIT_TEST(trapezoidal, is_of_second_order_and_begins_anew_with_euler) {

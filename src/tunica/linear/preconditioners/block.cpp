@@ -8,7 +8,7 @@ namespace tunica::linear {
 
 namespace {
 
-void check_list(const Teuchos::ParameterList& list, const std::string& path) {
+void check_block_list(const Teuchos::ParameterList& list, const std::string& path) {
   if (!list.isSublist("Stratimikos")) return;  // another preconditioner
   try {
     check_block_preconditioner(list.sublist("Stratimikos"));
@@ -17,20 +17,20 @@ void check_list(const Teuchos::ParameterList& list, const std::string& path) {
   }
 }
 
-params::Table table_of(const SolverDefaults& defaults) {
+params::Table block_table(const SolverDefaults& defaults) {
   params::Table table;
   table
       .foreign("Stratimikos", defaults.block, Teuchos::ParameterList(),
                "a Stratimikos list with a Teko preconditioner, as Trilinos users write it; our "
                "strategies in it are LU Upper, LU Lower and LU Full")
-      .check(check_list);
+      .check(check_block_list);
   return table;
 }
 
 }  // namespace
 
 PreconditionerEntry block_preconditioner() {
-  return {"block", 8.0, table_of,
+  return {"block", 8.0, block_table,
           [](const Teuchos::ParameterList& list, const algebra::BlockMatrix& K,
              const NamedOperators& operators) {
             return std::make_unique<ConcatenatedSystem<BlockPreconditioner>>(

@@ -41,7 +41,7 @@ private:
   Teuchos::RCP<multigrid::Cycle> cycle_;
 };
 
-void check_list(const Teuchos::ParameterList& list, const std::string& path) {
+void check_cycle_list(const Teuchos::ParameterList& list, const std::string& path) {
   if (!list.isSublist("MueLu")) return;  // another preconditioner
   try {
     multigrid::check_cycle_list(list.sublist("MueLu"),
@@ -51,7 +51,7 @@ void check_list(const Teuchos::ParameterList& list, const std::string& path) {
   }
 }
 
-params::Table table_of(const SolverDefaults& defaults) {
+params::Table cycle_table(const SolverDefaults& defaults) {
   params::Table table;
   table
       .choice("matrix", "merged", {"merged", "blocked"},
@@ -61,7 +61,7 @@ params::Table table_of(const SolverDefaults& defaults) {
                "a MueLu list of factories for the whole system, the unknowns of a node side by "
                "side; our factories in it are " +
                    multigrid::our_factories_text())
-      .check(check_list);
+      .check(check_cycle_list);
   return table;
 }
 
@@ -69,7 +69,7 @@ params::Table table_of(const SolverDefaults& defaults) {
 
 PreconditionerEntry cycle_preconditioner() {
   return {
-      "multigrid", 4.0, table_of,
+      "multigrid", 4.0, cycle_table,
       [](const Teuchos::ParameterList& list, const algebra::BlockMatrix& K, const NamedOperators&) {
         return std::make_unique<MergedSystem>(K, [&](const Teuchos::RCP<CrsMatrix>& A) {
           return std::make_unique<CyclePreconditioner>(list, K, A);

@@ -160,7 +160,7 @@ private:
   std::vector<std::unique_ptr<Field>> fields_;
 };
 
-void check_list(const Teuchos::ParameterList& list, const std::string& path) {
+void check_field_by_field_list(const Teuchos::ParameterList& list, const std::string& path) {
   if (!list.isSublist("Fields")) return;  // another preconditioner
   TUNICA_CHECK(list.sublist("Fields").numParams() > 0,
                path +
@@ -168,7 +168,7 @@ void check_list(const Teuchos::ParameterList& list, const std::string& path) {
                    "and interface, and \"lumen\" with the part lumen.");
 }
 
-params::Table table_of(const SolverDefaults& defaults) {
+params::Table field_by_field_table(const SolverDefaults& defaults) {
   params::Table field = inner_solver_table(defaults);
   field
       .names("parts", std::nullopt,
@@ -185,14 +185,14 @@ params::Table table_of(const SolverDefaults& defaults) {
       .entries("Fields", field,
                "what is solved for in turn, in the order of the entries; together they have all "
                "parts")
-      .check(check_list);
+      .check(check_field_by_field_list);
   return table;
 }
 
 }  // namespace
 
 PreconditionerEntry field_preconditioner() {
-  return {"field by field", 8.0, table_of,
+  return {"field by field", 8.0, field_by_field_table,
           [](const Teuchos::ParameterList& list, const algebra::BlockMatrix& K,
              const NamedOperators& operators) {
             return std::make_unique<ConcatenatedSystem<FieldSweeps>>(

@@ -45,7 +45,7 @@ private:
   Teuchos::RCP<Ifpack2::Preconditioner<Scalar, LocalOrdinal, GlobalOrdinal, Node>> factors_;
 };
 
-params::Table table_of(const SolverDefaults&) {
+params::Table ilu_table(const SolverDefaults&) {
   params::Table table;
   table.integer("fill level", 0, params::between(0, 20), "levels of fill k of ILU(k)")
       .integer("overlap", 0, params::between(0, 20), "overlap between ranks, in graph layers");
@@ -56,7 +56,7 @@ params::Table table_of(const SolverDefaults&) {
 
 PreconditionerEntry ilu_preconditioner() {
   return {
-      "ilu", 20.0, table_of,
+      "ilu", 20.0, ilu_table,
       [](const Teuchos::ParameterList& list, const algebra::BlockMatrix& K, const NamedOperators&) {
         return std::make_unique<MergedSystem>(K, [&](const Teuchos::RCP<CrsMatrix>& A) {
           return std::make_unique<IluPreconditioner>(A, list.get<int>("fill level"),

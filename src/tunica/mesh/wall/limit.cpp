@@ -19,8 +19,6 @@ constexpr double least_part = 0.05;
 constexpr double steepest = 0.3;  ///< growth of the thickness with the distance from a limit
 constexpr double least_sight = 0.25;
 
-Vec3 unit(const Vec3& a) { return (1.0 / norm(a)) * a; }
-
 /// What can be wanted where the surface itself is so rough that the thinnest wall would not have
 /// it.
 double reachable_volume(const Plan& plan, int triangle) {

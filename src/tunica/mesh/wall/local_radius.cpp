@@ -17,7 +17,7 @@ std::vector<Vec3> normals(const LumenSurface& surface) {
   for (std::size_t v = 0; v < sum.size(); ++v) {
     // At an opening triangles are on one side only: its plane knows better.
     for (const Vec3& plane : surface.planes_of[v]) sum[v] = sum[v] - dot(sum[v], plane) * plane;
-    if (norm(sum[v]) > 0.0) sum[v] = (1.0 / norm(sum[v])) * sum[v];
+    if (norm(sum[v]) > 0.0) sum[v] = unit(sum[v]);
   }
   return sum;
 }

@@ -71,8 +71,6 @@ Vec3 area_vector_of(const Mesh& mesh, const std::array<int, 3>& v) {
   return 0.5 * cross(mesh.vertices[v[1]] - a, mesh.vertices[v[2]] - a);
 }
 
-Vec3 unit(const Vec3& a) { return (1.0 / norm(a)) * a; }
-
 /// The connected pieces of the surfaces beside the wall, and the planes of those that are flat.
 class Caps {
 public:

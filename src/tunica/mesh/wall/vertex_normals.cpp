@@ -16,8 +16,6 @@ constexpr double least_visibility = 0.3;  ///< cosine; below it a direction is t
 constexpr double least_in_cap = 0.3;      ///< part of the normal in the plane of a cap
 constexpr double most_stretch = 2.0;
 
-Vec3 unit(const Vec3& a) { return (1.0 / norm(a)) * a; }
-
 /// An edge with the triangles on its sides; the second is -1 at a rim.
 struct Edge {
   std::array<int, 2> ends;
