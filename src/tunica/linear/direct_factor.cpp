@@ -5,18 +5,12 @@
 #include "tunica/base/attempt.hpp"
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/trilinos.hpp"
-#include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
 
 namespace tunica::linear {
 
-struct DirectFactor::Solver {
-  Teuchos::RCP<smoothers::SparseLu> klu2;
-};
-
-DirectFactor::DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix)
-    : matrix_(matrix), solver_(Teuchos::rcp(new Solver)) {
+DirectFactor::DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix) : matrix_(matrix) {
   set_up(*matrix_->getComm(), "the direct solver",
-         [this] { solver_->klu2 = smoothers::make_sparse_lu(matrix_); });
+         [this] { factors_ = std::make_unique<smoothers::SparseLu>(matrix_); });
 }
 
 DirectFactor::~DirectFactor() = default;
@@ -24,9 +18,9 @@ DirectFactor::~DirectFactor() = default;
 void DirectFactor::refresh() {
   const Outcome outcome = attempt(*matrix_->getComm(), "factoring a matrix", [this] {
     fault_point("direct set-up");
-    smoothers::refactor(*solver_->klu2, matrix_);
+    factors_->refactor();
   });
-  if (outcome.is_failure())  // Amesos2 tells of its source lines
+  if (outcome.is_failure())
     throw SetupFailure("the matrix is singular: are all rigid motions held, is a pressure given?");
 }
 
@@ -34,7 +28,7 @@ void DirectFactor::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp 
                          Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("DirectFactor: no transposed solve");
   MultiVector solution(Y.getMap(), Y.getNumVectors());
-  solver_->klu2->solve(&solution, &X);
+  factors_->solve(X, solution);
   Y.update(alpha, solution, beta);
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 #include "tunica/linear/setup_failure.hpp"
+#include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
 
 namespace tunica::linear {
 
-/// Sparse LU factors of a matrix by Amesos2's KLU2; the factors live on rank 0. For small
+/// Sparse LU factors of a matrix as an operator. For small
 /// systems. The graph must not change after construction.
 class DirectFactor : public Operator {
 public:
@@ -20,9 +21,8 @@ public:
   Teuchos::RCP<const Map> getRangeMap() const override;
 
 private:
-  struct Solver;
   Teuchos::RCP<const CrsMatrix> matrix_;
-  Teuchos::RCP<Solver> solver_;
+  std::unique_ptr<smoothers::SparseLu> factors_;
 };
 
 /// Solves a small nonsymmetric system on all ranks and throws std::runtime_error if the answer

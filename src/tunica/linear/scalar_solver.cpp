@@ -49,9 +49,7 @@ public:
         tolerance_(options.get<double>("tolerance")), multigrid_(make_amg(K)) {}
 
   double solve_to(double tolerance, const MultiVector& B, MultiVector& X) override {
-    // One by one: MueLu's cycle keeps work vectors that do not follow when Belos deflates.
-    for (std::size_t j = 0; j < B.getNumVectors(); ++j)
-      solve_krylov(options_, K_, multigrid_, *B.getVector(j), *X.getVectorNonConst(j), tolerance);
+    solve_krylov(options_, K_, multigrid_, B, X, tolerance);
     return relative_residual(*K_, B, X);
   }
   double tolerance() const override { return tolerance_; }

@@ -43,20 +43,13 @@ private:
 /// Sparse LU factors of S.
 class FactoredSchur final : public SchurSolver {
 public:
-  explicit FactoredSchur(const Teuchos::RCP<const CrsMatrix>& S) : S_(S), lu_(make_sparse_lu(S)) {
-    refactor(*lu_, S_);
-  }
+  explicit FactoredSchur(const Teuchos::RCP<const CrsMatrix>& S) : lu_(S) { lu_.refactor(); }
 
-  void refresh() override { refactor(*lu_, S_); }
-  void solve(const MultiVector& r, MultiVector& q) const override {
-    lu_->setX(Teuchos::rcpFromRef(q));
-    lu_->setB(Teuchos::rcpFromRef(r));
-    lu_->solve();
-  }
+  void refresh() override { lu_.refactor(); }
+  void solve(const MultiVector& r, MultiVector& q) const override { lu_.solve(r, q); }
 
 private:
-  Teuchos::RCP<const CrsMatrix> S_;
-  Teuchos::RCP<SparseLu> lu_;
+  SparseLu lu_;
 };
 
 }  // namespace

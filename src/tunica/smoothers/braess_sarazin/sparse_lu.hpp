@@ -1,17 +1,36 @@
 #pragma once
-#include <Amesos2_Solver_decl.hpp>
+#include <memory>
 
 #include "tunica/base/types.hpp"
 
 namespace tunica::smoothers {
 
-using SparseLu = Amesos2::Solver<CrsMatrix, MultiVector>;
+/// Sparse LU factors by KLU2, on rank 0; for small matrices. The rows are ordered once, new values
+/// of the same matrix are factored again. A solve is a message from each rank to rank 0 and one
+/// back, no more: Amesos2 by itself finds its maps and plans of communication anew in each, some 40
+/// collective calls.
+class SparseLu {
+public:
+  /// The numbers of the rows may have gaps; the graph must not change. Collective.
+  explicit SparseLu(const Teuchos::RCP<const CrsMatrix>& A);
+  ~SparseLu();
+  SparseLu(const SparseLu&) = delete;
+  SparseLu& operator=(const SparseLu&) = delete;
 
-/// KLU2 for the matrix, whose numbers may have gaps, with its rows ordered. Collective.
-Teuchos::RCP<SparseLu> make_sparse_lu(const Teuchos::RCP<const CrsMatrix>& A);
+  /// Factors the present values. Throws on all ranks std::bad_alloc, or std::runtime_error where
+  /// the matrix is singular. Collective.
+  void refactor();
 
-/// Numeric factors for the present values of the same matrix. Throws std::exception that tells of
-/// Amesos2's source lines where it is singular. Collective.
-void refactor(SparseLu& lu, const Teuchos::RCP<const CrsMatrix>& A);
+  /// X = A⁻¹ B, with any number of columns. Collective.
+  void solve(const MultiVector& B, MultiVector& X) const;
+
+private:
+  class Gathered;
+  class Factors;
+
+  Teuchos::RCP<const CrsMatrix> A_;
+  std::unique_ptr<Gathered> gathered_;  ///< null on one rank
+  std::unique_ptr<Factors> factors_;    ///< of all on one rank, of the gathered on rank 0, or null
+};
 
 }  // namespace tunica::smoothers

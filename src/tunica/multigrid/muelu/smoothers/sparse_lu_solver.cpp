@@ -13,24 +13,21 @@ Teuchos::RCP<const Teuchos::ParameterList> SparseLuSolver::GetValidParameterList
 }
 
 void SparseLuSolver::set_up(int, const Teuchos::RCP<::tunica::CrsMatrix>& K) {
-  matrix_ = K;
-  lu_ = smoothers::make_sparse_lu(matrix_);
+  lu_ = Teuchos::rcp(new smoothers::SparseLu(K));
   refresh();
 }
 
 void SparseLuSolver::refresh() {
   try {
-    smoothers::refactor(*lu_, matrix_);
-  } catch (const std::exception& error) {  // Amesos2 tells of its source lines
+    lu_->refactor();
+  } catch (const std::exception& error) {
     if (is_out_of_memory(error)) throw;
     throw std::runtime_error("the matrix of the coarsest level is singular.");
   }
 }
 
 void SparseLuSolver::smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const {
-  ::tunica::MultiVector solution(x.getMap(), x.getNumVectors());
-  lu_->solve(&solution, &b);
-  x.assign(solution);
+  lu_->solve(b, x);
 }
 
 Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>>

@@ -19,7 +19,6 @@ private:
   void smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const override;
 
   Teuchos::RCP<smoothers::SparseLu> lu_;
-  Teuchos::RCP<const ::tunica::CrsMatrix> matrix_;
 };
 
 }  // namespace tunica::multigrid
