@@ -15,6 +15,7 @@
 #include "tunica/base/timer.hpp"
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/linear/direct_factor.hpp"
+#include "tunica/output/traffic_report.hpp"
 #include "tunica/params/read_xml.hpp"
 
 namespace tunica::app {
@@ -55,6 +56,23 @@ void record_sizes(const Domain& domain, output::RunRecord& record) {
   if (domain.interface) record.set("sizes", "interface vertices", domain.interface->n_total());
 }
 
+/// What the rank with most of each has: what it computes, and what it gets from others.
+void record_shares(const Domain& domain, const Comm& comm, output::RunRecord& record) {
+  int owned = 0, ghosts = 0, tets = 0;
+  for (const auto* mesh : {&domain.fluid, &domain.wall}) {
+    if (!*mesh) continue;
+    owned += (*mesh)->n_owned;
+    ghosts += (*mesh)->n_nodes() - (*mesh)->n_owned;
+    tets += static_cast<int>((*mesh)->tets.size());
+  }
+  const auto put = [&](const char* what, int mine) {
+    record.set("largest share", what, static_cast<long long>(global_max(comm, mine)));
+  };
+  put("vertices", owned);
+  put("vertices of other ranks", ghosts);
+  put("tetrahedra", tets);
+}
+
 /// Empty where there are none.
 std::string about_unconverged(int steps) {
   if (steps == 0) return "";
@@ -69,6 +87,7 @@ int conclude(const Program& program, RunOutput& output, const Comm& comm,
   const Stopwatch marching;
   const Outcome outcome = work();
   output.record.add_time("march", marching.seconds());
+  output::record_traffic(output.record, output.steps_of_traffic, comm);
   if (output.restart)
     output.record.add_time("march from the first step",
                            output.restart->head.seconds + marching.seconds());
@@ -173,6 +192,7 @@ int solve(const Program& program, const CommandLine& command, const March& march
   RunOutput output({program, command, set_up}, list, comm, lock, restart);
   output.fingerprint = domain.fingerprint;
   record_sizes(domain, output.record);
+  record_shares(domain, *comm, output.record);
   for (const auto& [phase, peak] : domain.memory.phases())
     output.record.set(output::memory_section, phase, peak);
   output.record.add_time("set-up", set_up.seconds());

@@ -49,6 +49,7 @@ struct RunOutput {
   std::string parameters;          ///< the resolved case, XML
   std::string fingerprint{};       ///< of the mesh
   int unconverged_steps = 0;       ///< that were accepted
+  int steps_of_traffic = 0;        ///< behind the first of this program
   Stopwatch since_start;           ///< of the program
   std::string stopped{};           ///< why the run ends before its end; empty if it does not
 };

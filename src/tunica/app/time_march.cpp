@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/output/traffic_report.hpp"
 #include "tunica/stepping/time_function.hpp"
 #include "tunica/stepping/wall_limit.hpp"
 
@@ -188,7 +189,12 @@ StepSummary TimeMarch::make_step(const Solve& solve, RunLog& log) {
   note("failed and repeated", counts_.failed);
   note("inaccurate and repeated", counts_.inaccurate);
   output_->unconverged_steps = counts_.unconverged;
-  if (is_first) output_->record.note_memory("first step");
+  if (is_first) {
+    output_->record.note_memory("first step");
+    output::restart_traffic();
+  } else {
+    ++output_->steps_of_traffic;
+  }
   has_made_step_ = true;
   return step;
 }

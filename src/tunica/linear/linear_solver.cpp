@@ -7,6 +7,7 @@
 
 #include "tunica/algebra/merged_matrix.hpp"
 #include "tunica/base/timer.hpp"
+#include "tunica/base/traffic.hpp"
 #include "tunica/linear/action_sum.hpp"
 #include "tunica/linear/counting_operator.hpp"
 #include "tunica/linear/direct_factor.hpp"
@@ -184,6 +185,7 @@ private:
 
   void refresh(SolveReport& report) {
     const Stopwatch watch;
+    const TrafficScope scope(Work::preconditioner);
     rule_.renew();  // nothing to keep should the set-up fail
     system_->refresh_preconditioner();
     if (has_sum_inverse()) refresh_sum_inverse();
@@ -245,6 +247,7 @@ private:
   /// Iterations of one attempt.
   int iterate(SolveReport& report) {
     const Stopwatch watch;
+    const TrafficScope scope(Work::solve);
     x_.putScalar(0.0);
     KrylovOptions options = options_;
     // An old preconditioner that takes so much longer is not worth the cap of a fresh one.

@@ -1,6 +1,7 @@
 #include "tunica/problems/mesh_motion.hpp"
 
 #include "tunica/base/fault_point.hpp"
+#include "tunica/base/traffic.hpp"
 #include "tunica/discretisation/nodal_history.hpp"
 
 namespace tunica::problems {
@@ -15,6 +16,7 @@ MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMe
 
 Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
                            std::optional<double> tolerance) {
+  const TrafficScope scope(Work::mesh_motion);
   MultiVector total(mesh_->node_map, 3);
   {
     const auto view = total.getLocalViewHost(overwrite_all);
@@ -33,6 +35,7 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
 }
 
 void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vector& d) const {
+  const TrafficScope scope(Work::mesh_motion);
   MultiVector total(mesh_->node_map, 3);
   {
     const auto from = interface.getLocalViewHost(read_only);

@@ -1,0 +1,37 @@
+#pragma once
+#include <array>
+#include <set>
+
+namespace tunica {
+
+/// What a rank is at work on while it sends.
+enum class Work { other, preconditioner, solve, mesh_motion };
+constexpr int n_works = 4;
+
+/// What this rank has handed to MPI.
+struct Traffic {
+  long long messages = 0;     ///< from this rank to one other
+  long long bytes = 0;        ///< in these
+  long long collectives = 0;  ///< calls in which all ranks take part
+  std::set<int> partners{};   ///< ranks that were sent to
+};
+
+/// Of this process, by work. Counted in programs that put counters before MPI's functions
+/// (output/traffic_report.cpp); elsewhere nothing is.
+std::array<Traffic, n_works>& traffic();
+
+/// While it lives, what is sent belongs to this work.
+class TrafficScope {
+public:
+  explicit TrafficScope(Work work);
+  ~TrafficScope();
+  TrafficScope(const TrafficScope&) = delete;
+  TrafficScope& operator=(const TrafficScope&) = delete;
+
+  static Work current();
+
+private:
+  Work before_;
+};
+
+}  // namespace tunica
