@@ -11,11 +11,11 @@ namespace tunica::output::test {
 
 inline CommPtr world() { return Tpetra::getDefaultComm(); }
 
-/// A name in the working folder of its own for each number of ranks. Collective: what an
+/// A name in a folder of the build, of its own for each number of ranks. Collective: what an
 /// earlier test left there is gone on return.
 inline std::string scratch(const std::string& name) {
   const CommPtr comm = world();
-  const std::string path = "scratch_np" + std::to_string(comm->getSize()) + "/" + name;
+  const std::string path = TUNICA_TEST_SCRATCH "/np" + std::to_string(comm->getSize()) + "/" + name;
   comm->barrier();
   if (comm->getRank() == 0) std::filesystem::remove_all(path);
   comm->barrier();
