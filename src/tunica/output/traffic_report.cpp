@@ -109,6 +109,12 @@ int MPI_Gatherv(const void* mine, int n_mine, MPI_Datatype my_type, void* all, c
   return PMPI_Gatherv(mine, n_mine, my_type, all, counts, places, their_type, root, comm);
 }
 
+int MPI_Scatterv(const void* all, const int* counts, const int* places, MPI_Datatype their_type,
+                 void* mine, int n_mine, MPI_Datatype my_type, int root, MPI_Comm comm) {
+  tunica::count_collective();
+  return PMPI_Scatterv(all, counts, places, their_type, mine, n_mine, my_type, root, comm);
+}
+
 int MPI_Allgather(const void* mine, int n_mine, MPI_Datatype my_type, void* all, int n_all,
                   MPI_Datatype their_type, MPI_Comm comm) {
   tunica::count_collective();

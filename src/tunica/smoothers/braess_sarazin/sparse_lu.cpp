@@ -1,5 +1,7 @@
 #include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
 
+#include <mpi.h>
+
 #include <Amesos2.hpp>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -63,59 +65,64 @@ private:
   Teuchos::RCP<Amesos2::Solver<CrsMatrix, MultiVector>> klu2_;
 };
 
-/// The matrix on rank 0, by rows in the order of their numbers.
+/// The matrix on rank 0, its rows in the order of their numbers. What a solve sends is gathered and
+/// scattered by MPI, which needs log P messages one behind another where rank 0 alone would need P.
 class SparseLu::Gathered {
 public:
   explicit Gathered(const CrsMatrix& A)
-      : is_root_(A.getComm()->getRank() == 0), map_(all_on_root(*A.getRowMap())),
-        import_(A.getRowMap(), map_), b_(map_, 1), x_(map_, 1) {
+      : comm_(mpi_comm(*A.getComm())), is_root_(A.getComm()->getRank() == 0),
+        n_mine_(n_local_rows(A)) {
     const auto K = A.getLocalMatrixHost();
     const Map& columns = *A.getColMap();
     std::vector<int> lengths;
-    for (LocalOrdinal row = 0; row < static_cast<LocalOrdinal>(K.numRows()); ++row)
+    for (std::size_t row = 0; row < n_mine_; ++row)
       lengths.push_back(static_cast<int>(K.graph.row_map(row + 1) - K.graph.row_map(row)));
     std::vector<GlobalOrdinal> entries;
     for (std::size_t k = 0; k < K.nnz(); ++k)
       entries.push_back(columns.getGlobalElement(K.graph.entries(k)));
     const auto numbers = global_numbers(*A.getRowMap());
     rows_ = to_root(*A.getComm(), std::vector<GlobalOrdinal>(numbers.begin(), numbers.end()));
-    lengths_ = to_root(*A.getComm(), lengths);
-    entries_ = to_root(*A.getComm(), entries);
+    lengths_ = to_root(*A.getComm(), lengths).items;
+    entries_ = to_root(*A.getComm(), entries).items;
   }
 
   /// The matrix on rank 0 alone, still without values. Not collective.
   Teuchos::RCP<const CrsMatrix> make_alone() {
-    const auto n = rows_.size();
-    const auto self = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF));
-    const auto map = Teuchos::rcp(new Map(n, 0, self));
-    std::vector<std::size_t> from(n);  // where the row begins among all entries
-    std::vector<int> length(n);
-    for (std::size_t k = 0, begin = 0; k < n; begin += lengths_[k++]) {
-      const LocalOrdinal row = map_->getLocalElement(rows_[k]);
-      from[row] = begin;
-      length[row] = lengths_[k];
-    }
+    const std::size_t n = rows_.items.size();
+    std::vector<GlobalOrdinal> numbers(rows_.items);
+    std::sort(numbers.begin(), numbers.end());
+    const auto place_of = [&numbers](GlobalOrdinal number) {
+      return static_cast<LocalOrdinal>(std::lower_bound(numbers.begin(), numbers.end(), number) -
+                                       numbers.begin());
+    };
+    std::vector<std::size_t> from(n);  // where the entries of a row begin as they came
     Teuchos::ArrayRCP<std::size_t> starts(n + 1, 0);
-    for (std::size_t row = 0; row < n; ++row) starts[row + 1] = starts[row] + length[row];
+    for (std::size_t k = 0, begin = 0; k < n; begin += lengths_[k++]) {
+      row_.push_back(place_of(rows_.items[k]));
+      from[row_[k]] = begin;
+      starts[row_[k] + 1] = lengths_[k];
+    }
+    for (std::size_t row = 0; row < n; ++row) starts[row + 1] += starts[row];
     Teuchos::ArrayRCP<LocalOrdinal> columns(entries_.size());
-    Teuchos::ArrayRCP<Scalar> values(entries_.size(), 0.0);
-    places_.resize(entries_.size());
+    entry_.resize(entries_.size());
     std::vector<std::pair<LocalOrdinal, std::size_t>> sorted;
     for (std::size_t row = 0; row < n; ++row) {
       sorted.clear();
-      for (std::size_t k = from[row]; k < from[row] + length[row]; ++k)
-        sorted.emplace_back(map_->getLocalElement(entries_[k]), k);
+      for (std::size_t k = from[row]; k < from[row] + starts[row + 1] - starts[row]; ++k)
+        sorted.emplace_back(place_of(entries_[k]), k);
       std::sort(sorted.begin(), sorted.end());
       for (std::size_t k = 0; k < sorted.size(); ++k) {
         columns[starts[row] + k] = sorted[k].first;
-        places_[sorted[k].second] = starts[row] + k;
+        entry_[sorted[k].second] = starts[row] + k;
       }
     }
-    alone_ = Teuchos::rcp(new CrsMatrix(map, map, starts, columns, values));
+    const auto self = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF));
+    const auto map = Teuchos::rcp(new Map(n, 0, self));
+    alone_ = Teuchos::rcp(
+        new CrsMatrix(map, map, starts, columns, Teuchos::ArrayRCP<Scalar>(entries_.size(), 0.0)));
     alone_->expertStaticFillComplete(map, map);
-    set_columns(1);
-    rows_ = entries_ = {};
     lengths_ = {};
+    entries_ = {};
     return alone_;
   }
 
@@ -123,63 +130,78 @@ public:
   void refresh(const CrsMatrix& A) {
     const auto K = A.getLocalMatrixHost();
     const std::vector<double> values =
-        to_root(*A.getComm(), std::vector<double>(K.values.data(), K.values.data() + K.nnz()));
+        to_root(*A.getComm(), std::vector<double>(K.values.data(), K.values.data() + K.nnz()))
+            .items;
     if (!is_root_) return;
     const auto alone = alone_->getLocalMatrixHost().values;
-    for (std::size_t k = 0; k < values.size(); ++k) alone(places_[k]) = values[k];
+    for (std::size_t k = 0; k < values.size(); ++k) alone(entry_[k]) = values[k];
   }
 
   /// factors: null but on rank 0.
   void solve(const MultiVector& B, MultiVector& X, const Factors* factors) const {
-    if (b_.getNumVectors() != B.getNumVectors()) set_columns(B.getNumVectors());
-    b_.doImport(B, import_, Tpetra::REPLACE);
-    if (factors != nullptr) {
-      copy(b_, b_alone_);
-      factors->solve(b_alone_, x_alone_);
-      copy(x_alone_, x_);
-    }
-    X.doExport(x_, import_, Tpetra::REPLACE);
+    if (n_columns_ != B.getNumVectors()) set_columns(B.getNumVectors());
+    const auto n = static_cast<int>(mine_.size());
+    const auto b = B.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t i = 0, k = 0; i < n_mine_; ++i)
+      for (std::size_t j = 0; j < n_columns_; ++j) mine_[k++] = b(i, j);
+    MPI_Gatherv(mine_.data(), n, MPI_DOUBLE, all_.data(), counts_.data(), starts_.data(),
+                MPI_DOUBLE, 0, comm_);
+    if (factors != nullptr) solve_alone(*factors);
+    MPI_Scatterv(all_.data(), counts_.data(), starts_.data(), MPI_DOUBLE, mine_.data(), n,
+                 MPI_DOUBLE, 0, comm_);
+    const auto x = X.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t i = 0, k = 0; i < n_mine_; ++i)
+      for (std::size_t j = 0; j < n_columns_; ++j) x(i, j) = mine_[k++];
   }
 
 private:
   template <class Item>
-  static std::vector<Item> to_root(const Comm& comm, const std::vector<Item>& mine) {
+  static Received<Item> to_root(const Comm& comm, const std::vector<Item>& mine) {
     std::vector<int> counts(comm.getSize(), 0);
     counts[0] = static_cast<int>(mine.size());
-    return exchange(comm, mine, counts).items;
+    return exchange(comm, mine, counts);
   }
 
-  static Teuchos::RCP<const Map> all_on_root(const Map& rows) {
-    const auto mine = global_numbers(rows);
-    std::vector<GlobalOrdinal> numbers =
-        to_root(*rows.getComm(), std::vector<GlobalOrdinal>(mine.begin(), mine.end()));
-    std::sort(numbers.begin(), numbers.end());
-    return Teuchos::rcp(new Map(rows.getGlobalNumElements(), Teuchos::arrayViewFromVector(numbers),
-                                rows.getIndexBase(), rows.getComm()));
-  }
-
-  /// Of vectors on maps with the same local numbers.
-  static void copy(const MultiVector& from, MultiVector& to) {
-    const auto source = from.getLocalViewHost(Tpetra::Access::ReadOnly);
-    const auto target = to.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (std::size_t j = 0; j < from.getNumVectors(); ++j)
-      for (std::size_t i = 0; i < from.getLocalLength(); ++i) target(i, j) = source(i, j);
+  void solve_alone(const Factors& factors) const {
+    {
+      const auto b = b_.getLocalViewHost(Tpetra::Access::OverwriteAll);
+      for (std::size_t row = 0, k = 0; row < row_.size(); ++row)
+        for (std::size_t j = 0; j < n_columns_; ++j) b(row_[row], j) = all_[k++];
+    }
+    factors.solve(b_, x_);
+    const auto x = x_.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t row = 0, k = 0; row < row_.size(); ++row)
+      for (std::size_t j = 0; j < n_columns_; ++j) all_[k++] = x(row_[row], j);
   }
 
   void set_columns(std::size_t n) const {
-    for (MultiVector* x : {&b_, &x_}) *x = MultiVector(map_, n);
-    if (is_root_)
-      for (MultiVector* x : {&b_alone_, &x_alone_}) *x = MultiVector(alone_->getRowMap(), n);
+    n_columns_ = n;
+    mine_.resize(n_mine_ * n);
+    if (!is_root_) return;
+    all_.resize(row_.size() * n);
+    counts_.clear();
+    starts_.assign(1, 0);
+    for (const int count : rows_.counts) {
+      counts_.push_back(count * static_cast<int>(n));
+      starts_.push_back(starts_.back() + counts_.back());
+    }
+    for (MultiVector* x : {&b_, &x_}) *x = MultiVector(alone_->getRowMap(), n);
   }
 
+  MPI_Comm comm_;
   bool is_root_;
-  Teuchos::RCP<const Map> map_;
-  Import import_;
-  std::vector<GlobalOrdinal> rows_, entries_;  ///< as they came, until the matrix is made
-  std::vector<int> lengths_;
-  std::vector<std::size_t> places_;  ///< in the matrix, of the entries as they come
-  Teuchos::RCP<CrsMatrix> alone_;    ///< null but on rank 0
-  mutable MultiVector b_, x_, b_alone_, x_alone_;
+  std::size_t n_mine_;
+  // On rank 0, rows and entries as they come from the ranks in turn.
+  Received<GlobalOrdinal> rows_;
+  std::vector<int> lengths_;            ///< until the matrix is made, as entries_
+  std::vector<GlobalOrdinal> entries_;  ///< their columns
+  std::vector<LocalOrdinal> row_;       ///< in the matrix
+  std::vector<std::size_t> entry_;      ///< in the matrix
+  Teuchos::RCP<CrsMatrix> alone_;       ///< null on other ranks
+  mutable std::size_t n_columns_ = 0;
+  mutable std::vector<double> mine_, all_;
+  mutable std::vector<int> counts_, starts_;
+  mutable MultiVector b_, x_;
 };
 
 namespace {

@@ -6,9 +6,8 @@
 namespace tunica::smoothers {
 
 /// Sparse LU factors by KLU2, on rank 0; for small matrices. The rows are ordered once, new values
-/// of the same matrix are factored again. A solve is a message from each rank to rank 0 and one
-/// back, no more: Amesos2 by itself finds its maps and plans of communication anew in each, some 40
-/// collective calls.
+/// of the same matrix are factored again. A solve is two collective calls: Amesos2 by
+/// itself finds its maps and plans of communication anew in each, some 40 calls.
 class SparseLu {
 public:
   /// The numbers of the rows may have gaps; the graph must not change. Collective.
