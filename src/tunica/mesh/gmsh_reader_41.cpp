@@ -4,6 +4,7 @@
 #include "tunica/mesh/gmsh_reader.hpp"
 
 namespace tunica::mesh {
+
 int GmshReader::read_physical() {
   const std::size_t n = in_.count("the number of an entity's physical groups", 2);
   int physical = 0;

@@ -7,6 +7,7 @@
 #include "tunica/mesh/hdf5.hpp"
 
 namespace tunica::mesh {
+
 void write(const Mesh& mesh, const std::string& path) {
   const std::filesystem::path extension = std::filesystem::path(path).extension();
   if (extension == ".h5") return write_hdf5(mesh, path);

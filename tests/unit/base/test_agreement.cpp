@@ -1,14 +1,12 @@
 #include <Teuchos_UnitTestHarness.hpp>
-#include <Tpetra_Core.hpp>
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/session.hpp"
 
 namespace {
 
 using namespace tunica;
-
-CommPtr all_ranks() { return Tpetra::getDefaultComm(); }
 
 TEUCHOS_UNIT_TEST(agreement, silence_of_all_is_silence) {
   TEST_EQUALITY(agreed_message(*all_ranks(), ""), "");
