@@ -35,8 +35,8 @@ def main(programs, scratch, n_limits):
     status, most = peak(program, folder, work)
     verdict.claim(status == 0, f"a working one takes {most / 1e6:.0f} MB")
     statuses = []
-    for k in range(n_limits):  # the last one suffices
-        limit = least + (most - least) * (k + 1) // n_limits + (1 << 20)
+    for k in range(n_limits):  # the last one suffices: the same run takes some MB more or less each time
+        limit = least + (most - least) * (k + 1) // n_limits if k + 1 < n_limits else most + most // 4
         run = limited_run(program, folder, limit, work)
         told = [line for line in run.err.splitlines() if line.startswith("tunica")]
         print(f"{limit / 1e6:.1f} MB: status {run.status}, {run.seconds:.1f} s: {' | '.join(told)}")
