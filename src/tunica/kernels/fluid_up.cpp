@@ -72,7 +72,7 @@ struct Point {
 
 template <class Real>
 Point<Real> evaluate(const Tet4Of<Real>& T, const FluidStateOf<Real>& s, const FluidCoefficients& c,
-                     Real tau) {
+                     const Real& tau) {
   Point<Real> x;
   x.sums = tau * T.volume / (c.has_mean_residual ? 16.0 : 20.0);
   x.products = c.has_mean_residual ? 0.0 : x.sums;
@@ -101,8 +101,8 @@ Point<Real> evaluate(const Tet4Of<Real>& T, const FluidStateOf<Real>& s, const F
 }
 
 template <class Real>
-void residual_at(const Tet4Of<Real>& T, const FluidCoefficients& c, Real tau, const Point<Real>& x,
-                 MixedResidualOf<Real>& R) {
+void residual_at(const Tet4Of<Real>& T, const FluidCoefficients& c, const Real& tau,
+                 const Point<Real>& x, MixedResidualOf<Real>& R) {
   const Real V = T.volume;
   const Real m = V / 20.0;
   const Mat3Of<Real>& G = x.G;
@@ -173,7 +173,7 @@ void momentum_block(const Tet4Of<Real>& T, const FluidCoefficients& c, const Poi
 }
 
 template <class Real>
-void pressure_blocks(const Tet4Of<Real>& T, const FluidCoefficients& c, Real tau,
+void pressure_blocks(const Tet4Of<Real>& T, const FluidCoefficients& c, const Real& tau,
                      const Point<Real>& x, MixedJacobianOf<Real>& K) {
   const Real quarter_V = 0.25 * T.volume;
   const Real tau_q = tau * quarter_V;

@@ -124,7 +124,7 @@ void strain_operator(const Tet4Of<Real>& T, const Mat3Of<Real>& F, Real B[6][9])
 
 /// H = V Bᵀ D B, upper triangle by rows of three.
 template <class Real>
-void material_tangent(Real V, const Real B[6][9], const Sym3MapOf<Real>& D, Real H[9][9]) {
+void material_tangent(const Real& V, const Real B[6][9], const Sym3MapOf<Real>& D, Real H[9][9]) {
   Real DB[6][9];
   for (int I = 0; I < 6; ++I)
     for (int n = 0; n < 9; ++n) {

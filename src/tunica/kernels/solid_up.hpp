@@ -9,9 +9,8 @@ template <class Real>
 struct SolidStateOf {
   std::array<Vec3Of<Real>, 4> d;  ///< displacement [mm]
   std::array<Real, 4> p;          ///< pressure, compression positive [kPa]
-  std::array<Vec3Of<Real>, 4>
-      r;  ///< time scheme and body force f: ρ (a − f) = alpha d − r [kPa/mm]
-  Vec3Of<Real> subscale_r{};  ///< time scheme of the subscale: ρ a' = alpha d' − r' [kPa/mm]
+  std::array<Vec3Of<Real>, 4> r;  ///< ρ (a − f) = alpha d − r, f a body force [kPa/mm]
+  Vec3Of<Real> subscale_r{};      ///< time scheme of the subscale: ρ a' = alpha d' − r' [kPa/mm]
 };
 using SolidState = SolidStateOf<double>;
 inline void set_lane(SolidStateOf<Pack>& to, int lane, const SolidState& from) {

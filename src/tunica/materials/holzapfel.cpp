@@ -133,12 +133,15 @@ TUNICA_PACKED void add_packed_response(const HolzapfelConstants& c, const Sym3Of
   add_fibre_response(c, C, frame, result);
 }
 
+HolzapfelConstants constants_of(const Fibres& fibres) {
+  const double angle = fibres.angle * std::acos(-1.0) / 180.0;
+  return {fibres.k1, fibres.k2, std::cos(angle), std::sin(angle), fibres.dispersion};
+}
+
 }  // namespace
 
 Holzapfel::Holzapfel(const MooneyRivlin& matrix, const Fibres& fibres)
-    : matrix_(matrix), fibres_{
-                           fibres.k1, fibres.k2, std::cos(fibres.angle * std::acos(-1.0) / 180.0),
-                           std::sin(fibres.angle * std::acos(-1.0) / 180.0), fibres.dispersion} {}
+    : matrix_(matrix), fibres_(constants_of(fibres)) {}
 
 // The paper's 2 (c10 + k1/(2 k2)).
 double Holzapfel::stabilisation_modulus() const {
