@@ -91,27 +91,48 @@ TUNICA_PACKED void separate(const kernels::MixedJacobianOf<Pack>& Ke, const doub
     }
 }
 
-/// Where the unknowns of an element's nodes have their rows; null where other ranks have them.
-struct ElementRows {
-  double *vector[4], *scalar[4];  ///< of component 0
-  std::size_t length[4];          ///< of the vector's rows
-};
+inline void add_four(const double* from, double* to) {
+  (Pack::load(to) + Pack::load(from)).store(to);
+}
 
 /// Adds where the unknowns of a node stand side by side: places[4a + b] is where those of b begin
 /// in the rows of a.
 TUNICA_CLONES void add_side_by_side(const ElementMatrix& Ke, const ElementRows& rows,
                                     const std::int16_t* places) {
-  const auto add = [](const double* from, double* to) {
-    (Pack::load(to) + Pack::load(from)).store(to);
-  };
   for (int a = 0; a < 4; ++a) {
     if (rows.vector[a] == nullptr) continue;
     for (int b = 0; b < 4; ++b) {
       double* const row = rows.vector[a] + places[4 * a + b];
-      for (int i = 0; i < 3; ++i) add(Ke.k[a][b][i], row + i * rows.length[a]);
-      add(Ke.k[a][b][3], rows.scalar[a] + places[4 * a + b]);
+      for (int i = 0; i < 3; ++i) add_four(Ke.k[a][b][i], row + i * rows.length[a]);
+      add_four(Ke.k[a][b][3], rows.scalar[a] + places[4 * a + b]);
     }
   }
+}
+
+/// Adds where scalars may have places of their own, in the rows of a vector and of a scalar. A
+/// scalar that stands beside its vector does so in all rows.
+TUNICA_CLONES void add_apart(const ElementMatrix& Ke, const ElementRows& rows,
+                             const fields::BlockOperator::Places (&of_vector)[2],
+                             const fields::BlockOperator::Places (&of_scalar)[2]) {
+  for (int b = 0; b < 4; ++b)
+    for (int a = 0; a < 4; ++a) {
+      if (rows.vector[a] == nullptr) continue;
+      const auto& k = Ke.k[a][b];
+      double* const row = rows.vector[a] + of_vector[0](a, b);
+      double* const last = rows.scalar[a] + of_scalar[0](a, b);
+      const int apart = of_vector[1](a, b) - of_vector[0](a, b);
+      if (apart == 3) {
+        for (int i = 0; i < 3; ++i) add_four(k[i], row + i * rows.length[a]);
+        add_four(k[3], last);
+        continue;
+      }
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) row[i * rows.length[a] + j] += k[i][j];
+        row[i * rows.length[a] + apart] += k[i][3];
+      }
+      for (int j = 0; j < 3; ++j) last[j] += k[3][j];
+      rows.scalar[a][of_scalar[1](a, b)] += k[3][3];
+    }
 }
 
 kernels::MixedJacobian lane_of(const kernels::MixedJacobianOf<Pack>& Ke, int lane) {
@@ -199,16 +220,37 @@ void BlockAssembler::finish() {
   if (place_ == nullptr) K_->end_assembly();
 }
 
-void BlockAssembler::add(const PackedElements& elements, const kernels::MixedJacobianOf<Pack>& Ke) {
+void BlockAssembler::begin(const PackedElements& elements) {
+  elements_ = elements;
+  for (int lane = 0; lane < elements.n; ++lane) {
+    const std::size_t tet = tet_of(elements.number[lane]);
+    ElementRows& rows = rows_[lane];
+    rows = rows_of(tet);
+    const int n_blocks = K_->places_side_by_side(tet) != nullptr ? 1 : 2;
+    for (int block = 0; block < n_blocks; ++block) {
+      const auto of_vector = K_->places(tet, 0, block), of_scalar = K_->places(tet, 1, block);
+      for (int a = 0; a < 4; ++a) {
+        if (rows.vector[a] == nullptr) continue;
+        for (int b = 0; b < 4; ++b) {
+          const double* const row = rows.vector[a] + of_vector(a, b);
+          for (int i = 0; i < 3; ++i) __builtin_prefetch(row + i * rows.length[a], 1);
+          __builtin_prefetch(rows.scalar[a] + of_scalar(a, b), 1);
+        }
+      }
+    }
+  }
+}
+
+void BlockAssembler::add(const kernels::MixedJacobianOf<Pack>& Ke) {
   ElementMatrix K[Pack::size];
   separate(Ke, units_, K);
-  for (int lane = 0; lane < elements.n; ++lane) {
-    const std::size_t e = elements.number[lane];
+  for (int lane = 0; lane < elements_.n; ++lane) {
+    const std::size_t e = elements_.number[lane];
     if (const auto& nodes = mesh_->tets[e]; !are_free(*fixed_, nodes)) {
       if (motions_ != nullptr) motions_->collect(e, lane_of(Ke, lane));
       constrain(*fixed_, nodes, K[lane].k);
     }
-    scatter(e, K[lane]);
+    scatter(tet_of(e), rows_[lane], K[lane]);
   }
 }
 
@@ -221,9 +263,8 @@ void BlockAssembler::add(double s, const std::vector<Vec3>& w, const std::vector
   store_free(v, *fixed_, product.v[0]);
 }
 
-void BlockAssembler::scatter(std::size_t e, const ElementMatrix& Ke) {
-  const std::size_t t = place_ != nullptr ? place_->tets[e] : e;
-  const auto &nodes = K_->mesh().tets[t], &scalar_nodes = K_->mesh_of(1).tets[t];
+ElementRows BlockAssembler::rows_of(std::size_t tet) const {
+  const auto &nodes = K_->mesh().tets[tet], &scalar_nodes = K_->mesh_of(1).tets[tet];
   ElementRows rows;
   for (int a = 0; a < 4; ++a) {
     const bool is_owned = nodes[a] < K_->mesh().n_owned;
@@ -231,22 +272,14 @@ void BlockAssembler::scatter(std::size_t e, const ElementMatrix& Ke) {
     rows.scalar[a] = is_owned ? values_ + K_->rows(1).start[scalar_nodes[a]] : nullptr;
     rows.length[a] = is_owned ? K_->rows(0).length[nodes[a]] : 0;
   }
-  if (const std::int16_t* const places = K_->places_side_by_side(t))
+  return rows;
+}
+
+void BlockAssembler::scatter(std::size_t tet, const ElementRows& rows, const ElementMatrix& Ke) {
+  if (const std::int16_t* const places = K_->places_side_by_side(tet))
     return add_side_by_side(Ke, rows, places);
-  const auto uu = K_->places(t, 0, 0), up = K_->places(t, 0, 1), pu = K_->places(t, 1, 0),
-             pp = K_->places(t, 1, 1);
-  for (int a = 0; a < 4; ++a) {
-    if (rows.vector[a] == nullptr) continue;
-    for (int b = 0; b < 4; ++b) {
-      double* row = rows.vector[a];
-      for (int i = 0; i < 3; ++i, row += rows.length[a]) {
-        for (int j = 0; j < 3; ++j) row[uu(a, b) + j] += Ke.k[a][b][i][j];
-        row[up(a, b)] += Ke.k[a][b][i][3];
-      }
-      for (int j = 0; j < 3; ++j) rows.scalar[a][pu(a, b) + j] += Ke.k[a][b][3][j];
-      rows.scalar[a][pp(a, b)] += Ke.k[a][b][3][3];
-    }
-  }
+  add_apart(Ke, rows, {K_->places(tet, 0, 0), K_->places(tet, 0, 1)},
+            {K_->places(tet, 1, 0), K_->places(tet, 1, 1)});
 }
 
 void BlockAssembler::add(const fields::Face& face, const kernels::SurfaceJacobian& Ke) {

@@ -51,6 +51,12 @@ struct alignas(sizeof(Pack)) ElementMatrix {
   double k[4][4][4][4];
 };
 
+/// Where the unknowns of an element's nodes have their rows; null where other ranks have them.
+struct ElementRows {
+  double *vector[4], *scalar[4];  ///< of component 0
+  std::size_t length[4];          ///< of the vector's rows
+};
+
 /// What the Jacobian of a field is part of: that of several fields, in which the field has other
 /// numbers and units. Without place and units it is the field's own, which finish() closes.
 struct Whole {
@@ -76,7 +82,10 @@ public:
   /// Added to a larger one; products may be null where there are none.
   BlockAssembler(const Whole& whole, const fields::FieldMesh& mesh, const Constraints& fixed,
                  CommonMotions* motions, algebra::LowRank* products);
-  void add(const PackedElements& elements, const kernels::MixedJacobianOf<Pack>& Ke);
+  /// Finds the rows of the elements that add() is given next, and asks for them: their kernels take
+  /// longer than memory does.
+  void begin(const PackedElements& elements);
+  void add(const kernels::MixedJacobianOf<Pack>& Ke);
   void add(const fields::Face& face, const kernels::SurfaceJacobian& Ke);
   /// s w vᵀ on the vector unknown, given on the owned nodes.
   void add(double s, const std::vector<Vec3>& w, const std::vector<Vec3>& v);
@@ -87,7 +96,10 @@ private:
                  CommonMotions* motions, algebra::LowRank* products, double* values);
 
   int node_of(int a) const { return place_ != nullptr ? place_->nodes[a] : a; }
-  void scatter(std::size_t e, const ElementMatrix& Ke);
+  /// The tetrahedron of K's mesh that element e of the field is.
+  std::size_t tet_of(std::size_t e) const { return place_ != nullptr ? place_->tets[e] : e; }
+  ElementRows rows_of(std::size_t tet) const;
+  void scatter(std::size_t tet, const ElementRows& rows, const ElementMatrix& Ke);
   /// Of the vector unknowns at the owned nodes, in the field's units.
   Vector diagonal() const;
 
@@ -98,7 +110,9 @@ private:
   CommonMotions* motions_;
   algebra::LowRank* products_;
   double* values_;
-  double units_[2][2];  ///< of the blocks
+  double units_[2][2];             ///< of the blocks
+  PackedElements elements_{0, 1};  ///< of begin()
+  ElementRows rows_[Pack::size];   ///< theirs
   int next_product_ = 0;
 };
 

@@ -24,6 +24,7 @@ void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements
   kernels::MixedJacobianOf<Pack> Ke;
   for (std::size_t first = 0; first < mesh.tets.size(); first += Pack::size) {
     const PackedElements pack(first, mesh.tets.size());
+    if (K != nullptr) K->begin(pack);
     for (int lane = 0; lane < Pack::size; ++lane) {
       const std::size_t e = pack.number[lane];
       set_lane(T, lane, elements.geometry[e]);
@@ -34,7 +35,7 @@ void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements
       kernels::fluid_up_residual(T, s, elements.coefficients, tau, Re);
     } else {
       kernels::fluid_up_jacobian(T, s, elements.coefficients, tau, Re, Ke);
-      K->add(pack, Ke);
+      K->add(Ke);
     }
     R.add(mesh, pack, Re);
   }

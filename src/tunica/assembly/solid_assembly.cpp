@@ -54,6 +54,7 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
   kernels::MixedJacobianOf<Pack> Ke;
   for (std::size_t first = 0; first < mesh.tets.size(); first += Pack::size) {
     const PackedElements pack(first, mesh.tets.size());
+    if (K != nullptr) K->begin(pack);
     for (int lane = 0; lane < Pack::size; ++lane) {
       const std::size_t e = pack.number[lane];
       set_lane(T, lane, elements.geometry[e]);
@@ -66,7 +67,7 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
       kernels::solid_up_residual(T, s, laws, c, Re);
     } else {
       kernels::solid_up_jacobian(T, s, laws, c, Re, Ke);
-      K->add(pack, Ke);
+      K->add(Ke);
     }
     R.add(mesh, pack, Re);
   }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 #include "tunica/base/clones.hpp"
@@ -54,8 +55,16 @@ public:
   friend Pack operator*(const Pack& a, const Pack& b) { return a.v_ * b.v_; }
   friend Pack operator/(const Pack& a, const Pack& b) { return a.v_ / b.v_; }
 
+  /// Of positive numbers. A third of the exponent is within 4 %, and a step of Halley's method
+  /// leaves two thirds of the cube of an error. The library takes them one by one.
   friend Pack cbrt(const Pack& a) {
-    return {std::cbrt(a[0]), std::cbrt(a[1]), std::cbrt(a[2]), std::cbrt(a[3])};
+    Pack y{third_of_exponent(a[0]), third_of_exponent(a[1]), third_of_exponent(a[2]),
+           third_of_exponent(a[3])};
+    for (int step = 0; step < 3; ++step) {
+      const Pack cube = y * y * y;
+      y += y * ((a - cube) / (2.0 * cube + a));
+    }
+    return y;
   }
   friend Pack exp(const Pack& a) {
     return {std::exp(a[0]), std::exp(a[1]), std::exp(a[2]), std::exp(a[3])};
@@ -63,6 +72,16 @@ public:
 
 private:
   Pack(double a, double b, double c, double d) : v_{a, b, c, d} {}
+
+  /// The number of a third of the bits of a, in which the exponent stands before the digits.
+  static double third_of_exponent(double a) {
+    constexpr std::uint64_t two_thirds_of_one = 0x2A9F7893782DA1CE;
+    std::uint64_t bits;
+    std::memcpy(&bits, &a, sizeof(bits));
+    bits = bits / 3 + two_thirds_of_one;
+    std::memcpy(&a, &bits, sizeof(bits));
+    return a;
+  }
 
   Values v_;
 };

@@ -84,7 +84,8 @@ fields::BlockOperator assembled(const fields::FieldMesh& mesh, bool is_constrain
     assembly::BlockAssembler assembler(K, fixed);
     for (std::size_t e = 0; e < mesh.tets.size(); e += Pack::size) {
       const assembly::PackedElements elements(e, mesh.tets.size());
-      assembler.add(elements, element_matrices(mesh, elements));
+      assembler.begin(elements);
+      assembler.add(element_matrices(mesh, elements));
     }
     for (const auto& face : mesh.faces) assembler.add(face, face_matrix(mesh, face));
     assembler.finish();
