@@ -57,7 +57,7 @@ void check_direct_solver(const CommPtr& comm) {
   if (!(r.norm2() < 1e-12 * b.norm2()))
     throw std::runtime_error(
         "KLU2 solves a 6-by-6 system per rank wrongly: this executable was linked without "
-        "the repair in tunica/smoothers/braess_sarazin/klu2_repair.cpp (link Tunica::smoothers).");
+        "the repair in tunica/smoothers/direct/klu2_repair.cpp (link Tunica::smoothers).");
 }
 
 }  // namespace tunica::linear

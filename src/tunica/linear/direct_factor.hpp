@@ -1,6 +1,6 @@
 #pragma once
 #include "tunica/linear/setup_failure.hpp"
-#include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
+#include "tunica/smoothers/direct/sparse_lu.hpp"
 
 namespace tunica::linear {
 

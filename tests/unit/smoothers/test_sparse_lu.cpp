@@ -5,7 +5,7 @@
 
 #include "tunica/base/session.hpp"
 #include "tunica/base/trilinos.hpp"
-#include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
+#include "tunica/smoothers/direct/sparse_lu.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/smoothers/braess_sarazin/mixed_blocks.hpp"
 #include "tunica/smoothers/braess_sarazin/schur_matrix.hpp"
-#include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
+#include "tunica/smoothers/direct/sparse_lu.hpp"
 
 namespace tunica::smoothers {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "tunica/multigrid/muelu/smoothers/matrix_smoother.hpp"
-#include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
+#include "tunica/smoothers/direct/sparse_lu.hpp"
 
 namespace tunica::multigrid {
 

@@ -1,4 +1,4 @@
-#include "tunica/smoothers/braess_sarazin/sparse_lu.hpp"
+#include "tunica/smoothers/direct/sparse_lu.hpp"
 
 #include <mpi.h>
 
