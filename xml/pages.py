@@ -1,0 +1,89 @@
+"""What the scripts share that make the pages of results: where things lie, runs and what they leave, tables."""
+import csv
+import json
+import os
+import subprocess
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+# Installed, ROOT is PREFIX/share/tunica and the programs are in PREFIX/bin.
+IS_INSTALLED = not os.path.exists(os.path.join(ROOT, "CMakeLists.txt"))
+BUILT = os.path.dirname(os.path.dirname(ROOT)) if IS_INSTALLED else os.path.join(ROOT, "build", "release")
+PROGRAMS = os.path.join(BUILT, "bin")
+# Open MPI starts for root, and more ranks than cores, only where it is told to; ranks that wait give way.
+ENVIRONMENT = {"OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
+               "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_mpi_yield_when_idle": "1", **os.environ}
+
+
+def results_of(name):
+    """The folder of a page's runs, where none is given."""
+    return os.path.join("" if IS_INSTALLED else ROOT, "results", name)
+
+
+def commit():
+    """Of the sources; "unknown" where they are installed, or there is no Git."""
+    try:
+        found = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], capture_output=True, text=True,
+                               check=False)
+    except OSError:
+        return "unknown"
+    return found.stdout.strip() or "unknown"
+
+
+def processor():
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as file:
+            names = (line.split(":", 1)[1].strip() for line in file if line.startswith("model name"))
+            return next(names, "unknown")
+    except OSError:
+        return "unknown"
+
+
+def command(program, words, settings=(), ranks=1):
+    """Of a program with settings "List/key=value"."""
+    prefix = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
+    return [*prefix, program, *words] + [word for setting in settings for word in ("--set", setting)]
+
+
+def read_json(path):
+    """Nothing where the file cannot be read."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            return json.load(file)
+    except (OSError, ValueError):
+        return {}
+
+
+def record_of(folder):
+    """run.json of a run."""
+    return read_json(os.path.join(folder, "run.json"))
+
+
+def has_ended(folder, how=("done",)):
+    return record_of(folder).get("status") in how
+
+
+def keep_results(folder, is_overwritten):
+    """Stops where the folder holds a run that has not come to its end: it may have cost hours."""
+    if not is_overwritten and os.path.exists(os.path.join(folder, "run.json")):
+        raise SystemExit(f"{folder} holds a run that has not come to its end. --overwrite begins such runs anew.")
+
+
+def rows_of(path):
+    """Of a CSV file, as words; none where it cannot be read."""
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+    except OSError:
+        return []
+
+
+def columns_of(folder):
+    """Of a run's steps.csv, as numbers."""
+    rows = rows_of(os.path.join(folder, "steps.csv"))
+    return {name: [float(row[name]) for row in rows] for name in rows[0]}
+
+
+def table_text(head, rows):
+    text = "| " + " | ".join(head) + " |\n|" + "---|" * len(head) + "\n"
+    return text + "".join("| " + " | ".join(row) + " |\n" for row in rows)
