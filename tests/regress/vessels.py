@@ -7,7 +7,7 @@ import pathlib
 import sys
 import xml.etree.ElementTree as xml
 
-from runs import ROOT, Run, Verdict, command, entry, fresh, same_steps, table
+from runs import ROOT, Run, Verdict, command, entry, fresh, same_steps, table, two_at_a_time
 
 CASE = ROOT / "xml" / "vessels" / "bifurcation.xml"
 STEPS = 3
@@ -114,21 +114,23 @@ def main(programs, scratch):
         CASE, "--dry-run", "--set", "Wall/Fibre Frame/Linear Solver/max iterations=1"], 1), folder)
     verdict.claim(refused.status == 1 and "Fibre Frame" in refused.err,
                   f"--dry-run tries the directions of fibres: {refused.status} {refused.err}")
-    alone = run(verdict, programs, folder, "alone", TIGHT)
+    bend, bulge = (CASE.with_name(name + ".xml") for name in ("bend", "bulge"))
+
+    def later(output, more=(), **words):
+        return lambda: run(verdict, programs, folder, output, more, **words)
+    alone, direct, partitioned, *others = two_at_a_time([
+        later("alone", TIGHT), later("direct", DIRECT + TIGHT), later("partitioned", PARTITIONED),
+        later("bend", steps=2, case=bend), later("bulge", steps=2, case=bulge),
+        later("bend-tight", TIGHT, case=bend), later("bend-partitioned", PARTITIONED, case=bend)])
     conserves_mass(verdict, alone)
-    same_steps(verdict, "directions by a direct solver", run(verdict, programs, folder, "direct", DIRECT + TIGHT),
-               alone)
+    same_steps(verdict, "directions by a direct solver", direct, alone)
     same_steps(verdict, "3 ranks", run(verdict, programs, folder, "on-3", TIGHT, 3), alone)
-    stays_where_it_was_imaged(verdict, alone)
-    agree_across_schemes(verdict, alone, run(verdict, programs, folder, "partitioned", PARTITIONED))
+    agree_across_schemes(verdict, alone, partitioned)
     goes_on(verdict, programs, folder, alone)
-    for name in ("bend", "bulge"):
-        stays_where_it_was_imaged(verdict, run(verdict, programs, folder, name, steps=2,
-                                               case=CASE.with_name(name + ".xml")))
+    for results in (alone, *others[:2]):
+        stays_where_it_was_imaged(verdict, results)
     # The rim of its inlet, through which a flow rate is given, moves.
-    bend = CASE.with_name("bend.xml")
-    agree_across_schemes(verdict, run(verdict, programs, folder, "bend-tight", TIGHT, case=bend),
-                         run(verdict, programs, folder, "bend-partitioned", PARTITIONED, case=bend))
+    agree_across_schemes(verdict, *others[2:])
     compares_smoothers(verdict, programs, folder)
     return verdict.status()
 
