@@ -9,10 +9,11 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 IS_INSTALLED = not os.path.exists(os.path.join(ROOT, "CMakeLists.txt"))
 BUILT = os.path.dirname(os.path.dirname(ROOT)) if IS_INSTALLED else os.path.join(ROOT, "build", "release")
 PROGRAMS = os.path.join(BUILT, "bin")
-# Open MPI starts for root, and more ranks than cores, only where it is told to; ranks that wait give way.
-ENVIRONMENT = {"OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+# As cmake/setup.sh, which says why.
+ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
-               "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_mpi_yield_when_idle": "1", **os.environ}
+               "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_mpi_yield_when_idle": "1", **os.environ,
+               "OMP_NUM_THREADS": "1"}
 
 
 def results_of(name):
@@ -23,7 +24,7 @@ def results_of(name):
 def commit():
     """Of the sources; "unknown" where they are installed, or there is no Git."""
     try:
-        found = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], capture_output=True, text=True,
+        found = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short=10", "HEAD"], capture_output=True, text=True,
                                check=False)
     except OSError:
         return "unknown"
@@ -70,17 +71,19 @@ def keep_results(folder, is_overwritten):
 
 
 def rows_of(path):
-    """Of a CSV file, as words; none where it cannot be read."""
+    """Of a CSV file, as words; none where there is no file."""
     try:
         with open(path, newline="", encoding="utf-8") as file:
             return list(csv.DictReader(file))
-    except OSError:
+    except FileNotFoundError:
         return []
 
 
 def columns_of(folder):
     """Of a run's steps.csv, as numbers."""
     rows = rows_of(os.path.join(folder, "steps.csv"))
+    if not rows:
+        raise SystemExit(f"{folder} has no steps.csv with steps in it")
     return {name: [float(row[name]) for row in rows] for name in rows[0]}
 
 

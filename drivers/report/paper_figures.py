@@ -2,7 +2,6 @@
 import os
 
 from matplotlib import pyplot as plt
-from matplotlib.ticker import MaxNLocator
 
 from report import section_figures, solver_figures
 from report.canvas import Figure, positive, save

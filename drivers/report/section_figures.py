@@ -7,8 +7,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.ticker import MaxNLocator
 
 from report.canvas import Figure, colour_scale
-from report.section import (Section, apart_by_region, name_of_axis, nodal_means, norm_of, plane_through,
-                            section_axes)
+from report.section import Section, name_of_axis, norm_of, plane_through, section_axes
 
 
 def default_magnification(run, outputs):

@@ -3,13 +3,12 @@
 A process of its own, as VTK ends the one it is in where it has no display. In the folder lie jobs.json, a list of
 {"scene", "picture", "axes", "box", "width", "height"}, and for each scene a file of arrays.
 """
+import importlib
 import json
 import os
 import sys
 
 import numpy as np
-import vtkmodules.vtkInteractionStyle  # noqa: F401
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -17,6 +16,9 @@ from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkArrowSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+
+for name in ("vtkInteractionStyle", "vtkRenderingOpenGL2"):  # what VTK draws by, once they are there
+    importlib.import_module(f"vtkmodules.{name}")
 
 
 def poly_data(points, triangles=None):

@@ -10,7 +10,9 @@ from concurrent.futures import ThreadPoolExecutor
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tests"))
-from scratch import fresh  # noqa: E402, F401  of all scripts
+import scratch  # noqa: E402
+
+fresh = scratch.fresh  # of all scripts
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
                    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_btl_vader_single_copy_mechanism="none",
@@ -36,7 +38,7 @@ def command(program, words, ranks=1):
 
 def two_at_a_time(tasks):
     """What functions without arguments return, in their order. For runs on one rank, in tests that ctest gives two
-    processors since others of their runs have two ranks."""
+    processors and more, since others of their runs have as many ranks."""
     with ThreadPoolExecutor(2) as pool:
         return list(pool.map(lambda task: task(), tasks))
 

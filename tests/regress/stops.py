@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 
-from runs import ENVIRONMENT, ROOT, Run, Verdict, checkpoints, command, fresh, same_steps, table
+from runs import ENVIRONMENT, ROOT, Run, Verdict, checkpoints, command, fresh, same_steps
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
 STOPPED = 5

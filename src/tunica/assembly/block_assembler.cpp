@@ -109,8 +109,9 @@ TUNICA_CLONES void add_side_by_side(const ElementMatrix& Ke, const ElementRows& 
   }
 }
 
-/// Adds where scalars may have places of their own, in the rows of a vector and of a scalar. A
-/// scalar that stands beside its vector does so in all rows.
+/// Adds where scalars may have places of their own, in the rows of a vector and of a scalar. Rows
+/// of a scalar have no columns that those of its vector lack: what stands side by side in these
+/// does so in those.
 TUNICA_CLONES void add_apart(const ElementMatrix& Ke, const ElementRows& rows,
                              const fields::BlockOperator::Places (&of_vector)[2],
                              const fields::BlockOperator::Places (&of_scalar)[2]) {
@@ -242,6 +243,7 @@ void BlockAssembler::begin(const PackedElements& elements) {
 }
 
 void BlockAssembler::add(const kernels::MixedJacobianOf<Pack>& Ke) {
+  TUNICA_ASSERT(elements_.n > 0, "begin() comes before each add()");
   ElementMatrix K[Pack::size];
   separate(Ke, units_, K);
   for (int lane = 0; lane < elements_.n; ++lane) {
@@ -252,6 +254,7 @@ void BlockAssembler::add(const kernels::MixedJacobianOf<Pack>& Ke) {
     }
     scatter(tet_of(e), rows_[lane], K[lane]);
   }
+  elements_.n = 0;
 }
 
 void BlockAssembler::add(double s, const std::vector<Vec3>& w, const std::vector<Vec3>& v) {

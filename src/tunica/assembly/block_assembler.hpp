@@ -82,8 +82,8 @@ public:
   /// Added to a larger one; products may be null where there are none.
   BlockAssembler(const Whole& whole, const fields::FieldMesh& mesh, const Constraints& fixed,
                  CommonMotions* motions, algebra::LowRank* products);
-  /// Finds the rows of the elements that add() is given next, and asks for them: their kernels take
-  /// longer than memory does.
+  /// Finds the rows of the elements that add() is given next, once, and asks for them: their
+  /// kernels take longer than memory does.
   void begin(const PackedElements& elements);
   void add(const kernels::MixedJacobianOf<Pack>& Ke);
   void add(const fields::Face& face, const kernels::SurfaceJacobian& Ke);
@@ -111,7 +111,7 @@ private:
   algebra::LowRank* products_;
   double* values_;
   double units_[2][2];             ///< of the blocks
-  PackedElements elements_{0, 1};  ///< of begin()
+  PackedElements elements_{0, 0};  ///< of begin(), until they are added
   ElementRows rows_[Pack::size];   ///< theirs
   int next_product_ = 0;
 };

@@ -55,8 +55,8 @@ public:
   friend Pack operator*(const Pack& a, const Pack& b) { return a.v_ * b.v_; }
   friend Pack operator/(const Pack& a, const Pack& b) { return a.v_ / b.v_; }
 
-  /// Of positive numbers. A third of the exponent is within 4 %, and a step of Halley's method
-  /// leaves two thirds of the cube of an error. The library takes them one by one.
+  /// Of positive numbers, all at once, as std::cbrt does not. A third of the exponent is within 4
+  /// %, and a step of Halley's method leaves two thirds of the cube of an error.
   friend Pack cbrt(const Pack& a) {
     Pack y{third_of_exponent(a[0]), third_of_exponent(a[1]), third_of_exponent(a[2]),
            third_of_exponent(a[3])};
@@ -73,12 +73,13 @@ public:
 private:
   Pack(double a, double b, double c, double d) : v_{a, b, c, d} {}
 
-  /// The number of a third of the bits of a, in which the exponent stands before the digits.
+  /// The number of a third of the bits of a, in which the exponent stands before the digits: what
+  /// the exponent of 1 lacks then is added, a little less for the least error over all digits.
   static double third_of_exponent(double a) {
-    constexpr std::uint64_t two_thirds_of_one = 0x2A9F7893782DA1CE;
+    constexpr std::uint64_t rest_of_one = 0x2A9F7893782DA1CE;
     std::uint64_t bits;
     std::memcpy(&bits, &a, sizeof(bits));
-    bits = bits / 3 + two_thirds_of_one;
+    bits = bits / 3 + rest_of_one;
     std::memcpy(&a, &bits, sizeof(bits));
     return a;
   }

@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/assembly/block_assembler.hpp"
+#include "tunica/base/trilinos.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {
@@ -186,6 +187,56 @@ TEUCHOS_UNIT_TEST(block_assembler, agrees_with_a_dense_assembly) {
 
 TEUCHOS_UNIT_TEST(block_assembler, constrained_rows_and_columns_keep_only_what_is_left_out) {
   TEST_COMPARE(worst_product(SmallTube(), true), <, 1e-11);
+}
+
+TEUCHOS_UNIT_TEST(block_assembler, adds_to_the_scalars_of_each_part_where_they_jump) {
+  const SmallTube tube;
+  std::vector<int> part(tube.mesh.regions.size(), 0);
+  part.back() = 1;  // the outer layer
+  const auto split = fields::split_mesh(tube.wall, part);
+  const assembly::Constraints fixed(tube.wall.n_nodes());
+  fields::BlockOperator K(tube.wall, fields::mixed_blocks, split.get());
+  algebra::BlockVector x(K.space()), y(K.space());
+  for (int block = 0; block < 2; ++block) {
+    const auto numbers = global_numbers(*x[block].getMap());
+    const auto values = x[block].getLocalViewHost(overwrite_all);
+    for (int i = 0; i < numbers.size(); ++i)
+      values(i, 0) = test::scatter(7.0 * static_cast<double>(numbers[i]) + block);
+  }
+  const auto u = fields::ghosted_vectors(tube.wall, x[0]);
+  const auto p = fields::ghosted_scalars(*split, x[1]);
+  assembly::NodalResidual expected(tube.wall, split.get());  // K x element by element
+  assembly::BlockAssembler assembler(K, fixed);
+  for (std::size_t e = 0; e < tube.wall.tets.size(); e += Pack::size) {
+    const assembly::PackedElements elements(e, tube.wall.tets.size());
+    const auto Ke = element_matrices(tube.wall, elements);
+    assembler.begin(elements);
+    assembler.add(Ke);
+    kernels::MixedResidualOf<Pack> product{};
+    for (int lane = 0; lane < Pack::size; ++lane) {
+      const std::size_t number = elements.number[lane];
+      for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b) {
+          const Vec3& u_b = u[tube.wall.tets[number][b]];
+          const double p_b = p[split->tets[number][b]];
+          for (int i = 0; i < 3; ++i) {
+            double sum = product.u[a][i][lane] + Ke.B1T[a][b][i][lane] * p_b;
+            for (int j = 0; j < 3; ++j) sum += Ke.A[a][b][i][j][lane] * u_b[j];
+            product.u[a][i].set(lane, sum);
+          }
+          double sum = product.p[a][lane] + Ke.mC[a][b][lane] * p_b;
+          for (int j = 0; j < 3; ++j) sum += Ke.B2[a][b][j][lane] * u_b[j];
+          product.p[a].set(lane, sum);
+        }
+    }
+    expected.add(tube.wall, elements, product);
+  }
+  assembler.finish();
+  K.apply(x, y);
+  algebra::BlockVector sums(K.space());
+  expected.store(fixed, sums);
+  TEST_COMPARE(test::norm(sums), >, 1.0);
+  TEST_COMPARE(test::relative_difference(y, sums), <, 1e-13);
 }
 
 TEUCHOS_UNIT_TEST(nodal_residual, sums_elements_and_faces_and_stores_zeros_in_fixed_rows) {
