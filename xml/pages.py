@@ -46,6 +46,12 @@ def command(program, words, settings=(), ranks=1):
     return [*prefix, program, *words] + [word for setting in settings for word in ("--set", setting)]
 
 
+def refine(program, coarser, path, stdout=None):
+    """Makes the mesh of path from a coarser one by tunica-mesh."""
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    subprocess.run([program, "refine", coarser, path], check=True, stdout=stdout)
+
+
 def read_json(path):
     """Nothing where the file cannot be read."""
     try:

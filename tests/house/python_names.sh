@@ -7,5 +7,5 @@ if ! /usr/bin/python3 -m pyflakes --version; then
 fi
 {
   find bench cmake drivers meshes tests xml -name '*.py'
-  grep -rlE --include='*' --exclude='*.*' '^#!/usr/bin/python3' bench cmake drivers meshes xml
+  grep -rlE --exclude='*.*' '^#!/usr/bin/python3' bench cmake drivers meshes xml
 } | sort -u | xargs /usr/bin/python3 -m pyflakes
