@@ -1,6 +1,7 @@
 #include <Ifpack2_Factory.hpp>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
+#include <functional>
 #include <set>
 
 #include "tunica/base/map_of.hpp"
@@ -177,6 +178,62 @@ TEUCHOS_UNIT_TEST(node_ilu, nodes_may_lack_unknowns_or_lie_in_a_plane) {
     K->apply(x, b);
     TEST_COMPARE(largest_distance(from_zero(*K, numbering, no_limit, false, b), x), <, 1e-7);
   }
+}
+
+/// The matrix without the unknowns that are not in; or with the unit matrix in their place.
+Teuchos::RCP<CrsMatrix> without(const CrsMatrix& K, const std::function<bool(GlobalOrdinal)>& is_in,
+                                bool has_unit_rows) {
+  std::vector<GlobalOrdinal> rows;
+  for (const GlobalOrdinal row : global_numbers(*K.getRowMap()))
+    if (has_unit_rows || is_in(row)) rows.push_back(row);
+  const auto part =
+      Teuchos::rcp(new CrsMatrix(map_of(rows, K.getComm()), K.getGlobalMaxNumRowEntries()));
+  const auto local = K.getLocalMatrixHost();
+  for (const GlobalOrdinal row : rows) {
+    const auto entries = local.rowConst(K.getRowMap()->getLocalElement(row));
+    for (int k = 0; k < entries.length; ++k) {
+      const GlobalOrdinal column = K.getColMap()->getGlobalElement(entries.colidx(k));
+      const bool is_unit = row == column && !is_in(row);
+      const Scalar value = is_unit ? 1.0 : entries.value(k);
+      if (is_unit || (is_in(row) && is_in(column)))
+        part->insertGlobalValues(row, 1, &value, &column);
+    }
+  }
+  part->fillComplete();
+  return part;
+}
+
+// Every third node has a pressure alone: what is left out of its blocks must not matter.
+
+TEUCHOS_UNIT_TEST(node_ilu, a_scalar_alone_is_as_with_unit_rows_for_the_rest) {
+  const WallMatrix wall;
+  const auto is_in = [](GlobalOrdinal i) { return i % 4 == 3 || i / 4 % 3 != 0; };
+  const auto K = without(*wall.K(), is_in, false), padded = without(*wall.K(), is_in, true);
+  const Import to_padded(K->getRowMap(), padded->getRowMap());
+  const auto filled_up = [&](const Vector& part) {
+    Vector whole(padded->getRowMap());
+    whole.doImport(part, to_padded, insert);
+    return whole;
+  };
+  Vector b(K->getRowMap()), start(K->getRowMap());
+  b.doImport(wall.scattered(1), Import(wall.K()->getRowMap(), K->getRowMap()), insert);
+  start.doImport(wall.scattered(2), Import(wall.K()->getRowMap(), K->getRowMap()), insert);
+  for (const bool is_single : {false, true})
+    for (const int fill : {0, 1, 2}) {
+      const auto factors = smoothers::make_node_ilu(*K, {}, {fill, is_single});
+      const auto reference = smoothers::make_node_ilu(*padded, {}, {fill, is_single});
+      factors->refresh();
+      reference->refresh();
+      TEST_COMPARE(factors->bytes(), <, reference->bytes());
+      Vector x(start, Teuchos::Copy), expected = filled_up(start);
+      const double tolerance = is_single ? 1e-5 : 1e-11;
+      factors->smooth(0.7, b, x);
+      reference->smooth(0.7, filled_up(b), expected);
+      TEST_COMPARE(largest_distance(filled_up(x), expected), <, tolerance);
+      factors->smooth_from_zero(1.0, b, x);
+      reference->smooth_from_zero(1.0, filled_up(b), expected);
+      TEST_COMPARE(largest_distance(filled_up(x), expected), <, tolerance);
+    }
 }
 
 TEUCHOS_UNIT_TEST(node_ilu, ranks_may_have_no_rows) {

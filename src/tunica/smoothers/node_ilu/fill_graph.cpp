@@ -65,6 +65,7 @@ RowGraph with_fill(const RowGraph& graph, int level) {
         if (filled.columns[k] > pivot) row.add(filled.columns[k], row.level(pivot) + levels[k] + 1);
     row.end(filled, levels);
   }
+  filled.columns.shrink_to_fit();
   return filled;
 }
 

@@ -20,6 +20,7 @@ NodeBlocks::NodeBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering,
     rows_[place_of_row_[r]] = {&own_, static_cast<int>(r)};
   for (std::size_t r = 0; r < ghost_places_.size(); ++r)
     rows_[ghost_places_[r]] = {&other_, static_cast<int>(r)};
+  count_unknowns();
   numbers_.resize(nodes_.size());
   for (const auto& [number, node] : nodes_) numbers_[node] = number;
   group_.resize(nodes_.size());
@@ -96,6 +97,17 @@ void NodeBlocks::fetch_ghosts(const std::vector<GlobalOrdinal>& numbers) {
       Teuchos::rcp(new CrsMatrix(first.getCrsGraph()));  // Tpetra replaces only in given graphs
 }
 
+void NodeBlocks::count_unknowns() {
+  unknowns_.reserve(nodes_.size());
+  for (std::size_t first = 0; first < rows_.size(); first += width_) {
+    const Row* const row = rows_.data() + first;
+    const bool has_others = std::any_of(row, row + width_ - 1,
+                                        [](const Row& other) { return other.source != nullptr; });
+    const bool has_last = row[width_ - 1].source != nullptr;
+    unknowns_.push_back(static_cast<std::uint8_t>(has_last && !has_others ? 1 : width_));
+  }
+}
+
 void NodeBlocks::find_blocks() {
   own_.look();
   other_.look();
@@ -117,6 +129,7 @@ void NodeBlocks::find_blocks() {
     std::for_each(row, graph_.columns.end(), [&](int column) { block_of_node_[column] = -1; });
     graph_.start.push_back(graph_.columns.size());
   }
+  graph_.columns.shrink_to_fit();
 }
 
 void NodeBlocks::add_columns_of(int node) {
@@ -161,7 +174,7 @@ double NodeBlocks::bytes() const {
   return ghosts +
          static_cast<double>(sizeof(int) * n_numbers +
                              sizeof(std::size_t) * (graph_.start.size() + numbers_.size()) +
-                             sizeof(Row) * rows_.size());
+                             sizeof(Row) * rows_.size() + unknowns_.size());
 }
 
 void NodeBlocks::read(int node, double* blocks) {

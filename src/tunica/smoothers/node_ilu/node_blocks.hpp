@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
@@ -23,7 +24,10 @@ public:
 
   int n_nodes() const { return graph_.n_rows(); }
   int n_own_nodes() const { return n_own_nodes_; }
-  int width() const { return width_; }  ///< unknowns per node
+  int width() const { return width_; }  ///< unknowns per node, at most
+  /// Of each node: 1 where it has the last of them alone, width otherwise. Of a node of another
+  /// rank those count that rows of this one reach; what read() has of others means nothing.
+  const std::vector<std::uint8_t>& unknowns() const { return unknowns_; }
   /// Of nodes; the diagonal is in it.
   const RowGraph& graph() const { return graph_; }
 
@@ -65,6 +69,7 @@ private:
   void number_ghosts();
   void fetch_ghosts(const std::vector<GlobalOrdinal>& numbers);
   void find_blocks();
+  void count_unknowns();
   int place(GlobalOrdinal number);
   void add_columns_of(int node);
   void add_column(int node);
@@ -80,6 +85,7 @@ private:
   Teuchos::RCP<const Import> import_;
   Source own_, other_;
   std::vector<Row> rows_;  ///< by place
+  std::vector<std::uint8_t> unknowns_;
   RowGraph graph_;
   std::vector<int> block_of_node_;  ///< scratch: by the columns' nodes; -1 between uses
 };

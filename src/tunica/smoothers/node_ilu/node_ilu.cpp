@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,18 +18,48 @@ namespace tunica::smoothers {
 
 namespace {
 
+/// Blocks of width² values, as they are eliminated, and their parts that are kept: the rows and
+/// columns of unknowns that the nodes have, see BlockPattern. Column by column, both.
+class Parts {
+public:
+  Parts(int width, const std::vector<std::uint8_t>& unknowns)
+      : width_(width), unknowns_(unknowns.data()) {}
+
+  std::size_t size(int row, int column) const {
+    return static_cast<std::size_t>(unknowns_[row]) * unknowns_[column];
+  }
+  /// Copies what is kept of a block; returns where the next one is.
+  template <class Real>
+  Real* keep(int row, int column, const double* block, Real* kept) const {
+    for (int c = width_ - unknowns_[column]; c < width_; ++c)
+      for (int i = width_ - unknowns_[row]; i < width_; ++i)
+        *kept++ = static_cast<Real>(block[width_ * c + i]);
+    return kept;
+  }
+  /// Makes a block of what is kept of it, and zeros; returns where the next one is.
+  template <class Real>
+  const Real* fill_in(int row, int column, const Real* kept, double* block) const {
+    std::fill_n(block, width_ * width_, 0.0);
+    for (int c = width_ - unknowns_[column]; c < width_; ++c)
+      for (int i = width_ - unknowns_[row]; i < width_; ++i) block[width_ * c + i] = *kept++;
+    return kept;
+  }
+
+private:
+  int width_;
+  const std::uint8_t* unknowns_;
+};
+
 template <class Real>
 class Factors final : public NodeIlu {
 public:
   Factors(const CrsMatrix& K, const algebra::DofLayout& numbering, const NodeIluOptions& options)
-      : K_(&K), blocks_(K, numbering, options.hosts), slot_of_node_(blocks_.n_nodes(), -1) {
-    split(with_fill(blocks_.graph(), options.fill));
-    lower_values_.resize(size() * lower_.columns.size());
-    upper_values_.resize(size() * upper_.columns.size());
-    inverses_.resize(size() * blocks_.n_nodes());
+      : K_(&K), blocks_(K, numbering, options.hosts), parts_(blocks_.width(), blocks_.unknowns()),
+        slot_of_node_(blocks_.n_nodes(), -1) {
+    if (options.fill > 0) filled_ = with_fill(blocks_.graph(), options.fill);
+    make_room();
     unfilled_.resize(size() * longest_row(blocks_.graph()));
-    row_.resize(size() * (1 + longest_row(lower_) + longest_row(upper_)));
-    matrix_.resize(size() * blocks_.graph().start[blocks_.n_own_nodes()]);
+    row_.resize(size() * longest_row(graph()));
     x_.resize(static_cast<std::size_t>(blocks_.width()) * blocks_.n_nodes());
     r_.resize(x_.size());
   }
@@ -60,23 +92,33 @@ public:
   }
 
   double bytes() const override {
-    const auto n_values =
-        lower_values_.size() + upper_values_.size() + inverses_.size() + matrix_.size();
+    const auto n_values = lower_values_.size() + upper_values_.size() + matrix_.size();
+    const auto n_places = diagonal_.size() + lower_start_.size() + upper_start_.size() +
+                          matrix_start_.size() + (filled_ ? filled_->start.size() : 0);
     return static_cast<double>(sizeof(Real) * n_values + 2 * sizeof(double) * x_.size() +
-                               sizeof(int) * (lower_.columns.size() + upper_.columns.size())) +
+                               sizeof(std::size_t) * n_places +
+                               sizeof(int) * (filled_ ? filled_->columns.size() : 0)) +
            blocks_.bytes();
   }
 
 private:
   std::size_t size() const { return static_cast<std::size_t>(blocks_.width()) * blocks_.width(); }
 
+  /// Of the factors.
+  const RowGraph& graph() const { return filled_ ? *filled_ : blocks_.graph(); }
+
+  BlockPattern pattern(const RowGraph& graph, int n_nodes) const {
+    return {blocks_.width(), n_nodes, blocks_.unknowns().data(), graph.start.data(),
+            graph.columns.data()};
+  }
+
   void smooth_column(double damping, const MultiVector& b, MultiVector& x) {
     gather(b, r_);
     gather(x, x_);
     fetch_ghosts(x, x_);
     // r = b − K x
-    subtract_product({blocks_.width(), blocks_.n_own_nodes(), blocks_.graph().start.data(),
-                      blocks_.graph().columns.data(), matrix_.data()},
+    subtract_product(NodeMatrix<Real>{pattern(blocks_.graph(), blocks_.n_own_nodes()),
+                                      matrix_start_.data(), matrix_.data()},
                      x_.data(), r_.data());
     if (has_ghosts()) {
       MultiVector r(b.getMap(), 1);
@@ -88,16 +130,34 @@ private:
     add_solution(damping, x);
   }
 
-  void split(const RowGraph& graph) {
-    for (int node = 0; node < graph.n_rows(); ++node) {
-      for (std::size_t k = graph.start[node]; k < graph.start[node + 1]; ++k) {
-        const int column = graph.columns[k];
-        if (column < node) lower_.columns.push_back(column);
-        if (column > node) upper_.columns.push_back(column);
-      }
-      lower_.start.push_back(lower_.columns.size());
-      upper_.start.push_back(upper_.columns.size());
+  void make_room() {
+    std::size_t lower = 0, upper = 0, matrix = 0;
+    for (auto* places : {&diagonal_, &lower_start_, &upper_start_})
+      places->reserve(blocks_.n_nodes());
+    matrix_start_.reserve(blocks_.n_own_nodes());
+    for (int node = 0; node < blocks_.n_nodes(); ++node) {
+      const int* const first = graph().columns.data() + graph().start[node];
+      const int* const last = graph().columns.data() + graph().start[node + 1];
+      const int* const own = std::lower_bound(first, last, node);
+      diagonal_.push_back(static_cast<std::size_t>(own - graph().columns.data()));
+      lower_start_.push_back(lower);
+      upper_start_.push_back(upper);
+      for (const int* column = first; column != own; ++column) lower += parts_.size(node, *column);
+      for (const int* column = own; column != last; ++column) upper += parts_.size(node, *column);
     }
+    for (int node = 0; node < blocks_.n_own_nodes(); ++node) {
+      matrix_start_.push_back(matrix);
+      for_columns(blocks_.graph(), node, [&](int column) { matrix += parts_.size(node, column); });
+    }
+    lower_values_.resize(lower);
+    upper_values_.resize(upper);
+    matrix_.resize(matrix);
+  }
+
+  /// work(node) for the columns of a row.
+  template <class Work>
+  static void for_columns(const RowGraph& graph, int row, const Work& work) {
+    for (std::size_t k = graph.start[row]; k < graph.start[row + 1]; ++k) work(graph.columns[k]);
   }
 
   std::size_t longest_row(const RowGraph& graph) const {
@@ -110,63 +170,66 @@ private:
   /// The rows of L and U of a node; those before are known. False where its block is singular.
   bool eliminate(int node) {
     read_row(node);
-    const std::size_t first = lower_.start[node], last = lower_.start[node + 1];
+    const int* const columns = graph().columns.data();
+    const std::size_t first = graph().start[node], own = diagonal_[node],
+                      last = graph().start[node + 1];
     // K_i· ← K_i· − L_ik U_k· for the nodes k before i, then D_i⁻¹
-    for (std::size_t k = first; k < last; ++k)
-      subtract_row(lower_.columns[k], lower_values_.data() + size() * k);
-    double* const own = row_.data() + size() * (last - first);
-    const bool is_regular = invert_dense(blocks_.width(), own, scratch_);
-    std::copy_n(own, size(), inverses_.begin() + size() * node);
-    std::copy_n(own + size(), size() * (upper_.start[node + 1] - upper_.start[node]),
-                upper_values_.begin() + size() * upper_.start[node]);
-    const auto is_number = [](Real value) { return std::isfinite(value); };
-    return is_regular &&
-           std::all_of(inverses_.begin() + size() * node, inverses_.begin() + size() * (node + 1),
-                       is_number) &&
-           std::all_of(upper_values_.begin() + size() * upper_.start[node],
-                       upper_values_.begin() + size() * upper_.start[node + 1], is_number);
+    Real* lower = lower_values_.data() + lower_start_[node];
+    for (std::size_t k = first; k < own; ++k) lower = subtract_row(node, columns[k], lower);
+    const bool is_regular =
+        invert_dense(blocks_.width(), row_.data() + size() * (own - first), scratch_);
+    Real* const upper = upper_values_.data() + upper_start_[node];
+    Real* next = upper;
+    for (std::size_t k = own; k < last; ++k)
+      next = parts_.keep(node, columns[k], row_.data() + size() * (k - first), next);
+    return is_regular && std::all_of(upper, next, [](Real value) { return std::isfinite(value); });
   }
 
   /// The blocks of a node into its row in work, which has room for fill.
   void read_row(int node) {
     for (const int other : row_nodes_) slot_of_node_[other] = -1;
-    row_nodes_.assign(lower_.columns.begin() + lower_.start[node],
-                      lower_.columns.begin() + lower_.start[node + 1]);
-    row_nodes_.push_back(node);
-    row_nodes_.insert(row_nodes_.end(), upper_.columns.begin() + upper_.start[node],
-                      upper_.columns.begin() + upper_.start[node + 1]);
-    for (std::size_t k = 0; k < row_nodes_.size(); ++k)
-      slot_of_node_[row_nodes_[k]] = static_cast<int>(k);
+    row_nodes_.clear();
+    for_columns(graph(), node, [this](int column) {
+      slot_of_node_[column] = static_cast<int>(row_nodes_.size());
+      row_nodes_.push_back(column);
+    });
     std::fill_n(row_.begin(), size() * row_nodes_.size(), 0.0);
-    const RowGraph& graph = blocks_.graph();
     blocks_.read(node, unfilled_.data());
-    if (node < blocks_.n_own_nodes())
-      std::copy_n(unfilled_.begin(), size() * (graph.start[node + 1] - graph.start[node]),
-                  matrix_.begin() + size() * graph.start[node]);
-    for (std::size_t k = graph.start[node]; k < graph.start[node + 1]; ++k)
-      std::copy_n(unfilled_.begin() + size() * (k - graph.start[node]), size(),
-                  row_.begin() + size() * slot_of_node_[graph.columns[k]]);
+    const double* block = unfilled_.data();
+    Real* kept = node < blocks_.n_own_nodes() ? matrix_.data() + matrix_start_[node] : nullptr;
+    for_columns(blocks_.graph(), node, [&](int column) {
+      if (kept != nullptr) kept = parts_.keep(node, column, block, kept);
+      std::copy_n(block, size(), row_.begin() + size() * slot_of_node_[column]);
+      block += size();
+    });
   }
 
-  /// Eliminates the column of a node from the row in work: L = block · D⁻¹ of that node.
-  void subtract_row(int pivot, Real* lower) {
+  /// Eliminates the column of a node from the row of another in work: L = block · D⁻¹ of that node.
+  /// Returns where the next block of L is kept.
+  Real* subtract_row(int node, int pivot, Real* lower) {
     double inverse[16], factor[16] = {}, other[16];
-    std::copy_n(inverses_.begin() + size() * pivot, size(), inverse);
+    const Real* upper =
+        parts_.fill_in(pivot, pivot, upper_values_.data() + upper_start_[pivot], inverse);
     subtract_product(blocks_.width(), row_.data() + size() * slot_of_node_[pivot], inverse, factor);
-    for (std::size_t i = 0; i < size(); ++i) lower[i] = static_cast<Real>(factor[i] = -factor[i]);
-    for (std::size_t k = upper_.start[pivot]; k < upper_.start[pivot + 1]; ++k) {
-      const int slot = slot_of_node_[upper_.columns[k]];
-      if (slot < 0) continue;
-      std::copy_n(upper_values_.begin() + size() * k, size(), other);
+    for (std::size_t i = 0; i < size(); ++i) factor[i] = -factor[i];
+    lower = parts_.keep(node, pivot, factor, lower);
+    for (std::size_t k = diagonal_[pivot] + 1; k < graph().start[pivot + 1]; ++k) {
+      const int column = graph().columns[k], slot = slot_of_node_[column];
+      if (slot < 0) {
+        upper += parts_.size(pivot, column);
+        continue;
+      }
+      upper = parts_.fill_in(pivot, column, upper, other);
       subtract_product(blocks_.width(), factor, other, row_.data() + size() * slot);
     }
+    return lower;
   }
 
   /// x += ω U⁻¹ D⁻¹ L⁻¹ r.
   void add_solution(double damping, MultiVector& x) {
-    solve_factors({blocks_.width(), blocks_.n_nodes(), lower_.start.data(), upper_.start.data(),
-                   lower_.columns.data(), upper_.columns.data(), lower_values_.data(),
-                   upper_values_.data(), inverses_.data()},
+    solve_factors(NodeFactors<Real>{pattern(graph(), blocks_.n_nodes()), diagonal_.data(),
+                                    lower_start_.data(), upper_start_.data(), lower_values_.data(),
+                                    upper_values_.data()},
                   r_.data());
     const auto& places = blocks_.place_of_row();
     const auto to = x.getLocalViewHost(read_write);
@@ -194,9 +257,11 @@ private:
 
   const CrsMatrix* K_;
   NodeBlocks blocks_;
-  RowGraph lower_, upper_;
-  std::vector<Real> lower_values_, upper_values_, inverses_;
-  std::vector<Real> matrix_;   ///< the blocks of the own nodes
+  Parts parts_;
+  std::optional<RowGraph> filled_;
+  std::vector<std::size_t> diagonal_, lower_start_, upper_start_, matrix_start_;
+  std::vector<Real> lower_values_, upper_values_;
+  std::vector<Real> matrix_;   ///< of the own nodes
   std::vector<double> x_, r_;  ///< of smooth(): by places
   // of eliminate():
   std::vector<int> row_nodes_, slot_of_node_;

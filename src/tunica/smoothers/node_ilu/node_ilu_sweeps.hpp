@@ -1,36 +1,46 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 
 namespace tunica::smoothers {
 
-/// Triangular factors in blocks of width² values, each column by column. Of the diagonal blocks of
-/// U, the inverses.
-template <class Real>
-struct NodeFactors {
-  int width, n_nodes;
-  const std::size_t *lower_start, *upper_start;  ///< of each node's blocks
-  const int *lower_columns, *upper_columns;      ///< nodes
-  const Real *lower, *upper, *inverses;
+/// Rows of blocks between nodes. A node has width unknowns, or the last of them alone: the block of
+/// a row's and a column's node has as many rows and columns as these have unknowns. Vectors have
+/// width values for each node all the same.
+struct BlockPattern {
+  int width, n_nodes;            ///< width 2, 3 or 4; nodes that have rows
+  const std::uint8_t* unknowns;  ///< of each node: width or 1
+  const std::size_t* start;      ///< of each row's columns
+  const int* columns;            ///< nodes, ascending
 };
 
-/// x ← (L U)⁻¹ x, width values per node; width 2, 3 or 4.
-void solve_factors(const NodeFactors<float>& factors, double* x);
-void solve_factors(const NodeFactors<double>& factors, double* x);
-
-/// Blocks of a matrix row by row, each column by column.
+/// The blocks of a matrix row by row, each column by column.
 template <class Real>
 struct NodeMatrix {
-  int width, n_nodes;
-  const std::size_t* start;
-  const int* columns;
+  BlockPattern pattern;
+  const std::size_t* value_start;  ///< of each row's values
   const Real* values;
 };
 
-/// r −= K x; x has values for all columns' nodes.
+/// Triangular factors in such blocks. Of each row of U, the inverse of its diagonal block stands
+/// first.
+template <class Real>
+struct NodeFactors {
+  BlockPattern pattern;                          ///< of both together, the diagonal among them
+  const std::size_t* diagonal;                   ///< place of each node in the columns of its row
+  const std::size_t *lower_start, *upper_start;  ///< of each row's values
+  const Real *lower, *upper;
+};
+
+/// x ← (L U)⁻¹ x.
+void solve_factors(const NodeFactors<float>& factors, double* x);
+void solve_factors(const NodeFactors<double>& factors, double* x);
+
+/// r −= K x; x has values of all columns' nodes.
 void subtract_product(const NodeMatrix<float>& K, const double* x, double* r);
 void subtract_product(const NodeMatrix<double>& K, const double* x, double* r);
 
-/// C −= A B for such blocks.
+/// C −= A B for blocks of width² values.
 void subtract_product(int width, const double* A, const double* B, double* C);
 
 }  // namespace tunica::smoothers

@@ -45,6 +45,7 @@ void NodalIluSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLa
 }
 
 void NodalIluSmoother::make_factors() {
+  factors_ = nullptr;  // first: both together would not fit where one does
   factors_ = smoothers::make_node_ilu(
       *K_, numbering_,
       {fill_, GetParameterList().get<std::string>("precision") == "single", hosts()});
