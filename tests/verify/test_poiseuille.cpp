@@ -116,9 +116,10 @@ Flow flow_on(int n, const std::string& residual = "viscous",
       (section_pressure(fluid, 2.0 * R) - section_pressure(fluid, 4.0 * R)) / (2.0 * R);
   const double exact = std::acos(-1.0) * std::pow(R, 4) * G / (8.0 * viscosity);
   double volume = 0.0, h2_volume = 0.0;
-  for (const kernels::Tet4& tet : fluid.elements().geometry) {
-    volume += tet.volume;
-    h2_volume += tet.volume * std::pow(kernels::element_length(tet.volume), 2);
+  for (std::size_t e = 0; e < field.tets.size(); ++e) {
+    const double V = fluid.elements().geometry[e].volume;
+    volume += V;
+    h2_volume += V * std::pow(kernels::element_length(V), 2);
   }
   const auto [shear, spread] = developed_shear(fluid);
   return {Q / exact,

@@ -76,8 +76,9 @@ void Checkpoints::write(const TimeMarch::Place& place) {
   const output::CheckpointHead head{
       output_->fingerprint,    place.step,    place.time,         march_->fixed_step(),
       before + run_.seconds(), place.numbers, output_->parameters};
-  output::States states;
-  for (const auto& [name, part] : march_->parts()) states.emplace_back(name, part->save());
+  output::StateSources states;
+  for (const auto& [name, part] : march_->parts())
+    states.emplace_back(name, [part = part] { return part->save(); });
   const std::string& folder = output_->folder.path();
   output::write_checkpoint(output::checkpoint_path(folder, place.step), head, states, comm_);
   if (comm_->getRank() == 0)

@@ -17,7 +17,7 @@ kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh
 
 void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements,
                     const FluidFields& state, NodalResidual& R, BlockAssembler* K) {
-  kernels::Tet4Of<Pack> T;
+  std::array<Vec3Of<Pack>, 4> x;
   kernels::FluidStateOf<Pack> s;
   Pack tau;
   kernels::MixedResidualOf<Pack> Re;
@@ -27,10 +27,11 @@ void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements
     if (K != nullptr) K->begin(pack);
     for (int lane = 0; lane < Pack::size; ++lane) {
       const std::size_t e = pack.number[lane];
-      set_lane(T, lane, elements.geometry[e]);
+      set_lane(x, lane, elements.geometry.vertices(e));
       set_lane(s, lane, state_of(state, mesh, e));
       set_lane(tau, lane, elements.tau[e]);
     }
+    const auto T = kernels::make_tet4(x);
     if (K == nullptr) {
       kernels::fluid_up_residual(T, s, elements.coefficients, tau, Re);
     } else {

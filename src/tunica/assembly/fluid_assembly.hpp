@@ -1,12 +1,13 @@
 #pragma once
 #include "tunica/assembly/block_assembler.hpp"
+#include "tunica/assembly/element_geometry.hpp"
 #include "tunica/kernels/fluid_up.hpp"
 
 namespace tunica::assembly {
 
 /// The fluid's elements on the current mesh; constant during a Newton solve.
 struct FluidElements {
-  std::vector<kernels::Tet4> geometry;
+  ElementGeometry geometry;
   std::vector<double> tau;
   kernels::FluidCoefficients coefficients;
 };

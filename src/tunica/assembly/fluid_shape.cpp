@@ -21,7 +21,7 @@ void FluidShapeMatrix::begin(const FluidElements& elements, const FluidFields& s
   }
   kernels::ShapeJacobian Ke;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    const kernels::Tet4& T = elements.geometry[e];
+    const kernels::Tet4 T = elements.geometry[e];
     Vec3 c{};
     for (const int a : mesh.tets[e]) c += 0.25 * (velocity[a] - state.w[a]);
     kernels::fluid_up_shape_jacobian(

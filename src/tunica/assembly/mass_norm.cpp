@@ -9,7 +9,7 @@
 namespace tunica::assembly {
 
 double mass_norm(const fields::FieldMesh& mesh, const fields::FieldMesh& scalar_mesh,
-                 const std::vector<kernels::Tet4>& geometry, const algebra::BlockVector& x) {
+                 const ElementGeometry& geometry, const algebra::BlockVector& x) {
   const std::vector<Vec3> u = fields::ghosted_vectors(mesh, x[0]);
   const std::vector<double> p = fields::ghosted_scalars(scalar_mesh, x[1]);
   double sum = 0.0;
@@ -20,13 +20,6 @@ double mass_norm(const fields::FieldMesh& mesh, const fields::FieldMesh& scalar_
            kernels::squared_norm(V, gather(u, mesh.tets[e]));
   }
   return std::sqrt(global_sum(*mesh.comm, sum));
-}
-
-std::vector<kernels::Tet4> geometry_of(const fields::FieldMesh& mesh, const std::vector<Vec3>& x) {
-  std::vector<kernels::Tet4> geometry;
-  geometry.reserve(mesh.tets.size());
-  for (const auto& nodes : mesh.tets) geometry.push_back(kernels::make_tet4(gather(x, nodes)));
-  return geometry;
 }
 
 }  // namespace tunica::assembly

@@ -46,7 +46,7 @@ std::vector<Vec3> solid_subscales(const fields::FieldMesh& mesh, const SolidElem
 
 void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements,
                     const SolidFields& state, NodalResidual& R, BlockAssembler* K) {
-  kernels::Tet4Of<Pack> T;
+  std::array<Vec3Of<Pack>, 4> x;
   kernels::SolidStateOf<Pack> s;
   kernels::SolidCoefficientsOf<Pack> c;
   kernels::PackedLaws laws;
@@ -57,12 +57,13 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
     if (K != nullptr) K->begin(pack);
     for (int lane = 0; lane < Pack::size; ++lane) {
       const std::size_t e = pack.number[lane];
-      set_lane(T, lane, elements.geometry[e]);
+      set_lane(x, lane, elements.geometry.vertices(e));
       set_lane(s, lane, state_of(state, mesh, elements, e));
       set_lane(c, lane, elements.coefficients[e]);
       laws.laws[lane] = elements.law[e];
       if (!elements.frames.empty()) set_lane(laws.frames, lane, elements.frames[e]);
     }
+    const auto T = kernels::make_tet4(x);
     if (K == nullptr) {
       kernels::solid_up_residual(T, s, laws, c, Re);
     } else {

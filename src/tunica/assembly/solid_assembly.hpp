@@ -1,12 +1,13 @@
 #pragma once
 #include "tunica/assembly/block_assembler.hpp"
+#include "tunica/assembly/element_geometry.hpp"
 #include "tunica/kernels/solid_up.hpp"
 
 namespace tunica::assembly {
 
 /// What stays constant of the wall's elements during a run.
 struct SolidElements {
-  std::vector<kernels::Tet4> geometry;  ///< undeformed
+  ElementGeometry geometry;  ///< undeformed
   std::vector<const materials::HyperelasticLaw*> law;
   std::vector<double> density;  ///< ρ [mg/mm³]
   std::vector<kernels::SolidCoefficients> coefficients;

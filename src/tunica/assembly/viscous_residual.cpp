@@ -19,14 +19,14 @@ Sym3 strain_rate(const kernels::Tet4& T, const std::array<Vec3, 4>& u) {
 }
 
 /// ε_a = Σ_e V_e ε_e / Σ_e V_e over the elements around each vertex, on owned and ghost nodes.
-std::vector<Sym3> nodal_strain_rates(const fields::FieldMesh& mesh,
-                                     const std::vector<kernels::Tet4>& geometry,
+std::vector<Sym3> nodal_strain_rates(const fields::FieldMesh& mesh, const ElementGeometry& geometry,
                                      const std::vector<Vec3>& u) {
   std::vector<Sym3> sums(mesh.n_nodes(), Sym3{});
   std::vector<double> volumes(mesh.n_nodes(), 0.0);
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    const double V = geometry[e].volume;
-    const Sym3 rate = strain_rate(geometry[e], gather(u, mesh.tets[e]));
+    const kernels::Tet4 T = geometry[e];
+    const double V = T.volume;
+    const Sym3 rate = strain_rate(T, gather(u, mesh.tets[e]));
     for (const int a : mesh.tets[e]) {
       volumes[a] += V;
       for (int k = 0; k < 6; ++k) sums[a][k] += V * rate[k];
@@ -47,14 +47,15 @@ std::vector<Sym3> nodal_strain_rates(const fields::FieldMesh& mesh,
 
 }  // namespace
 
-std::vector<Vec3> viscous_forces(const fields::FieldMesh& mesh,
-                                 const std::vector<kernels::Tet4>& geometry, double viscosity,
-                                 const std::vector<Vec3>& u) {
+std::vector<Vec3> viscous_forces(const fields::FieldMesh& mesh, const ElementGeometry& geometry,
+                                 double viscosity, const std::vector<Vec3>& u) {
   const std::vector<Sym3> rates = nodal_strain_rates(mesh, geometry, u);
   std::vector<Vec3> forces(mesh.tets.size(), Vec3{});
-  for (std::size_t e = 0; e < forces.size(); ++e)
+  for (std::size_t e = 0; e < forces.size(); ++e) {
+    const kernels::Tet4 T = geometry[e];
     for (int a = 0; a < 4; ++a)  // div 2με = 2μ Σ_a ε_a ∇N_a
-      forces[e] += 2.0 * viscosity * kernels::apply(rates[mesh.tets[e][a]], geometry[e].grad_N[a]);
+      forces[e] += 2.0 * viscosity * kernels::apply(rates[mesh.tets[e][a]], T.grad_N[a]);
+  }
   return forces;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
-#include "tunica/fields/field_mesh.hpp"
-#include "tunica/kernels/tet4.hpp"
+#include "tunica/assembly/element_geometry.hpp"
 
 namespace tunica::assembly {
 
@@ -10,8 +9,7 @@ namespace tunica::assembly {
 ///
 /// geometry: per local element; u: velocity of local nodes. Second order inside; next to the
 /// boundary, where averages lie on one side, it does not converge. Source: [JCWS99]. Collective.
-std::vector<Vec3> viscous_forces(const fields::FieldMesh& mesh,
-                                 const std::vector<kernels::Tet4>& geometry, double viscosity,
-                                 const std::vector<Vec3>& u);
+std::vector<Vec3> viscous_forces(const fields::FieldMesh& mesh, const ElementGeometry& geometry,
+                                 double viscosity, const std::vector<Vec3>& u);
 
 }  // namespace tunica::assembly

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "tunica/assembly/gather.hpp"
-#include "tunica/assembly/mass_norm.hpp"
 #include "tunica/assembly/viscous_residual.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
@@ -36,7 +35,7 @@ Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
                           [this] { return assembly::fluid_subscales(*mesh_, elements_, local_); });
   if (options_.has_viscous_residual)
     viscous_ = remember("viscous force", [this] { return viscous_forces(); });
-  elements_.geometry = assembly::geometry_of(mesh, mesh.x);
+  elements_.geometry = assembly::ElementGeometry(mesh, position_);
   find_open_surfaces();
   // Without an open surface the pressure is known up to a constant: pin it at the node with the
   // smallest vertex, the same on any ranks.
@@ -91,7 +90,6 @@ Outcome Fluid::set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d
     position_[a] = mesh_->x[a] + d[a];
     local_.w[a] = scheme_->rate() * (d[a] - d_past[a]);  // w = (d − d̃)/Δt
   }
-  elements_.geometry = assembly::geometry_of(*mesh_, position_);
   return check_volumes(*mesh_, elements_.geometry);
 }
 
@@ -170,8 +168,9 @@ void Fluid::fix_pressure_level(algebra::BlockVector& x) const {
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
     if (!mesh_->is_owned[e]) continue;
     const auto at = assembly::gather(p, mesh_->tets[e]);
-    volume += elements_.geometry[e].volume;
-    integral += 0.25 * elements_.geometry[e].volume * (at[0] + at[1] + at[2] + at[3]);
+    const double V = elements_.geometry[e].volume;
+    volume += V;
+    integral += 0.25 * V * (at[0] + at[1] + at[2] + at[3]);
   }
   const double mean = global_sum(*mesh_->comm, integral) / global_sum(*mesh_->comm, volume);
   const auto values = x[1].getLocalViewHost(read_write);

@@ -79,7 +79,7 @@ private:
   void check_closed_flow(const algebra::BlockVector& x) const;
   void read(const algebra::BlockVector& x) override;
   void assemble(assembly::BlockAssembler* K) override;
-  const std::vector<kernels::Tet4>& geometry() const override { return elements_.geometry; }
+  const assembly::ElementGeometry& geometry() const override { return elements_.geometry; }
   void observe_volume(const assembly::FluidFields& state, Observables& found) const;
   /// Of the values read, on one surface and this rank.
   struct SurfaceSums {

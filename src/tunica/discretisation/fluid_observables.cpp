@@ -37,7 +37,7 @@ void Fluid::observe_volume(const assembly::FluidFields& state, Observables& foun
   double volume = 0.0, kinetic = 0.0, viscous = 0.0, divergence = 0.0;
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
     if (!mesh_->is_owned[e]) continue;
-    const kernels::Tet4& T = elements_.geometry[e];
+    const kernels::Tet4 T = elements_.geometry[e];
     const auto u = assembly::gather(state.u, mesh_->tets[e]);
     volume += T.volume;
     kinetic += 0.5 * options_.density * kernels::squared_norm(T.volume, u);
@@ -129,7 +129,7 @@ boundary::NodalShares Fluid::tractions() const {
     const Vec3 n = kernels::area_normal(assembly::gather(position_, face.nodes));
     const auto p = assembly::gather(local_.p, face.nodes);
     const auto u = assembly::gather(local_.u, mesh_->tets[face.tet]);
-    const auto& grad_N = elements_.geometry[face.tet].grad_N;
+    const auto grad_N = elements_.geometry[face.tet].grad_N;
     Vec3 viscous{};  // −2μ ε n
     for (int a = 0; a < 4; ++a)
       viscous += -options_.viscosity * (dot(grad_N[a], n) * u[a] + dot(u[a], n) * grad_N[a]);

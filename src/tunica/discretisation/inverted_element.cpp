@@ -35,14 +35,15 @@ Outcome check_inversion(const fields::FieldMesh& mesh, double smallest, int elem
   return Outcome::failure(text.str());
 }
 
-Outcome check_volumes(const fields::FieldMesh& mesh, const std::vector<kernels::Tet4>& geometry) {
+Outcome check_volumes(const fields::FieldMesh& mesh, const assembly::ElementGeometry& geometry) {
   double smallest = 1.0;
   int worst = -1;
-  for (std::size_t e = 0; e < geometry.size() && !std::isnan(smallest); ++e)
-    if (worst < 0 || !(geometry[e].volume >= smallest)) {
-      smallest = geometry[e].volume;
-      worst = static_cast<int>(e);
-    }
+  for (std::size_t e = 0; e < geometry.size() && !std::isnan(smallest); ++e) {
+    const double volume = geometry[e].volume;
+    if (worst >= 0 && volume >= smallest) continue;
+    smallest = volume;
+    worst = static_cast<int>(e);
+  }
   return check_inversion(mesh, smallest, worst, "volume in mm^3");
 }
 

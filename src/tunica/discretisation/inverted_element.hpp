@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
+#include "tunica/assembly/element_geometry.hpp"
 #include "tunica/base/outcome.hpp"
 #include "tunica/fields/field_mesh.hpp"
-#include "tunica/kernels/tet4.hpp"
 
 namespace tunica::discretisation {
 
@@ -14,6 +14,6 @@ Outcome check_inversion(const fields::FieldMesh& mesh, double smallest, int elem
                         const std::string& measure);
 
 /// The same for the volumes of elements [mm³], one for each local tetrahedron.
-Outcome check_volumes(const fields::FieldMesh& mesh, const std::vector<kernels::Tet4>& geometry);
+Outcome check_volumes(const fields::FieldMesh& mesh, const assembly::ElementGeometry& geometry);
 
 }  // namespace tunica::discretisation

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tunica/assembly/mass_norm.hpp"
+#include "tunica/assembly/element_geometry.hpp"
 #include "tunica/assembly/scalar_matrix.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/kernels/energy.hpp"
@@ -84,7 +84,7 @@ void MeshMotion::assemble_jacobian(const algebra::BlockVector&) {
 double MeshMotion::mass_norm(const algebra::BlockVector& dx) const {
   const fields::FieldMesh& mesh = extension_.mesh();
   const std::vector<Vec3> d = fields::ghosted_vectors(mesh, dx[0]);
-  const std::vector<kernels::Tet4> geometry = assembly::geometry_of(mesh, mesh.x);
+  const assembly::ElementGeometry geometry(mesh, mesh.x);
   double sum = 0.0;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e)
     if (mesh.is_owned[e])

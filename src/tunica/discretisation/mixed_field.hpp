@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "tunica/assembly/common_motion.hpp"
+#include "tunica/assembly/element_geometry.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/boundary/surface_terms.hpp"
 #include "tunica/discretisation/discretisation.hpp"
@@ -77,7 +78,7 @@ protected:
   using ElementValues = std::function<std::vector<Vec3>()>;
   ElementHistory* remember(const std::string& name, ElementValues values);
   /// The elements on which masses are taken.
-  virtual const std::vector<kernels::Tet4>& geometry() const = 0;
+  virtual const assembly::ElementGeometry& geometry() const = 0;
 
   const fields::FieldMesh* mesh_;
   std::unique_ptr<fields::SplitMesh> split_;

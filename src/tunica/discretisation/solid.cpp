@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "tunica/assembly/gather.hpp"
-#include "tunica/assembly/mass_norm.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/discretisation/inverted_element.hpp"
 #include "tunica/discretisation/layer_boundary.hpp"
@@ -58,7 +57,9 @@ void Solid::set_elements() {
     const auto found = std::find(mesh_->regions.begin(), mesh_->regions.end(), layer.region);
     layer_of_region_[found - mesh_->regions.begin()] = static_cast<int>(l);
   }
-  elements_.geometry = assembly::geometry_of(*mesh_, mesh_->x);
+  elements_.geometry = assembly::ElementGeometry(*mesh_, mesh_->x);
+  elements_.law.reserve(mesh_->tets.size());
+  elements_.density.reserve(mesh_->tets.size());
   for (const int region : mesh_->region) {
     elements_.law.push_back(laws_[layer_of_region_[region]].get());
     elements_.density.push_back(options_.layers[layer_of_region_[region]].density);
@@ -86,10 +87,10 @@ materials::Frame pulled_back(const materials::Frame& frame, const Mat3& F) {
 Outcome Solid::set_stress_free(const std::vector<Vec3>& from_stress_free) {
   std::vector<Vec3> X(mesh_->x);
   for (std::size_t a = 0; a < X.size(); ++a) X[a] += -1.0 * from_stress_free[a];
-  std::vector<kernels::Tet4> geometry = assembly::geometry_of(*mesh_, X);
-  const Outcome outcome = check_volumes(*mesh_, geometry);
+  const Outcome outcome = check_volumes(*mesh_, assembly::ElementGeometry(*mesh_, X));
   if (outcome.is_failure()) return outcome.at("the wall where it is free of stress");
-  elements_.geometry = std::move(geometry);
+  stress_free_position_ = std::move(X);
+  elements_.geometry = assembly::ElementGeometry(*mesh_, stress_free_position_);
   from_stress_free_ = from_stress_free;
   for (std::size_t e = 0; e < frames_.size(); ++e) {
     const auto F = kernels::deformation_gradient(

@@ -84,7 +84,7 @@ private:
   void read(const algebra::BlockVector& x) override;
   Outcome is_admissible() const override;
   void assemble(assembly::BlockAssembler* K) override;
-  const std::vector<kernels::Tet4>& geometry() const override { return elements_.geometry; }
+  const assembly::ElementGeometry& geometry() const override { return elements_.geometry; }
 
   SolidOptions options_;
   std::vector<std::unique_ptr<materials::HyperelasticLaw>> laws_;  ///< per layer
@@ -99,8 +99,9 @@ private:
   std::vector<Vec3> d_, v_;              ///< displacement from the mesh there, and velocity
   std::vector<Vec3> past_;               ///< of the displacement, local nodes
   std::vector<Vec3> from_stress_free_;
-  std::vector<materials::Frame> frames_;  ///< in the mesh; those of the elements are where it is
-                                          ///< free of stress
+  std::vector<Vec3> stress_free_position_;  ///< X; empty where it is that of the mesh
+  std::vector<materials::Frame> frames_;    ///< in the mesh; those of the elements are where it is
+                                            ///< free of stress
   std::vector<Vec3> nodal_force_;
   boundary::VectorField body_force_;
   double time_ = 0.0;

@@ -51,21 +51,20 @@ Observables Solid::observe(const algebra::BlockVector& x) const {
     auto de = assembly::gather(d, mesh_->tets[e]);
     const auto before = assembly::gather(from_stress_free_, mesh_->tets[e]);
     for (int a = 0; a < 4; ++a) de[a] += before[a];  // D
-    const double J = kernels::solid_jacobian_determinant(elements_.geometry[e], de);
+    const kernels::Tet4 T = elements_.geometry[e];
+    const double J = kernels::solid_jacobian_determinant(T, de);
     s.low_J = std::min(s.low_J, J);
     s.high_J = std::max(s.high_J, J);
     if (!mesh_->is_owned[e]) continue;
     const auto pe = assembly::gather(p, scalar_mesh().tets[e]);
-    const double V = elements_.geometry[e].volume;
-    const Sym3 C =
-        kernels::right_cauchy_green(kernels::deformation_gradient(elements_.geometry[e], de));
+    const double V = T.volume;
+    const Sym3 C = kernels::right_cauchy_green(kernels::deformation_gradient(T, de));
     s.elastic += V * elements_.law[e]->energy(C, elements_.frame(e));
     s.volumetric += 0.5 * elements_.coefficients[e].inv_kappa * kernels::squared_norm(V, pe);
     s.kinetic += 0.5 * elements_.density[e] *
                  kernels::squared_norm(V, assembly::gather(velocity(), mesh_->tets[e]));
     if (subscales_ && is_nearly_incompressible(e))
-      s.stabilisation +=
-          kernels::subscale_power(elements_.geometry[e], de, pe, subscales_->history()[0][e]);
+      s.stabilisation += kernels::subscale_power(T, de, pe, subscales_->history()[0][e]);
   }
   Observables found{{"max_displacement_wall_mm", global_max(comm, s.displacement)},
                     {"min_det_F", global_min(comm, s.low_J)},

@@ -308,6 +308,7 @@ void BlockOperator::find_element_places(const Graphs& graphs,
       for (int column = 0; column < n_blocks(); ++column)
         more_places_.push_back(places_of(e, row, column));
   }
+  more_places_.shrink_to_fit();
 }
 
 int BlockOperator::place(int row, int column) const {

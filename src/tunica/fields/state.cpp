@@ -1,5 +1,7 @@
 #include "tunica/fields/state.hpp"
 
+#include <algorithm>
+
 #include "tunica/base/error.hpp"
 #include "tunica/fields/split_mesh.hpp"
 
@@ -85,6 +87,7 @@ std::vector<Vec3> ghosted_rows(const State::Array& rows, const FieldMesh& mesh) 
 
 State::Array element_rows_of(const std::vector<Vec3>& values, const FieldMesh& mesh) {
   State::Array rows{3, {}};
+  rows.values.reserve(3 * std::count(mesh.is_owned.begin(), mesh.is_owned.end(), 1));
   for (std::size_t e = 0; e < mesh.tets.size(); ++e)
     if (mesh.is_owned[e]) rows.values.insert(rows.values.end(), values[e].begin(), values[e].end());
   return rows;

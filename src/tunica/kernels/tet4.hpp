@@ -19,7 +19,25 @@ inline void set_lane(Tet4Of<Pack>& to, int lane, const Tet4& from) {
 }
 
 /// Geometry from the four vertices; the caller checks the sign of the volume.
-Tet4 make_tet4(const std::array<Vec3, 4>& x);
+///
+/// ∇N_a = n_a / (−3 V), n_a the outward area normal of the face opposite to a. The first is minus
+/// the sum of the others, so that constants have no gradient.
+template <class Real>
+inline Tet4Of<Real> make_tet4(const std::array<Vec3Of<Real>, 4>& x) {
+  const Vec3Of<Real> e1 = x[1] - x[0];
+  const Vec3Of<Real> e2 = x[2] - x[0];
+  const Vec3Of<Real> e3 = x[3] - x[0];
+  const Vec3Of<Real> n1 = cross(e2, e3);
+  const Real six_V = dot(e1, n1);
+  const Real scale = 1.0 / six_V;
+  Tet4Of<Real> T;
+  T.volume = six_V / 6.0;
+  T.grad_N[1] = scale * n1;
+  T.grad_N[2] = scale * cross(e3, e1);
+  T.grad_N[3] = scale * cross(e1, e2);
+  T.grad_N[0] = -1.0 * (T.grad_N[1] + T.grad_N[2] + T.grad_N[3]);
+  return T;
+}
 
 /// Element length h = (6√2 V)^(1/3), the edge of the regular tetrahedron of equal volume.
 double element_length(double volume);

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -25,8 +26,9 @@ constexpr const char* checkpoint_format = "tunica-checkpoint 2";
 /// Under which the numbers of the control stand among those of the part "run".
 constexpr const char* control_prefix = "control ";
 
-/// The states of a run's parts ("fluid", "coupling"), by name.
-using States = std::vector<std::pair<std::string, fields::State>>;
+/// The parts of a run ("fluid", "coupling") by name, and what makes their states: the same whenever
+/// it is asked, on all ranks.
+using StateSources = std::vector<std::pair<std::string, std::function<fields::State()>>>;
 
 /// Writes a checkpoint file, HDF5:
 ///
@@ -41,9 +43,11 @@ using States = std::vector<std::pair<std::string, fields::State>>;
 ///
 /// Names are "`<part>/<name>`"; what the head has is of the part "run". The rows stand in any
 /// order. A file of that name appears complete and on the disk, or not at all: until then it has
-/// the ending ".tmp". Collective. Throws MachineFault on all ranks if the disk refuses.
-void write_checkpoint(const std::string& path, const CheckpointHead& head, const States& states,
-                      const CommPtr& comm);
+/// the ending ".tmp". Each state is made twice, and there is one at a time: together they would
+/// take as much as a tenth of a run. Collective. Throws MachineFault on all ranks if the disk
+/// refuses.
+void write_checkpoint(const std::string& path, const CheckpointHead& head,
+                      const StateSources& parts, const CommPtr& comm);
 
 /// A checkpoint file. Every failure is an Error that begins with the path.
 class CheckpointFile {

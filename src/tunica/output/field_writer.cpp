@@ -55,16 +55,14 @@ std::string misfit(const Grid& grid, long long points_total) {
   return "";
 }
 
-/// From xx, yy, zz, xy, yz, zx to xx, xy, xz, yy, yz, zz.
-std::vector<double> in_xdmf_order(const std::vector<double>& values) {
-  constexpr std::array<int, 6> source{0, 3, 5, 1, 4, 2};
-  std::vector<double> sorted(values.size());
-  for (std::size_t row = 0; row < values.size() / 6; ++row) {
-    for (std::size_t i = 0; i < 6; ++i) {
-      sorted[6 * row + i] = values[6 * row + static_cast<std::size_t>(source[i])];
-    }
+/// From xx, yy, zz, xy, yz, zx to xx, xy, xz, yy, yz, zz, where an array has tensors.
+void bring_into_xdmf_order(Array& array) {
+  if (array.components != 6) return;
+  for (std::size_t row = 0; row + 6 <= array.values.size(); row += 6) {
+    const double* const t = array.values.data() + row;
+    const std::array<double, 6> sorted{t[0], t[3], t[5], t[1], t[4], t[2]};
+    std::copy(sorted.begin(), sorted.end(), array.values.data() + row);
   }
-  return sorted;
 }
 
 void write_array(io::Hdf5File& file, const std::string& group, io::Hdf5File::Rows rows,
@@ -72,7 +70,6 @@ void write_array(io::Hdf5File& file, const std::string& group, io::Hdf5File::Row
   rows.columns = array.components;
   std::vector<double> values;
   const std::vector<double>* chosen = &array.values;
-  if (array.components == 6) chosen = &(values = in_xdmf_order(*chosen));
   if (order != nullptr) chosen = &(values = (*order)(*chosen, array.components));
   file.write(group + "/" + array.name, rows, chosen->data());
 }
@@ -216,6 +213,8 @@ void FieldWriter::write(int step, double time, const std::string& grid,
     complaint_ = "field output: there is no grid \"" + grid + "\"";
     return;
   }
+  for (std::vector<Array>* arrays : {&point_data, &cell_data})
+    for (Array& array : *arrays) bring_into_xdmf_order(array);
   Block block{*shape, std::move(point_data), std::move(cell_data)};
   if (complaint_.empty()) complaint_ = complaint(step, time, block);
   step_ = step;

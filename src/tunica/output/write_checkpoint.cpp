@@ -15,11 +15,10 @@ namespace {
 
 using Sums = std::vector<unsigned long long>;
 
-/// Checksums of all arrays over all ranks, in their order.
-Sums checksums(const States& states, const Comm& comm) {
+/// Checksums of the arrays over all ranks, in their order.
+Sums checksums(const fields::State& state, const Comm& comm) {
   Sums mine;
-  for (const auto& [part, state] : states)
-    for (const auto& [name, rows] : state.arrays) mine.push_back(checksum(state.vertices, rows));
+  for (const auto& [name, rows] : state.arrays) mine.push_back(checksum(state.vertices, rows));
   Sums total(mine.size());
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
                      total.data());
@@ -62,8 +61,9 @@ struct Contents {
       number_counts.push_back(static_cast<int>(values.size()));
       numbers.insert(numbers.end(), values.begin(), values.end());
     }
+    std::size_t k = 0;
     for (const auto& [name, rows] : state.arrays) {
-      array_checksums.push_back(hash_digits(sums[array_names.size()]));
+      array_checksums.push_back(hash_digits(sums[k++]));
       array_names.push_back(part + "/" + name);
       array_columns.push_back(rows.columns);
     }
@@ -99,25 +99,25 @@ io::Hdf5File::Rows rows_of_rank(const fields::State& state, const Comm& comm) {
   return {total, up_to_here - mine, mine, 1};
 }
 
-/// Adds the arrays. Room for them is taken first, see Hdf5File.
-void write_arrays(const std::string& path, const States& states, const CommPtr& comm) {
-  long long bytes = 65536;
-  std::vector<io::Hdf5File::Rows> rows;
-  for (const auto& [part, state] : states) {
-    rows.push_back(rows_of_rank(state, *comm));
-    bytes += 4 * rows.back().total + 8192;
-    for (const auto& [name, array] : state.arrays)
-      bytes += 8 * rows.back().total * array.columns + 4096;
-  }
+/// An upper bound of what the arrays of a part take in the file.
+long long room_for(const fields::State& state, const io::Hdf5File::Rows& rows) {
+  long long bytes = 4 * rows.total + 8192;
+  for (const auto& [name, array] : state.arrays) bytes += 8 * rows.total * array.columns + 4096;
+  return bytes;
+}
+
+/// Adds the arrays. Room for them, so many bytes, is taken first, see Hdf5File.
+void write_arrays(const std::string& path, long long bytes, const StateSources& parts,
+                  const CommPtr& comm) {
   io::Hdf5File file(path, io::Hdf5File::Mode::extend, bytes, comm);
-  for (std::size_t p = 0; p < states.size(); ++p) {
-    const auto& [part, state] = states[p];
-    file.write(part + "/vertices", rows[p], state.vertices.data());
+  for (const auto& [part, make] : parts) {
+    const fields::State state = make();
+    io::Hdf5File::Rows rows = rows_of_rank(state, *comm);
+    file.write(part + "/vertices", rows, state.vertices.data());
     for (const auto& [name, array] : state.arrays) {
       if (array.columns == 0) continue;
-      io::Hdf5File::Rows place = rows[p];
-      place.columns = array.columns;
-      file.write(part + "/" + name, place, array.values.data());
+      rows.columns = array.columns;
+      file.write(part + "/" + name, rows, array.values.data());
     }
   }
   file.close();
@@ -125,21 +125,25 @@ void write_arrays(const std::string& path, const States& states, const CommPtr& 
 
 }  // namespace
 
-void write_checkpoint(const std::string& path, const CheckpointHead& head, const States& states,
-                      const CommPtr& comm) {
-  const Sums sums = checksums(states, *comm);
+void write_checkpoint(const std::string& path, const CheckpointHead& head,
+                      const StateSources& parts, const CommPtr& comm) {
+  Contents contents;
+  long long bytes = 65536;
+  for (const auto& [part, make] : parts) {
+    const fields::State state = make();
+    contents.add(part, state, checksums(state, *comm));
+    bytes += room_for(state, rows_of_rank(state, *comm));
+  }
+  contents.add("run", state_of(head), {});
+  contents.parameters = pieces(head.parameters);
   try {
     std::optional<io::AtomicFile> file;  // on rank 0
     on_root_or_fault(*comm, [&] {
-      Contents contents;
-      for (const auto& [part, state] : states) contents.add(part, state, sums);
-      contents.add("run", state_of(head), {});
-      contents.parameters = pieces(head.parameters);
       file.emplace(path);
       file->add(contents.image(path));
       return file->close();
     });
-    write_arrays(io::AtomicFile::draft_of(path), states, comm);
+    write_arrays(io::AtomicFile::draft_of(path), bytes, parts, comm);
     on_root_or_fault(*comm, [&] { return file->commit_to_disk(); });
   } catch (const MachineFault& failure) {
     throw MachineFault(std::string("no checkpoint could be written: ") + failure.what());

@@ -21,7 +21,7 @@ double volume_of_fluid(const mesh::Mesh& mesh) {
 
 TEUCHOS_UNIT_TEST(mass_norm, of_constants_is_the_root_of_the_volume) {
   const SmallTube tube;
-  const auto geometry = assembly::geometry_of(tube.fluid, tube.fluid.x);
+  const auto geometry = assembly::ElementGeometry(tube.fluid, tube.fluid.x);
   const double root = std::sqrt(volume_of_fluid(tube.mesh));
   const auto norm = [&](const Vec3& u, double p) {
     return assembly::mass_norm(
@@ -37,7 +37,7 @@ TEUCHOS_UNIT_TEST(mass_norm, of_constants_is_the_root_of_the_volume) {
 TEUCHOS_UNIT_TEST(mass_norm, of_a_linear_function_is_exact) {
   // ∫ z² over a prism of length L is A L³/3 = V L²/3.
   const SmallTube tube;
-  const auto geometry = assembly::geometry_of(tube.fluid, tube.fluid.x);
+  const auto geometry = assembly::ElementGeometry(tube.fluid, tube.fluid.x);
   const auto x = test::block_vector(
       tube.fluid, [&](int v, int i) { return i == 3 ? tube.mesh.vertices[v][2] : 0.0; });
   TEST_FLOATING_EQUALITY(assembly::mass_norm(tube.fluid, geometry, x),
@@ -47,10 +47,23 @@ TEUCHOS_UNIT_TEST(mass_norm, of_a_linear_function_is_exact) {
 TEUCHOS_UNIT_TEST(mass_norm, does_not_depend_on_the_ranks) {
   const SmallTube many, one(test::alone());
   const auto norm = [](const SmallTube& tube) {
-    return assembly::mass_norm(tube.wall, assembly::geometry_of(tube.wall, tube.wall.x),
+    return assembly::mass_norm(tube.wall, assembly::ElementGeometry(tube.wall, tube.wall.x),
                                test::scattered(tube.wall, 3));
   };
   TEST_FLOATING_EQUALITY(norm(many), norm(one), 1e-13);
+}
+
+TEUCHOS_UNIT_TEST(element_geometry, is_that_of_where_the_nodes_are) {
+  const SmallTube tube;
+  std::vector<Vec3> x = tube.fluid.x;
+  const assembly::ElementGeometry geometry(tube.fluid, x);
+  TEST_EQUALITY(geometry.size(), tube.fluid.tets.size());
+  for (std::size_t e = 0; e < geometry.size(); ++e) {
+    x = tube.fluid.x;
+    const double before = geometry[e].volume;
+    for (Vec3& at : x) at = 2.0 * at;
+    TEST_FLOATING_EQUALITY(geometry[e].volume, 8.0 * before, 1e-14);
+  }
 }
 
 }  // namespace

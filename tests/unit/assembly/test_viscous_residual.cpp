@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "tunica/assembly/mass_norm.hpp"
+#include "tunica/assembly/element_geometry.hpp"
 #include "tunica/assembly/viscous_residual.hpp"
 #include "unit/fields/small_tube.hpp"
 #include "verify/cube.hpp"
@@ -15,7 +15,7 @@ template <class Velocity>
 std::vector<Vec3> viscous_forces_of(const fields::FieldMesh& mesh, const Velocity& velocity) {
   std::vector<Vec3> u;
   for (const Vec3& x : mesh.x) u.push_back(velocity(x));
-  return assembly::viscous_forces(mesh, assembly::geometry_of(mesh, mesh.x), 0.7, u);
+  return assembly::viscous_forces(mesh, assembly::ElementGeometry(mesh, mesh.x), 0.7, u);
 }
 
 TEUCHOS_UNIT_TEST(viscous_forces, vanish_where_strain_rates_are_uniform) {

@@ -25,7 +25,8 @@ TEUCHOS_UNIT_TEST(Tet4, gradients_are_those_of_the_affine_map) {
 }
 
 TEUCHOS_UNIT_TEST(Tet4, element_length_is_the_edge_of_a_regular_tetrahedron) {
-  const kernels::Tet4 T = kernels::make_tet4({{{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}});
+  const kernels::Tet4 T =
+      kernels::make_tet4<double>({{{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}});
   TEST_FLOATING_EQUALITY(kernels::element_length(T.volume), std::sqrt(8.0), 1e-14);
 }
 

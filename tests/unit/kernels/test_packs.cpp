@@ -72,6 +72,22 @@ const materials::Holzapfel media(materials::MooneyRivlin(3.0, 0.0), {2.3632, 0.8
 const materials::Holzapfel dispersed(materials::MooneyRivlin(1.0, 0.4), {5.0, 2.0, 40.0, 0.2});
 const materials::StVenantKirchhoff steel(100.0, 0.4);
 
+TEUCHOS_UNIT_TEST(packs, the_geometry_of_an_element_does_not_know_its_lane) {
+  Samples samples(2);
+  std::array<std::array<Vec3, 4>, Pack::size> x;
+  std::array<Vec3Of<Pack>, 4> packed;
+  for (int lane = 0; lane < Pack::size; ++lane)
+    set_lane(packed, lane, x[lane] = samples.tetrahedron());
+  const Tet4Of<Pack> T = make_tet4(packed);
+  for (int lane = 0; lane < Pack::size; ++lane) {
+    const Tet4 expected = make_tet4(x[lane]);
+    TEST_FLOATING_EQUALITY(T.volume[lane], expected.volume, 1e-14);
+    for (int a = 0; a < 4; ++a)
+      TEST_COMPARE(norm(lane_of(T.grad_N[a], lane) - expected.grad_N[a]), <,
+                   1e-14 * norm(expected.grad_N[a]));
+  }
+}
+
 TEUCHOS_UNIT_TEST(packs, a_wall_element_does_not_know_its_lane) {
   Samples samples(3);
   using Laws = std::array<const materials::HyperelasticLaw*, Pack::size>;

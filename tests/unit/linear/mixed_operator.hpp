@@ -1,6 +1,6 @@
 #pragma once
 #include "tunica/assembly/block_assembler.hpp"
-#include "tunica/assembly/mass_norm.hpp"
+#include "tunica/assembly/element_geometry.hpp"
 #include "tunica/assembly/solid_assembly.hpp"
 #include "tunica/materials/registry.hpp"
 #include "unit/fields/small_tube.hpp"
@@ -14,7 +14,7 @@ public:
   explicit WallJacobian(const SmallTube& tube)
       : mesh_(&tube.wall), law_(materials::make_law("mooney-rivlin", {})), K(tube.wall),
         fixed_(tube.wall.n_nodes()) {
-    elements_.geometry = assembly::geometry_of(tube.wall, tube.wall.x);
+    elements_.geometry = assembly::ElementGeometry(tube.wall, tube.wall.x);
     const std::size_t n = tube.wall.tets.size();
     elements_.law.assign(n, law_.get());
     elements_.density.assign(n, 1.2);

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "tunica/assembly/mass_norm.hpp"
+#include "tunica/assembly/element_geometry.hpp"
 #include "tunica/fields/block_operator.hpp"
 #include "tunica/kernels/laplace_p1.hpp"
 #include "tunica/linear/krylov.hpp"
@@ -16,7 +16,7 @@ using test::SmallTube;
 Teuchos::RCP<CrsMatrix> laplacian(const fields::FieldMesh& mesh) {
   const auto graph = fields::make_node_graph(mesh);
   const auto K = fields::make_matrix(graph, mesh, 1, 1);
-  const auto geometry = assembly::geometry_of(mesh, mesh.x);
+  const auto geometry = assembly::ElementGeometry(mesh, mesh.x);
   K->resumeFill();
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     const auto Ke = kernels::laplace_p1(geometry[e]);

@@ -130,7 +130,7 @@ struct Tube {
 
 Dense mass(const fields::FieldMesh& mesh) {
   Dense M(mesh.n_owned, mesh.n_owned);
-  const auto geometry = assembly::geometry_of(mesh, mesh.x);
+  const auto geometry = assembly::ElementGeometry(mesh, mesh.x);
   for (std::size_t e = 0; e < mesh.tets.size(); ++e)
     for (const int a : mesh.tets[e])
       for (const int b : mesh.tets[e]) M(a, b) += geometry[e].volume / 20.0 * (a == b ? 2.0 : 1.0);
@@ -158,7 +158,7 @@ std::vector<Level> fluid_levels(double inv_dt) {
   const Tube tube;
   const fields::FieldMesh& mesh = tube.fluid;
   assembly::FluidElements elements;
-  elements.geometry = assembly::geometry_of(mesh, mesh.x);
+  elements.geometry = assembly::ElementGeometry(mesh, mesh.x);
   elements.coefficients = {1.0, 3.5e-3, inv_dt};
   const std::vector<Vec3> none(mesh.n_nodes());
   const assembly::FluidFields state{none, std::vector<double>(mesh.n_nodes()), none, none, none};
@@ -178,11 +178,11 @@ std::vector<Level> wall_levels(double alpha) {
   const fields::FieldMesh& mesh = tube.wall;
   const auto law = materials::make_law("mooney-rivlin", {});
   assembly::SolidElements elements;
-  elements.geometry = assembly::geometry_of(mesh, mesh.x);
+  elements.geometry = assembly::ElementGeometry(mesh, mesh.x);
   elements.law.assign(mesh.tets.size(), law.get());
   elements.density.assign(mesh.tets.size(), 1.2);
-  for (const auto& T : elements.geometry) {
-    const double h = kernels::element_length(T.volume);
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    const double h = kernels::element_length(elements.geometry[e].volume);
     elements.coefficients.push_back({alpha, 1e-5, h * h / (4.0 * law->stabilisation_modulus())});
   }
   const std::vector<Vec3> none(mesh.n_nodes());

@@ -16,7 +16,7 @@ public:
   using Function = std::function<double(double)>;
 
   NodewiseProblem(const fields::FieldMesh& mesh, Function f, Function slope)
-      : mesh_(&mesh), geometry_(assembly::geometry_of(mesh, mesh.x)), f_(f), slope_(slope),
+      : mesh_(&mesh), geometry_(mesh, mesh.x), f_(f), slope_(slope),
         diagonal_(fields::zero_vector(mesh)) {}
 
   void refuse_where(std::function<bool(double)> refuses) { refuses_ = refuses; }
@@ -73,7 +73,7 @@ public:
 
 private:
   const fields::FieldMesh* mesh_;
-  std::vector<kernels::Tet4> geometry_;
+  assembly::ElementGeometry geometry_;
   Function f_, slope_;
   std::function<bool(double)> refuses_;
   algebra::BlockVector diagonal_;

@@ -37,7 +37,9 @@ const CheckpointHead head{
 
 std::string written(const std::string& folder) {
   const std::string path = checkpoint_path(RunFolder(scratch(folder), world()).path(), 16);
-  write_checkpoint(path, head, {{"part", some_state()}, {"part two", some_state(1)}}, world());
+  write_checkpoint(
+      path, head,
+      {{"part", [] { return some_state(); }}, {"part two", [] { return some_state(1); }}}, world());
   return path;
 }
 
@@ -140,7 +142,8 @@ TEUCHOS_UNIT_TEST(checkpoint, a_full_disk_leaves_the_one_before) {
   world()->barrier();
   {
     const FullDisk full;
-    TEST_THROW(write_checkpoint(path, head, {{"part", some_state(4000)}}, world()), MachineFault);
+    TEST_THROW(write_checkpoint(path, head, {{"part", [] { return some_state(4000); }}}, world()),
+               MachineFault);
   }
   world()->barrier();
   TEST_ASSERT(content(path) == before);

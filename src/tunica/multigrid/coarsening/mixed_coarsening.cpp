@@ -100,6 +100,8 @@ Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, const Map&
 }
 
 int MixedCoarsening::block_of(int level, const Map& rows) {
+  // Most often; the prolongators of blocks alone are not made for it.
+  if (map(level, all)->isSameAs(rows)) return all;
   std::vector<int> found;
   for (int b = all; b < numbering_.n_blocks(); ++b)
     if (map(level, b)->getGlobalNumElements() == rows.getGlobalNumElements()) found.push_back(b);

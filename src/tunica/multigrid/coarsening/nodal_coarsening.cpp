@@ -178,6 +178,7 @@ void NodalCoarsening::coarsen() {
   const auto graph = coarse_graph(*level.nodes, *level.P);
   levels_.push_back({graph, at_rows(*level.order, coarse),
                      leader_ ? at_rows(*hosts.coarse, coarse) : Teuchos::null});
+  level.nodes = Teuchos::null;
 }
 
 Teuchos::RCP<const Vector> NodalCoarsening::hosts(int level) {

@@ -41,7 +41,7 @@ public:
 
 private:
   struct Level {
-    Teuchos::RCP<const CrsMatrix> nodes;
+    Teuchos::RCP<const CrsMatrix> nodes;  ///< null once the next level is made
     Teuchos::RCP<const Vector> order;
     Teuchos::RCP<const Vector> hosts;      ///< numbers on this level; null without leader
     Teuchos::RCP<const CrsMatrix> P{};     ///< from the next level; null where it is not made yet
