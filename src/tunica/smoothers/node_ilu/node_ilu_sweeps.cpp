@@ -14,63 +14,66 @@ template <int rows, int columns, class Real>
     for (int i = 0; i < rows; ++i) y[i] -= M[rows * c + i] * x[c];
 }
 
-/// The same for the blocks of a row of a node with so many unknowns, from and up to these columns.
+/// y_i −= Σ_k M_ik x_k for the blocks of a row from and up to these columns; y_i has so many
+/// values.
 template <int width, int rows, class Real>
 [[gnu::always_inline]] inline void subtract_row(const BlockPattern& pattern, std::size_t first,
                                                 std::size_t last, const Real* M, const double* x,
-                                                double* __restrict__ y) {
+                                                double* y_i) {
+  double y[rows];
+  for (int i = 0; i < rows; ++i) y[i] = y_i[i];
   for (std::size_t k = first; k < last; ++k) {
     const int node = pattern.columns[k];
-    const double* const x_node = x + static_cast<std::size_t>(width) * node;
+    const double* const x_k = x + static_cast<std::size_t>(width) * node;
     if (pattern.unknowns[node] == width) {
-      subtract<rows, width>(M, x_node, y);
+      subtract<rows, width>(M, x_k, y);
       M += rows * width;
     } else {
-      subtract<rows, 1>(M, x_node + width - 1, y);
+      subtract<rows, 1>(M, x_k + width - 1, y);
       M += rows;
     }
   }
+  for (int i = 0; i < rows; ++i) y_i[i] = y[i];
 }
 
-/// y_i −= L_ik y_k for k < i.
-template <int width, int rows, class Real>
-[[gnu::always_inline]] inline void eliminate_row(const NodeFactors<Real>& f, int node,
-                                                 const double* x, double* own) {
-  double y[rows];
-  for (int i = 0; i < rows; ++i) y[i] = own[i];
-  subtract_row<width, rows>(f.pattern, f.pattern.start[node], f.diagonal[node],
-                            f.lower + f.lower_start[node], x, y);
-  for (int i = 0; i < rows; ++i) own[i] = y[i];
+/// The same for a row of either kind; y has values of all nodes.
+template <int width, class Real>
+[[gnu::always_inline]] inline void subtract_row(const BlockPattern& pattern, int node,
+                                                std::size_t first, std::size_t last, const Real* M,
+                                                const double* x, double* y) {
+  double* const y_i = y + static_cast<std::size_t>(width) * node;
+  if (pattern.unknowns[node] == width)
+    subtract_row<width, width>(pattern, first, last, M, x, y_i);
+  else
+    subtract_row<width, 1>(pattern, first, last, M, x, y_i + width - 1);
 }
 
-/// x_i = D_i⁻¹ (y_i − U_ik x_k), k > i.
-template <int width, int rows, class Real>
-[[gnu::always_inline]] inline void substitute_row(const NodeFactors<Real>& f, int node,
-                                                  const double* x, double* own) {
-  const Real* const inverse = f.upper + f.upper_start[node];
-  double y[rows], z[rows] = {};
-  for (int i = 0; i < rows; ++i) y[i] = own[i];
-  subtract_row<width, rows>(f.pattern, f.diagonal[node] + 1, f.pattern.start[node + 1],
-                            inverse + rows * rows, x, y);
-  subtract<rows, rows>(inverse, y, z);
-  for (int i = 0; i < rows; ++i) own[i] = -z[i];
+/// y ← M y.
+template <int rows, class Real>
+[[gnu::always_inline]] inline void multiply(const Real* M, double* y) {
+  double z[rows] = {};
+  subtract<rows, rows>(M, y, z);
+  for (int i = 0; i < rows; ++i) y[i] = -z[i];
 }
 
 template <int width, class Real>
 [[gnu::always_inline]] inline void solve(const NodeFactors<Real>& f, double* x) {
-  for (int node = 0; node < f.pattern.n_nodes; ++node) {
-    double* const own = x + static_cast<std::size_t>(width) * node;
-    if (f.pattern.unknowns[node] == width)
-      eliminate_row<width, width>(f, node, x, own);
+  const BlockPattern& pattern = f.pattern;
+  // y_i = x_i − Σ_k<i L_ik y_k
+  for (int node = 0; node < pattern.n_nodes; ++node)
+    subtract_row<width>(pattern, node, pattern.start[node], f.diagonal[node],
+                        f.lower + f.lower_start[node], x, x);
+  // x_i = D_i⁻¹ (y_i − Σ_k>i U_ik x_k)
+  for (int node = pattern.n_nodes - 1; node >= 0; --node) {
+    const int n = pattern.unknowns[node];
+    const Real* const inverse = f.upper + f.upper_start[node];
+    subtract_row<width>(pattern, node, f.diagonal[node] + 1, pattern.start[node + 1],
+                        inverse + n * n, x, x);
+    double* const x_i = x + static_cast<std::size_t>(width) * node;
+    if (n == width)
+      multiply<width>(inverse, x_i);
     else
-      eliminate_row<width, 1>(f, node, x, own + width - 1);
-  }
-  for (int node = f.pattern.n_nodes - 1; node >= 0; --node) {
-    double* const own = x + static_cast<std::size_t>(width) * node;
-    if (f.pattern.unknowns[node] == width)
-      substitute_row<width, width>(f, node, x, own);
-    else
-      substitute_row<width, 1>(f, node, x, own + width - 1);
+      multiply<1>(inverse, x_i + width - 1);
   }
 }
 
@@ -81,26 +84,12 @@ template <class Real>
   solve<2>(f, x);
 }
 
-template <int width, int rows, class Real>
-[[gnu::always_inline]] inline void subtract_row_of(const NodeMatrix<Real>& K, int node,
-                                                   const double* x, double* r) {
-  double y[rows];
-  for (int i = 0; i < rows; ++i) y[i] = r[i];
-  subtract_row<width, rows>(K.pattern, K.pattern.start[node], K.pattern.start[node + 1],
-                            K.values + K.value_start[node], x, y);
-  for (int i = 0; i < rows; ++i) r[i] = y[i];
-}
-
 template <int width, class Real>
 [[gnu::always_inline]] inline void subtract_rows(const NodeMatrix<Real>& K, const double* x,
                                                  double* r) {
-  for (int node = 0; node < K.pattern.n_nodes; ++node) {
-    double* const own = r + static_cast<std::size_t>(width) * node;
-    if (K.pattern.unknowns[node] == width)
-      subtract_row_of<width, width>(K, node, x, own);
-    else
-      subtract_row_of<width, 1>(K, node, x, own + width - 1);
-  }
+  for (int node = 0; node < K.pattern.n_nodes; ++node)
+    subtract_row<width>(K.pattern, node, K.pattern.start[node], K.pattern.start[node + 1],
+                        K.values + K.value_start[node], x, r);
 }
 
 template <class Real>
