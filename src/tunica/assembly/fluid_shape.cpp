@@ -36,20 +36,26 @@ void FluidShapeMatrix::finish() {
     matrix->fillComplete(matrix->getDomainMap(), matrix->getRangeMap());
 }
 
+// ∂R_a/∂x_b ← P_a k
+void FluidShapeMatrix::add(const Values& u, int a, std::size_t column_of_b,
+                           const double (&k)[3][3]) const {
+  const std::size_t first = 9 * graph_->row_start[a] + 3 * column_of_b;
+  for (int j = 0; j < 3; ++j) {
+    const Vec3 free = fixed_->project(a, {k[0][j], k[1][j], k[2][j]});
+    for (int i = 0; i < 3; ++i) u(first + 3 * graph_->length(a) * i + j) += free[i];
+  }
+}
+
 void FluidShapeMatrix::add(std::size_t e, const kernels::ShapeJacobian& Ke) {
   const auto u = u_->getLocalMatrixHost().values, p = p_->getLocalMatrixHost().values;
   for (int a = 0; a < 4; ++a) {
     const int node = mesh_->tets[e][a];
     if (node >= mesh_->n_owned) continue;
-    const std::size_t start = graph_->row_start[node], length = graph_->length(node);
     for (int b = 0; b < 4; ++b) {
-      const std::size_t column = 3 * graph_->position[e][4 * a + b];
-      for (int j = 0; j < 3; ++j) {
-        const auto& k = Ke.u[a][b];
-        const Vec3 free = fixed_->project(node, {k[0][j], k[1][j], k[2][j]});
-        for (int i = 0; i < 3; ++i) u(9 * start + 3 * length * i + column + j) += free[i];
-        if (!fixed_->is_scalar_fixed(node)) p(3 * start + column + j) += Ke.p[a][b][j];
-      }
+      const std::size_t column = graph_->position[e][4 * a + b];
+      add(u, node, column, Ke.u[a][b]);
+      if (fixed_->is_scalar_fixed(node)) continue;
+      for (int j = 0; j < 3; ++j) p(3 * (graph_->row_start[node] + column) + j) += Ke.p[a][b][j];
     }
   }
 }
@@ -59,17 +65,12 @@ void FluidShapeMatrix::add(const fields::Face& face, const kernels::SurfaceJacob
   for (int a = 0; a < 3; ++a) {
     const int node = face.nodes[a];
     if (node >= mesh_->n_owned) continue;
-    const std::size_t start = graph_->row_start[node], length = graph_->length(node);
-    const auto first = graph_->columns.begin() + static_cast<std::ptrdiff_t>(start);
+    const auto first =
+        graph_->columns.begin() + static_cast<std::ptrdiff_t>(graph_->row_start[node]);
+    const auto last = first + static_cast<std::ptrdiff_t>(graph_->length(node));
     for (int b = 0; b < 3; ++b) {
-      const auto found =
-          std::lower_bound(first, first + static_cast<std::ptrdiff_t>(length), face.nodes[b]);
-      const std::size_t column = 3 * static_cast<std::size_t>(found - first);
-      for (int j = 0; j < 3; ++j) {
-        const auto& k = Ke.A[a][b];
-        const Vec3 free = fixed_->project(node, {k[0][j], k[1][j], k[2][j]});
-        for (int i = 0; i < 3; ++i) u(9 * start + 3 * length * i + column + j) += free[i];
-      }
+      const auto found = std::lower_bound(first, last, face.nodes[b]);
+      add(u, node, static_cast<std::size_t>(found - first), Ke.A[a][b]);
     }
   }
 }

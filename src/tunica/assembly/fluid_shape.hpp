@@ -26,6 +26,9 @@ public:
   void add_product(const Vector& d, algebra::BlockVector& F) const;
 
 private:
+  using Values = CrsMatrix::local_matrix_host_type::values_type;
+
+  void add(const Values& u, int a, std::size_t column_of_b, const double (&k)[3][3]) const;
   void add(std::size_t e, const kernels::ShapeJacobian& Ke);
 
   struct Product {
