@@ -103,7 +103,7 @@ void solid_jacobian(benchmark::State& state, const char* name) {
 
 void packed_solid_jacobian(benchmark::State& state, const char* name) {
   const auto law = materials::make_law(name, {});
-  Tet4Of<Pack> T;
+  std::array<Vec3Of<Pack>, 4> x;
   SolidStateOf<Pack> solid;
   const SolidCoefficientsOf<Pack> constants{solid_constants.alpha, solid_constants.inv_kappa,
                                             solid_constants.tau};
@@ -113,17 +113,17 @@ void packed_solid_jacobian(benchmark::State& state, const char* name) {
   MixedJacobianOf<Pack> K;
   run_packs(state, [&](int e) {
     for (int lane = 0; lane < Pack::size; ++lane) {
-      set_lane(T, lane, elements().T[e + lane]);
+      set_lane(x, lane, elements().x[e + lane]);
       set_lane(solid, lane, elements().solid[e + lane]);
     }
-    solid_up_jacobian(T, solid, laws, constants, R, K);
+    solid_up_jacobian(make_tet4(x), solid, laws, constants, R, K);
     benchmark::DoNotOptimize(R);
     benchmark::DoNotOptimize(K);
   });
 }
 
 void packed_fluid_jacobian(benchmark::State& state) {
-  Tet4Of<Pack> T;
+  std::array<Vec3Of<Pack>, 4> x;
   FluidStateOf<Pack> fluid;
   MixedResidualOf<Pack> R;
   MixedJacobianOf<Pack> K;
@@ -131,11 +131,11 @@ void packed_fluid_jacobian(benchmark::State& state) {
     Pack tau;
     for (int lane = 0; lane < Pack::size; ++lane) {
       const FluidState& mine = elements().fluid[e + lane];
-      set_lane(T, lane, elements().T[e + lane]);
+      set_lane(x, lane, elements().x[e + lane]);
       set_lane(fluid, lane, mine);
       set_lane(tau, lane, fluid_tau(elements().T[e + lane], mine.u[0], fluid_constants));
     }
-    fluid_up_jacobian(T, fluid, fluid_constants, tau, R, K);
+    fluid_up_jacobian(make_tet4(x), fluid, fluid_constants, tau, R, K);
     benchmark::DoNotOptimize(R);
     benchmark::DoNotOptimize(K);
   });

@@ -6,7 +6,8 @@
 namespace tunica::assembly {
 
 /// Geometry of every local tetrahedron where owned and ghost nodes lie at x [mm]. It is computed
-/// whenever it is asked for, which takes no longer than to fetch the 104 bytes of an element.
+/// whenever it is asked for: 104 bytes an element are not stored, for which residuals take up to a
+/// fifth longer and Jacobians up to a twentieth.
 class ElementGeometry {
 public:
   ElementGeometry() = default;

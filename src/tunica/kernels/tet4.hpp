@@ -13,10 +13,6 @@ struct Tet4Of {
   std::array<Vec3Of<Real>, 4> grad_N;  ///< constant gradients of the four hat functions
 };
 using Tet4 = Tet4Of<double>;
-inline void set_lane(Tet4Of<Pack>& to, int lane, const Tet4& from) {
-  set_lane(to.volume, lane, from.volume);
-  set_lane(to.grad_N, lane, from.grad_N);
-}
 
 /// Geometry from the four vertices; the caller checks the sign of the volume.
 ///

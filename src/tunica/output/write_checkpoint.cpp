@@ -106,18 +106,20 @@ long long room_for(const fields::State& state, const io::Hdf5File::Rows& rows) {
   return bytes;
 }
 
-/// Adds the arrays. Room for them, so many bytes, is taken first, see Hdf5File.
+/// Adds the arrays, with these rows of each part. Room for them, so many bytes, is taken first, see
+/// Hdf5File.
 void write_arrays(const std::string& path, long long bytes, const StateSources& parts,
-                  const CommPtr& comm) {
+                  const std::vector<io::Hdf5File::Rows>& rows, const CommPtr& comm) {
   io::Hdf5File file(path, io::Hdf5File::Mode::extend, bytes, comm);
-  for (const auto& [part, make] : parts) {
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const auto& [part, make] = parts[p];
     const fields::State state = make();
-    io::Hdf5File::Rows rows = rows_of_rank(state, *comm);
-    file.write(part + "/vertices", rows, state.vertices.data());
+    file.write(part + "/vertices", rows[p], state.vertices.data());
     for (const auto& [name, array] : state.arrays) {
       if (array.columns == 0) continue;
-      rows.columns = array.columns;
-      file.write(part + "/" + name, rows, array.values.data());
+      io::Hdf5File::Rows place = rows[p];
+      place.columns = array.columns;
+      file.write(part + "/" + name, place, array.values.data());
     }
   }
   file.close();
@@ -128,11 +130,13 @@ void write_arrays(const std::string& path, long long bytes, const StateSources& 
 void write_checkpoint(const std::string& path, const CheckpointHead& head,
                       const StateSources& parts, const CommPtr& comm) {
   Contents contents;
+  std::vector<io::Hdf5File::Rows> rows;
   long long bytes = 65536;
   for (const auto& [part, make] : parts) {
     const fields::State state = make();
     contents.add(part, state, checksums(state, *comm));
-    bytes += room_for(state, rows_of_rank(state, *comm));
+    rows.push_back(rows_of_rank(state, *comm));
+    bytes += room_for(state, rows.back());
   }
   contents.add("run", state_of(head), {});
   contents.parameters = pieces(head.parameters);
@@ -143,7 +147,7 @@ void write_checkpoint(const std::string& path, const CheckpointHead& head,
       file->add(contents.image(path));
       return file->close();
     });
-    write_arrays(io::AtomicFile::draft_of(path), bytes, parts, comm);
+    write_arrays(io::AtomicFile::draft_of(path), bytes, parts, rows, comm);
     on_root_or_fault(*comm, [&] { return file->commit_to_disk(); });
   } catch (const MachineFault& failure) {
     throw MachineFault(std::string("no checkpoint could be written: ") + failure.what());

@@ -48,13 +48,14 @@ materials::Frame frame_of(Samples& samples) {
 }
 
 struct SolidElement {
+  std::array<Vec3, 4> x;
   Tet4 T;
   SolidState s;
   SolidCoefficients c;
   materials::Frame frame;
 
   explicit SolidElement(Samples& samples) : frame(frame_of(samples)) {
-    const auto x = samples.tetrahedron();
+    x = samples.tetrahedron();
     T = make_tet4(x);
     do {
       s.d = samples.deformation(x, 0.35);
@@ -97,19 +98,20 @@ TEUCHOS_UNIT_TEST(packs, a_wall_element_does_not_know_its_lane) {
         Laws{&rubber, &media, &rubber, &steel}})
     for (int trial = 0; trial < 20; ++trial) {
       std::vector<SolidElement> lanes;
-      Tet4Of<Pack> T;
+      std::array<Vec3Of<Pack>, 4> x;
       SolidStateOf<Pack> s;
       SolidCoefficientsOf<Pack> c;
       PackedLaws packed{laws, {}};
       for (int lane = 0; lane < Pack::size; ++lane) {
         const SolidElement& mine = lanes.emplace_back(samples);
-        set_lane(T, lane, mine.T);
+        set_lane(x, lane, mine.x);
         set_lane(s, lane, mine.s);
         set_lane(c, lane, mine.c);
         set_lane(packed.frames, lane, mine.frame);
       }
       MixedResidualOf<Pack> R, R_alone;
       MixedJacobianOf<Pack> K;
+      const Tet4Of<Pack> T = make_tet4(x);
       solid_up_jacobian(T, s, packed, c, R, K);
       solid_up_residual(T, s, packed, c, R_alone);
       for (int lane = 0; lane < Pack::size; ++lane) {
@@ -134,20 +136,22 @@ TEUCHOS_UNIT_TEST(packs, a_fluid_element_does_not_know_its_lane) {
         c.has_mean_residual = has_mean_residual;
         Tet4 T[Pack::size];
         FluidState s[Pack::size];
-        Tet4Of<Pack> packed_T;
+        std::array<Vec3Of<Pack>, 4> packed_x;
         FluidStateOf<Pack> packed_s;
         Pack tau;
         for (int lane = 0; lane < Pack::size; ++lane) {
-          T[lane] = make_tet4(samples.tetrahedron());
+          const auto x = samples.tetrahedron();
+          T[lane] = make_tet4(x);
           s[lane] = {samples.vectors(1.0), samples.numbers(5.0), samples.vectors(1.0),
                      samples.vectors(0.5), samples.vectors(2.0), samples.vector(0.3),
                      samples.vector(0.7)};
-          set_lane(packed_T, lane, T[lane]);
+          set_lane(packed_x, lane, x);
           set_lane(packed_s, lane, s[lane]);
           set_lane(tau, lane, 0.05 + 0.01 * lane);
         }
         MixedResidualOf<Pack> R, R_alone;
         MixedJacobianOf<Pack> K;
+        const Tet4Of<Pack> packed_T = make_tet4(packed_x);
         fluid_up_jacobian(packed_T, packed_s, c, tau, R, K);
         fluid_up_residual(packed_T, packed_s, c, tau, R_alone);
         for (int lane = 0; lane < Pack::size; ++lane) {

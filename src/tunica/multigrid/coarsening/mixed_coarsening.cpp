@@ -100,14 +100,13 @@ Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, const Map&
 }
 
 int MixedCoarsening::block_of(int level, const Map& rows) {
-  // Most often; the prolongators of blocks alone are not made for it.
-  if (map(level, all)->isSameAs(rows)) return all;
-  std::vector<int> found;
-  for (int b = all; b < numbering_.n_blocks(); ++b)
-    if (map(level, b)->getGlobalNumElements() == rows.getGlobalNumElements()) found.push_back(b);
-  // Blocks on different nodes may have as many rows.
-  for (const int b : found)
-    if (found.size() == 1 || map(level, b)->isSameAs(rows)) return b;
+  std::vector<int> found;  // blocks on different nodes may have as many rows
+  for (int b = all; b < numbering_.n_blocks(); ++b) {
+    if (map(level, b)->getGlobalNumElements() != rows.getGlobalNumElements()) continue;
+    if (map(level, b)->isSameAs(rows)) return b;  // before the maps of further blocks are made
+    found.push_back(b);
+  }
+  if (found.size() == 1) return found.front();
   throw std::runtime_error("NodalPFactory: no block has these " +
                            std::to_string(rows.getGlobalNumElements()) + " rows on level " +
                            std::to_string(level) + ".");
