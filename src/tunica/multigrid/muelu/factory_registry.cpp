@@ -47,19 +47,11 @@ Made smoother(const FactoryRequest& request) {
   return Teuchos::rcp(new Smoothers(prototype));
 }
 
-Made galerkin(const FactoryRequest& request) {
-  const auto factory = built<GalerkinFactory>(request);
-  factory->set_coarsening(request.coarsening);
-  return factory;
-}
-
+/// Of prolongators and products.
 template <class Ours>
-Made prolongator(const FactoryRequest& request) {
-  const auto factory = Teuchos::rcp(new Ours(request.coarsening));
-  check_keys(request.list, *factory);
-  if (request.list.isParameter("A"))
-    factory->SetFactory("A", request.builder.BuildFactory(request.list.getEntry("A"),
-                                                          request.factories, request.managers));
+Made transfer(const FactoryRequest& request) {
+  const auto factory = built<Ours>(request);
+  factory->set_coarsening(request.coarsening);
   return factory;
 }
 
@@ -67,15 +59,15 @@ Made prolongator(const FactoryRequest& request) {
 
 const std::vector<FactoryEntry>& our_factories() {
   static const std::vector<FactoryEntry> all = {
-      {"NodalPFactory", MatrixKind::merged, prolongator<NodalPFactory>},
-      {"GalerkinFactory", MatrixKind::merged, galerkin},
+      {"NodalPFactory", MatrixKind::merged, transfer<NodalPFactory>},
+      {"GalerkinFactory", MatrixKind::merged, transfer<GalerkinFactory>},
       {"NodalIluSmoother", MatrixKind::merged, smoother<NodalIluSmoother>},
       {"VankaSmoother", MatrixKind::merged, smoother<VankaSmoother>},
       {"NodalBraessSarazinSmoother", MatrixKind::merged, smoother<NodalBraessSarazinSmoother>},
       {"FieldSmoother", MatrixKind::merged, smoother<FieldSmoother>},
       {"Ifpack2Smoother", MatrixKind::either, smoother<Ifpack2Smoother>},
       {"SparseLUSolver", MatrixKind::either, smoother<SparseLuSolver>},
-      {"NodalBlockedPFactory", MatrixKind::blocked, prolongator<NodalBlockedPFactory>},
+      {"NodalBlockedPFactory", MatrixKind::blocked, transfer<NodalBlockedPFactory>},
   };
   return all;
 }

@@ -10,8 +10,8 @@ namespace tunica::multigrid {
 /// MueLu wants explicitly where there are blocks.
 class NodalBlockedPFactory : public MueLu::TwoLevelFactoryBase {
 public:
-  explicit NodalBlockedPFactory(const Teuchos::RCP<MixedCoarsening>& coarsening)
-      : coarsening_(coarsening) {}
+  /// Before Build().
+  void set_coarsening(const Teuchos::RCP<MixedCoarsening>& coarsening) { coarsening_ = coarsening; }
 
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
   void DeclareInput(MueLu::Level& fine, MueLu::Level& coarse) const override;

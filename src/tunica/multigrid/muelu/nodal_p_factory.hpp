@@ -9,8 +9,8 @@ namespace tunica::multigrid {
 /// both, that "A" is.
 class NodalPFactory : public MueLu::TwoLevelFactoryBase {
 public:
-  explicit NodalPFactory(const Teuchos::RCP<MixedCoarsening>& coarsening)
-      : coarsening_(coarsening) {}
+  /// Before Build().
+  void set_coarsening(const Teuchos::RCP<MixedCoarsening>& coarsening) { coarsening_ = coarsening; }
 
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
   void DeclareInput(MueLu::Level& fine, MueLu::Level& coarse) const override;
