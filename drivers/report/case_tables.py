@@ -52,6 +52,13 @@ def parameters(case):
     return found
 
 
+def averages_from(case):
+    """The time from which wall shear stress is averaged [ms]."""
+    output = case.find("ParameterList[@name='Output']") if case is not None else None
+    key = output.find("Parameter[@name='averages from']") if output is not None else None
+    return float(key.get("value")) if key is not None else 0.0
+
+
 def period(case):
     """The longest period of an amplitude [ms], None without one."""
     found = []

@@ -3,7 +3,7 @@ import numpy as np
 from matplotlib import cm
 from matplotlib import pyplot as plt
 
-from report import render
+from report import case_tables, render
 from report.canvas import Figure, colour_scale
 from report.section import norm_of
 from report.space import Scene, Stage
@@ -13,6 +13,7 @@ GREY = np.array([0.82, 0.80, 0.78])
 WORDS = {"wall_shear_stress": "wall shear stress [kPa]", "time_averaged_wss": "time-averaged wall shear stress [kPa]",
          "oscillatory_shear_index": "oscillatory shear index [1]",
          "relative_residence_time": "relative residence time [1/kPa]"}
+AVERAGES = ("time_averaged_wss", "oscillatory_shear_index", "relative_residence_time")
 MOST_FURTHER = 6
 
 
@@ -112,12 +113,26 @@ class SpacePictures:
         norm, cmap, label = self.bars[name]
         canvas.colorbar(cm.ScalarMappable(norm, cmap), ax=panels, location="right", pad=0.02, aspect=24, fraction=0.04,
                         shrink=0.85, extend="max" if norm.vmin == 0 else "both", label=label)
-        drawn = "true to scale" if self.factor == 1 else f"displacement magnified {self.factor:g} times"
-        canvas.suptitle(f"{self.titles[name]}, t = {self.time:g} ms", fontsize=13)
+        magnified = f"displacement magnified {self.factor:g} times"
+        drawn = "true to scale" if self.factor == 1 else magnified
         text = f"Deformed, {drawn}, at the output of greatest displacement; from two sides."
+        when = f"t = {self.time:g} ms"
+        if name in AVERAGES:
+            when, more = self._averaged()
+            text += more
+        canvas.suptitle(f"{self.titles[name]}, {when}" + (f" ({magnified})" if self.factor != 1 else ""), fontsize=13)
         if name == "velocity":
             text += " Arrows begin where they are drawn; the longest one is the greatest velocity in the cut."
         return canvas, Figure(f"space_{name}.png", self.titles[name], text)
+
+    def _averaged(self):
+        """Over what, for the title and for the text."""
+        case = case_tables.read_case(self.run.folder)
+        begin, period = case_tables.averages_from(case), case_tables.period(case)
+        over = f"averaged from {begin:g} to {self.time:g} ms"
+        if period and self.time - begin < period * (1 - 1e-9):
+            return over, f" It is {over}, less than one period of {period:g} ms."
+        return over, f" It is {over}."
 
 
 def _panels(boxes):

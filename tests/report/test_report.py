@@ -126,6 +126,16 @@ class Report(unittest.TestCase):
         for text in ("Wall shear stress on the interface", "My number on the interface"):
             self.assertIn(text, page)
 
+    def test_averages_say_over_what_they_are_taken(self):
+        run = write_run(self.folder("averages"))
+        write_case(os.path.join(run, "case.xml"), period=400)
+        with h5py.File(os.path.join(run, "fields.h5"), "a") as file:
+            for step in (s for s in file if s.startswith("step_")):
+                file[f"{step}/fluid/time_averaged_wss"] = 0.002 + 0 * file["fluid/points"][:, 2]
+        self.assertEqual(report(run).returncode, 0)
+        page = self.expect_page(os.path.join(run, "report"), ALL | TABLES | {"space_time_averaged_wss.png"})
+        self.assertIn("averaged from 0 to 10 ms, less than one period of 400 ms", page)
+
     def test_case_and_periodicity_are_tables(self):
         run = write_run(self.folder("periodic"))
         write_case(os.path.join(run, "case.xml"), period=4)

@@ -163,6 +163,12 @@ double TimeFunction::operator()(double time) const {
   return in_table(times_.front() + within(time, times_.front(), period_, kind_ == Kind::steps));
 }
 
+std::pair<double, double> TimeFunction::table_range() const {
+  if (values_.empty()) return {0.0, 0.0};
+  const auto [least, largest] = std::minmax_element(values_.begin(), values_.end());
+  return {*least, *largest};
+}
+
 double TimeFunction::in_table(double time) const {
   const double slack = 1e-9 * std::max(std::abs(time), std::abs(times_.back()));
   if (kind_ == Kind::steps) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "tunica/params/table.hpp"
@@ -21,6 +22,8 @@ public:
   std::vector<double> kinks(double end) const;
   /// Of the repetition [ms]; 0 where there is none.
   double period() const { return period_; }
+  /// The least and the largest value of a table; zeros where there is none.
+  std::pair<double, double> table_range() const;
 
 private:
   double in_table(double time) const;

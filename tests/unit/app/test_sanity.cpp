@@ -12,6 +12,7 @@
 #include "tunica/mesh/info.hpp"
 #include "tunica/mesh/tube.hpp"
 #include "unit/fields/small_tube.hpp"
+#include "verify/quarter_tube.hpp"
 
 namespace {
 
@@ -113,6 +114,19 @@ TEUCHOS_UNIT_TEST(vessel, tube_is_measured_as_it_was_made) {
   TEST_FLOATING_EQUALITY(vessel.region_shares[0] + vessel.region_shares[1], 1.0, 1e-12);
 }
 
+TEUCHOS_UNIT_TEST(vessel, quarter_of_a_tube_is_that_tube) {
+  const mesh::Tube tube = fine_tube();
+  const mesh::Mesh quarter = verify::quarter_of(mesh::make_tube(tube));
+  app::VesselSurfaces surfaces = names_of_tube();
+  surfaces.lumen_planes = {"symmetry_x", "symmetry_y"};
+  surfaces.wall_ends.insert(surfaces.wall_ends.end(), {"symmetry_x", "symmetry_y"});
+  const app::Vessel vessel =
+      app::vessel_of(test::share_of(quarter, {true, false, false}), {0}, {1, 2}, surfaces);
+  TEST_FLOATING_EQUALITY(vessel.radius, tube.radius, 2e-3);
+  TEST_FLOATING_EQUALITY(vessel.length, tube.length, 5e-3);
+  TEST_FLOATING_EQUALITY(vessel.thickness, tube.media + tube.adventitia, 5e-3);
+}
+
 TEUCHOS_UNIT_TEST(vessel, is_the_same_on_any_number_of_ranks) {
   const CommPtr comm = all_ranks();
   const app::Domain domain = app::load_domain(TubeCase().resolved(), comm);
@@ -205,6 +219,13 @@ TEUCHOS_UNIT_TEST(sanity, loads_that_do_nothing_or_are_not_seen_are_doubted) {
   TEST_ASSERT(doubts(tube, "which the run does not see", out));
   with_flow(test::table_of("0, 10, 20, 30", "0, 0, 1, 0"));
   TEST_ASSERT(!doubts(tube, "which the run does not see", out));
+  // The spline through 0, 1, 0 with slopes of zero at its ends stays in the table; one with a long
+  // gap in its period does not.
+  const std::string spline = test::text("interpolation", "spline");
+  with_flow(test::table_of("0, 30, 60", "0, 1, 0", spline));
+  TEST_ASSERT(!doubts(tube, "goes beyond the values of its table", out));
+  with_flow(test::table_of("0, 10, 20, 30", "0, 1, 1, 0.5", spline + number("period", "90")));
+  TEST_ASSERT(doubts(tube, "goes beyond the values of its table", out));
   with_flow(test::table_of("0, 0.4", "1, 2", number("period", "0.8")));
   TEST_ASSERT(doubts(tube, "0.8 s = 800 ms", out));
 }

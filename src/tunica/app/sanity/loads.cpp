@@ -201,6 +201,10 @@ void visit_amplitude(const Teuchos::ParameterList& list, double dt, Loads& loads
     high = std::max(high, value);
   }
   if (slope == 0.0) return;
+  const auto [least, most] = amplitude.table_range();
+  if (least < most)
+    loads.overshoot =
+        std::max(loads.overshoot, std::max(least - low, high - most) / (most - least));
   if (loads.rise == 0.0 || (high - low) / slope < loads.rise) loads.rise = (high - low) / slope;
   if (dt == 0.0) return;
   const bool has_steps =

@@ -29,6 +29,8 @@ struct Loads {
   /// What fixed steps do not see of an amplitude: how far it strays within one from a straight
   /// line, over its largest value. Tables of steps count where they change faster than that.
   double missed = 0.0;
+  /// How far a spline goes beyond the values of its table, over their range.
+  double overshoot = 0.0;
 };
 
 /// Amplitudes count at their kinks and at 2000 times. What an opening's traction does beside

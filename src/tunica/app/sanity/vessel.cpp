@@ -191,6 +191,13 @@ std::vector<int> joined(const mesh::Mesh& mesh, const std::vector<std::vector<in
   return all;
 }
 
+/// What planes of symmetry leave of a circle of radius R, by the openings.
+double share_of_circle(const std::vector<Vessel::Opening>& openings, double R) {
+  double sum = 0.0;
+  for (const Vessel::Opening& o : openings) sum += o.area;
+  return std::min(1.0, sum / (M_PI * R * R * static_cast<double>(openings.size())));
+}
+
 void measure_lumen(const Part& part, const VesselSurfaces& surfaces, Vessel& vessel) {
   const mesh::Mesh& mesh = part.mesh;
   const auto triangles = boundary_of(part);
@@ -219,6 +226,8 @@ void measure_lumen(const Part& part, const VesselSurfaces& surfaces, Vessel& ves
     vessel.elements_across_lumen = 2 * static_cast<int>(global_max(part.comm, deepest));
     return;
   }
+  if (!surfaces.lumen_planes.empty())
+    vessel.length /= share_of_circle(vessel.openings, vessel.radius);
   const auto fewest =
       std::min_element(vessel.openings.begin(), vessel.openings.end(),
                        [](auto& x, auto& y) { return x.elements_across < y.elements_across; });
