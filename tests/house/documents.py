@@ -5,7 +5,6 @@ command lines of tunica-*.
 Usage: documents.py ROOT FOLDER_OF_PROGRAMS
 """
 import functools
-import os
 import pathlib
 import re
 import subprocess
@@ -115,6 +114,4 @@ def main(root, programs):
 
 
 if __name__ == "__main__":
-    os.environ.setdefault("OMPI_ALLOW_RUN_AS_ROOT", "1")
-    os.environ.setdefault("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
     sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()))

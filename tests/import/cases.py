@@ -7,10 +7,10 @@ import unittest
 import samples
 
 PROGRAM, PROGRAMS, SCRATCH = sys.argv[1:4]
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path += [TESTS, os.path.join(TESTS, "..", "xml")]
+from pages import ENVIRONMENT  # noqa: E402
 from scratch import fresh  # noqa: E402
-ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
-                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl_vader_single_copy_mechanism="none")
 
 
 def tunica(program, *words):

@@ -1,6 +1,5 @@
 """What the regression scripts share: starting a driver and reading what it leaves."""
 import csv
-import os
 import pathlib
 import subprocess
 import sys
@@ -9,15 +8,11 @@ import xml.etree.ElementTree as ElementTree
 from concurrent.futures import ThreadPoolExecutor
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT / "tests"))
+sys.path += [str(ROOT / "tests"), str(ROOT / "xml")]
 import scratch  # noqa: E402
+from pages import ENVIRONMENT  # noqa: E402
 
 fresh = scratch.fresh  # of all scripts
-ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
-                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   OMPI_MCA_btl_vader_single_copy_mechanism="none",
-                   OMPI_MCA_mpi_yield_when_idle="1",
-                   OMPI_MCA_hwloc_base_binding_policy="none")
 
 
 class Run:
