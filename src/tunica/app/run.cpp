@@ -155,7 +155,7 @@ int of_output(const Teuchos::ParameterList& list, const std::string& key) {
 
 bool has_asked_times_in(const Teuchos::ParameterList& output) {
   return output.isParameter("fields at") &&
-         (output.get<Teuchos::Array<double>>("fields at").size() > 0 ||
+         (!output.get<Teuchos::Array<double>>("fields at").empty() ||
           output.get<double>("fields interval") > 0.0);
 }
 

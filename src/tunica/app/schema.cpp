@@ -77,7 +77,7 @@ void check_steady(const Teuchos::ParameterList& list, const std::string&) {
       "Time: \"step control\" = \"steady\" is for a fluid alone, in tunica-fluid. A wall with "
       "\"analysis\" = \"static\" is in equilibrium in each step.");
   const Teuchos::ParameterList& output = list.sublist("Output");
-  TUNICA_CHECK(output.get<Teuchos::Array<double>>("fields at").size() == 0 &&
+  TUNICA_CHECK(output.get<Teuchos::Array<double>>("fields at").empty() &&
                    output.get<double>("fields interval") == 0.0,
                "Output: \"fields at\" and \"fields interval\" mean nothing on the way to a steady "
                "flow; the last step is always written.");

@@ -61,11 +61,11 @@ bool are_free(const Constraints& fixed, const Nodes& nodes) {
   return std::all_of(nodes.begin(), nodes.end(), [&](int a) { return fixed.is_free(a); });
 }
 
-/// Row i of a pair of nodes in all lanes, four packs, into the elements' matrices.
-inline void separate(const Pack& c0, const Pack& c1, const Pack& c2, const Pack& c3, int a, int b,
-                     int i, ElementMatrix* K) {
+/// Row i of a pair of nodes in all lanes into the elements' matrices.
+inline void separate(const Pack (&row)[4], int a, int b, int i, ElementMatrix* K) {
   static_assert(Pack::size == 4);
-  const auto &v0 = c0.values(), &v1 = c1.values(), &v2 = c2.values(), &v3 = c3.values();
+  const auto &v0 = row[0].values(), &v1 = row[1].values(), &v2 = row[2].values(),
+             &v3 = row[3].values();
   const auto even01 = __builtin_shufflevector(v0, v1, 0, 4, 2, 6);
   const auto odd01 = __builtin_shufflevector(v0, v1, 1, 5, 3, 7);
   const auto even23 = __builtin_shufflevector(v2, v3, 0, 4, 2, 6);
@@ -84,10 +84,10 @@ TUNICA_PACKED void separate(const kernels::MixedJacobianOf<Pack>& Ke, const doub
     for (int b = 0; b < 4; ++b) {
       for (int i = 0; i < 3; ++i) {
         const Pack* const A = Ke.A[a][b][i];
-        separate(uu * A[0], uu * A[1], uu * A[2], up * Ke.B1T[a][b][i], a, b, i, K);
+        separate({uu * A[0], uu * A[1], uu * A[2], up * Ke.B1T[a][b][i]}, a, b, i, K);
       }
       const Pack* const B2 = Ke.B2[a][b];
-      separate(pu * B2[0], pu * B2[1], pu * B2[2], pp * Ke.mC[a][b], a, b, 3, K);
+      separate({pu * B2[0], pu * B2[1], pu * B2[2], pp * Ke.mC[a][b]}, a, b, 3, K);
     }
 }
 

@@ -12,8 +12,6 @@ namespace tunica::discretisation {
 
 namespace {
 
-constexpr int velocity_part = 0;  // of a history, see TimeScheme::remembers()
-
 /// Extremes and sums on one rank.
 struct Summary {
   double displacement = 0.0, interface_displacement = 0.0;

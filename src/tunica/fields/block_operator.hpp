@@ -22,7 +22,7 @@ struct NodeGraph {
 };
 NodeGraph make_node_graph(const FieldMesh& mesh);
 /// Rows and columns on different nodes of the same tetrahedra.
-NodeGraph make_node_graph(const FieldMesh& rows, const FieldMesh& columns);
+NodeGraph make_node_graph(const FieldMesh& row_mesh, const FieldMesh& column_mesh);
 
 /// A kind of unknown at each node of a field.
 struct NodalBlock {

@@ -15,7 +15,7 @@ StepSizes without_gaps(StepSizes sizes);
 
 /// Weights of xⁿ⁻¹, xⁿ⁻², xⁿ⁻³ in the value that the polynomial through the last degree + 1 of
 /// them, degree at most 2, has at the new time.
-std::array<double, 3> extrapolation(int degree, const StepSizes& sizes);
+std::array<double, 3> extrapolation(int degree, const StepSizes& some);
 
 /// Where a run stands: the step being solved. Equidistant, t^n = n Δt, unless set_step() says
 /// otherwise.

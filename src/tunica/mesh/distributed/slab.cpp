@@ -138,9 +138,10 @@ namespace {
 /// That its file takes, and some for its head.
 long long bytes_of(const Slab& slab) {
   const auto fields = static_cast<long long>(slab.rows.tet_vectors.size());
-  const auto tags = static_cast<long long>(slab.rows.regions.size() + slab.rows.surfaces.size());
-  return 24 * slab.vertices + (20 + 24 * fields) * slab.tets + 16 * slab.triangles + 4096 * tags +
-         (1 << 20);
+  const auto regions = static_cast<long long>(slab.rows.regions.size());
+  const auto surfaces = static_cast<long long>(slab.rows.surfaces.size());
+  return 24 * slab.vertices + (20 + 24 * fields) * slab.tets + 16 * slab.triangles +
+         4096 * (regions + surfaces) + (1 << 20);
 }
 
 }  // namespace
