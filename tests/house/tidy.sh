@@ -13,6 +13,7 @@ if ! "$tool" --version; then
 fi
 cmake -S . -B "$scratch" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=OFF \
   -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
+sed -i 's/ -fno-ipa-[a-z-]*//g' "$scratch/compile_commands.json"  # GCC's alone
 find "$@" -name '*.cpp' -print0 | sort -z |
   xargs -0 -n 1 -P "$(env -u OMP_NUM_THREADS nproc)" \
     "$tool" -p "$scratch" --quiet --warnings-as-errors='*' 2> >(grep -v ' warnings generated\.$' >&2)
