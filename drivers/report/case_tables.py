@@ -52,11 +52,19 @@ def parameters(case):
     return found
 
 
+def _number(parameter):
+    """None where there is none."""
+    try:
+        return float(parameter.get("value"))
+    except (AttributeError, TypeError, ValueError):
+        return None
+
+
 def averages_from(case):
     """The time from which wall shear stress is averaged [ms]."""
     output = case.find("ParameterList[@name='Output']") if case is not None else None
     key = output.find("Parameter[@name='averages from']") if output is not None else None
-    return float(key.get("value")) if key is not None else 0.0
+    return _number(key) or 0.0
 
 
 def period(case):
@@ -65,10 +73,7 @@ def period(case):
     for node in case.iter("ParameterList") if case is not None else ():
         for parameter in node.findall("Parameter"):
             if node.get("name") == "Amplitude" and parameter.get("name") == "period":
-                try:
-                    found.append(float(parameter.get("value")))
-                except (TypeError, ValueError):
-                    pass
+                found.append(_number(parameter) or 0.0)
     return max((p for p in found if p > 0), default=None)
 
 

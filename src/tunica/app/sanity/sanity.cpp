@@ -168,6 +168,13 @@ void Judge::loads() {
         loads_.end,
         vessel_.fluid ? "of the fluid a pressure, a velocity or a flow rate"
                       : "of the wall a pressure"));
+  if (loads_.overshoot > 0.1)
+    doubts_.push_back(
+        formatted("a load's spline goes beyond the values of its table by %.0f %% of their range; "
+                  "usual is below 10 %%. Give it more times where there are few and the values "
+                  "change (a gap at the end of a period counts), or \"interpolation\" = "
+                  "\"linear\".",
+                  100.0 * loads_.overshoot));
   if (loads_.peak_pressure > 0.0)
     row("largest pressure given",
         formatted("%.3g kPa = %.3g mmHg", loads_.peak_pressure, loads_.peak_pressure * 7.50062),
@@ -273,13 +280,6 @@ void Judge::steps() {
                   "Shorten \"Time / step size\", or \"step control\" = \"adaptive\"; are "
                   "the times in ms?",
                   dt, 100.0 * loads_.missed));
-  if (loads_.overshoot > 0.1)
-    doubts_.push_back(
-        formatted("a load's spline goes beyond the values of its table by %.0f %% of their range; "
-                  "usual is below 10 %%. Give it more times where there are few and the values "
-                  "change (a gap at the end of a period counts), or \"interpolation\" = "
-                  "\"linear\".",
-                  100.0 * loads_.overshoot));
 }
 
 void Judge::waves() {
