@@ -9,8 +9,8 @@ namespace tunica::algebra {
 
 /// Nodes as multigrid sees them.
 struct Nodes {
-  Teuchos::RCP<const CrsMatrix> graph;  ///< a row per node, its neighbours and itself
-  Teuchos::RCP<const Vector> order;     ///< in which nodes are picked; the same on any ranks
+  Teuchos::RCP<const CrsGraph> graph;  ///< a row per node, its neighbours and itself
+  Teuchos::RCP<const Vector> order;    ///< in which nodes are picked; the same on any ranks
   /// Of nodes that stand where those of the first block do: the number of that one. Null where
   /// they are the same, or have nothing to do with each other.
   Teuchos::RCP<const Vector> hosts{};

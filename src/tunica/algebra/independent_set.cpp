@@ -13,8 +13,8 @@ constexpr double undecided = 0.0, coarse = 1.0, fine = -1.0;
 /// A node is coarse when all neighbours before it are known to be fine. Undecided only where
 /// that hangs on another rank.
 template <class States, class Order>
-double decide(const CrsMatrix& nodes, int row, int own, const States& states, const Order& order) {
-  const auto graph = nodes.getLocalMatrixHost().graph;
+double decide(const CrsGraph& nodes, int row, int own, const States& states, const Order& order) {
+  const auto graph = nodes.getLocalGraphHost();
   double decision = coarse;
   for (auto k = graph.row_map(row); k < graph.row_map(row + 1); ++k) {
     const LocalOrdinal column = graph.entries(k);
@@ -26,7 +26,7 @@ double decide(const CrsMatrix& nodes, int row, int own, const States& states, co
 }
 
 /// One pass over the own nodes; how many stay undecided.
-int decide_all(const CrsMatrix& nodes, const Vector& order, Vector& states) {
+int decide_all(const CrsGraph& nodes, const Vector& order, Vector& states) {
   const auto numbers = order.getLocalViewHost(read_only);
   const auto view = states.getLocalViewHost(read_write);
   int n_left = 0;
@@ -39,7 +39,7 @@ int decide_all(const CrsMatrix& nodes, const Vector& order, Vector& states) {
   return n_left;
 }
 
-Vector rows_of(const CrsMatrix& nodes, const Vector& columns) {
+Vector rows_of(const CrsGraph& nodes, const Vector& columns) {
   Vector rows(nodes.getRowMap());
   const auto from = columns.getLocalViewHost(read_only);
   const auto to = rows.getLocalViewHost(overwrite_all);
@@ -52,21 +52,21 @@ Vector rows_of(const CrsMatrix& nodes, const Vector& columns) {
 
 }  // namespace
 
-void fetch_columns(const CrsMatrix& matrix, const MultiVector& rows, MultiVector& columns) {
-  const auto importer = matrix.getGraph()->getImporter();
+void fetch_columns(const CrsGraph& graph, const MultiVector& rows, MultiVector& columns) {
+  const auto importer = graph.getImporter();
   if (importer.is_null())
     columns.assign(rows);
   else
     columns.doImport(rows, *importer, insert);
 }
 
-Vector on_columns(const CrsMatrix& matrix, const Vector& rows) {
-  Vector columns(matrix.getColMap());
-  fetch_columns(matrix, rows, columns);
+Vector on_columns(const CrsGraph& graph, const Vector& rows) {
+  Vector columns(graph.getColMap());
+  fetch_columns(graph, rows, columns);
   return columns;
 }
 
-std::vector<char> independent_set(const CrsMatrix& nodes, const Vector& order) {
+std::vector<char> independent_set(const CrsGraph& nodes, const Vector& order) {
   const Vector numbers = on_columns(nodes, order);
   Vector states(nodes.getColMap());
   int n_left = 1;

@@ -5,16 +5,22 @@
 
 namespace tunica::algebra {
 
-/// Takes the values of a vector on the rows of a matrix to its columns, own and ghost.
-/// Collective.
-void fetch_columns(const CrsMatrix& matrix, const MultiVector& rows, MultiVector& columns);
+/// Takes the values of a vector on the rows of a square graph or matrix to its columns, own and
+/// ghost. Collective.
+void fetch_columns(const CrsGraph& graph, const MultiVector& rows, MultiVector& columns);
+inline void fetch_columns(const CrsMatrix& matrix, const MultiVector& rows, MultiVector& columns) {
+  fetch_columns(*matrix.getCrsGraph(), rows, columns);
+}
 /// The same into a new vector.
-Vector on_columns(const CrsMatrix& matrix, const Vector& rows);
+Vector on_columns(const CrsGraph& graph, const Vector& rows);
+inline Vector on_columns(const CrsMatrix& matrix, const Vector& rows) {
+  return on_columns(*matrix.getCrsGraph(), rows);
+}
 
-/// A maximal independent set of the graph of a square matrix, one flag per local column: no two
+/// A maximal independent set of a square graph, one flag per local column: no two
 /// nodes of it are neighbours, every other node has a neighbour in it. Picked greedily in the
 /// given order, a number per row, none twice: the set does not depend on where ranks meet.
 /// Collective.
-std::vector<char> independent_set(const CrsMatrix& nodes, const Vector& order);
+std::vector<char> independent_set(const CrsGraph& nodes, const Vector& order);
 
 }  // namespace tunica::algebra

@@ -1,6 +1,7 @@
 #include "tunica/algebra/picked_matrix.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/algebra/static_matrix.hpp"
@@ -24,30 +25,54 @@ Teuchos::RCP<const Map> flagged_map(const Vector& flags) {
   return map_of(numbers, flags.getMap()->getComm());
 }
 
-PickedMatrix::PickedMatrix(const CrsMatrix& K, const Vector& rows, const Vector& columns) {
-  const Vector on_columns_of_K = on_columns(K, columns);
-  const std::vector<int> kept_columns = flagged_rows(on_columns_of_K);
-  std::vector<int> place(on_columns_of_K.getLocalLength(), -1);
-  for (std::size_t c = 0; c < kept_columns.size(); ++c)
-    place[kept_columns[c]] = static_cast<int>(c);
+namespace {
 
-  const auto from = K.getLocalMatrixHost().graph;
-  const std::vector<int> kept_rows = flagged_rows(rows);
-  std::vector<int> entries;
-  RowStart row_start("row start", kept_rows.size() + 1);
-  for (std::size_t r = 0; r < kept_rows.size(); ++r) {
-    for (auto k = from.row_map(kept_rows[r]); k < from.row_map(kept_rows[r] + 1); ++k)
-      if (const int column = place[from.entries(k)]; column >= 0) {
-        entries.push_back(column);
-        offsets_.push_back(k);
-      }
-    row_start(r + 1) = entries.size();
+/// What is picked of a graph, and from where.
+struct Pick {
+  Teuchos::RCP<const Map> rows, with_ghosts, domain;
+  RowStart row_start;
+  LocalColumns columns;
+  std::vector<std::size_t> offsets;  ///< of each entry in the graph
+
+  Pick(const CrsGraph& G, const Vector& row_flags, const Vector& column_flags)
+      : rows(flagged_map(row_flags)), domain(flagged_map(column_flags)) {
+    const Vector flags = on_columns(G, column_flags);
+    with_ghosts = flagged_map(flags);
+    const std::vector<int> kept_columns = flagged_rows(flags), kept_rows = flagged_rows(row_flags);
+    std::vector<int> place(flags.getLocalLength(), -1);
+    for (std::size_t c = 0; c < kept_columns.size(); ++c)
+      place[kept_columns[c]] = static_cast<int>(c);
+    const auto from = G.getLocalGraphHost();
+    std::vector<int> entries;
+    row_start = RowStart("row start", kept_rows.size() + 1);
+    for (std::size_t r = 0; r < kept_rows.size(); ++r) {
+      for (auto k = from.row_map(kept_rows[r]); k < from.row_map(kept_rows[r] + 1); ++k)
+        if (const int column = place[from.entries(k)]; column >= 0) {
+          entries.push_back(column);
+          offsets.push_back(k);
+        }
+      row_start(r + 1) = entries.size();
+    }
+    columns = LocalColumns("columns", entries.size());
+    std::copy(entries.begin(), entries.end(), columns.data());
   }
-  LocalColumns kept("columns", entries.size());
-  std::copy(entries.begin(), entries.end(), kept.data());
-  matrix_ = static_matrix(flagged_map(rows), flagged_map(on_columns_of_K), row_start, kept,
-                          flagged_map(columns));
+
+  Teuchos::RCP<CrsGraph> graph() const {
+    return static_graph(rows, with_ghosts, row_start, columns, domain);
+  }
+};
+
+}  // namespace
+
+PickedMatrix::PickedMatrix(const CrsMatrix& K, const Vector& rows, const Vector& columns) {
+  Pick pick(*K.getCrsGraph(), rows, columns);
+  matrix_ = matrix_on(pick.graph());
+  offsets_ = std::move(pick.offsets);
   refresh(K);
+}
+
+Teuchos::RCP<CrsGraph> picked_graph(const CrsGraph& G, const Vector& rows, const Vector& columns) {
+  return Pick(G, rows, columns).graph();
 }
 
 void PickedMatrix::refresh(const CrsMatrix& K) {

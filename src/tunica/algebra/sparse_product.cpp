@@ -76,9 +76,9 @@ struct TransposedGraph {
   }
 };
 
-/// Pᵀ A P without values, on one rank. Tpetra's own takes room for three times its values while it
+/// That of Pᵀ A P, on one rank. Tpetra's own takes room for three times its values while it
 /// looks for it.
-Teuchos::RCP<CrsMatrix> triple_graph(const CrsMatrix& A, const CrsMatrix& P) {
+Teuchos::RCP<CrsGraph> triple_graph(const CrsMatrix& A, const CrsMatrix& P) {
   const auto of_A = A.getLocalMatrixHost().graph, of_P = P.getLocalMatrixHost().graph;
   const TransposedGraph Pt(P);
   const int n_coarse = static_cast<int>(Pt.start.size()) - 1;
@@ -95,7 +95,7 @@ Teuchos::RCP<CrsMatrix> triple_graph(const CrsMatrix& A, const CrsMatrix& P) {
   }
   LocalColumns columns("columns", found.size());
   std::copy(found.begin(), found.end(), columns.data());
-  return static_matrix(P.getDomainMap(), P.getColMap(), row_start, columns, P.getDomainMap());
+  return static_graph(P.getDomainMap(), P.getColMap(), row_start, columns, P.getDomainMap());
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ bool TripleProduct::serves(const CrsMatrix& A, const CrsMatrix& P) {
 
 TripleProduct::TripleProduct(const CrsMatrix& A, const CrsMatrix& P) : A_(&A), P_(&P) {
   if (!serves(A, P)) throw std::invalid_argument("TripleProduct: not for these matrices");
-  product_ = triple_graph(A, P);
+  product_ = matrix_on(triple_graph(A, P));
 }
 
 void TripleProduct::refresh() {

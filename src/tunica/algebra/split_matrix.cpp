@@ -71,8 +71,8 @@ SplitMatrix::SplitMatrix(const CrsMatrix& merged, const BlockSpace& space)
   for (int i = 0; i < n_blocks_; ++i)
     for (int j = 0; j < n_blocks_; ++j) {
       const int b = n_blocks_ * i + j;
-      blocks_.push_back(
-          static_matrix(space[i].map, column_maps[j], row_start[b], entries[b], space[j].map));
+      blocks_.push_back(matrix_on(
+          static_graph(space[i].map, column_maps[j], row_start[b], entries[b], space[j].map)));
     }
   refresh();
 }

@@ -2,14 +2,19 @@
 
 namespace tunica::algebra {
 
-Teuchos::RCP<CrsMatrix> static_matrix(const Teuchos::RCP<const Map>& rows,
-                                      const Teuchos::RCP<const Map>& with_ghosts,
-                                      const RowStart& row_start, const LocalColumns& columns,
-                                      const Teuchos::RCP<const Map>& domain) {
-  using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
-  const auto matrix = Teuchos::rcp(
-      new CrsMatrix(rows, with_ghosts, row_start, columns, Values("values", columns.extent(0))));
-  matrix->expertStaticFillComplete(domain, rows);
+Teuchos::RCP<CrsGraph> static_graph(const Teuchos::RCP<const Map>& rows,
+                                    const Teuchos::RCP<const Map>& with_ghosts,
+                                    const RowStart& row_start, const LocalColumns& columns,
+                                    const Teuchos::RCP<const Map>& domain) {
+  const auto graph = Teuchos::rcp(new CrsGraph(rows, with_ghosts, row_start, columns));
+  graph->expertStaticFillComplete(domain, rows);
+  return graph;
+}
+
+Teuchos::RCP<CrsMatrix> matrix_on(const Teuchos::RCP<const CrsGraph>& graph) {
+  const auto matrix = Teuchos::rcp(new CrsMatrix(graph));
+  matrix->setAllToScalar(0.0);
+  matrix->fillComplete(graph->getDomainMap(), graph->getRangeMap());
   return matrix;
 }
 

@@ -44,7 +44,7 @@ void drop_missing_hosts(const Map& nodes, Vector& hosts) {
 
 /// leaders: where the hosts are; null for the first block.
 Nodes picked_nodes(const Nodes& all, const Vector& flags, const Map* leaders) {
-  Nodes nodes{PickedMatrix(*all.graph, flags, flags).matrix(), picked_values(*all.order, flags)};
+  Nodes nodes{picked_graph(*all.graph, flags, flags), picked_values(*all.order, flags)};
   if (all.hosts.is_null()) return nodes;
   const auto hosts = Teuchos::rcp_const_cast<Vector>(picked_values(*all.hosts, flags));
   drop_missing_hosts(*leaders, *hosts);

@@ -189,7 +189,7 @@ std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall,
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
     const kernels::Tet4 T = wall.elements().geometry[e];
-    const materials::HyperelasticLaw& law = *wall.elements().law[e];
+    const materials::HyperelasticLaw& law = *wall.elements().layer(e).law;
     const materials::Frame frame = wall.elements().frame(e);
     const auto d_e = assembly::gather(d, mesh.tets[e]);
     const Strained element{

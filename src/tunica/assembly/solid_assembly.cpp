@@ -13,7 +13,7 @@ namespace {
                                                            const SolidElements& elements,
                                                            std::size_t e) {
   const std::array<int, 4>& nodes = mesh.tets[e];
-  const double density = elements.density[e];
+  const double density = elements.layer(e).density;
   const auto& pressure_nodes = fields::scalar_mesh(mesh, elements.split).tets[e];
   kernels::SolidState state{gather(s.d, nodes), gather(s.p, pressure_nodes), gather(s.r, nodes)};
   for (Vec3& r : state.r) r = density * r;
@@ -40,7 +40,7 @@ std::vector<Vec3> solid_subscales(const fields::FieldMesh& mesh, const SolidElem
   std::vector<Vec3> subscales(mesh.tets.size());
   for (std::size_t e = 0; e < subscales.size(); ++e)
     subscales[e] = kernels::solid_subscale(elements.geometry[e], state_of(state, mesh, elements, e),
-                                           elements.coefficients[e]);
+                                           elements.coefficients(e));
   return subscales;
 }
 
@@ -59,8 +59,8 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
       const std::size_t e = pack.number[lane];
       set_lane(x, lane, elements.geometry.vertices(e));
       set_lane(s, lane, state_of(state, mesh, elements, e));
-      set_lane(c, lane, elements.coefficients[e]);
-      laws.laws[lane] = elements.law[e];
+      set_lane(c, lane, elements.coefficients(e));
+      laws.laws[lane] = elements.layer(e).law;
       if (!elements.frames.empty()) set_lane(laws.frames, lane, elements.frames[e]);
     }
     const auto T = kernels::make_tet4(x);

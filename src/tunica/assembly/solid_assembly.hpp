@@ -1,19 +1,35 @@
 #pragma once
+#include <cstdint>
+#include <vector>
+
 #include "tunica/assembly/block_assembler.hpp"
 #include "tunica/assembly/element_geometry.hpp"
 #include "tunica/kernels/solid_up.hpp"
 
 namespace tunica::assembly {
 
+/// What the elements of a layer have in common.
+struct SolidLayer {
+  const materials::HyperelasticLaw* law = nullptr;
+  double density = 0.0;                       ///< ρ [mg/mm³]
+  kernels::SolidCoefficients coefficients{};  ///< but for τ
+};
+
 /// What stays constant of the wall's elements during a run.
 struct SolidElements {
   ElementGeometry geometry;  ///< undeformed
-  std::vector<const materials::HyperelasticLaw*> law;
-  std::vector<double> density;  ///< ρ [mg/mm³]
-  std::vector<kernels::SolidCoefficients> coefficients;
+  std::vector<SolidLayer> layers;
+  std::vector<std::int16_t> layer_number;    ///< per element
+  std::vector<double> tau;                   ///< τ per element [mm²/kPa]
   std::vector<materials::Frame> frames;      ///< empty where no law has fibres
   const fields::SplitMesh* split = nullptr;  ///< carries the pressures where it is not null
 
+  const SolidLayer& layer(std::size_t e) const { return layers[layer_number[e]]; }
+  kernels::SolidCoefficients coefficients(std::size_t e) const {
+    kernels::SolidCoefficients c = layer(e).coefficients;
+    c.tau = tau[e];
+    return c;
+  }
   const materials::Frame& frame(std::size_t e) const {
     static constexpr materials::Frame none;
     return frames.empty() ? none : frames[e];

@@ -17,8 +17,10 @@ inline Teuchos::ArrayView<const GlobalOrdinal> global_numbers(const Map& map) {
 
 /// Rows and entries of the calling rank.
 inline std::size_t n_local_rows(const RowMatrix& A) { return A.getNodeNumRows(); }
+inline std::size_t n_local_rows(const CrsGraph& A) { return A.getNodeNumRows(); }
 inline std::size_t n_local_entries(const RowMatrix& A) { return A.getNodeNumEntries(); }
 inline std::size_t longest_local_row(const RowMatrix& A) { return A.getNodeMaxNumRowEntries(); }
+inline std::size_t longest_local_row(const CrsGraph& A) { return A.getNodeMaxNumRowEntries(); }
 
 #else
 
@@ -27,8 +29,10 @@ inline Teuchos::ArrayView<const GlobalOrdinal> global_numbers(const Map& map) {
   return map.getLocalElementList();
 }
 inline std::size_t n_local_rows(const RowMatrix& A) { return A.getLocalNumRows(); }
+inline std::size_t n_local_rows(const CrsGraph& A) { return A.getLocalNumRows(); }
 inline std::size_t n_local_entries(const RowMatrix& A) { return A.getLocalNumEntries(); }
 inline std::size_t longest_local_row(const RowMatrix& A) { return A.getLocalMaxNumRowEntries(); }
+inline std::size_t longest_local_row(const CrsGraph& A) { return A.getLocalMaxNumRowEntries(); }
 
 #endif
 

@@ -20,6 +20,7 @@ using Import = Tpetra::Import<LocalOrdinal, GlobalOrdinal, Node>;
 using Vector = Tpetra::Vector<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 using MultiVector = Tpetra::MultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 using Operator = Tpetra::Operator<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+using CrsGraph = Tpetra::CrsGraph<LocalOrdinal, GlobalOrdinal, Node>;
 using CrsMatrix = Tpetra::CrsMatrix<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 using RowMatrix = Tpetra::RowMatrix<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 

@@ -50,21 +50,18 @@ Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
 Solid::~Solid() = default;
 
 void Solid::set_elements() {
-  layer_of_region_.assign(mesh_->regions.size(), -1);
+  std::vector<std::int16_t> layer_of_region(mesh_->regions.size(), -1);
   for (std::size_t l = 0; l < options_.layers.size(); ++l) {
     const Layer& layer = options_.layers[l];
     laws_.push_back(law_of(layer));
+    elements_.layers.push_back({laws_.back().get(), layer.density});
     const auto found = std::find(mesh_->regions.begin(), mesh_->regions.end(), layer.region);
-    layer_of_region_[found - mesh_->regions.begin()] = static_cast<int>(l);
+    layer_of_region[found - mesh_->regions.begin()] = static_cast<std::int16_t>(l);
   }
   elements_.geometry = assembly::ElementGeometry(*mesh_, mesh_->x);
-  elements_.law.reserve(mesh_->tets.size());
-  elements_.density.reserve(mesh_->tets.size());
-  for (const int region : mesh_->region) {
-    elements_.law.push_back(laws_[layer_of_region_[region]].get());
-    elements_.density.push_back(options_.layers[layer_of_region_[region]].density);
-  }
-  elements_.coefficients.resize(mesh_->tets.size());
+  elements_.layer_number.reserve(mesh_->tets.size());
+  for (const int region : mesh_->region) elements_.layer_number.push_back(layer_of_region[region]);
+  elements_.tau.resize(mesh_->tets.size());
   elements_.split = split();
 }
 
@@ -102,19 +99,24 @@ Outcome Solid::set_stress_free(const std::vector<Vec3>& from_stress_free) {
 }
 
 void Solid::set_coefficients() {
+  for (std::size_t l = 0; l < options_.layers.size(); ++l) {
+    const double modulus = laws_[l]->stabilisation_modulus();
+    elements_.layers[l].coefficients = {scheme_->inertia(options_.layers[l].density),
+                                        1.0 / options_.layers[l].bulk_modulus, 0.0,
+                                        options_.volumetric_factor * modulus};
+  }
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
-    const Layer& layer = options_.layers[layer_of_region_[mesh_->region[e]]];
+    const assembly::SolidLayer& layer = elements_.layer(e);
     const double h = kernels::element_length(elements_.geometry[e].volume);
-    const double modulus = elements_.law[e]->stabilisation_modulus();
+    const double modulus = layer.law->stabilisation_modulus();
     const double stiffness = 4.0 * options_.modulus_factor * modulus / (h * h);
-    const double alpha = scheme_->inertia(layer.density);
+    const double alpha = layer.coefficients.alpha;
     double tau = 1.0 / (stiffness + (options_.has_inertia_in_tau ? alpha : 0.0));
     // The pressure jumps between materials. Where it is continuous, PSPG takes the jump, spread
     // over an element, for a gradient out of balance and answers with a change of volume, see
     // verify/test_inflation.cpp.
     if (!is_at_layer_.empty() && is_at_layer_[e]) tau *= options_.layer_factor;
-    elements_.coefficients[e] = {alpha, 1.0 / layer.bulk_modulus, tau,
-                                 options_.volumetric_factor * modulus};
+    elements_.tau[e] = tau;
   }
 }
 
@@ -122,8 +124,8 @@ void Solid::set_coefficients() {
 // subscales that swing on their own: a wall with κ = 3 μ_l, left to itself, gains energy without
 // bound; with 8 μ_l it keeps it, see verify/test_wall_energy.cpp.
 bool Solid::is_nearly_incompressible(std::size_t element) const {
-  return 1.0 >= 20.0 * elements_.coefficients[element].inv_kappa *
-                    elements_.law[element]->stabilisation_modulus();
+  const assembly::SolidLayer& layer = elements_.layer(element);
+  return 1.0 >= 20.0 * layer.coefficients.inv_kappa * layer.law->stabilisation_modulus();
 }
 
 void Solid::set_inertia_history() {

@@ -88,7 +88,6 @@ private:
 
   SolidOptions options_;
   std::vector<std::unique_ptr<materials::HyperelasticLaw>> laws_;  ///< per layer
-  std::vector<int> layer_of_region_;
   std::vector<char> is_at_layer_;  ///< per element: it touches another material; empty where
                                    ///< the pressure follows the jump
   assembly::SolidElements elements_;

@@ -57,9 +57,10 @@ Observables Solid::observe(const algebra::BlockVector& x) const {
     const auto pe = assembly::gather(p, scalar_mesh().tets[e]);
     const double V = T.volume;
     const Sym3 C = kernels::right_cauchy_green(kernels::deformation_gradient(T, de));
-    s.elastic += V * elements_.law[e]->energy(C, elements_.frame(e));
-    s.volumetric += 0.5 * elements_.coefficients[e].inv_kappa * kernels::squared_norm(V, pe);
-    s.kinetic += 0.5 * elements_.density[e] *
+    const assembly::SolidLayer& layer = elements_.layer(e);
+    s.elastic += V * layer.law->energy(C, elements_.frame(e));
+    s.volumetric += 0.5 * layer.coefficients.inv_kappa * kernels::squared_norm(V, pe);
+    s.kinetic += 0.5 * layer.density *
                  kernels::squared_norm(V, assembly::gather(velocity(), mesh_->tets[e]));
     if (subscales_ && is_nearly_incompressible(e))
       s.stabilisation += kernels::subscale_power(T, de, pe, subscales_->history()[0][e]);

@@ -20,8 +20,9 @@ Teuchos::RCP<const CrsMatrix> Solid::assemble_operator(const std::string& name) 
   return assembly::scalar_matrix(
       scalar_mesh(), scalar_graph(),
       [&](std::size_t e) {
-        const double factor = name == bulk_mass ? elements_.coefficients[e].inv_kappa
-                                                : 2.0 / elements_.law[e]->stabilisation_modulus();
+        const assembly::SolidLayer& layer = elements_.layer(e);
+        const double factor = name == bulk_mass ? layer.coefficients.inv_kappa
+                                                : 2.0 / layer.law->stabilisation_modulus();
         return assembly::mass_element(elements_.geometry[e].volume, factor);
       },
       none_fixed);

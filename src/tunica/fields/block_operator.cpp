@@ -118,8 +118,8 @@ Teuchos::RCP<const Vector> parts_of(const FieldMesh& mesh, const MeshParts& part
 
 }  // namespace
 
-Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
-                                    int dofs_column) {
+Teuchos::RCP<CrsGraph> make_graph(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
+                                  int dofs_column) {
   const std::size_t pairs = graph.columns.size();
   algebra::RowStart row_start("row start", static_cast<std::size_t>(dofs_row) * mesh.n_owned + 1);
   algebra::LocalColumns columns("columns", pairs * dofs_row * dofs_column);
@@ -130,8 +130,13 @@ Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mes
         for (int j = 0; j < dofs_column; ++j) columns(next++) = dofs_column * graph.columns[k] + j;
       row_start(dofs_row * a + i + 1) = next;
     }
-  return algebra::static_matrix(mesh.owned_map(dofs_row), mesh.map_with_ghosts(dofs_column),
-                                row_start, columns, mesh.owned_map(dofs_column));
+  return algebra::static_graph(mesh.owned_map(dofs_row), mesh.map_with_ghosts(dofs_column),
+                               row_start, columns, mesh.owned_map(dofs_column));
+}
+
+Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
+                                    int dofs_column) {
+  return algebra::matrix_on(make_graph(graph, mesh, dofs_row, dofs_column));
 }
 
 algebra::BlockSpacePtr nodal_space(const FieldMesh& mesh, const NodalBlocks& blocks,
@@ -198,12 +203,12 @@ BlockOperator::BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks,
                              const SplitMesh* split, const MeshParts& parts)
     : mesh_(&mesh), split_(split) {
   const Graphs graphs(mesh, split);
-  algebra::Nodes nodes{make_matrix(*graphs.graphs[0], mesh, 1, 1), vertex_order(mesh)};
+  algebra::Nodes nodes{make_graph(*graphs.graphs[0], mesh), vertex_order(mesh)};
   nodes.parts = parts_of(mesh, parts);
   algebra::Nodes copies = nodes;
   if (split != nullptr)
-    copies = {make_matrix(*graphs.graphs[3], *split, 1, 1), vertex_order(*split),
-              hosts_of(mesh, *split), parts_of(*split, parts)};
+    copies = {make_graph(*graphs.graphs[3], *split), vertex_order(*split), hosts_of(mesh, *split),
+              parts_of(*split, parts)};
   algebra::BlockMatrix::operator=(
       algebra::BlockMatrix(space_of(mesh, split, blocks, nodes, copies, parts)));
   make_merged(graphs);
@@ -262,8 +267,8 @@ void BlockOperator::make_merged(const Graphs& graphs) {
           columns(start + i * length + place) = entry.column + j;
     }
   });
-  store_merged(
-      algebra::static_matrix(numbers.rows(), numbers.map(), row_start, columns, numbers.rows()));
+  store_merged(algebra::matrix_on(
+      algebra::static_graph(numbers.rows(), numbers.map(), row_start, columns, numbers.rows())));
   columns_ = merged()->getLocalMatrixHost().graph.entries.data();
   for (int a = 0; a < mesh_->n_nodes(); ++a) columns_of_vectors_.push_back(numbers.first(0, a));
   find_element_places(graphs, places);

@@ -117,8 +117,11 @@ private:
   std::vector<ElementPlaces> more_places_;
 };
 
-/// A matrix with rows dofs_row*node + i and columns dofs_column*node + j on the node graph,
-/// rows sorted by local column, all values zero.
+/// Rows dofs_row*node + i and columns dofs_column*node + j on the node graph, rows sorted by local
+/// column.
+Teuchos::RCP<CrsGraph> make_graph(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row = 1,
+                                  int dofs_column = 1);
+/// A matrix with these entries, all of them zero.
 Teuchos::RCP<CrsMatrix> make_matrix(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
                                     int dofs_column);
 

@@ -242,9 +242,8 @@ Teuchos::RCP<const CrsMatrix> CoupledProblem::assemble_operator(const std::strin
   const auto names = operator_names();
   if (std::find(names.begin(), names.end(), name) == names.end()) return Teuchos::null;
   const int b = name == mass ? 1 : 0;
-  const auto graph = name == mass ? (*K_->space())[1].nodes.graph : (*K_)(0, 0).getConst();
-  const auto M = Teuchos::rcp(new CrsMatrix(*graph, Teuchos::Copy));
-  M->resumeFill();
+  const auto M = Teuchos::rcp(
+      new CrsMatrix(name == mass ? (*K_->space())[1].nodes.graph : (*K_)(0, 0)->getCrsGraph()));
   M->setAllToScalar(0.0);
   const auto add = [&](FieldProblem& field, const algebra::BlockVector& at,
                        const algebra::Embedding& part) {

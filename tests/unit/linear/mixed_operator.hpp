@@ -16,9 +16,9 @@ public:
         fixed_(tube.wall.n_nodes()) {
     elements_.geometry = assembly::ElementGeometry(tube.wall, tube.wall.x);
     const std::size_t n = tube.wall.tets.size();
-    elements_.law.assign(n, law_.get());
-    elements_.density.assign(n, 1.2);
-    elements_.coefficients.assign(n, {1.2 / (0.625 * 0.125 * 0.125), 1e-5, 1e-3});
+    elements_.layers = {{law_.get(), 1.2, {1.2 / (0.625 * 0.125 * 0.125), 1e-5, 0.0}}};
+    elements_.layer_number.assign(n, 0);
+    elements_.tau.assign(n, 1e-3);
     for (int a = 0; a < tube.wall.n_nodes(); ++a)
       if (tube.wall.is_on(a, tube.surface("struct_in"))) fixed_.fix_vector(a);
     set(0.0);

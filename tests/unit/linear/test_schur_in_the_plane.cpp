@@ -38,7 +38,8 @@ algebra::BlockMatrix ring() {
   for (LocalOrdinal i = 0; i < static_cast<LocalOrdinal>(order->getLocalLength()); ++i)
     order->replaceLocalValue(i, static_cast<double>(nodes->getGlobalElement(i)));
   const algebra::Nodes graph{
-      matrix(nodes, nodes, [&](GlobalOrdinal row) { return stencil(row, 1, n); }), order};
+      matrix(nodes, nodes, [&](GlobalOrdinal row) { return stencil(row, 1, n); })->getCrsGraph(),
+      order};
   algebra::BlockMatrix K(std::make_shared<const algebra::BlockSpace>(
       std::vector<algebra::Block>{{"velocity", vectors, 2, graph}, {"pressure", nodes, 1, graph}}));
   K.set(0, 0, matrix(vectors, vectors, [&](GlobalOrdinal row) { return stencil(row, 2, 2 * n); }));

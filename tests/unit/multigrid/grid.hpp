@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <vector>
@@ -53,6 +54,10 @@ struct Grid {
     A->fillComplete();
     return A;
   }
+  /// Of its nodes, each a neighbour of itself.
+  Teuchos::RCP<const CrsGraph> graph(const CommPtr& comm) const {
+    return laplacian(comm)->getCrsGraph();
+  }
 };
 
 /// The entries of an own row by their global columns.
@@ -61,6 +66,16 @@ inline std::map<GlobalOrdinal, Scalar> row_of(const CrsMatrix& A, GlobalOrdinal 
   std::map<GlobalOrdinal, Scalar> found;
   for (int k = 0; k < entries.length; ++k)
     found[A.getColMap()->getGlobalElement(entries.colidx(k))] = entries.value(k);
+  return found;
+}
+
+/// The global columns of an own row, ascending.
+inline std::vector<GlobalOrdinal> columns_of(const CrsGraph& G, GlobalOrdinal row) {
+  const auto entries = G.getLocalGraphHost().rowConst(G.getRowMap()->getLocalElement(row));
+  std::vector<GlobalOrdinal> found;
+  for (int k = 0; k < entries.length; ++k)
+    found.push_back(G.getColMap()->getGlobalElement(entries.colidx(k)));
+  std::sort(found.begin(), found.end());
   return found;
 }
 

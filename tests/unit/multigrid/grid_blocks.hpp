@@ -5,8 +5,8 @@
 
 namespace tunica::test {
 
-/// A matrix on the nodes of a block, in the order of their numbers.
-inline algebra::Nodes nodes_of(const Teuchos::RCP<const CrsMatrix>& graph) {
+/// The nodes of a graph in the order of their numbers.
+inline algebra::Nodes nodes_of(const Teuchos::RCP<const CrsGraph>& graph) {
   const auto order = Teuchos::rcp(new Vector(graph->getRowMap()));
   for (const GlobalOrdinal row : global_numbers(*graph->getRowMap()))
     order->replaceGlobalValue(row, static_cast<Scalar>(row));
@@ -17,7 +17,7 @@ inline algebra::Nodes nodes_of(const Teuchos::RCP<const CrsMatrix>& graph) {
 inline algebra::BlockMatrix two_blocks(const Teuchos::RCP<CrsMatrix>& A, int components,
                                        const algebra::Nodes& nodes,
                                        const Teuchos::RCP<CrsMatrix>& C) {
-  const algebra::Nodes own = nodes.graph == C ? nodes : nodes_of(C);
+  const algebra::Nodes own = nodes.graph == C->getCrsGraph() ? nodes : nodes_of(C->getCrsGraph());
   algebra::BlockMatrix K(std::make_shared<const algebra::BlockSpace>(std::vector<algebra::Block>{
       {"vector", A->getRowMap(), components, nodes}, {"scalar", C->getRowMap(), 1, own}}));
   K.set(0, 0, A);
@@ -29,7 +29,7 @@ inline algebra::BlockMatrix two_blocks(const Teuchos::RCP<CrsMatrix>& A, int com
 inline algebra::BlockMatrix blocks_on(const Grid& grid, const CommPtr& comm = world(),
                                       int components = 3) {
   const auto C = grid.laplacian(comm);
-  return two_blocks(grid.laplacian(comm, components), components, nodes_of(C), C);
+  return two_blocks(grid.laplacian(comm, components), components, nodes_of(C->getCrsGraph()), C);
 }
 
 }  // namespace tunica::test

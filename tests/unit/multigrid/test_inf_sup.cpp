@@ -179,11 +179,11 @@ std::vector<Level> wall_levels(double alpha) {
   const auto law = materials::make_law("mooney-rivlin", {});
   assembly::SolidElements elements;
   elements.geometry = assembly::ElementGeometry(mesh, mesh.x);
-  elements.law.assign(mesh.tets.size(), law.get());
-  elements.density.assign(mesh.tets.size(), 1.2);
+  elements.layers = {{law.get(), 1.2, {alpha, 1e-5, 0.0}}};
+  elements.layer_number.assign(mesh.tets.size(), 0);
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     const double h = kernels::element_length(elements.geometry[e].volume);
-    elements.coefficients.push_back({alpha, 1e-5, h * h / (4.0 * law->stabilisation_modulus())});
+    elements.tau.push_back(h * h / (4.0 * law->stabilisation_modulus()));
   }
   const std::vector<Vec3> none(mesh.n_nodes());
   fields::BlockOperator K(mesh);

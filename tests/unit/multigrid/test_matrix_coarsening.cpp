@@ -17,16 +17,10 @@
 namespace {
 
 using namespace tunica;
+using test::columns_of;
 using test::Grid;
-using test::row_of;
 using test::WallMatrix;
 using XVector = Xpetra::TpetraMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
-
-std::vector<GlobalOrdinal> neighbours_of(const algebra::Nodes& nodes, GlobalOrdinal node) {
-  std::vector<GlobalOrdinal> found;
-  for (const auto& [number, one] : row_of(*nodes.graph, node)) found.push_back(number);
-  return found;
-}
 
 TEUCHOS_UNIT_TEST(node_graph, has_the_neighbours_of_the_grid) {
   const Grid grid{4, 3, 3, true};
@@ -36,7 +30,7 @@ TEUCHOS_UNIT_TEST(node_graph, has_the_neighbours_of_the_grid) {
     auto expected = grid.neighbours(node);
     expected.push_back(node);
     std::sort(expected.begin(), expected.end());
-    TEST_COMPARE_ARRAYS(neighbours_of(nodes, node), expected);
+    TEST_COMPARE_ARRAYS(columns_of(*nodes.graph, node), expected);
   }
 }
 
@@ -63,7 +57,7 @@ TEUCHOS_UNIT_TEST(node_graph, couples_both_ways_whatever_the_values) {
     std::vector<GlobalOrdinal> expected{node};
     if (node == 0) expected = {0, last};
     if (node == last) expected = {0, last};
-    TEST_COMPARE_ARRAYS(neighbours_of(nodes, node), expected);
+    TEST_COMPARE_ARRAYS(columns_of(*nodes.graph, node), expected);
   }
 }
 

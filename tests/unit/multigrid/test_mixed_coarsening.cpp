@@ -94,7 +94,7 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
 TEUCHOS_UNIT_TEST(mixed_coarsening, rows_of_blocks_on_different_nodes_are_those_of_each) {
   const Grid fine{9, 9, 5, true};
   const auto K = test::two_blocks(fine.laplacian(test::world(), 3), 3,
-                                  test::nodes_of(fine.laplacian(test::world())),
+                                  test::nodes_of(fine.graph(test::world())),
                                   Grid{5, 5, 3, true}.laplacian(test::world()));
   MixedCoarsening coarsening(*K.space());
   Teuchos::RCP<const Map> nodes = map_of(K, 1), vectors = map_of(K, 0);
@@ -149,7 +149,7 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
 /// As on staggered grids: as many scalars as vectors, elsewhere.
 TEUCHOS_UNIT_TEST(mixed_coarsening, blocks_with_as_many_rows_on_different_nodes_are_told_apart) {
   const auto A = Grid{8, 9, 1, false}.laplacian(test::world());
-  const auto K = test::two_blocks(A, 1, test::nodes_of(A),
+  const auto K = test::two_blocks(A, 1, test::nodes_of(A->getCrsGraph()),
                                   shifted(*Grid{9, 8, 1, true}.laplacian(test::world()), 1000));
   MixedCoarsening coarsening(*K.space());
   TEST_ASSERT(coarsening.prolongator(0, *map_of(K, 0))->getRowMap()->isSameAs(*map_of(K, 0)));

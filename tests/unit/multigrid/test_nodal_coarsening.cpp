@@ -13,6 +13,7 @@ namespace {
 
 using namespace tunica;
 using multigrid::NodalCoarsening;
+using test::columns_of;
 using test::Grid;
 using test::row_of;
 using test::SmallTube;
@@ -42,7 +43,7 @@ std::vector<char> greedy_set(const Grid& grid) {
 }
 
 /// Per coarse node the node of the finer level that it is, on every rank.
-std::vector<GlobalOrdinal> fine_numbers(const CrsMatrix& nodes, const CrsMatrix& P,
+std::vector<GlobalOrdinal> fine_numbers(const CrsGraph& nodes, const CrsMatrix& P,
                                         const std::vector<char>& is_coarse) {
   std::vector<GlobalOrdinal> mine(P.getGlobalNumCols(), 0), all(mine);
   for (const GlobalOrdinal row : global_numbers(*nodes.getRowMap()))
@@ -55,7 +56,7 @@ std::vector<GlobalOrdinal> fine_numbers(const CrsMatrix& nodes, const CrsMatrix&
 
 TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number_of_ranks) {
   for (const Grid& grid : grids) {
-    const auto nodes = grid.laplacian(test::world());
+    const auto nodes = grid.graph(test::world());
     const auto is_coarse = algebra::independent_set(*nodes, *test::nodes_of(nodes).order);
     const auto expected = greedy_set(grid);
     TEST_EQUALITY(is_coarse.size(), n_local(*nodes->getColMap()));
@@ -73,7 +74,7 @@ TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
     int n_neighbours_in_the_set = 0, n_without_a_neighbour = 0;
     for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap())) {
       int n_coarse = 0;
-      for (const auto& [column, value] : row_of(*nodes, row))
+      for (const GlobalOrdinal column : columns_of(*nodes, row))
         if (column != row) n_coarse += is_coarse[nodes->getColMap()->getLocalElement(column)];
       if (is_coarse[nodes->getColMap()->getLocalElement(row)])
         n_neighbours_in_the_set += n_coarse;
@@ -107,7 +108,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_i
     bool is_as_defined = true;
     for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap())) {
       std::set<GlobalOrdinal> expected, parents;
-      for (const auto& [column, value] : row_of(*nodes, row))
+      for (const GlobalOrdinal column : columns_of(*nodes, row))
         if (is_coarse[nodes->getColMap()->getLocalElement(column)]) expected.insert(column);
       for (const auto& [column, weight] : row_of(*P, row)) {
         parents.insert(fine_number[column]);
@@ -143,7 +144,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, levels_shrink_and_keep_constants_down_to_one
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, prolongators_of_grids_do_not_depend_on_the_ranks) {
   for (const Grid& grid : grids) {
-    const auto nodes = grid.laplacian(test::world()), alone = grid.laplacian(test::alone());
+    const auto nodes = grid.graph(test::world()), alone = grid.graph(test::alone());
     NodalCoarsening parallel(nodes, *test::nodes_of(nodes).order);
     NodalCoarsening serial(alone, *test::nodes_of(alone).order);
     for (int level = 0; n_nodes(serial, level) > 1; ++level) {
@@ -168,7 +169,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, levels_of_a_mesh_do_not_depend_on_how_it_is_
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, what_was_made_once_is_kept) {
-  const auto nodes = grids[0].laplacian(test::world());
+  const auto nodes = grids[0].graph(test::world());
   NodalCoarsening coarsening(nodes, *test::nodes_of(nodes).order);
   for (const int level : {1, 0}) {
     const auto first = coarsening.prolongator(level);
@@ -249,7 +250,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, followers_are_as_many_on_any_ranks) {
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, followers_on_the_same_nodes_are_their_hosts) {
-  const auto nodes = grids.front().laplacian(test::world());
+  const auto nodes = grids.front().graph(test::world());
   const algebra::Nodes own = test::nodes_of(nodes);
   const auto leader = std::make_shared<NodalCoarsening>(nodes, *own.order);
   NodalCoarsening follower(nodes, *own.order, *own.order, leader);  // numbers are the order

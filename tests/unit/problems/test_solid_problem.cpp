@@ -169,12 +169,12 @@ TEUCHOS_UNIT_TEST(solid_problem, layers_have_their_own_density_bulk_modulus_and_
   const auto& elements = wall.elements();
   for (std::size_t e = 0; e < tube.wall.tets.size(); ++e) {
     const bool is_media = tube.wall.regions[tube.wall.region[e]] == "media";
-    const auto& c = elements.coefficients[e];
-    TEST_EQUALITY(elements.density[e], is_media ? 1.0 : 2.0);
+    const auto c = elements.coefficients(e);
+    TEST_EQUALITY(elements.layer(e).density, is_media ? 1.0 : 2.0);
     TEST_FLOATING_EQUALITY(c.alpha, (is_media ? 1.0 : 2.0) / (0.625 * 0.25), 1e-14);
     TEST_EQUALITY(c.inv_kappa, is_media ? 0.01 : 1e-5);
     const double mu = is_media ? 2.0 * 3.3 : 2.0 * 6.3;
-    TEST_FLOATING_EQUALITY(elements.law[e]->stabilisation_modulus(), mu, 1e-14);
+    TEST_FLOATING_EQUALITY(elements.layer(e).law->stabilisation_modulus(), mu, 1e-14);
     const double h = kernels::element_length(elements.geometry[e].volume);
     TEST_FLOATING_EQUALITY(c.tau, 1.0 / (4.0 * mu / (h * h) + c.alpha), 1e-13);
   }
@@ -190,7 +190,7 @@ TEUCHOS_UNIT_TEST(solid_problem, the_papers_stabilisation_ignores_inertia) {
   const auto& elements = wall.elements();
   for (std::size_t e = 0; e < tube.wall.tets.size(); ++e) {
     const double h = kernels::element_length(elements.geometry[e].volume);
-    TEST_FLOATING_EQUALITY(elements.coefficients[e].tau, h * h / (4.0 * 0.5 * 6.6), 1e-13);
+    TEST_FLOATING_EQUALITY(elements.tau[e], h * h / (4.0 * 0.5 * 6.6), 1e-13);
   }
 }
 
@@ -208,10 +208,9 @@ TEUCHOS_UNIT_TEST(solid_problem, stabilisation_is_weaker_where_materials_meet_on
     std::vector<char> is_weak;
     for (std::size_t e = 0; e < field.tets.size(); ++e) {
       const double h = kernels::element_length(elements.geometry[e].volume);
-      const double mu = elements.law[e]->stabilisation_modulus();
-      is_weak.push_back(elements.coefficients[e].tau * 4.0 * mu / (h * h) < 0.9);
-      TEST_FLOATING_EQUALITY(elements.coefficients[e].tau * 4.0 * mu / (h * h),
-                             is_weak[e] ? 0.2 : 1.0, 1e-12);
+      const double mu = elements.layer(e).law->stabilisation_modulus();
+      is_weak.push_back(elements.tau[e] * 4.0 * mu / (h * h) < 0.9);
+      TEST_FLOATING_EQUALITY(elements.tau[e] * 4.0 * mu / (h * h), is_weak[e] ? 0.2 : 1.0, 1e-12);
     }
     return is_weak;
   };

@@ -27,20 +27,17 @@ void check_nodes(const Map& rows, const Map& nodes, const algebra::DofLayout& nu
   throw_if_any<Error>(*rows.getComm(), problem);
 }
 
-Teuchos::RCP<CrsMatrix> matrix_of(Neighbours neighbours, const Teuchos::RCP<const Map>& nodes) {
+Teuchos::RCP<CrsGraph> graph_of(Neighbours neighbours, const Teuchos::RCP<const Map>& nodes) {
   std::size_t most = 0;
   for (auto& row : neighbours) {
     std::sort(row.begin(), row.end());
     row.erase(std::unique(row.begin(), row.end()), row.end());
     most = std::max(most, row.size());
   }
-  const auto graph = Teuchos::rcp(new CrsMatrix(nodes, most));
-  for (std::size_t a = 0; a < neighbours.size(); ++a) {
-    const std::vector<Scalar> ones(neighbours[a].size(), 1.0);
-    graph->insertGlobalValues(nodes->getGlobalElement(static_cast<int>(a)),
-                              Teuchos::arrayViewFromVector(neighbours[a]),
-                              Teuchos::arrayViewFromVector(ones));
-  }
+  const auto graph = Teuchos::rcp(new CrsGraph(nodes, most));
+  for (std::size_t a = 0; a < neighbours.size(); ++a)
+    graph->insertGlobalIndices(nodes->getGlobalElement(static_cast<int>(a)),
+                               Teuchos::arrayViewFromVector(neighbours[a]));
   graph->fillComplete();
   return graph;
 }
@@ -67,14 +64,15 @@ algebra::Nodes nodes_of(const CrsMatrix& K, const algebra::DofLayout& numbering)
     neighbours[a].push_back(nodes->getGlobalElement(static_cast<int>(a)));
   const auto node_of = [&](GlobalOrdinal number) { return number / numbering.dofs(); };
   append(K, *nodes, node_of, neighbours);
-  const auto one_way = matrix_of(neighbours, nodes);
+  const auto one_way = Teuchos::rcp(new CrsMatrix(graph_of(neighbours, nodes)));
+  one_way->fillComplete();
   Tpetra::RowMatrixTransposer<Scalar, LocalOrdinal, GlobalOrdinal, Node> transposer(one_way);
   const auto itself = [](GlobalOrdinal node) { return node; };
   append(*transposer.createTranspose(), *nodes, itself, neighbours);
   const auto order = Teuchos::rcp(new Vector(nodes));
   for (const GlobalOrdinal node : global_numbers(*nodes))
     order->replaceGlobalValue(node, static_cast<Scalar>(node));
-  return {matrix_of(neighbours, nodes), order};
+  return {graph_of(neighbours, nodes), order};
 }
 
 Teuchos::RCP<MixedCoarsening> make_coarsening(const CrsMatrix& K, int components) {

@@ -27,7 +27,7 @@ struct CoarseNumbers {
   std::vector<int> rows;  ///< local, of the nodes in the set
   std::vector<GlobalOrdinal> of_column;
 
-  CoarseNumbers(const CrsMatrix& nodes, const std::vector<char>& is_coarse, const Hosts& hosts)
+  CoarseNumbers(const CrsGraph& nodes, const std::vector<char>& is_coarse, const Hosts& hosts)
       : of_row(Teuchos::rcp(new Vector(nodes.getRowMap()))) {
     const Map& own_nodes = *nodes.getRowMap();
     for (int i = 0; i < static_cast<int>(n_local(own_nodes)); ++i)
@@ -81,7 +81,7 @@ Vector hosts_first(const Vector& order, const Vector& coarse_hosts) {
 }
 
 /// Nodes without neighbours, unless the graph has no others.
-void leave_out_single_nodes(const CrsMatrix& nodes, std::vector<char>& is_coarse) {
+void leave_out_single_nodes(const CrsGraph& nodes, std::vector<char>& is_coarse) {
   Vector is_single(nodes.getRowMap());
   {
     const auto single = is_single.getLocalViewHost(overwrite_all);
@@ -95,9 +95,9 @@ void leave_out_single_nodes(const CrsMatrix& nodes, std::vector<char>& is_coarse
     if (single(c, 0) > 0.0) is_coarse[c] = 0;
 }
 
-Teuchos::RCP<const CrsMatrix> averaging(const CrsMatrix& nodes, const CoarseNumbers& coarse) {
+Teuchos::RCP<const CrsMatrix> averaging(const CrsGraph& nodes, const CoarseNumbers& coarse) {
   const auto P = Teuchos::rcp(new CrsMatrix(nodes.getRowMap(), longest_local_row(nodes)));
-  const auto graph = nodes.getLocalMatrixHost().graph;
+  const auto graph = nodes.getLocalGraphHost();
   std::vector<GlobalOrdinal> parents;
   for (int i = 0; i < static_cast<int>(n_local_rows(nodes)); ++i) {
     const GlobalOrdinal row = nodes.getRowMap()->getGlobalElement(i);
@@ -118,12 +118,17 @@ Teuchos::RCP<const CrsMatrix> averaging(const CrsMatrix& nodes, const CoarseNumb
 }
 
 /// Coarse nodes are neighbours where any of their children are.
-Teuchos::RCP<const CrsMatrix> coarse_graph(const CrsMatrix& nodes, const CrsMatrix& P) {
-  CrsMatrix GP(nodes.getRowMap(), 0);
-  algebra::multiply_graphs(nodes, P, GP);
-  const auto PtGP = Teuchos::rcp(new CrsMatrix(P.getDomainMap(), 0));
-  Tpetra::MatrixMatrix::Multiply(P, true, GP, false, *PtGP);
-  return PtGP;
+Teuchos::RCP<const CrsGraph> coarse_graph(const Teuchos::RCP<const CrsGraph>& nodes,
+                                          const CrsMatrix& P) {
+  CrsMatrix PtGP(P.getDomainMap(), 0);
+  {
+    CrsMatrix G(nodes), GP(nodes->getRowMap(), 0);
+    G.setAllToScalar(1.0);
+    G.fillComplete(nodes->getDomainMap(), nodes->getRangeMap());
+    algebra::multiply_graphs(G, P, GP);
+    Tpetra::MatrixMatrix::Multiply(P, true, GP, false, PtGP);
+  }
+  return PtGP.getCrsGraph();
 }
 
 Teuchos::RCP<const Vector> at_rows(const Vector& values, const CoarseNumbers& coarse) {
@@ -136,10 +141,10 @@ Teuchos::RCP<const Vector> at_rows(const Vector& values, const CoarseNumbers& co
 
 }  // namespace
 
-NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order)
+NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order)
     : levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)), Teuchos::null}} {}
 
-NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order,
+NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
                                  const Vector& hosts, std::shared_ptr<NodalCoarsening> leader)
     : leader_(std::move(leader)), levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)),
                                            Teuchos::rcp(new Vector(hosts, Teuchos::Copy))}} {}
@@ -175,7 +180,7 @@ void NodalCoarsening::coarsen() {
   level.P = averaging(*level.nodes, coarse);
   level.numbers = coarse.of_row;
   level.coarse_rows = coarse.rows;
-  const auto graph = coarse_graph(*level.nodes, *level.P);
+  const auto graph = coarse_graph(level.nodes, *level.P);
   levels_.push_back({graph, at_rows(*level.order, coarse),
                      leader_ ? at_rows(*hosts.coarse, coarse) : Teuchos::null});
   level.nodes = Teuchos::null;

@@ -18,13 +18,13 @@ namespace tunica::multigrid {
 /// One with the number of its host keeps it so; the rest is numbered behind all hosts.
 class NodalCoarsening {
 public:
-  /// nodes: square, with one row per node and an entry on the diagonal; its values are ignored.
+  /// nodes: square, with one row per node and an entry on the diagonal.
   /// order: in which nodes are picked, a number per node, none twice. With numbers that do not hang
   /// on the ranks the coarse nodes do not either.
-  NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order);
+  NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order);
   /// hosts: for each node the number of its host on the same rank, or -1. No two nodes with the
   /// same host may be neighbours, and nodes only where their hosts are.
-  NodalCoarsening(const Teuchos::RCP<const CrsMatrix>& nodes, const Vector& order,
+  NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
                   const Vector& hosts, std::shared_ptr<NodalCoarsening> leader);
 
   /// Interpolation from level + 1 to level (0 the finest). Its rows sum to one, but for
@@ -41,7 +41,7 @@ public:
 
 private:
   struct Level {
-    Teuchos::RCP<const CrsMatrix> nodes;  ///< null once the next level is made
+    Teuchos::RCP<const CrsGraph> nodes;  ///< null once the next level is made
     Teuchos::RCP<const Vector> order;
     Teuchos::RCP<const Vector> hosts;      ///< numbers on this level; null without leader
     Teuchos::RCP<const CrsMatrix> P{};     ///< from the next level; null where it is not made yet

@@ -33,8 +33,8 @@ Teuchos::RCP<MixedCoarsening> coarsening_of(const Teuchos::RCP<::tunica::CrsMatr
   const auto order = Teuchos::rcp(new ::tunica::Vector(nodes->getRowMap()));
   for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap()))
     order->replaceGlobalValue(row, static_cast<Scalar>(row));
-  return Teuchos::rcp(
-      new MixedCoarsening(algebra::BlockSpace({{"scalar", S->getRowMap(), 1, {nodes, order}}})));
+  return Teuchos::rcp(new MixedCoarsening(
+      algebra::BlockSpace({{"scalar", S->getRowMap(), 1, {nodes->getCrsGraph(), order}}})));
 }
 
 /// One multigrid cycle for S.
