@@ -6,6 +6,7 @@
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/exchange.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "tunica/systems/matrix_files.hpp"
@@ -114,37 +115,24 @@ Files read_files(const Teuchos::ParameterList& options, int ranks) {
   return files;
 }
 
-/// Gives all ranks a list of rank 0.
-template <class Value>
-void broadcast_list(std::vector<Value>& list, const Comm& comm) {
-  auto size = static_cast<long long>(list.size());
-  Teuchos::broadcast(comm, 0, &size);
-  list.resize(static_cast<std::size_t>(size));
-  Teuchos::broadcast(comm, 0, static_cast<int>(size), list.data());
-}
-
 /// Where rows stand in the file, all on rank 0, and where they go.
 struct Move {
   Teuchos::RCP<const Map> root, spread;
 
-  Move(Rows rows, const CommPtr& comm) {
-    broadcast_list(rows.numbers, *comm);
-    broadcast_list(rows.ranks, *comm);
-    std::vector<GlobalOrdinal> mine;
-    for (std::size_t i = 0; i < rows.numbers.size(); ++i)
-      if (rows.ranks[i] == comm->getRank()) mine.push_back(rows.numbers[i]);
+  /// rows: none but on rank 0.
+  Move(const Rows& rows, const CommPtr& comm) : root(map_of(rows.numbers, comm)) {
+    std::vector<GlobalOrdinal> mine = exchange_to(*comm, rows.numbers, rows.ranks).items;
     std::sort(mine.begin(), mine.end());
     spread = map_of(mine, comm);
-    if (comm->getRank() != 0) rows.numbers.clear();
-    root = map_of(rows.numbers, comm);
   }
 };
 
-Teuchos::RCP<CrsMatrix> spread(const Teuchos::RCP<CrsMatrix>& on_root, const Move& rows,
-                               const Move& columns) {
+/// Of a matrix or a graph.
+template <class Sparse>
+Teuchos::RCP<Sparse> spread(const Teuchos::RCP<Sparse>& on_root, const Move& rows,
+                            const Move& columns) {
   on_root->fillComplete(columns.root, rows.root);
-  const auto result =
-      Teuchos::rcp(new CrsMatrix(rows.spread, on_root->getGlobalMaxNumRowEntries()));
+  const auto result = Teuchos::rcp(new Sparse(rows.spread, on_root->getGlobalMaxNumRowEntries()));
   result->doImport(*on_root, Import(rows.root, rows.spread), insert);
   result->fillComplete(columns.spread, rows.spread);
   return result;
@@ -170,12 +158,9 @@ Teuchos::RCP<CrsMatrix> spread(const FileMatrix& A, const Move& rows, const Move
 algebra::Nodes spread(const NodeGraph& graph, const Move& nodes) {
   std::size_t longest = 0;
   for (const auto& neighbours : graph) longest = std::max(longest, neighbours.size());
-  const auto on_root = Teuchos::rcp(new CrsMatrix(nodes.root, longest));
-  for (const GlobalOrdinal node : global_numbers(*nodes.root)) {
-    const std::vector<Scalar> ones(graph[node].size(), 1.0);
-    on_root->insertGlobalValues(node, Teuchos::arrayViewFromVector(graph[node]),
-                                Teuchos::arrayViewFromVector(ones));
-  }
+  const auto on_root = Teuchos::rcp(new CrsGraph(nodes.root, longest));
+  for (const GlobalOrdinal node : global_numbers(*nodes.root))
+    on_root->insertGlobalIndices(node, Teuchos::arrayViewFromVector(graph[node]));
   const auto order = Teuchos::rcp(new Vector(nodes.spread));
   for (const GlobalOrdinal node : global_numbers(*nodes.spread))
     order->replaceGlobalValue(node, static_cast<Scalar>(node));
