@@ -113,6 +113,11 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options,
   return list;
 }
 
+std::string gave_up(const NewtonOptions& options, const SolveLog& log) {
+  return "no step with the line search \"" + options.line_search + "\"" +
+         (log.refusal.empty() ? "" : ": " + log.refusal);
+}
+
 NewtonReport try_newton(NonlinearProblem& problem, const NewtonOptions& options,
                         algebra::BlockVector& x, JacobianRule& rule) {
   const ProductSpace space = product_space(*problem.space());
@@ -132,13 +137,13 @@ NewtonReport try_newton(NonlinearProblem& problem, const NewtonOptions& options,
   NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
   try {
     status = solver->solve();
-  } catch (const char* message) {  // NOX throws plain strings
-    report.reason = message;
+  } catch (const char*) {  // NOX 13 throws "NOX Error" as it stands
+    report.reason = gave_up(options, log);
   } catch (const linear::SetupFailure& error) {
     report.reason = error.what();
-  } catch (const std::runtime_error& error) {  // or the same string in an exception
+  } catch (const std::runtime_error& error) {  // its successors in an exception
     if (std::string(error.what()) != "NOX Error") throw;
-    report.reason = "NOX gave up";
+    report.reason = gave_up(options, log);
   }
   report.is_converged = status == NOX::StatusTest::Converged;
   if (!report.is_converged) rule.forget();
