@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "tunica/boundary/boundary_term.hpp"
@@ -12,7 +13,31 @@ enum class Field { fluid, wall };
 /// The condition that couples them; each has its own.
 constexpr const char* interface_condition = "interface";
 
-/// A condition that the list of a surface can name: its keys, and the terms it is made of.
+/// What a condition drives the vessel by, as far as its list says: cases are judged by it before
+/// they run.
+struct Drive {
+  enum class Kind {
+    none,
+    pressure,  ///< on the surface [kPa]
+    traction,  ///< its length [kPa]
+    flow,      ///< into the fluid [mm³/ms]
+    velocity,  ///< length of its mean over the surface [mm/ms]
+    motion,    ///< a displacement or a force, in their units
+    file       ///< a file has it
+  };
+  Kind kind = Kind::none;
+  double size = 0.0;  ///< times the amplitude
+  /// Of an outlet: what a flow Q̄ through it lets its pressure settle to is p_d + R Q̄.
+  struct Outlet {
+    double resistance;       ///< R [kPa ms/mm³]
+    double distal_pressure;  ///< p_d [kPa]
+    double mean_flow;        ///< Q̄ that the list expects [mm³/ms]; 0: it does not say
+  };
+  std::optional<Outlet> outlet{};
+};
+
+/// A condition that the list of a surface can name: its keys, the terms it is made of, and what it
+/// drives the vessel by.
 struct ConditionEntry {
   using Make = std::function<Terms(const Teuchos::ParameterList& list,
                                    const fields::FieldMesh& mesh, int surface)>;
@@ -21,7 +46,12 @@ struct ConditionEntry {
   std::string name;
   params::Table table;
   Make make;  ///< the terms in the order in which they are added. Collective.
+  std::function<Drive(const Teuchos::ParameterList& list)> drive =
+      [](const Teuchos::ParameterList&) { return Drive{}; };
 };
+
+/// Length of the vector of a key.
+double length_of(const Teuchos::ParameterList& list, const std::string& key);
 
 /// One term, or several.
 template <class... Term>

@@ -115,6 +115,9 @@ ConditionEntry flow_rate_condition() {
             } catch (const Error& error) {
               throw Error("Fluid / Surfaces / " + mesh.surfaces[surface] + ": " + error.what());
             }
+          },
+          [](const Teuchos::ParameterList& list) {
+            return Drive{Drive::Kind::flow, list.get<double>("flow rate")};
           }};
 }
 

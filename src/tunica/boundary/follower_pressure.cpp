@@ -32,6 +32,9 @@ ConditionEntry follower_pressure() {
   return {Field::wall, "pressure", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
             return terms(std::make_unique<FollowerPressure>(list));
+          },
+          [](const Teuchos::ParameterList& list) {
+            return Drive{Drive::Kind::pressure, list.get<double>("pressure")};
           }};
 }
 

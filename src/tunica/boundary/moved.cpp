@@ -10,10 +10,14 @@ namespace {
 
 ConditionEntry entry_of(const std::string& name, params::Table table, bool has_force) {
   table.sublist("Amplitude", stepping::time_function_table());
-  return {Field::wall, name, table,
-          [has_force](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
-            return terms(std::make_unique<Moved>(list, has_force));
-          }};
+  return {
+      Field::wall, name, table,
+      [has_force](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
+        return terms(std::make_unique<Moved>(list, has_force));
+      },
+      [has_force](const Teuchos::ParameterList& list) {
+        return Drive{Drive::Kind::motion, length_of(list, has_force ? "force" : "displacement")};
+      }};
 }
 
 params::Table table_of(const std::string& sentence) {

@@ -35,6 +35,11 @@ ConditionEntry velocity_condition() {
   return {Field::fluid, "velocity", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {
             return terms(std::make_unique<PrescribedVelocity>(list, mesh, surface));
+          },
+          [](const Teuchos::ParameterList& list) {
+            const bool is_parabolic = list.get<std::string>("profile") == "parabolic";
+            return Drive{Drive::Kind::velocity,
+                         (is_parabolic ? 0.5 : 1.0) * length_of(list, "velocity")};
           }};
 }
 

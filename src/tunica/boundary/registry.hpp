@@ -16,6 +16,7 @@ struct Condition {
   Teuchos::ParameterList list;  ///< resolved
 
   std::string kind() const { return list.get<std::string>("condition"); }
+  Drive drive(Field field) const;
 };
 
 /// The keys of the list of one surface.

@@ -93,6 +93,9 @@ ConditionEntry support_condition() {
             if (list.get<double>("pressure") != 0.0)
               all.push_back(std::make_unique<FollowerPressure>(list));
             return all;
+          },
+          [](const Teuchos::ParameterList& list) {
+            return Drive{Drive::Kind::pressure, list.get<double>("pressure")};
           }};
 }
 

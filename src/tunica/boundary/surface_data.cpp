@@ -277,7 +277,8 @@ ConditionEntry velocity_from_file() {
   return {Field::fluid, "velocity from file", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {
             return terms(std::make_unique<VelocityData>(SurfaceData(list, mesh, surface)));
-          }};
+          },
+          [](const Teuchos::ParameterList&) { return Drive{Drive::Kind::file}; }};
 }
 
 ConditionEntry displacement_from_file() {
@@ -291,7 +292,8 @@ ConditionEntry displacement_from_file() {
           [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {
             return terms(std::make_unique<DisplacementData>(SurfaceData(list, mesh, surface),
                                                             components_of(list)));
-          }};
+          },
+          [](const Teuchos::ParameterList&) { return Drive{Drive::Kind::file}; }};
 }
 
 }  // namespace tunica::boundary

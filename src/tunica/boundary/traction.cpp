@@ -59,6 +59,11 @@ params::Table traction_table(const std::string& sentence) {
   return table.numbers("traction", std::nullopt, params::any(), 3, "kPa", sentence);
 }
 
+Drive drive_of(const Teuchos::ParameterList& list) {
+  if (list.isParameter("pressure")) return {Drive::Kind::pressure, list.get<double>("pressure")};
+  return {Drive::Kind::traction, length_of(list, "traction")};
+}
+
 /// A surface that the fluid may pass under a load.
 ConditionEntry open_surface(const std::string& name, params::Table table) {
   add_backflow_key(table);
@@ -69,7 +74,7 @@ ConditionEntry open_surface(const std::string& name, params::Table table) {
     if (beta != 0.0) all.push_back(std::make_unique<Backflow>(beta));
     return all;
   };
-  return {Field::fluid, name, table, make};
+  return {Field::fluid, name, table, make, drive_of};
 }
 
 }  // namespace
@@ -91,7 +96,8 @@ ConditionEntry dead_traction() {
   return {Field::wall, "traction", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh&, int) {
             return terms(std::make_unique<Traction>(list, true));
-          }};
+          },
+          drive_of};
 }
 
 }  // namespace tunica::boundary

@@ -10,16 +10,24 @@
 
 namespace tunica::boundary {
 
+namespace {
+
+/// p_c at the start.
+double initial_pressure(const Teuchos::ParameterList& list) {
+  if (const double Q = list.get<double>("mean flow"); Q != 0.0)
+    return list.get<double>("distal pressure") + list.get<double>("distal resistance") * Q;
+  return list.get<double>("initial pressure");
+}
+
+}  // namespace
+
 Windkessel::Windkessel(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
                        int surface)
     : name_(mesh.surfaces[surface]), surface_(surface),
       proximal_(list.get<double>("proximal resistance")),
       capacitance_(list.get<double>("capacitance")), distal_(list.get<double>("distal resistance")),
       distal_pressure_(list.get<double>("distal pressure")),
-      initial_pressure_(list.get<double>("initial pressure")), known_(initial_pressure_) {
-  if (const double Q = list.get<double>("mean flow"); Q != 0.0)
-    initial_pressure_ = known_ = distal_pressure_ + distal_ * Q;
-}
+      initial_pressure_(initial_pressure(list)), known_(initial_pressure_) {}
 
 double Windkessel::flow(const Surroundings& s, const std::vector<Vec3>& area) const {
   double mine = 0.0;
@@ -130,7 +138,13 @@ ConditionEntry windkessel_condition() {
         list.get<double>("mean flow") == 0.0 || list.get<double>("initial pressure") == 0.0,
         path + ": \"mean flow\" and \"initial pressure\" both say how it starts. Give one.");
   });
-  return {Field::fluid, "windkessel", table, terms_of};
+  return {Field::fluid, "windkessel", table, terms_of, [](const Teuchos::ParameterList& list) {
+            const double resistance =
+                list.get<double>("proximal resistance") + list.get<double>("distal resistance");
+            return Drive{Drive::Kind::pressure, initial_pressure(list),
+                         Drive::Outlet{resistance, list.get<double>("distal pressure"),
+                                       list.get<double>("mean flow")}};
+          }};
 }
 
 ConditionEntry resistance_condition() {
@@ -148,6 +162,11 @@ ConditionEntry resistance_condition() {
                  {"capacitance", "distal resistance", "initial pressure", "mean flow"})
               all.set(none, 0.0);
             return terms_of(all, mesh, surface);
+          },
+          [](const Teuchos::ParameterList& list) {
+            const auto distal = list.get<double>("distal pressure");
+            return Drive{Drive::Kind::pressure, distal,
+                         Drive::Outlet{list.get<double>("resistance"), distal, 0.0}};
           }};
 }
 

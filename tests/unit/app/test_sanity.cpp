@@ -203,6 +203,33 @@ TEUCHOS_UNIT_TEST(sanity, values_in_other_units_are_doubted) {
   TEST_ASSERT(doubts(tube, "media: Young's modulus", out));
 }
 
+TEUCHOS_UNIT_TEST(sanity, outlets_settle_to_the_pressure_of_their_resistances) {
+  TubeCase tube;
+  tube.c10 = "330";
+  const auto with = [&](const std::string& flow, const std::string& outlet) {
+    // A triangle: as much as is given on the mean.
+    tube.inlet = condition(
+        "inlet", "flow rate",
+        number("flow rate", flow) + test::table_of("0, 25, 50", "0, 2, 0", number("period", "50")));
+    tube.outlet = condition("outlet", "windkessel",
+                            number("proximal resistance", "2") + number("distal resistance", "6") +
+                                number("capacitance", "200") + outlet);
+  };
+  with("1.5", number("distal pressure", "1") + number("mean flow", "1.5"));
+  const app::Sanity usual = app::judge(tube.resolved(), ideal_tube());
+  TEST_EQUALITY(usual.doubts.size(), 0);
+  const auto row = std::find_if(usual.rows.begin(), usual.rows.end(), [](const auto& r) {
+    return r.what == "mean flow, and pressure at the outlets";
+  });
+  TEST_ASSERT(row != usual.rows.end() && row->found == "1.5 mm^3/ms, 13 kPa = 97.5 mmHg");
+  with("1.5", number("mean flow", "3"));
+  TEST_ASSERT(doubts(tube, "as if 3 mm^3/ms left", out));
+  with("15", "");
+  TEST_ASSERT(doubts(tube, "raises the pressure to 120 kPa", out));
+  with("-1.5", "");
+  TEST_ASSERT(doubts(tube, "draw 1.5 mm^3/ms out", out));
+}
+
 TEUCHOS_UNIT_TEST(sanity, loads_that_do_nothing_or_are_not_seen_are_doubted) {
   TubeCase tube;
   tube.inlet = condition("inlet", "flow rate", number("flow rate", "0"));

@@ -1,8 +1,8 @@
 #include "tunica/app/sanity/loads.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "tunica/boundary/registry.hpp"
 #include "tunica/stepping/step_control.hpp"
@@ -11,16 +11,6 @@
 namespace tunica::app {
 
 namespace {
-
-double length(const Teuchos::ParameterList& list, const std::string& key) {
-  double sum = 0.0;
-  for (const double x : list.get<Teuchos::Array<double>>(key)) sum += x * x;
-  return std::sqrt(sum);
-}
-
-double number(const Teuchos::ParameterList& list, const std::string& key) {
-  return list.isParameter(key) ? list.get<double>(key) : 0.0;
-}
 
 std::vector<double> sample_times(const Teuchos::ParameterList& list, double end) {
   constexpr int n = 2000;
@@ -46,6 +36,14 @@ public:
     double most = 0.0;
     for (const double t : times) most = std::max(most, std::abs((*this)(t)));
     return most;
+  }
+  /// Over a period, also where the run is shorter, or else over the run.
+  double mean(double end) const {
+    constexpr int n = 4000;
+    const double span = amplitude_.period() > 0.0 ? amplitude_.period() : end;
+    double sum = 0.0;
+    for (int k = 0; k < n; ++k) sum += (*this)(span * (k + 0.5) / n);
+    return sum / n;
   }
 
 private:
@@ -74,69 +72,82 @@ void note_flow(double peak, double area, const std::string& surface, Loads& load
   loads.flow_surface = surface;
 }
 
-/// Pressure behind an outlet before anything flows.
-double initial_pressure(const Teuchos::ParameterList& list) {
-  if (const double Q = number(list, "mean flow"); Q != 0.0)
-    return number(list, "distal pressure") + number(list, "distal resistance") * Q;
-  return list.isParameter("initial pressure") ? number(list, "initial pressure")
-                                              : number(list, "distal pressure");
-}
-
-/// What a file holds is taken for more than nothing.
-void note_file(const Teuchos::ParameterList& condition, Loads& loads) {
-  if (!condition.isParameter("file")) return;
-  loads.are_zero = false;
-  loads.has_data = true;
+/// Σ Q̄ = Σ (p̄ − p_d)/R
+std::optional<Loads::Balance> balance_of(const std::vector<double>& inflows,
+                                         const std::vector<boundary::Drive::Outlet>& outlets) {
+  Loads::Balance balance{std::accumulate(inflows.begin(), inflows.end(), 0.0), 0.0, 0.0};
+  double from_distal = 0.0, conductance = 0.0;
+  bool is_expected = true;
+  for (const boundary::Drive::Outlet& o : outlets) {
+    if (o.resistance == 0.0) return std::nullopt;
+    conductance += 1.0 / o.resistance;
+    from_distal += o.distal_pressure / o.resistance;
+    balance.mean_flow += o.mean_flow;
+    is_expected = is_expected && o.mean_flow != 0.0;
+  }
+  if (conductance == 0.0) return std::nullopt;
+  balance.pressure = (balance.inflow + from_distal) / conductance;
+  if (!is_expected) balance.mean_flow = 0.0;
+  return balance;
 }
 
 /// What presses on the openings, in time.
 std::vector<Course> visit_fluid(const Teuchos::ParameterList& fluid,
                                 const std::vector<Vessel::Opening>& openings,
                                 const std::vector<double>& times, Loads& loads) {
+  using Kind = boundary::Drive::Kind;
   std::vector<Course> pressing;
   std::vector<std::string> named;
+  std::vector<double> inflows;
+  std::vector<boundary::Drive::Outlet> outlets;
   for (const boundary::Condition& c : boundary::conditions_of(fluid.sublist("Surfaces"))) {
-    const std::string kind = c.kind(), where = "Fluid / Surfaces / " + c.surface;
     named.push_back(c.surface);
-    note_file(c.list, loads);
+    const boundary::Drive drive = c.drive(boundary::Field::fluid);
     const double area = area_of(openings, c.surface);
-    if (kind == "velocity") {
-      const bool is_parabolic = c.list.get<std::string>("profile") == "parabolic";
-      const Course speed(c.list, (is_parabolic ? 0.5 : 1.0) * length(c.list, "velocity"));
-      note_flow(area * speed.peak(times), area, c.surface, loads);
-    } else if (kind == "flow rate") {
-      note_flow(Course(c.list, c.list.get<double>("flow rate")).peak(times), area, c.surface,
-                loads);
-    } else if (kind == "traction" || kind == "pressure") {
-      pressing.emplace_back(
-          c.list, kind == "pressure" ? c.list.get<double>("pressure") : length(c.list, "traction"));
-      note_pressure(pressing.back().peak(times), where, loads);
-      if (kind == "pressure") loads.first_pressures.emplace_back(c.surface, pressing.back()(0.0));
-    } else if (kind == "windkessel" || kind == "resistance") {
-      pressing.emplace_back(c.list, initial_pressure(c.list));
-      loads.first_pressures.emplace_back(c.surface, initial_pressure(c.list));
-      note_pressure(pressing.back().peak(times), where, loads);
+    const Course course(c.list, drive.size);
+    switch (drive.kind) {
+      case Kind::velocity:
+        note_flow(area * course.peak(times), area, c.surface, loads);
+        break;
+      case Kind::flow:
+        note_flow(course.peak(times), area, c.surface, loads);
+        inflows.push_back(course.mean(loads.end));
+        break;
+      case Kind::pressure:
+        loads.first_pressures.emplace_back(c.surface, course(0.0));
+        [[fallthrough]];
+      case Kind::traction:
+        note_pressure(course.peak(times), "Fluid / Surfaces / " + c.surface, loads);
+        pressing.push_back(course);
+        break;
+      case Kind::file:
+        loads.has_data = true;
+        break;
+      case Kind::motion:
+      case Kind::none:
+        break;
     }
+    if (drive.outlet) outlets.push_back(*drive.outlet);
   }
   for (const Vessel::Opening& o : openings)
     if (std::find(named.begin(), named.end(), o.surface) == named.end())
       pressing.emplace_back(Teuchos::ParameterList(), 0.0);
+  if (openings.size() == inflows.size() + outlets.size() && !inflows.empty())
+    loads.balance = balance_of(inflows, outlets);
   return pressing;
 }
 
 void visit_wall(const Teuchos::ParameterList& wall, const std::vector<double>& times,
                 Loads& loads) {
+  using Kind = boundary::Drive::Kind;
   for (const boundary::Condition& c : boundary::conditions_of(wall.sublist("Surfaces"))) {
-    const std::string kind = c.kind(), where = "Wall / Surfaces / " + c.surface;
-    note_file(c.list, loads);
-    double size = 0.0;
-    if (kind == "pressure" || kind == "support") size = number(c.list, "pressure");
-    note_pressure(Course(c.list, size).peak(times), where, loads);
-    for (const char* key : {"traction", "displacement", "force"})
-      if (c.list.isType<Teuchos::Array<double>>(key)) size = std::max(size, length(c.list, key));
-    if (Course(c.list, size).peak(times) > 0.0) loads.are_zero = false;
+    const boundary::Drive drive = c.drive(boundary::Field::wall);
+    const double peak = Course(c.list, drive.size).peak(times);
+    if (drive.kind == Kind::pressure) note_pressure(peak, "Wall / Surfaces / " + c.surface, loads);
+    if (drive.kind == Kind::file) loads.has_data = true;
+    if (peak > 0.0) loads.are_zero = false;
   }
-  const double imaged = number(wall.sublist("Prestress"), "pressure");
+  const auto imaged = wall.sublist("Prestress").get<double>("pressure");
   note_pressure(imaged, "Wall / Prestress", loads);
 }
 
@@ -239,7 +250,8 @@ Loads loads_of(const Teuchos::ParameterList& list, const std::vector<Vessel::Ope
     note_difference(visit_fluid(list.sublist("Fluid"), openings, times, loads), times, loads);
   if (list.isSublist("Wall")) visit_wall(list.sublist("Wall"), times, loads);
   visit_amplitudes(list, is_fixed ? time.first_step : 0.0, loads);
-  loads.are_zero = loads.are_zero && loads.peak_pressure == 0.0 && loads.peak_flow == 0.0;
+  loads.are_zero =
+      loads.are_zero && !loads.has_data && loads.peak_pressure == 0.0 && loads.peak_flow == 0.0;
   return loads;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,14 @@ struct Loads {
   double pressure_difference = 0.0;  ///< largest between openings [kPa]
   /// Of openings with a pressure in the beginning [kPa].
   std::vector<std::pair<std::string, double>> first_pressures{};
+  /// Where all that flows in leaves through outlets: means over the period of what is given, or
+  /// over the run.
+  struct Balance {
+    double inflow;     ///< mean [mm³/ms]
+    double pressure;   ///< mean to which they let it settle [kPa]
+    double mean_flow;  ///< what they expect together [mm³/ms]; 0: not all of them do
+  };
+  std::optional<Balance> balance{};
   double impulse = 0.0;           ///< largest that it gives: its integral over time [kPa ms]
   std::vector<double> periods{};  ///< of the amplitudes, each once [ms]
   double rise =
@@ -34,7 +43,7 @@ struct Loads {
 };
 
 /// Amplitudes count at their kinks and at 2000 times. What an opening's traction does beside
-/// pressing, and what a windkessel makes of the flow, is left out.
+/// pressing is left out.
 Loads loads_of(const Teuchos::ParameterList& list, const std::vector<Vessel::Opening>& openings);
 
 }  // namespace tunica::app
