@@ -34,12 +34,21 @@ long long n_nodes(NodalCoarsening& coarsening, int level) {
   return static_cast<long long>(coarsening.prolongator(level)->getGlobalNumRows());
 }
 
-std::vector<char> greedy_set(const Grid& grid) {
-  std::vector<char> is_coarse(grid.n_nodes(), 1);
-  for (GlobalOrdinal node = 0; node < grid.n_nodes(); ++node)
-    for (const GlobalOrdinal other : grid.neighbours(node))
-      if (other < node && is_coarse[other]) is_coarse[node] = 0;
+/// is_first: of nodes that are picked before all others.
+template <class IsFirst>
+std::vector<char> greedy_set(const Grid& grid, const IsFirst& is_first) {
+  std::vector<char> is_coarse(grid.n_nodes(), 0);
+  for (const bool turn : {true, false})
+    for (GlobalOrdinal node = 0; node < grid.n_nodes(); ++node) {
+      if (is_first(node) != turn) continue;
+      is_coarse[node] = 1;
+      for (const GlobalOrdinal other : grid.neighbours(node))
+        if (other != node && is_coarse[other]) is_coarse[node] = 0;
+    }
   return is_coarse;
+}
+std::vector<char> greedy_set(const Grid& grid) {
+  return greedy_set(grid, [](GlobalOrdinal) { return true; });
 }
 
 /// Per coarse node the node of the finer level that it is, on every rank.
@@ -166,6 +175,34 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, levels_of_a_mesh_do_not_depend_on_how_it_is_
     for (int level = 0; n_nodes(one, level) > 1; ++level)
       TEST_EQUALITY(n_nodes(all, level + 1), n_nodes(one, level + 1));
   }
+}
+
+TEUCHOS_UNIT_TEST(nodal_coarsening,
+                  nodes_between_fields_are_first_and_have_parents_among_themselves) {
+  const Grid grid{9, 7, 5, true};
+  const auto is_between = [&](GlobalOrdinal node) { return node / (grid.nx * grid.ny) == 3; };
+  const auto nodes = grid.graph(test::world());
+  const auto between = Teuchos::rcp(new Vector(nodes->getRowMap()));
+  for (const GlobalOrdinal node : global_numbers(*nodes->getRowMap()))
+    between->replaceGlobalValue(node, is_between(node) ? 1.0 : 0.0);
+  const auto P = NodalCoarsening(nodes, *test::nodes_of(nodes).order, between).prolongator(0);
+  const std::vector<char> is_coarse = greedy_set(grid, is_between);
+  std::vector<char> on_columns;
+  for (const GlobalOrdinal node : global_numbers(*nodes->getColMap()))
+    on_columns.push_back(is_coarse[node]);
+  const auto fine_number = fine_numbers(*nodes, *P, on_columns);
+  bool is_as_defined = true;
+  for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap())) {
+    std::set<GlobalOrdinal> expected, parents;
+    for (const GlobalOrdinal column : columns_of(*nodes, row))
+      if (is_coarse[column] && (is_between(column) || !is_between(row))) expected.insert(column);
+    for (const auto& [column, weight] : row_of(*P, row)) {
+      parents.insert(fine_number[column]);
+      is_as_defined &= weight == 1.0 / static_cast<double>(expected.size());
+    }
+    is_as_defined &= parents == expected;
+  }
+  TEST_ASSERT(all_agree(*test::world(), is_as_defined));
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, what_was_made_once_is_kept) {

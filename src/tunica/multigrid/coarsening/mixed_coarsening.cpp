@@ -76,6 +76,18 @@ private:
   std::vector<int> fine_, coarse_, columns_;  ///< bit i: the node has unknown i
 };
 
+/// Flags of the nodes between the parts of a coupled system, which its space names last.
+Teuchos::RCP<const Vector> between(const algebra::Nodes& nodes,
+                                   const std::vector<std::string>& parts) {
+  if (nodes.parts.is_null()) return Teuchos::null;
+  const auto flags = Teuchos::rcp(new Vector(nodes.parts->getMap()));
+  const auto part = nodes.parts->getLocalViewHost(read_only);
+  const auto flag = flags->getLocalViewHost(overwrite_all);
+  for (std::size_t a = 0; a < flag.extent(0); ++a)
+    flag(a, 0) = part(a, 0) == static_cast<double>(parts.size() - 1) ? 1.0 : 0.0;
+  return flags;
+}
+
 }  // namespace
 
 MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space)
@@ -86,7 +98,8 @@ MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space)
       if (space[c].nodes.graph == nodes.graph) nodes_.push_back(nodes_[c]);
     if (static_cast<int>(nodes_.size()) == b)
       nodes_.push_back(nodes.hosts.is_null()
-                           ? std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order)
+                           ? std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order,
+                                                               between(nodes, part_names_))
                            : std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order,
                                                                *nodes.hosts, nodes_.front()));
     maps_[{0, b}] = space[b].map;

@@ -69,14 +69,14 @@ private:
   }
 };
 
-/// The order with the nodes first whose hosts stay.
-Vector hosts_first(const Vector& order, const Vector& coarse_hosts) {
+/// The order with those nodes first that have another value than this.
+Vector first_without(double value, const Vector& values, const Vector& order) {
   Vector result(order, Teuchos::Copy);
   const double beyond = 1.0 + 2.0 * order.normInf();
-  const auto coarse = coarse_hosts.getLocalViewHost(read_only);
+  const auto at_node = values.getLocalViewHost(read_only);
   const auto view = result.getLocalViewHost(read_write);
   for (std::size_t i = 0; i < view.extent(0); ++i)
-    if (coarse(i, 0) != no_number) view(i, 0) -= beyond;
+    if (at_node(i, 0) != value) view(i, 0) -= beyond;
   return result;
 }
 
@@ -95,20 +95,32 @@ void leave_out_single_nodes(const CrsGraph& nodes, std::vector<char>& is_coarse)
     if (single(c, 0) > 0.0) is_coarse[c] = 0;
 }
 
-Teuchos::RCP<const CrsMatrix> averaging(const CrsGraph& nodes, const CoarseNumbers& coarse) {
+/// Flags of the columns: the nodes between fields, none without.
+std::vector<char> flags_between(const CrsGraph& nodes, const Teuchos::RCP<const Vector>& between) {
+  std::vector<char> flags(n_local(*nodes.getColMap()), 0);
+  if (between.is_null()) return flags;
+  const Vector on_all = algebra::on_columns(nodes, *between);
+  const auto view = on_all.getLocalViewHost(read_only);
+  for (std::size_t c = 0; c < flags.size(); ++c) flags[c] = view(c, 0) != 0.0;
+  return flags;
+}
+
+Teuchos::RCP<const CrsMatrix> averaging(const CrsGraph& nodes, const CoarseNumbers& coarse,
+                                        const std::vector<char>& is_between) {
   const auto P = Teuchos::rcp(new CrsMatrix(nodes.getRowMap(), longest_local_row(nodes)));
   const auto graph = nodes.getLocalGraphHost();
   std::vector<GlobalOrdinal> parents;
   for (int i = 0; i < static_cast<int>(n_local_rows(nodes)); ++i) {
     const GlobalOrdinal row = nodes.getRowMap()->getGlobalElement(i);
-    const GlobalOrdinal own = coarse.of_column[nodes.getColMap()->getLocalElement(row)];
+    const auto column = nodes.getColMap()->getLocalElement(row);
     parents.clear();
-    if (own >= 0)
-      parents.push_back(own);
+    if (coarse.of_column[column] >= 0)
+      parents.push_back(coarse.of_column[column]);
     else
       for (auto k = graph.row_map(i); k < graph.row_map(i + 1); ++k)
-        if (coarse.of_column[graph.entries(k)] >= 0)
-          parents.push_back(coarse.of_column[graph.entries(k)]);
+        if (const auto j = graph.entries(k);
+            coarse.of_column[j] >= 0 && (!is_between[column] || is_between[j]))
+          parents.push_back(coarse.of_column[j]);
     const std::vector<Scalar> weights(parents.size(), 1.0 / static_cast<double>(parents.size()));
     P->insertGlobalValues(row, Teuchos::arrayViewFromVector(parents),
                           Teuchos::arrayViewFromVector(weights));
@@ -141,13 +153,15 @@ Teuchos::RCP<const Vector> at_rows(const Vector& values, const CoarseNumbers& co
 
 }  // namespace
 
-NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order)
-    : levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)), Teuchos::null}} {}
+NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
+                                 const Teuchos::RCP<const Vector>& between)
+    : levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)), Teuchos::null, between}} {}
 
 NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
                                  const Vector& hosts, std::shared_ptr<NodalCoarsening> leader)
     : leader_(std::move(leader)), levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)),
-                                           Teuchos::rcp(new Vector(hosts, Teuchos::Copy))}} {}
+                                           Teuchos::rcp(new Vector(hosts, Teuchos::Copy)),
+                                           Teuchos::null}} {}
 
 Vector NodalCoarsening::numbers_of_hosts(int level) {
   const Vector& hosts = *levels_[level].hosts;
@@ -172,17 +186,20 @@ void NodalCoarsening::coarsen() {
     const auto coarse = Teuchos::rcp(new Vector(numbers_of_hosts(here)));
     const auto n_coarse = leader_->prolongator(here)->getDomainMap()->getGlobalNumElements();
     hosts = {level.hosts, coarse, static_cast<GlobalOrdinal>(n_coarse)};
-    order = Teuchos::rcp(new Vector(hosts_first(*level.order, *coarse)));
+    order = Teuchos::rcp(new Vector(first_without(no_number, *coarse, *level.order)));
+  } else if (!level.between.is_null()) {
+    order = Teuchos::rcp(new Vector(first_without(0.0, *level.between, *level.order)));
   }
   std::vector<char> is_coarse = algebra::independent_set(*level.nodes, *order);
   leave_out_single_nodes(*level.nodes, is_coarse);
   const CoarseNumbers coarse(*level.nodes, is_coarse, hosts);
-  level.P = averaging(*level.nodes, coarse);
+  level.P = averaging(*level.nodes, coarse, flags_between(*level.nodes, level.between));
   level.numbers = coarse.of_row;
   level.coarse_rows = coarse.rows;
   const auto graph = coarse_graph(level.nodes, *level.P);
   levels_.push_back({graph, at_rows(*level.order, coarse),
-                     leader_ ? at_rows(*hosts.coarse, coarse) : Teuchos::null});
+                     leader_ ? at_rows(*hosts.coarse, coarse) : Teuchos::null,
+                     level.between.is_null() ? Teuchos::null : at_rows(*level.between, coarse)});
   level.nodes = Teuchos::null;
 }
 

@@ -21,7 +21,11 @@ public:
   /// nodes: square, with one row per node and an entry on the diagonal.
   /// order: in which nodes are picked, a number per node, none twice. With numbers that do not hang
   /// on the ranks the coarse nodes do not either.
-  NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order);
+  /// between: 1 at nodes where fields of different stiffness meet, 0 elsewhere; null: nowhere. They
+  /// are picked first, and those that are left have their parents among themselves: one with a
+  /// parent in the softer field would bend the stiffer with it.
+  NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
+                  const Teuchos::RCP<const Vector>& between = Teuchos::null);
   /// hosts: for each node the number of its host on the same rank, or -1. No two nodes with the
   /// same host may be neighbours, and nodes only where their hosts are.
   NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
@@ -44,6 +48,7 @@ private:
     Teuchos::RCP<const CrsGraph> nodes;  ///< null once the next level is made
     Teuchos::RCP<const Vector> order;
     Teuchos::RCP<const Vector> hosts;      ///< numbers on this level; null without leader
+    Teuchos::RCP<const Vector> between;    ///< null: no nodes
     Teuchos::RCP<const CrsMatrix> P{};     ///< from the next level; null where it is not made yet
     Teuchos::RCP<const Vector> numbers{};  ///< on the next level, -1 where it lacks the node
     std::vector<int> coarse_rows{};
