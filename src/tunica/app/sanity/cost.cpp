@@ -9,8 +9,8 @@ namespace tunica::app {
 
 namespace {
 
-constexpr double program = 122.0;                   // m₀ [MB]
-constexpr double per_tetrahedron = 2.3e-3;          // m₁ [MB]
+constexpr double program = 114.0;                   // m₀ [MB]
+constexpr double per_tetrahedron = 1.9e-3;          // m₁ [MB]
 constexpr double seconds_per_tetrahedron = 1.0e-5;  // s₁
 
 std::string size(double megabytes) {
