@@ -31,8 +31,9 @@ struct Block {
 /// The blocks that unknowns, residuals and Jacobians of a problem are made of, in this order.
 class BlockSpace {
 public:
-  /// At least one block; names differ. parts: names of what the nodes of a coupled system stand in,
-  /// e.g. "wall", "lumen" and, between them, "interface".
+  /// At least one block; names differ. parts: names of what the nodes of a coupled system stand in;
+  /// the last is that between the others, which multigrid picks first: "wall", "lumen",
+  /// "interface".
   explicit BlockSpace(std::vector<Block> blocks, std::vector<std::string> parts = {});
 
   int n_blocks() const { return static_cast<int>(blocks_.size()); }

@@ -11,9 +11,9 @@ Teuchos::RCP<CrsGraph> static_graph(const Teuchos::RCP<const Map>& rows,
   return graph;
 }
 
-Teuchos::RCP<CrsMatrix> matrix_on(const Teuchos::RCP<const CrsGraph>& graph) {
+Teuchos::RCP<CrsMatrix> matrix_on(const Teuchos::RCP<const CrsGraph>& graph, Scalar value) {
   const auto matrix = Teuchos::rcp(new CrsMatrix(graph));
-  matrix->setAllToScalar(0.0);
+  matrix->setAllToScalar(value);
   matrix->fillComplete(graph->getDomainMap(), graph->getRangeMap());
   return matrix;
 }

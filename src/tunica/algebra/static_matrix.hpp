@@ -14,7 +14,7 @@ Teuchos::RCP<CrsGraph> static_graph(const Teuchos::RCP<const Map>& rows,
                                     const RowStart& row_start, const LocalColumns& columns,
                                     const Teuchos::RCP<const Map>& domain);
 
-/// A matrix with the entries of a graph, all of them zero, and ready for products. Collective.
-Teuchos::RCP<CrsMatrix> matrix_on(const Teuchos::RCP<const CrsGraph>& graph);
+/// A matrix with the entries of a graph, all of this value, and ready for products. Collective.
+Teuchos::RCP<CrsMatrix> matrix_on(const Teuchos::RCP<const CrsGraph>& graph, Scalar value = 0.0);
 
 }  // namespace tunica::algebra

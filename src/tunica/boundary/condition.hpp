@@ -46,9 +46,9 @@ struct ConditionEntry {
   std::string name;
   params::Table table;
   Make make;  ///< the terms in the order in which they are added. Collective.
-  std::function<Drive(const Teuchos::ParameterList& list)> drive =
-      [](const Teuchos::ParameterList&) { return Drive{}; };
+  std::function<Drive(const Teuchos::ParameterList& list)> drive;
 };
+inline Drive drives_nothing(const Teuchos::ParameterList&) { return {}; }
 
 /// Length of the vector of a key.
 double length_of(const Teuchos::ParameterList& list, const std::string& key);

@@ -30,7 +30,8 @@ ConditionEntry clamped() {
   return {Field::wall, "clamped", params::Table("no displacement"),
           [](const Teuchos::ParameterList&, const fields::FieldMesh&, int) {
             return terms(std::make_unique<Held>(std::vector<int>{0, 1, 2}));
-          }};
+          },
+          drives_nothing};
 }
 
 namespace {
@@ -71,7 +72,8 @@ ConditionEntry held_in(Field field, const std::string& sentence) {
             if (!is_along_normal(list)) return terms(std::make_unique<Held>(components_of(list)));
             const std::vector<Vec3> directions{normal_of_plane(mesh, surface)};
             return terms(std::make_unique<Held>(std::vector<int>(), directions));
-          }};
+          },
+          drives_nothing};
 }
 
 }  // namespace
@@ -91,7 +93,8 @@ ConditionEntry held_velocity() {
 
 ConditionEntry loaded_by_fluid() {
   return {Field::wall, interface_condition, params::Table("loaded by the fluid"),
-          [](const Teuchos::ParameterList&, const fields::FieldMesh&, int) { return Terms(); }};
+          [](const Teuchos::ParameterList&, const fields::FieldMesh&, int) { return Terms(); },
+          drives_nothing};
 }
 
 }  // namespace tunica::boundary

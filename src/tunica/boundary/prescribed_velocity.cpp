@@ -47,14 +47,16 @@ ConditionEntry no_slip() {
   return {Field::fluid, "no slip", params::Table("no velocity"),
           [](const Teuchos::ParameterList&, const fields::FieldMesh&, int) {
             return terms(std::make_unique<NoSlip>());
-          }};
+          },
+          drives_nothing};
 }
 
 ConditionEntry moves_with_wall() {
   return {Field::fluid, interface_condition, params::Table("moves with the wall"),
           [](const Teuchos::ParameterList&, const fields::FieldMesh&, int) {
             return terms(std::make_unique<InterfaceVelocity>());
-          }};
+          },
+          drives_nothing};
 }
 
 }  // namespace tunica::boundary

@@ -1,8 +1,5 @@
 #include "tunica/boundary/registry.hpp"
 
-#include <Teuchos_Array.hpp>
-#include <cmath>
-
 #include "tunica/boundary/flow_rate.hpp"
 #include "tunica/boundary/follower_pressure.hpp"
 #include "tunica/boundary/held.hpp"
@@ -80,12 +77,6 @@ Drive Condition::drive(Field field) const {
   for (const ConditionEntry& entry : conditions())
     if (entry.field == field && entry.name == kind()) return entry.drive(list);
   return {};
-}
-
-double length_of(const Teuchos::ParameterList& list, const std::string& key) {
-  double sum = 0.0;
-  for (const double x : list.get<Teuchos::Array<double>>(key)) sum += x * x;
-  return std::sqrt(sum);
 }
 
 std::vector<std::string> interface_surfaces(const std::vector<Condition>& conditions) {

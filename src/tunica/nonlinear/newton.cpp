@@ -137,8 +137,8 @@ NewtonReport try_newton(NonlinearProblem& problem, const NewtonOptions& options,
   NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
   try {
     status = solver->solve();
-  } catch (const char*) {  // NOX 13 throws "NOX Error" as it stands
-    report.reason = gave_up(options, log);
+  } catch (const char* message) {  // NOX 13 throws "NOX Error" as it stands
+    report.reason = std::string(message) == "NOX Error" ? gave_up(options, log) : message;
   } catch (const linear::SetupFailure& error) {
     report.reason = error.what();
   } catch (const std::runtime_error& error) {  // its successors in an exception

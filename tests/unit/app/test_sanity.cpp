@@ -228,6 +228,8 @@ TEUCHOS_UNIT_TEST(sanity, outlets_settle_to_the_pressure_of_their_resistances) {
   TEST_ASSERT(doubts(tube, "raises the pressure to 120 kPa", out));
   with("-1.5", "");
   TEST_ASSERT(doubts(tube, "draw 1.5 mm^3/ms out", out));
+  with("0.5", number("distal pressure", "-5"));
+  TEST_ASSERT(doubts(tube, "settle to -1 kPa", out));
 }
 
 TEUCHOS_UNIT_TEST(sanity, loads_that_do_nothing_or_are_not_seen_are_doubted) {

@@ -76,11 +76,13 @@ std::vector<ConditionEntry> with_springs() {
                    boundary::Terms terms;
                    terms.push_back(std::make_unique<Springs>(list.get<double>("stiffness")));
                    return terms;
-                 }});
+                 },
+                 boundary::drives_nothing});
   all.push_back({boundary::Field::fluid, "memory", params::Table(),
                  [](const Teuchos::ParameterList&, const fields::FieldMesh&, int surface) {
                    return boundary::terms(std::make_unique<Memory>(surface));
-                 }});
+                 },
+                 boundary::drives_nothing});
   return all;
 }
 
@@ -91,6 +93,14 @@ Condition condition(const std::string& surface, const std::string& kind) {
     list.set("velocity", Teuchos::Array<double>(std::vector<double>{1, 2, 3}));
   boundary::condition_table("", with_springs()).resolve(list, surface, "");
   return {surface, list};
+}
+
+TEUCHOS_UNIT_TEST(surface_terms, every_condition_says_what_it_drives_a_vessel_by) {
+  for (const auto& all : {boundary::fluid_conditions(), boundary::wall_conditions()})
+    for (const ConditionEntry& entry : all) {
+      out << entry.name << "\n";
+      TEST_ASSERT(static_cast<bool>(entry.drive));
+    }
 }
 
 TEUCHOS_UNIT_TEST(surface_terms, where_surfaces_meet_the_stronger_condition_holds) {

@@ -91,6 +91,36 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
   }
 }
 
+TEUCHOS_UNIT_TEST(mixed_coarsening, nodes_of_the_last_part_are_those_between_fields) {
+  const Grid grid{9, 7, 5, true};
+  const auto A = grid.laplacian(test::world(), 3);
+  algebra::Nodes nodes = test::nodes_of(grid.graph(test::world()));
+  const auto parts = Teuchos::rcp(new Vector(nodes.graph->getRowMap()));
+  const auto flags = Teuchos::rcp(new Vector(nodes.graph->getRowMap()));
+  for (const GlobalOrdinal node : global_numbers(*nodes.graph->getRowMap())) {
+    const GlobalOrdinal z = node / (grid.nx * grid.ny);
+    parts->replaceGlobalValue(node, z < 3 ? 0.0 : z > 3 ? 1.0 : 2.0);
+    flags->replaceGlobalValue(node, z == 3 ? 1.0 : 0.0);
+  }
+  nodes.parts = parts;
+  const auto C = nodes.graph->getRowMap();
+  MixedCoarsening coarsening(
+      algebra::BlockSpace({{"vector", A->getRowMap(), 3, nodes}, {"scalar", C, 1, nodes}},
+                          {"below", "above", "plane"}));
+  multigrid::NodalCoarsening expected(nodes.graph, *nodes.order, flags),
+      without(nodes.graph, *nodes.order);
+  Teuchos::RCP<const Map> rows = C;
+  for (int level = 0; level < 3; ++level) {
+    const auto P = coarsening.prolongator(level, *rows), of_nodes = expected.prolongator(level);
+    bool is_same = P->getDomainMap()->isSameAs(*of_nodes->getDomainMap());
+    for (const GlobalOrdinal row : global_numbers(*rows))
+      is_same &= row_of(*P, row) == row_of(*of_nodes, row);
+    TEST_ASSERT(all_agree(*test::world(), is_same));
+    rows = P->getDomainMap();
+  }
+  TEST_INEQUALITY(columns(*coarsening.prolongator(0, *C)), columns(*without.prolongator(0)));
+}
+
 TEUCHOS_UNIT_TEST(mixed_coarsening, rows_of_blocks_on_different_nodes_are_those_of_each) {
   const Grid fine{9, 9, 5, true};
   const auto K = test::two_blocks(fine.laplacian(test::world(), 3), 3,

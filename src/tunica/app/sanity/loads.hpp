@@ -43,7 +43,7 @@ struct Loads {
 };
 
 /// Amplitudes count at their kinks and at 2000 times. What an opening's traction does beside
-/// pressing is left out.
+/// pressing is left out; what an outlet makes of the flow counts in the balance alone.
 Loads loads_of(const Teuchos::ParameterList& list, const std::vector<Vessel::Opening>& openings);
 
 }  // namespace tunica::app

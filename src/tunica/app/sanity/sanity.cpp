@@ -197,12 +197,17 @@ void Judge::outlets() {
         "the flow rates that are given draw %.3g mm^3/ms out of the vessel on the mean, and the "
         "outlets have to let it in; usual is the other way. A flow rate above zero flows in.",
         -b.inflow));
-  else if (b.pressure > 50.0 || b.pressure < 0.0)
+  else if (b.pressure > 50.0)
     doubts_.push_back(formatted(
         "behind resistances like those of the outlets a mean flow of %.3g mm^3/ms raises the "
         "pressure to %.3g kPa; arteries have 8 to 18. 1 mmHg s/ml = 0.1333 kPa ms/mm^3, 1 "
         "dyn s/cm^5 = 1e-4 kPa ms/mm^3, 1 ml/s = 1 mm^3/ms. Check the units of what is given.",
         b.inflow, b.pressure));
+  else if (b.pressure < 0.0)
+    doubts_.push_back(
+        formatted("the outlets let the pressure settle to %.3g kPa, below zero; arteries have 8 to "
+                  "18. Look at their \"distal pressure\".",
+                  b.pressure));
   if (b.mean_flow != 0.0 && std::abs(b.mean_flow - b.inflow) > 0.25 * std::abs(b.inflow))
     doubts_.push_back(formatted(
         "the outlets begin as if %.3g mm^3/ms left through them (their \"mean flow\"), but "

@@ -3,6 +3,7 @@
 #include <Tpetra_RowMatrixTransposer.hpp>
 #include <algorithm>
 
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/trilinos.hpp"
@@ -64,8 +65,7 @@ algebra::Nodes nodes_of(const CrsMatrix& K, const algebra::DofLayout& numbering)
     neighbours[a].push_back(nodes->getGlobalElement(static_cast<int>(a)));
   const auto node_of = [&](GlobalOrdinal number) { return number / numbering.dofs(); };
   append(K, *nodes, node_of, neighbours);
-  const auto one_way = Teuchos::rcp(new CrsMatrix(graph_of(neighbours, nodes)));
-  one_way->fillComplete();
+  const auto one_way = algebra::matrix_on(graph_of(neighbours, nodes));
   Tpetra::RowMatrixTransposer<Scalar, LocalOrdinal, GlobalOrdinal, Node> transposer(one_way);
   const auto itself = [](GlobalOrdinal node) { return node; };
   append(*transposer.createTranspose(), *nodes, itself, neighbours);

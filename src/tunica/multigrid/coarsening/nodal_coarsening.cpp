@@ -4,6 +4,7 @@
 
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/algebra/sparse_product.hpp"
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 
@@ -134,10 +135,8 @@ Teuchos::RCP<const CrsGraph> coarse_graph(const Teuchos::RCP<const CrsGraph>& no
                                           const CrsMatrix& P) {
   CrsMatrix PtGP(P.getDomainMap(), 0);
   {
-    CrsMatrix G(nodes), GP(nodes->getRowMap(), 0);
-    G.setAllToScalar(1.0);
-    G.fillComplete(nodes->getDomainMap(), nodes->getRangeMap());
-    algebra::multiply_graphs(G, P, GP);
+    CrsMatrix GP(nodes->getRowMap(), 0);
+    algebra::multiply_graphs(*algebra::matrix_on(nodes, 1.0), P, GP);
     Tpetra::MatrixMatrix::Multiply(P, true, GP, false, PtGP);
   }
   return PtGP.getCrsGraph();

@@ -9,9 +9,9 @@ namespace tunica::multigrid {
 
 /// Coarser and coarser sets of nodes, picked from a graph of nodes [Ki98]: a maximal
 /// independent set becomes the next level, and every other node takes the mean of its
-/// neighbours in it. Nodes without neighbours (fixed ones, in systems that keep only their
-/// diagonals) are left out of coarser levels. Depends on the graph and the order alone; made level
-/// by level as they are asked for.
+/// neighbours in it (one between fields: of such neighbours alone). Nodes without neighbours (fixed
+/// ones, in systems that keep only their diagonals) are left out of coarser levels. Depends on the
+/// graph, the order and the nodes between fields alone; made level by level as they are asked for.
 ///
 /// Nodes that have hosts among those of another coarsening, as pressures that jump have their
 /// vertices, follow it: where the host stays in the next level they do, and others only join them.
@@ -32,8 +32,7 @@ public:
                   const Vector& hosts, std::shared_ptr<NodalCoarsening> leader);
 
   /// Interpolation from level + 1 to level (0 the finest). Its rows sum to one, but for
-  /// nodes left out. Collective where it
-  /// is asked for the first time.
+  /// nodes left out. Collective where it is asked for the first time.
   Teuchos::RCP<const CrsMatrix> prolongator(int level) { return at(level).P; }
 
   /// The numbers of the hosts on this level, -1 for none; null without leader. Collective as
