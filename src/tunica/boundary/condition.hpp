@@ -32,6 +32,7 @@ struct Drive {
     double resistance;       ///< R [kPa ms/mm³]
     double distal_pressure;  ///< p_d [kPa]
     double mean_flow;        ///< Q̄ that the list expects [mm³/ms]; 0: it does not say
+    double time_constant;    ///< of what it stores [ms]; 0: nothing
   };
   std::optional<Outlet> outlet{};
 };

@@ -139,11 +139,12 @@ ConditionEntry windkessel_condition() {
         path + ": \"mean flow\" and \"initial pressure\" both say how it starts. Give one.");
   });
   return {Field::fluid, "windkessel", table, terms_of, [](const Teuchos::ParameterList& list) {
-            const double resistance =
-                list.get<double>("proximal resistance") + list.get<double>("distal resistance");
-            return Drive{Drive::Kind::pressure, initial_pressure(list),
-                         Drive::Outlet{resistance, list.get<double>("distal pressure"),
-                                       list.get<double>("mean flow")}};
+            const auto distal = list.get<double>("distal resistance");
+            return Drive{
+                Drive::Kind::pressure, initial_pressure(list),
+                Drive::Outlet{list.get<double>("proximal resistance") + distal,
+                              list.get<double>("distal pressure"), list.get<double>("mean flow"),
+                              distal * list.get<double>("capacitance")}};
           }};
 }
 
@@ -166,7 +167,7 @@ ConditionEntry resistance_condition() {
           [](const Teuchos::ParameterList& list) {
             const auto distal = list.get<double>("distal pressure");
             return Drive{Drive::Kind::pressure, distal,
-                         Drive::Outlet{list.get<double>("resistance"), distal, 0.0}};
+                         Drive::Outlet{list.get<double>("resistance"), distal, 0.0, 0.0}};
           }};
 }
 

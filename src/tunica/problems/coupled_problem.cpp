@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
@@ -242,9 +243,9 @@ Teuchos::RCP<const CrsMatrix> CoupledProblem::assemble_operator(const std::strin
   const auto names = operator_names();
   if (std::find(names.begin(), names.end(), name) == names.end()) return Teuchos::null;
   const int b = name == mass ? 1 : 0;
-  const auto M = Teuchos::rcp(
-      new CrsMatrix(name == mass ? (*K_->space())[1].nodes.graph : (*K_)(0, 0)->getCrsGraph()));
-  M->setAllToScalar(0.0);
+  const auto M =
+      algebra::matrix_on(name == mass ? (*K_->space())[1].nodes.graph : (*K_)(0, 0)->getCrsGraph());
+  M->resumeFill();
   const auto add = [&](FieldProblem& field, const algebra::BlockVector& at,
                        const algebra::Embedding& part) {
     if (b == 1) return part.add_block(*field.operators().assemble_operator(mass), 1, 1, *M);

@@ -91,50 +91,59 @@ std::optional<Loads::Balance> balance_of(const std::vector<double>& inflows,
   return balance;
 }
 
+/// What conditions of the fluid drive it by, in time.
+struct Driven {
+  std::vector<Course> pressing;
+  std::vector<double> inflows;  ///< means
+  std::vector<boundary::Drive::Outlet> outlets;
+};
+
+void visit_opening(const boundary::Condition& c, double area, const std::vector<double>& times,
+                   Driven& driven, Loads& loads) {
+  using Kind = boundary::Drive::Kind;
+  const boundary::Drive drive = c.drive(boundary::Field::fluid);
+  const Course course(c.list, drive.size);
+  switch (drive.kind) {
+    case Kind::velocity:
+      note_flow(area * course.peak(times), area, c.surface, loads);
+      break;
+    case Kind::flow:
+      note_flow(course.peak(times), area, c.surface, loads);
+      driven.inflows.push_back(course.mean(loads.end));
+      break;
+    case Kind::pressure:
+      loads.first_pressures.emplace_back(c.surface, course(0.0));
+      [[fallthrough]];
+    case Kind::traction:
+      note_pressure(course.peak(times), "Fluid / Surfaces / " + c.surface, loads);
+      driven.pressing.push_back(course);
+      break;
+    case Kind::file:
+      loads.has_data = true;
+      break;
+    case Kind::motion:
+    case Kind::none:
+      break;
+  }
+  if (drive.outlet) driven.outlets.push_back(*drive.outlet);
+}
+
 /// What presses on the openings, in time.
 std::vector<Course> visit_fluid(const Teuchos::ParameterList& fluid,
                                 const std::vector<Vessel::Opening>& openings,
                                 const std::vector<double>& times, Loads& loads) {
-  using Kind = boundary::Drive::Kind;
-  std::vector<Course> pressing;
+  Driven driven;
   std::vector<std::string> named;
-  std::vector<double> inflows;
-  std::vector<boundary::Drive::Outlet> outlets;
   for (const boundary::Condition& c : boundary::conditions_of(fluid.sublist("Surfaces"))) {
     named.push_back(c.surface);
-    const boundary::Drive drive = c.drive(boundary::Field::fluid);
-    const double area = area_of(openings, c.surface);
-    const Course course(c.list, drive.size);
-    switch (drive.kind) {
-      case Kind::velocity:
-        note_flow(area * course.peak(times), area, c.surface, loads);
-        break;
-      case Kind::flow:
-        note_flow(course.peak(times), area, c.surface, loads);
-        inflows.push_back(course.mean(loads.end));
-        break;
-      case Kind::pressure:
-        loads.first_pressures.emplace_back(c.surface, course(0.0));
-        [[fallthrough]];
-      case Kind::traction:
-        note_pressure(course.peak(times), "Fluid / Surfaces / " + c.surface, loads);
-        pressing.push_back(course);
-        break;
-      case Kind::file:
-        loads.has_data = true;
-        break;
-      case Kind::motion:
-      case Kind::none:
-        break;
-    }
-    if (drive.outlet) outlets.push_back(*drive.outlet);
+    visit_opening(c, area_of(openings, c.surface), times, driven, loads);
   }
   for (const Vessel::Opening& o : openings)
     if (std::find(named.begin(), named.end(), o.surface) == named.end())
-      pressing.emplace_back(Teuchos::ParameterList(), 0.0);
-  if (openings.size() == inflows.size() + outlets.size() && !inflows.empty())
-    loads.balance = balance_of(inflows, outlets);
-  return pressing;
+      driven.pressing.emplace_back(Teuchos::ParameterList(), 0.0);
+  if (openings.size() == driven.inflows.size() + driven.outlets.size() && !driven.inflows.empty())
+    loads.balance = balance_of(driven.inflows, driven.outlets);
+  return driven.pressing;
 }
 
 void visit_wall(const Teuchos::ParameterList& wall, const std::vector<double>& times,

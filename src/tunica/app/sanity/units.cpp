@@ -53,10 +53,9 @@ std::vector<std::string> doubts_of_units(const Teuchos::ParameterList& list, con
     doubt("Fluid / density", fluid.density, density, doubts);
     doubt("Fluid / viscosity", fluid.viscosity, viscosity, doubts);
     for (const auto& c : boundary::conditions_of(list.sublist("Fluid").sublist("Surfaces")))
-      if (c.kind() == "windkessel")
-        doubt("Fluid / Surfaces / " + c.surface + ": the time constant",
-              c.list.get<double>("distal resistance") * c.list.get<double>("capacitance"), decay,
-              doubts);
+      if (const auto outlet = c.drive(boundary::Field::fluid).outlet)
+        doubt("Fluid / Surfaces / " + c.surface + ": the time constant", outlet->time_constant,
+              decay, doubts);
   }
   if (list.isSublist("Wall"))
     for (const auto& layer : discretisation::solid_options(list.sublist("Wall")).layers) {

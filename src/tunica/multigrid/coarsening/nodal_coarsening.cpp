@@ -114,6 +114,7 @@ Teuchos::RCP<const CrsMatrix> averaging(const CrsGraph& nodes, const CoarseNumbe
   for (int i = 0; i < static_cast<int>(n_local_rows(nodes)); ++i) {
     const GlobalOrdinal row = nodes.getRowMap()->getGlobalElement(i);
     const auto column = nodes.getColMap()->getLocalElement(row);
+    // P_ij = 1/n_i for the n_i parents j of node i; a node that stays is its own
     parents.clear();
     if (coarse.of_column[column] >= 0)
       parents.push_back(coarse.of_column[column]);
