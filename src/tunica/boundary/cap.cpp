@@ -7,6 +7,7 @@
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/kernels/laplace_p1.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
 #include "tunica/linear/direct_factor.hpp"
 
@@ -70,17 +71,13 @@ std::vector<int> unknowns_of(const Cap& cap, int& count) {
 
 /// ∫ ∇N_a·∇N_b and ∫ N_a N_b on a triangle.
 struct Element {
-  double L[3][3], M[3][3];
+  std::array<std::array<double, 3>, 3> L;
+  double M[3][3];
 
-  explicit Element(const std::array<Vec3, 3>& x) {
+  explicit Element(const std::array<Vec3, 3>& x) : L(kernels::laplace_p1(x)) {
     const double A = norm(kernels::area_normal(x));
-    Vec3 edge[3];
-    for (int a = 0; a < 3; ++a) edge[a] = x[(a + 2) % 3] - x[(a + 1) % 3];
     for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b) {
-        L[a][b] = dot(edge[a], edge[b]) / (4.0 * A);
-        M[a][b] = A / 12.0 * (a == b ? 2.0 : 1.0);
-      }
+      for (int b = 0; b < 3; ++b) M[a][b] = A / 12.0 * (a == b ? 2.0 : 1.0);
   }
 };
 

@@ -38,8 +38,7 @@ FlowRate::FlowRate(const Teuchos::ParameterList& list, const fields::FieldMesh& 
       n_harmonics_(list.isParameter("harmonics") ? list.get<int>("harmonics") : 0),
       cap_(gather_cap(mesh, surface)), place_(mesh.n_owned) {
   const Vec3 all = area_vector(cap_);
-  area_ = norm(all);
-  normal_ = 1.0 / area_ * all;
+  normal_ = 1.0 / norm(all) * all;
   const bool is_flat = list.get<std::string>("profile") == "flat";
   steady_ = is_flat ? flat_profile(cap_) : harmonic_profile(cap_);
   for (int a = 0; a < mesh.n_owned; ++a) place_[a] = cap_.find(mesh.vertex[a]);
@@ -64,17 +63,28 @@ std::vector<double> FlowRate::speeds(double time) const {
   return speed;
 }
 
-double FlowRate::relative_area(const Surroundings& s) const {
-  double mine = 0.0;
-  for (const Vec3& a : nodal_areas(*s.mesh, *s.position, {surface_})) mine += dot(a, normal_);
-  return global_sum(*s.mesh->comm, mine) / area_;
+std::array<double, 2> FlowRate::flows(const Surroundings& s, const std::vector<double>& speed,
+                                      const std::vector<double>& other) const {
+  std::vector<double> mine{0.0, 0.0};
+  const std::vector<Vec3> areas = nodal_areas(*s.mesh, *s.position, {surface_});
+  for (int a = 0; a < s.mesh->n_owned; ++a) {
+    if (place_[a] < 0) continue;
+    mine[0] += speed[place_[a]] * dot(areas[a], normal_);
+    mine[1] += other[place_[a]] * dot(areas[a], normal_);
+  }
+  const std::vector<double> all = global_sum(*s.mesh->comm, mine);
+  return {all[0], all[1]};
 }
 
 void FlowRate::prepare(const Surroundings& s) {
   if (n_harmonics_ > 0 && phi_.empty()) find_harmonics(s.viscosity / s.density);
   speed_ = speeds(s.time);
-  const double grown = relative_area(s);
-  for (double& v : speed_) v /= grown;
+  // v = (f + (Q − F(f)/g) φ)/g with the flows g = F(φ) and F(f), so that F(v) = Q on a surface
+  // that has stretched; where it has done so evenly F(f) = g Q
+  const auto [grown, through] = flows(s, steady_, speed_);
+  const double rest = flow_rate_ * amplitude_(s.time) - through / grown;
+  for (std::size_t a = 0; a < speed_.size(); ++a)
+    speed_[a] = (speed_[a] + rest * steady_[a]) / grown;
 }
 
 Vec3 FlowRate::prescribed(const Surroundings& s, int node) const {

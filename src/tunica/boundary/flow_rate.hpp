@@ -16,7 +16,8 @@ namespace tunica::boundary {
 ///      harmonic k of the flow rate its own                     1/mm²
 ///
 /// φ vanishes on the rim, where conditions of other surfaces hold. As the surface grows φ shrinks,
-/// so that the flow rate stays what is given on the domain as it lies.
+/// so that the flow rate stays what is given on the domain as it lies; what the profiles miss where
+/// it grows unevenly has that of the steady flow.
 /// What a Fourier series of K harmonics leaves of Q(t) has the profile of the steady flow.
 class FlowRate final : public GivenVelocity {
 public:
@@ -32,8 +33,10 @@ private:
   void find_harmonics(double nu);
   /// Along −n at the nodes of the cap, on the undeformed surface [mm/ms].
   std::vector<double> speeds(double time) const;
-  /// Over that of the undeformed surface. Collective.
-  double relative_area(const Surroundings& s) const;
+  /// What flows in through the present surface with these speeds at the cap's nodes, and with
+  /// others [mm³/ms]. Collective.
+  std::array<double, 2> flows(const Surroundings& s, const std::vector<double>& speed,
+                              const std::vector<double>& other) const;
 
   int surface_;
   double flow_rate_;  ///< [mm³/ms]
@@ -41,7 +44,6 @@ private:
   int n_harmonics_;  ///< K; zero where all have one profile
   Cap cap_;
   Vec3 normal_;
-  double area_;
   Profile steady_;
   std::vector<int> place_;  ///< of owned nodes: in the cap
   std::vector<std::complex<double>> Q_;

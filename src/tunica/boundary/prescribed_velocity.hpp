@@ -33,6 +33,7 @@ private:
 /// No velocity.
 class NoSlip final : public GivenVelocity {
 public:
+  bool prescribes_zero() const override { return true; }
   int precedence() const override { return 2; }
 };
 

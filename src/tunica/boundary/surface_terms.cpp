@@ -79,6 +79,13 @@ bool SurfaceTerms::prescribes(int surface, int component) const {
   });
 }
 
+bool SurfaceTerms::is_at_rest(int surface) const {
+  const Terms& terms = terms_[surface];
+  return std::any_of(terms.begin(), terms.end(), [](const auto& term) {
+    return term->prescribes_zero() && term->prescribed_components().size() == 3;
+  });
+}
+
 bool SurfaceTerms::moves_as_one(int surface) const {
   const Terms& terms = terms_[surface];
   return std::any_of(terms.begin(), terms.end(),

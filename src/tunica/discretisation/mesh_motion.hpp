@@ -4,12 +4,22 @@
 
 namespace tunica::discretisation {
 
-/// Harmonic functions on the undeformed mesh of a field: −Δφ = 0, φ given at some nodes, no flux
-/// through the rest of the boundary. Components of a vector do not see each other.
+/// Where a function is harmonic: in the volume of a field, within the surfaces that bound it, or
+/// along the lines in which two of these meet.
+enum class Extent { volume, surfaces, lines };
+
+/// Harmonic functions on the undeformed mesh of a field:
+///
+///   −∇·(γ ∇φ) = 0,  φ given at some nodes, no flux through the rest of the boundary
+///
+/// γ = (V̄/V)^χ of an element of volume V (area, length), V̄ the mean: with χ > 0 small elements
+/// are stiffer than large ones. Components of a vector do not see each other.
 class HarmonicExtension {
 public:
-  /// is_given: one flag per local node. mesh must outlive the object. Collective.
-  HarmonicExtension(const fields::FieldMesh& mesh, std::vector<char> is_given);
+  /// is_given: one flag per local node; of surfaces and lines, those of all other nodes too.
+  /// stiffening: χ. mesh must outlive the object. Collective.
+  HarmonicExtension(const fields::FieldMesh& mesh, std::vector<char> is_given,
+                    Extent extent = Extent::volume, double stiffening = 0.0);
 
   const fields::FieldMesh& mesh() const { return *mesh_; }
   bool is_given(int node) const { return is_given_[node]; }
@@ -24,12 +34,11 @@ private:
   Teuchos::RCP<CrsMatrix> jacobian_, laplacian_;  ///< the latter without conditions
 };
 
-/// Harmonic extension of the interface's displacement into the fluid's mesh ([LY1] eq:harext):
-/// d given on the interface, zero on every other surface of the fluid.
+/// Harmonic extension of the displacement of the fluid's boundary into its mesh ([LY1] eq:harext).
 class MeshMotion final : public Discretisation {
 public:
-  /// mesh must outlive the object. Collective.
-  explicit MeshMotion(const fields::FieldMesh& mesh);
+  /// stiffening: see HarmonicExtension. mesh must outlive the object. Collective.
+  explicit MeshMotion(const fields::FieldMesh& mesh, double stiffening = 0.0);
 
   const HarmonicExtension& extension() const { return extension_; }
 

@@ -7,11 +7,14 @@
 namespace tunica::problems {
 
 MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
-                       const std::vector<int>& surfaces, const stepping::TimeScheme& scheme)
-    : mesh_(&mesh), is_interface_(mesh.n_owned, 0), motion_(mesh),
+                       const std::vector<int>& interface, const std::vector<int>& at_rest,
+                       const stepping::TimeScheme& scheme)
+    : mesh_(&mesh), is_interface_(mesh.n_owned, 0),
+      surfaces_(list.sublist("Linear Solver"), mesh, interface, at_rest),
+      motion_(mesh, list.get<double>("stiffening")),
       harmonic_(list.sublist("Linear Solver"), motion_.extension(), 3), scheme_(&scheme),
       history_(scheme.remembers(), mesh.n_nodes()), d_(mesh.n_nodes()) {
-  for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, surfaces);
+  for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, interface);
 }
 
 Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
@@ -25,6 +28,8 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
         view(a, i) = is_interface_[a] ? interface_displacement[a][i] : 0.0;
   }
   fault_point("mesh motion");
+  if (const Outcome outcome = surfaces_.extend(total, tolerance); outcome.is_failure())
+    return outcome;
   if (const Outcome outcome = harmonic_.extend(total, tolerance); outcome.is_failure())
     return outcome;
   MultiVector ghosted(mesh_->ghosted_map, 3);
@@ -43,6 +48,7 @@ void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vec
     for (int a = 0; a < mesh_->n_owned; ++a)
       for (int i = 0; i < 3; ++i) to(a, i) = is_interface_[a] ? from(3 * a + i, 0) : 0.0;
   }
+  surfaces_.extend_roughly(tolerance, total);
   harmonic_.extend_roughly(tolerance, total);
   const auto from = total.getLocalViewHost(read_only);
   const auto to = d.getLocalViewHost(overwrite_all);
@@ -67,12 +73,16 @@ std::string MeshMotion::restore(const fields::State& state) {
     for (int a = 0; a < mesh_->n_owned; ++a)
       for (int i = 0; i < 3; ++i) view(a, i) = rows.values[3 * a + i];
   }
+  surfaces_.start_from(last);
   harmonic_.start_from(last);
   return "";
 }
 
 params::Table mesh_motion_table() {
   params::Table table("Harmonic extension of the wall's displacement into the fluid's mesh.");
+  table.number("stiffening", 0.0, params::between(0.0, 4.0), "1",
+               "an element of a part of the mean volume is as many times stiffer, to this power: "
+               "small elements keep their shape where the wall moves far; 0: none, 1: usual");
   table.sublist("Linear Solver", linear::scalar_solver_table());
   return table;
 }

@@ -2,18 +2,21 @@
 #include <optional>
 
 #include "tunica/fields/state.hpp"
-#include "tunica/problems/harmonic.hpp"
+#include "tunica/problems/following_surfaces.hpp"
 #include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::problems {
 
-/// The fluid's mesh follows the interface: the harmonic extension of its displacement, solved for.
+/// The fluid's mesh follows the interface: the harmonic extension of its displacement, solved for,
+/// into the surfaces that follow it and then into the volume.
 class MeshMotion : public fields::Restartable {
 public:
-  /// list: the resolved "Mesh Motion" list; surfaces: indices of the interface's surfaces; scheme:
-  /// that of the fluid, which begins its steps. mesh and scheme must outlive the object.
+  /// list: the resolved "Mesh Motion" list; interface: indices of its surfaces; at_rest: of those
+  /// that do not follow it; scheme: that of the fluid, which begins its steps. mesh and scheme must
+  /// outlive the object.
   MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
-             const std::vector<int>& surfaces, const stepping::TimeScheme& scheme);
+             const std::vector<int>& interface, const std::vector<int>& at_rest,
+             const stepping::TimeScheme& scheme);
 
   /// Sets displacement() from that of the owned interface nodes (other entries are ignored).
   /// tolerance: the relative residual left, if not that of the list. Says why where the linear
@@ -41,6 +44,7 @@ public:
 private:
   const fields::FieldMesh* mesh_;
   std::vector<char> is_interface_;  ///< per owned node
+  FollowingSurfaces surfaces_;
   discretisation::MeshMotion motion_;
   Harmonic harmonic_;
   const stepping::TimeScheme* scheme_;

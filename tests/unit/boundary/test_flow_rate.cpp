@@ -97,12 +97,13 @@ TEUCHOS_UNIT_TEST(flow_rate, is_met_at_all_times_whatever_the_profile_and_the_si
   const fields::FieldMesh& mesh = tube.fluid;
   const int inlet = tube.surface("inlet");
   const std::vector<Vec3> zero(mesh.n_nodes());
-  std::vector<Vec3> grown(mesh.x);
+  std::vector<Vec3> grown(mesh.x), bent(mesh.x);
   for (Vec3& x : grown) x = {1.3 * x[0], 1.3 * x[1], x[2]};
+  for (Vec3& x : bent) x = {x[0] + 0.2 * x[0] * x[0], x[1] - 0.1 * x[0] * x[1], x[2]};
   const std::map<double, double> flow{{0.0, 0.2}, {50.0, 0.6}, {350.0, 0.11}, {1700.0, 1.0}};
   for (const char* profile : {"flat", "parabolic", "womersley"}) {
     boundary::SurfaceTerms terms({flow_rate(profile)}, boundary::fluid_conditions(), mesh);
-    for (const auto* position : {&mesh.x, static_cast<const std::vector<Vec3>*>(&grown)})
+    for (const std::vector<Vec3>* position : {&mesh.x, &std::as_const(grown), &std::as_const(bent)})
       for (const auto& [time, expected] : flow) {
         boundary::Surroundings s{&mesh, &mesh.x, position, &zero, &zero, 1.06, time};
         s.viscosity = 3.5e-3;

@@ -3,6 +3,7 @@
 #include "oracle/algebra.hpp"
 #include "oracle/samples.hpp"
 #include "tunica/kernels/laplace_p1.hpp"
+#include "tunica/kernels/surface_tri3.hpp"
 
 namespace {
 
@@ -46,6 +47,20 @@ TEUCHOS_UNIT_TEST(LaplaceP1, energy_of_a_linear_field_is_volume_times_squared_gr
     TEST_COMPARE(std::abs(row), <, 1e-14);
   }
   TEST_FLOATING_EQUALITY(energy, T.volume * dot(slope, slope), 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(LaplaceP1, energy_in_a_triangle_is_area_times_the_squared_slope_within_it) {
+  Samples samples(43);
+  const auto tet = samples.tetrahedron();
+  const std::array<Vec3, 3> x{tet[0], tet[1], tet[2]};
+  const Vec3 n = kernels::area_normal(x);
+  const auto K = kernels::laplace_p1(x);
+  const Vec3 slope = samples.vector(1.0);
+  const Vec3 within = slope - dot(slope, n) / dot(n, n) * n;
+  double energy = 0.0;
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) energy += dot(slope, x[a]) * K[a][b] * dot(slope, x[b]);
+  TEST_FLOATING_EQUALITY(energy, norm(n) * dot(within, within), 1e-12);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
+#include <map>
 
+#include "tunica/mesh/block.hpp"
 #include "tunica/problems/mesh_motion.hpp"
 #include "tunica/stepping/implicit_euler.hpp"
 #include "unit/problems/lists.hpp"
@@ -22,6 +24,26 @@ Vec3 linear_field(const Vec3& x) {
 
 const stepping::ImplicitEuler scheme(1);
 
+/// A block with cells between these planes z.
+struct Block {
+  explicit Block(std::vector<double> at = {0.0, 0.5, 1.0, 1.5, 2.0})
+      : planes(std::move(at)), mesh(made(planes)), share(test::share_of(mesh, {true})),
+        field(fields::make_field_mesh(share, {0})) {}
+
+  static mesh::Mesh made(const std::vector<double>& planes) {
+    const int n = static_cast<int>(planes.size()) - 1;
+    mesh::Mesh block = mesh::make_block({{1.0, 1.5, static_cast<double>(n)}, {3, 4, n}});
+    for (Vec3& x : block.vertices) x[2] = planes[static_cast<int>(std::lround(x[2]))];
+    return block;
+  }
+  int surface(const std::string& name) const { return mesh::surface_index(mesh, name); }
+
+  std::vector<double> planes;
+  mesh::Mesh mesh;
+  mesh::Share share;
+  fields::FieldMesh field;
+};
+
 double largest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   double found = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) found = std::max(found, norm(a[k] - b[k]));
@@ -33,7 +55,7 @@ TEUCHOS_UNIT_TEST(mesh_motion, a_linear_field_on_the_whole_boundary_is_reproduce
   for (const std::string method : {"cg", "direct"}) {
     problems::MeshMotion motion(
         solved_by(method), tube.fluid,
-        {tube.surface("inlet"), tube.surface("outlet"), tube.surface("interface")}, scheme);
+        {tube.surface("inlet"), tube.surface("outlet"), tube.surface("interface")}, {}, scheme);
     std::vector<Vec3> given(tube.fluid.n_owned), expected(tube.fluid.n_nodes());
     for (int a = 0; a < tube.fluid.n_nodes(); ++a) expected[a] = linear_field(tube.fluid.x[a]);
     for (int a = 0; a < tube.fluid.n_owned; ++a)
@@ -43,23 +65,112 @@ TEUCHOS_UNIT_TEST(mesh_motion, a_linear_field_on_the_whole_boundary_is_reproduce
   }
 }
 
-TEUCHOS_UNIT_TEST(mesh_motion, other_surfaces_stay_and_the_interface_moves_as_given) {
+TEUCHOS_UNIT_TEST(mesh_motion, openings_stretch_with_their_rims_and_surfaces_at_rest_stay) {
   const SmallTube tube;
-  problems::MeshMotion motion(solved_by("cg"), tube.fluid, {tube.surface("interface")}, scheme);
+  const int inlet = tube.surface("inlet"), outlet = tube.surface("outlet"),
+            interface = tube.surface("interface");
+  problems::MeshMotion motion(solved_by("cg"), tube.fluid, {interface}, {outlet}, scheme);
   std::vector<Vec3> given(tube.fluid.n_owned);
   for (int a = 0; a < tube.fluid.n_owned; ++a) given[a] = linear_field(tube.fluid.x[a]);
   TEST_ASSERT(motion.extend(given).is_success());
   const auto& d = motion.displacement();
   bool moves_inside = false;
   for (int a = 0; a < tube.fluid.n_nodes(); ++a) {
-    if (tube.fluid.is_on(a, tube.surface("interface")))
-      TEST_ASSERT(d[a] == linear_field(tube.fluid.x[a]))
-    else if (tube.fluid.is_on_boundary(a))
+    const Vec3 expected = linear_field(tube.fluid.x[a]);
+    if (tube.fluid.is_on(a, interface))
+      TEST_ASSERT(d[a] == expected)
+    else if (tube.fluid.is_on(a, inlet))
+      TEST_COMPARE(norm(d[a] - expected), <, 1e-10)
+    else if (tube.fluid.is_on(a, outlet))
       TEST_ASSERT(d[a] == Vec3{})
     else
       moves_inside = moves_inside || norm(d[a]) > 1e-3;
   }
   TEST_ASSERT(global_max(*test::world(), moves_inside) > 0.5);
+  TEST_ASSERT(motion.extend(std::vector<Vec3>(tube.fluid.n_owned)).is_success());
+  TEST_COMPARE(largest(motion.displacement(), std::vector<Vec3>(d.size())), <, 1e-12);
+}
+
+// The bottom of a block is stretched in its plane and its top stays.
+TEUCHOS_UNIT_TEST(mesh_motion, surfaces_that_meet_stretch_along_the_lines_between_them) {
+  const Block block;
+  problems::MeshMotion motion(solved_by("cg"), block.field, {block.surface("z_low")},
+                              {block.surface("z_high")}, scheme);
+  const auto bottom = [](const Vec3& x) { return Vec3{0.1 * x[0], -0.05 * x[1], 0.0}; };
+  std::vector<Vec3> given(block.field.n_owned), expected(block.field.n_nodes());
+  for (int a = 0; a < block.field.n_owned; ++a) given[a] = bottom(block.field.x[a]);
+  // (1 − z/h) of it is harmonic on lines, surfaces and in the volume, also between the vertices
+  for (int a = 0; a < block.field.n_nodes(); ++a)
+    expected[a] = (1.0 - block.field.x[a][2] / block.planes.back()) * bottom(block.field.x[a]);
+  TEST_ASSERT(motion.extend(given).is_success());
+  TEST_COMPARE(largest(motion.displacement(), expected), <, 1e-10);
+}
+
+// Between two planes the flux of γ ∇φ is the same in all layers: strains are as V^χ.
+TEUCHOS_UNIT_TEST(mesh_motion, stiffer_elements_are_strained_less) {
+  const Block block({0.0, 0.1, 0.3, 0.7, 1.5});
+  const fields::FieldMesh& mesh = block.field;
+  for (const double exponent : {0.0, 1.0, 1.5}) {
+    std::vector<char> given(mesh.n_nodes());
+    MultiVector phi(mesh.node_map, 1);
+    for (int a = 0; a < mesh.n_nodes(); ++a)
+      given[a] = mesh.is_on_any(a, {block.surface("z_low"), block.surface("z_high")});
+    {
+      const auto view = phi.getLocalViewHost(overwrite_all);
+      for (int a = 0; a < mesh.n_owned; ++a)
+        view(a, 0) = mesh.is_on(a, block.surface("z_high")) ? 1.0 : 0.0;
+    }
+    const discretisation::HarmonicExtension extension(mesh, given, discretisation::Extent::volume,
+                                                      exponent);
+    problems::Harmonic harmonic(solved_by("direct").sublist("Linear Solver"), extension, 1);
+    TEST_ASSERT(harmonic.extend(phi).is_success());
+    const std::vector<double> value = fields::ghosted_scalars(mesh, *phi.getVector(0));
+    double whole = 0.0;
+    for (std::size_t k = 1; k < block.planes.size(); ++k)
+      whole += std::pow(block.planes[k] - block.planes[k - 1], 1.0 + exponent);
+    for (int a = 0; a < mesh.n_nodes(); ++a) {
+      double below = 0.0;
+      for (std::size_t k = 1; k < block.planes.size() && block.planes[k] < mesh.x[a][2] + 1e-9; ++k)
+        below += std::pow(block.planes[k] - block.planes[k - 1], 1.0 + exponent);
+      TEST_COMPARE(std::abs(value[a] - below / whole), <, 1e-10);
+    }
+  }
+}
+
+/// The least volume of an element over what it was.
+double least_part_of_volume(const fields::FieldMesh& mesh, const std::vector<Vec3>& d) {
+  std::vector<Vec3> moved(mesh.x);
+  for (int a = 0; a < mesh.n_nodes(); ++a) moved[a] += d[a];
+  const assembly::ElementGeometry before(mesh, mesh.x), after(mesh, moved);
+  double least = 1e300;
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
+    least = std::min(least, after[e].volume / before[e].volume);
+  return global_min(*mesh.comm, least);
+}
+
+TEUCHOS_UNIT_TEST(mesh_motion, a_bump_crushes_small_elements_unless_they_are_stiffer) {
+  const Block block({0.0, 0.05, 0.15, 0.35, 0.75, 1.55});
+  const fields::FieldMesh& mesh = block.field;
+  std::vector<int> walls;
+  for (const char* name : {"x_low", "x_high", "y_low", "y_high", "z_high"})
+    walls.push_back(block.surface(name));
+  std::vector<Vec3> bump(mesh.n_owned);
+  for (int a = 0; a < mesh.n_owned; ++a) {
+    const double s = std::sin(M_PI * mesh.x[a][0]) * std::sin(M_PI * mesh.x[a][1] / 1.5);
+    bump[a] = {0.0, 0.0, 0.5 * s * s};
+  }
+  std::map<double, double> least;
+  for (const double stiffening : {0.0, 1.0}) {
+    Teuchos::ParameterList list;
+    list.set("stiffening", stiffening);
+    problems::MeshMotion motion(test::resolved(list, problems::mesh_motion_table()), mesh,
+                                {block.surface("z_low")}, walls, scheme);
+    TEST_ASSERT(motion.extend(bump).is_success());
+    least[stiffening] = least_part_of_volume(mesh, motion.displacement());
+  }
+  out << "least part of a volume: " << least[0.0] << ", stiffened " << least[1.0] << "\n";
+  TEST_COMPARE(least[0.0], <, 0.0);
+  TEST_COMPARE(least[1.0], >, 0.1);
 }
 
 TEUCHOS_UNIT_TEST(mesh_motion, the_tolerance_asked_for_is_enough_and_no_number_is_a_failure) {
@@ -67,16 +178,17 @@ TEUCHOS_UNIT_TEST(mesh_motion, the_tolerance_asked_for_is_enough_and_no_number_i
   const std::vector<Vec3> given(tube.fluid.n_owned, Vec3{0.01, 0.02, 0.03});
   Teuchos::ParameterList loose = solved_by("cg");
   loose.sublist("Linear Solver").set("tolerance", 1e-4);
-  problems::MeshMotion coarse(loose, tube.fluid, {tube.surface("interface")}, scheme);
+  problems::MeshMotion coarse(loose, tube.fluid, {tube.surface("interface")}, {}, scheme);
   TEST_ASSERT(coarse.extend(given).is_success());
-  problems::MeshMotion motion(solved_by("cg"), tube.fluid, {tube.surface("interface")}, scheme);
+  problems::MeshMotion motion(solved_by("cg"), tube.fluid, {tube.surface("interface")}, {}, scheme);
   const std::vector<Vec3> nowhere(tube.fluid.n_owned, Vec3{std::nan(""), 0, 0});
   TEST_ASSERT(motion.extend(nowhere).reason().find("relative residual") != std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(mesh_motion, the_old_displacement_is_that_of_the_last_accepted_step) {
   const SmallTube tube;
-  problems::MeshMotion motion(solved_by("direct"), tube.fluid, {tube.surface("interface")}, scheme);
+  problems::MeshMotion motion(solved_by("direct"), tube.fluid, {tube.surface("interface")}, {},
+                              scheme);
   const std::vector<Vec3> zero(tube.fluid.n_nodes());
   const std::vector<Vec3> given(tube.fluid.n_owned, Vec3{0.01, 0.02, 0.03});
   TEST_ASSERT(motion.extend(given).is_success());
@@ -90,8 +202,8 @@ TEUCHOS_UNIT_TEST(mesh_motion, the_old_displacement_is_that_of_the_last_accepted
 
 TEUCHOS_UNIT_TEST(mesh_motion, goes_on_from_a_saved_state) {
   const SmallTube tube;
-  problems::MeshMotion motion(solved_by("cg"), tube.fluid, {tube.surface("interface")}, scheme);
-  problems::MeshMotion other(solved_by("cg"), tube.fluid, {tube.surface("interface")}, scheme);
+  problems::MeshMotion motion(solved_by("cg"), tube.fluid, {tube.surface("interface")}, {}, scheme);
+  problems::MeshMotion other(solved_by("cg"), tube.fluid, {tube.surface("interface")}, {}, scheme);
   std::vector<Vec3> given(tube.fluid.n_owned);
   for (int a = 0; a < tube.fluid.n_owned; ++a) given[a] = linear_field(tube.fluid.x[a]);
   TEST_ASSERT(motion.extend(given).is_success());
@@ -107,11 +219,14 @@ TEUCHOS_UNIT_TEST(mesh_motion, goes_on_from_a_saved_state) {
 TEUCHOS_UNIT_TEST(mesh_motion, its_discretisation_has_the_same_solution) {
   const SmallTube tube;
   discretisation::MeshMotion motion(tube.fluid);
-  problems::MeshMotion solved(solved_by("direct"), tube.fluid, {tube.surface("interface")}, scheme);
+  problems::MeshMotion solved(solved_by("direct"), tube.fluid, {tube.surface("interface")}, {},
+                              scheme);
   std::vector<Vec3> given(tube.fluid.n_owned);
   for (int a = 0; a < tube.fluid.n_owned; ++a)
     if (tube.fluid.is_on(a, tube.surface("interface"))) given[a] = linear_field(tube.fluid.x[a]);
   TEST_ASSERT(solved.extend(given).is_success());
+  for (int a = 0; a < tube.fluid.n_owned; ++a)
+    if (tube.fluid.is_on_boundary(a)) given[a] = solved.displacement()[a];
 
   // F(d) = 0 is linear: K (d_given − d) = F(d_given)
   algebra::BlockVector start(motion.space()), end(motion.space()), F(motion.space()),

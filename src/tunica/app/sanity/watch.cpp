@@ -116,7 +116,7 @@ void Watch::look_at_iterations(const StepSummary& step) {
   int newton = 0;
   for (const StepSummary::Solves& field : step.fields) newton = std::max(newton, field.newton);
   near_cap(newton, most_newton_, "Newton steps",
-           "larger elements of the fluid beside walls that move far");
+           "\"Mesh Motion / stiffening\" or larger elements where walls move far");
 }
 
 void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>& d) {
@@ -125,7 +125,8 @@ void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>&
   say("mesh",
       formatted("an element of the fluid's mesh has %.2g of the quality that it had, one %.2g of "
                 "its volume, the worst is of quality %.2g; usual are 0.5 and more. It will soon "
-                "be inverted: larger elements beside the interface, where it moves far.",
+                "be inverted: Mesh Motion / stiffening = 1 keeps small elements in shape, or mesh "
+                "with larger ones beside the interface, where it moves far.",
                 worst.part_of_quality, worst.part_of_volume, worst.quality));
 }
 
