@@ -1,15 +1,10 @@
 #include "tunica/discretisation/mesh_motion.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <unordered_map>
 
 #include "tunica/assembly/element_geometry.hpp"
-#include "tunica/assembly/scalar_matrix.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/kernels/energy.hpp"
-#include "tunica/kernels/surface_tri3.hpp"
 
 namespace tunica::discretisation {
 
@@ -21,178 +16,49 @@ std::vector<char> nodes_of_surfaces(const fields::FieldMesh& mesh) {
   return is_given;
 }
 
-/// γ of an element of this volume, area or length.
-class Stiffness {
-public:
-  /// mine: of the elements that the rank counts. Collective.
-  Stiffness(const Comm& comm, const std::vector<double>& mine, double exponent)
-      : exponent_(exponent) {
-    const double count = global_sum(comm, static_cast<double>(mine.size()));
-    mean_ = global_sum(comm, std::accumulate(mine.begin(), mine.end(), 0.0)) / count;
-  }
-  double operator()(double size) const {
-    return exponent_ == 0.0 ? 1.0 : std::pow(mean_ / size, exponent_);
-  }
-
-private:
-  double exponent_, mean_;
-};
-
-/// ∫ γ ∇N_a·∇N_b on what a tetrahedron has of the extent: on all of it, or on its sides that are
-/// faces of the boundary, or along their edges.
-class ElementMatrices {
-public:
-  /// Collective.
-  ElementMatrices(const fields::FieldMesh& mesh, Extent extent, double stiffening)
-      : mesh_(&mesh), extent_(extent),
-        stiffness_(*mesh.comm, sizes_of_owned(mesh, extent), stiffening) {
-    if (extent == Extent::volume) return;
-    for (const fields::Face& face : mesh.faces) {
-      if (extent == Extent::surfaces)
-        add_triangle(face);
-      else
-        for (int k = 0; k < 3; ++k) add_edge(face, k, (k + 1) % 3);
-    }
-  }
-
-  assembly::ScalarElement operator()(std::size_t e) const {
-    if (extent_ == Extent::volume) {
-      const kernels::Tet4 T = kernels::make_tet4(assembly::gather(mesh_->x, mesh_->tets[e]));
-      assembly::ScalarElement K = kernels::laplace_p1(T);
-      const double gamma = stiffness_(T.volume);
-      for (auto& row : K)
-        for (double& value : row) value *= gamma;
-      return K;
-    }
-    const auto found = sides_.find(e);
-    return found == sides_.end() ? assembly::ScalarElement{} : found->second;
-  }
-
-private:
-  using Corners = std::array<Vec3, 3>;
-
-  static std::vector<double> sizes_of_owned(const fields::FieldMesh& mesh, Extent extent) {
-    std::vector<double> sizes;
-    if (extent == Extent::volume) {
-      for (std::size_t e = 0; e < mesh.tets.size(); ++e)
-        if (mesh.is_owned[e])
-          sizes.push_back(kernels::make_tet4(assembly::gather(mesh.x, mesh.tets[e])).volume);
-      return sizes;
-    }
-    for (const fields::Face& face : mesh.faces) {
-      if (!face.is_owned) continue;
-      const Corners x = assembly::gather(mesh.x, face.nodes);
-      if (extent == Extent::surfaces)
-        sizes.push_back(norm(kernels::area_normal(x)));
-      else
-        for (int k = 0; k < 3; ++k) sizes.push_back(norm(x[(k + 1) % 3] - x[k]));
-    }
-    return sizes;
-  }
-
-  /// Where corner k of a face is in its tetrahedron.
-  int place(const fields::Face& face, int k) const {
-    const auto& nodes = mesh_->tets[face.tet];
-    return static_cast<int>(std::find(nodes.begin(), nodes.end(), face.nodes[k]) - nodes.begin());
-  }
-
-  void add_triangle(const fields::Face& face) {
-    const Corners x = assembly::gather(mesh_->x, face.nodes);
-    const auto L = kernels::laplace_p1(x);
-    const double gamma = stiffness_(norm(kernels::area_normal(x)));
-    assembly::ScalarElement& K = sides_[face.tet];
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b) K[place(face, a)][place(face, b)] += gamma * L[a][b];
-  }
-
-  /// Each edge comes with both of its faces, which is the same factor for all.
-  void add_edge(const fields::Face& face, int k, int l) {
-    if (!is_on_line(face.nodes[k], face.nodes[l])) return;
-    const double h = norm(mesh_->x[face.nodes[l]] - mesh_->x[face.nodes[k]]);
-    const double stiffness = stiffness_(h) / h;
-    assembly::ScalarElement& K = sides_[face.tet];
-    const int a = place(face, k), b = place(face, l);
-    K[a][a] += stiffness;
-    K[b][b] += stiffness;
-    K[a][b] -= stiffness;
-    K[b][a] -= stiffness;
-  }
-
-  /// Both lie on the same two surfaces, or more.
-  bool is_on_line(int a, int b) const {
-    const fields::NodeSurfaces& surfaces = mesh_->node_surfaces;
-    int common = 0;
-    for (int pair = surfaces.begin(a); pair < surfaces.end(a); ++pair)
-      common += surfaces.find(b, surfaces.surface(pair)) >= 0 ? 1 : 0;
-    return common >= 2;
-  }
-
-  const fields::FieldMesh* mesh_;
-  Extent extent_;
-  Stiffness stiffness_;
-  std::unordered_map<std::size_t, assembly::ScalarElement> sides_;  ///< by local tetrahedron
-};
-
-/// The components of a vector unknown as the columns of a nodal one, and back.
-MultiVector columns_of(const fields::FieldMesh& mesh, const Vector& x) {
-  MultiVector columns(mesh.node_map, 3);
-  const auto from = x.getLocalViewHost(read_only);
-  const auto to = columns.getLocalViewHost(overwrite_all);
-  for (int a = 0; a < mesh.n_owned; ++a)
-    for (int i = 0; i < 3; ++i) to(a, i) = from(3 * a + i, 0);
-  return columns;
-}
-
-void assign_columns(const fields::FieldMesh& mesh, const MultiVector& columns, Vector& x) {
-  const auto from = columns.getLocalViewHost(read_only);
-  const auto to = x.getLocalViewHost(overwrite_all);
-  for (int a = 0; a < mesh.n_owned; ++a)
-    for (int i = 0; i < 3; ++i) to(3 * a + i, 0) = from(a, i);
-}
-
 }  // namespace
 
-HarmonicExtension::HarmonicExtension(const fields::FieldMesh& mesh, std::vector<char> is_given,
-                                     Extent extent, double stiffening)
-    : mesh_(&mesh), is_given_(std::move(is_given)) {
-  const fields::NodeGraph graph = fields::make_node_graph(mesh);
-  const ElementMatrices element(mesh, extent, stiffening);
-  jacobian_ = assembly::scalar_matrix(mesh, graph, element, is_given_);
-  laplacian_ = assembly::scalar_matrix(mesh, graph, element, std::vector<char>(mesh.n_nodes(), 0));
+MeshMotion::MeshMotion(const fields::FieldMesh& mesh, const MotionLaw& law)
+    : mesh_(&mesh), space_(fields::nodal_space(mesh, {{"mesh displacement", 3}})) {
+  const std::vector<char> given = nodes_of_surfaces(mesh);
+  if (law.is_elastic)
+    elastic_ = std::make_unique<ElasticExtension>(mesh, given, law.poisson, law.stiffening);
+  else
+    harmonic_ = std::make_unique<HarmonicExtension>(mesh, given, Extent::volume, law.stiffening);
 }
 
-void HarmonicExtension::residual(const MultiVector& phi, MultiVector& F) const {
-  laplacian_->apply(phi, F);
-  const auto view = F.getLocalViewHost(read_write);
-  for (int a = 0; a < mesh_->n_owned; ++a)
-    for (std::size_t j = 0; j < view.extent(1); ++j)
-      if (is_given_[a]) view(a, j) = 0.0;
+const Extension& MeshMotion::extension() const {
+  return elastic_ ? static_cast<const Extension&>(*elastic_) : *harmonic_;
 }
-
-MeshMotion::MeshMotion(const fields::FieldMesh& mesh, double stiffening)
-    : extension_(mesh, nodes_of_surfaces(mesh), Extent::volume, stiffening),
-      space_(fields::nodal_space(mesh, {{"mesh displacement", 3}})) {}
 
 Outcome MeshMotion::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
-  const fields::FieldMesh& mesh = extension_.mesh();
-  MultiVector columns(mesh.node_map, 3);
-  extension_.residual(columns_of(mesh, x[0]), columns);
-  assign_columns(mesh, columns, F[0]);
+  MultiVector columns(mesh_->node_map, 3);
+  extension().residual(columns_of(*mesh_, x[0]), columns);
+  assign_columns(*mesh_, columns, F[0]);
   return Outcome::success();
 }
 
 void MeshMotion::assemble_jacobian(const algebra::BlockVector&) {
   if (K_.space()) return;
-  const fields::FieldMesh& mesh = extension_.mesh();
-  fields::BlockOperator K(mesh, {{"mesh displacement", 3}});
+  fields::BlockOperator K(*mesh_, {{"mesh displacement", 3}});
   double* const to = K.begin_assembly();
-  // A row holds at each neighbour the columns of all components: L stands in its own.
-  const auto from = extension_.jacobian()->getLocalMatrixHost();
-  for (int a = 0; a < mesh.n_owned; ++a) {
-    const auto scalar = from.rowConst(a);
-    for (int k = 0; k < scalar.length; ++k) {
-      double* const entry = to + K.rows(0).start[a] + K.place(a, scalar.colidx(k));
-      for (int i = 0; i < 3; ++i) entry[i * K.rows(0).length[a] + i] = scalar.value(k);
+  // A row holds at each neighbour the columns of all components; a harmonic L stands in its own.
+  // Rows and columns of given nodes keep their diagonal.
+  const auto entry = [&](int a, int i, int b, int j) -> double& {
+    return to[K.rows(0).start[a] + K.place(a, b) + i * K.rows(0).length[a] + j];
+  };
+  const auto from = (elastic_ ? elastic_->matrix() : harmonic_->jacobian())->getLocalMatrixHost();
+  for (int row = 0; row < from.numRows(); ++row) {
+    const auto values = from.rowConst(row);
+    const int a = elastic_ ? row / 3 : row;
+    for (int k = 0; k < values.length; ++k) {
+      const int column = values.colidx(k);
+      if (elastic_) {
+        const bool is_given = extension().is_given(a) || extension().is_given(column / 3);
+        if (!is_given || row == column) entry(a, row % 3, column / 3, column % 3) = values.value(k);
+      } else {
+        for (int i = 0; i < 3; ++i) entry(a, i, column, i) = values.value(k);
+      }
     }
   }
   K.end_assembly();
@@ -200,7 +66,7 @@ void MeshMotion::assemble_jacobian(const algebra::BlockVector&) {
 }
 
 double MeshMotion::mass_norm(const algebra::BlockVector& dx) const {
-  const fields::FieldMesh& mesh = extension_.mesh();
+  const fields::FieldMesh& mesh = *mesh_;
   const std::vector<Vec3> d = fields::ghosted_vectors(mesh, dx[0]);
   const assembly::ElementGeometry geometry(mesh, mesh.x);
   double sum = 0.0;

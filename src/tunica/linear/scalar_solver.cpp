@@ -44,17 +44,20 @@ private:
 
 class CgSolver final : public ScalarSolver {
 public:
-  CgSolver(const Teuchos::ParameterList& options, const Teuchos::RCP<CrsMatrix>& K)
+  /// preconditioner: of K.
+  CgSolver(const Teuchos::ParameterList& options, const Teuchos::RCP<CrsMatrix>& K,
+           const Teuchos::RCP<Operator>& preconditioner)
       : K_(K), options_{"CG", options.get<int>("max iterations"), 0},
-        tolerance_(options.get<double>("tolerance")), multigrid_(make_amg(K)) {}
+        tolerance_(options.get<double>("tolerance")), preconditioner_(preconditioner) {}
 
   double solve_to(double tolerance, const MultiVector& B, MultiVector& X) override {
     // Columns together share their messages; where there are none, Tpetra is quicker one by one.
     if (K_->getComm()->getSize() > 1)
-      solve_krylov(options_, K_, multigrid_, B, X, tolerance);
+      solve_krylov(options_, K_, preconditioner_, B, X, tolerance);
     else
       for (std::size_t j = 0; j < B.getNumVectors(); ++j)
-        solve_krylov(options_, K_, multigrid_, *B.getVector(j), *X.getVectorNonConst(j), tolerance);
+        solve_krylov(options_, K_, preconditioner_, *B.getVector(j), *X.getVectorNonConst(j),
+                     tolerance);
     return relative_residual(*K_, B, X);
   }
   double tolerance() const override { return tolerance_; }
@@ -63,8 +66,72 @@ private:
   Teuchos::RCP<CrsMatrix> K_;
   KrylovOptions options_;
   double tolerance_;
-  Teuchos::RCP<Operator> multigrid_;
+  Teuchos::RCP<Operator> preconditioner_;
 };
+
+/// Rows 3 k + i of a vector as row k of three columns, and back.
+void to_columns(const MultiVector& x, MultiVector& columns) {
+  const auto from = x.getLocalViewHost(read_only);
+  const auto to = columns.getLocalViewHost(overwrite_all);
+  for (std::size_t k = 0; k < to.extent(0); ++k)
+    for (int i = 0; i < 3; ++i) to(k, i) = from(3 * k + i, 0);
+}
+
+void from_columns(const MultiVector& columns, MultiVector& x) {
+  const auto from = columns.getLocalViewHost(read_only);
+  const auto to = x.getLocalViewHost(overwrite_all);
+  for (std::size_t k = 0; k < from.extent(0); ++k)
+    for (int i = 0; i < 3; ++i) to(3 * k + i, 0) = from(k, i);
+}
+
+/// diag(M, M, M) of an operator M for one component.
+class ForEachComponent final : public Operator {
+public:
+  ForEachComponent(const Teuchos::RCP<Operator>& M, const Teuchos::RCP<const Map>& map)
+      : M_(M), map_(map) {}
+
+  Teuchos::RCP<const Map> getDomainMap() const override { return map_; }
+  Teuchos::RCP<const Map> getRangeMap() const override { return map_; }
+  void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp, double alpha,
+             double beta) const override {
+    MultiVector x(M_->getDomainMap(), 3), y(M_->getRangeMap(), 3);
+    MultiVector result(map_, 1);
+    for (std::size_t j = 0; j < X.getNumVectors(); ++j) {
+      to_columns(*X.getVector(j), x);
+      M_->apply(x, y);
+      from_columns(y, result);
+      Y.getVectorNonConst(j)->update(alpha, result, beta);
+    }
+  }
+
+private:
+  Teuchos::RCP<Operator> M_;
+  Teuchos::RCP<const Map> map_;
+};
+
+/// Takes components as columns.
+class VectorSolver final : public ScalarSolver {
+public:
+  VectorSolver(std::unique_ptr<ScalarSolver> solver, const Teuchos::RCP<const Map>& map)
+      : solver_(std::move(solver)), b_(map, 1), x_(map, 1) {}
+
+  double solve_to(double tolerance, const MultiVector& B, MultiVector& X) override {
+    from_columns(B, b_);
+    from_columns(X, x_);
+    const double residual = solver_->solve_to(tolerance, b_, x_);
+    to_columns(x_, X);
+    return residual;
+  }
+  double tolerance() const override { return solver_->tolerance(); }
+
+private:
+  std::unique_ptr<ScalarSolver> solver_;
+  MultiVector b_, x_;
+};
+
+bool is_direct(const Teuchos::ParameterList& options) {
+  return options.get<std::string>("method") == "direct";
+}
 
 }  // namespace
 
@@ -81,9 +148,22 @@ params::Table scalar_solver_table() {
 
 std::unique_ptr<ScalarSolver> make_scalar_solver(const Teuchos::ParameterList& options,
                                                  const Teuchos::RCP<CrsMatrix>& K) {
-  if (options.get<std::string>("method") == "direct")
-    return std::make_unique<DirectScalarSolver>(K);
-  return std::make_unique<CgSolver>(options, K);
+  if (is_direct(options)) return std::make_unique<DirectScalarSolver>(K);
+  return std::make_unique<CgSolver>(options, K, make_amg(K));
+}
+
+std::unique_ptr<ScalarSolver> make_vector_solver(const Teuchos::ParameterList& options,
+                                                 const Teuchos::RCP<CrsMatrix>& K,
+                                                 const Teuchos::RCP<CrsMatrix>& L) {
+  const Teuchos::RCP<const Map> map = K->getRowMap();
+  std::unique_ptr<ScalarSolver> solver;
+  if (is_direct(options)) {
+    solver = std::make_unique<DirectScalarSolver>(K);
+  } else {
+    const auto M = Teuchos::rcp(new ForEachComponent(make_amg(L), map));
+    solver = std::make_unique<CgSolver>(options, K, M);
+  }
+  return std::make_unique<VectorSolver>(std::move(solver), map);
 }
 
 }  // namespace tunica::linear

@@ -6,7 +6,8 @@
 
 namespace tunica::linear {
 
-/// Solves with one symmetric positive definite matrix that never changes, as mesh motion does.
+/// Solves with one symmetric positive definite matrix that never changes, as mesh motion does, for
+/// any number of columns; or for the three components of a vector, which are columns too.
 class ScalarSolver {
 public:
   virtual ~ScalarSolver() = default;
@@ -24,5 +25,11 @@ params::Table scalar_solver_table();
 /// Throws SetupFailure (setup_failure.hpp) for a singular matrix. Collective.
 std::unique_ptr<ScalarSolver> make_scalar_solver(const Teuchos::ParameterList& options,
                                                  const Teuchos::RCP<CrsMatrix>& K);
+
+/// Of a matrix K of three unknowns for each row of L, 3 row + i, which is as stiff as L in each of
+/// them up to a factor: a cycle for L preconditions all three. The maps have no gaps. Collective.
+std::unique_ptr<ScalarSolver> make_vector_solver(const Teuchos::ParameterList& options,
+                                                 const Teuchos::RCP<CrsMatrix>& K,
+                                                 const Teuchos::RCP<CrsMatrix>& L);
 
 }  // namespace tunica::linear

@@ -11,7 +11,7 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/kernels/tet4.hpp"
 #include "tunica/params/nearest.hpp"
-#include "tunica/problems/harmonic.hpp"
+#include "tunica/problems/extension_problem.hpp"
 
 namespace tunica::problems {
 
@@ -111,7 +111,7 @@ std::vector<Vec3> gradient_between(const Teuchos::ParameterList& list,
     for (int a = 0; a < mesh.n_owned; ++a) view(a, 0) = is_one[a];
   }
   const discretisation::HarmonicExtension extension(mesh, is_given);
-  Harmonic harmonic(list.sublist("Linear Solver"), extension, 1);
+  ExtensionProblem harmonic(list.sublist("Linear Solver"), extension, 1);
   const Outcome outcome = harmonic.extend(phi);
   TUNICA_CHECK(outcome.is_success(), std::string(where) + ": " + outcome.reason() + " between \"" +
                                          from + "\" and \"" + to + "\".");

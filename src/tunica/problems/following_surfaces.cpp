@@ -72,23 +72,23 @@ const FollowingSurfaces::Stages& FollowingSurfaces::stages() const {
 
 Outcome FollowingSurfaces::extend(MultiVector& values, std::optional<double> tolerance) {
   if (!moves_rim(values)) {
-    for (const auto& stage : stages_) stage->harmonic.start_from(values);  // zero
+    for (const auto& stage : stages_) stage->problem.start_from(values);  // zero
     return Outcome::success();
   }
   for (const auto& stage : stages())
-    if (const Outcome outcome = stage->harmonic.extend(values, tolerance); outcome.is_failure())
+    if (const Outcome outcome = stage->problem.extend(values, tolerance); outcome.is_failure())
       return outcome;
   return Outcome::success();
 }
 
 void FollowingSurfaces::extend_roughly(double tolerance, MultiVector& values) const {
   if (!moves_rim(values)) return;
-  for (const auto& stage : stages()) stage->harmonic.extend_roughly(tolerance, values);
+  for (const auto& stage : stages()) stage->problem.extend_roughly(tolerance, values);
 }
 
 void FollowingSurfaces::start_from(const MultiVector& values) {
   if (!moves_rim(values)) return;
-  for (const auto& stage : stages()) stage->harmonic.start_from(values);
+  for (const auto& stage : stages()) stage->problem.start_from(values);
 }
 
 }  // namespace tunica::problems

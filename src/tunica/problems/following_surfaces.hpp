@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "tunica/problems/harmonic.hpp"
+#include "tunica/problems/extension_problem.hpp"
 
 namespace tunica::problems {
 
@@ -19,7 +19,7 @@ public:
                     const std::vector<int>& interface, const std::vector<int>& at_rest);
 
   /// values: on entry those of the interface's nodes, zero elsewhere; on return those of the
-  /// surfaces' nodes too. See Harmonic::extend() and extend_roughly(). Collective.
+  /// surfaces' nodes too. See ExtensionProblem::extend() and extend_roughly(). Collective.
   Outcome extend(MultiVector& values, std::optional<double> tolerance);
   void extend_roughly(double tolerance, MultiVector& values) const;
   /// Makes the next extend() begin with these values of all nodes. Collective.
@@ -29,10 +29,10 @@ private:
   struct Stage {
     Stage(const Teuchos::ParameterList& solver, const fields::FieldMesh& mesh,
           std::vector<char> is_given, discretisation::Extent extent)
-        : extension(mesh, std::move(is_given), extent), harmonic(solver, extension, 3) {}
+        : extension(mesh, std::move(is_given), extent), problem(solver, extension, 3) {}
 
     discretisation::HarmonicExtension extension;
-    Harmonic harmonic;
+    ExtensionProblem problem;
   };
   using Stages = std::vector<std::unique_ptr<Stage>>;
 

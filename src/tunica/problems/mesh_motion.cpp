@@ -6,13 +6,31 @@
 
 namespace tunica::problems {
 
+namespace {
+
+discretisation::MotionLaw motion_law(const Teuchos::ParameterList& list) {
+  discretisation::MotionLaw law;
+  law.stiffening = list.get<double>("stiffening");
+  law.is_elastic = list.get<std::string>("law") == "elastic";
+  if (law.is_elastic) law.poisson = list.get<double>("poisson ratio");
+  return law;
+}
+
+ExtensionProblem volume_problem(const Teuchos::ParameterList& solver,
+                                const discretisation::MeshMotion& motion) {
+  if (motion.elastic() != nullptr) return {solver, *motion.elastic()};
+  return {solver, *motion.harmonic(), 3};
+}
+
+}  // namespace
+
 MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
                        const std::vector<int>& interface, const std::vector<int>& at_rest,
                        const stepping::TimeScheme& scheme)
     : mesh_(&mesh), is_interface_(mesh.n_owned, 0),
       surfaces_(list.sublist("Linear Solver"), mesh, interface, at_rest),
-      motion_(mesh, list.get<double>("stiffening")),
-      harmonic_(list.sublist("Linear Solver"), motion_.extension(), 3), scheme_(&scheme),
+      motion_(mesh, motion_law(list)),
+      volume_(volume_problem(list.sublist("Linear Solver"), motion_)), scheme_(&scheme),
       history_(scheme.remembers(), mesh.n_nodes()), d_(mesh.n_nodes()) {
   for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, interface);
 }
@@ -30,7 +48,7 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
   fault_point("mesh motion");
   if (const Outcome outcome = surfaces_.extend(total, tolerance); outcome.is_failure())
     return outcome;
-  if (const Outcome outcome = harmonic_.extend(total, tolerance); outcome.is_failure())
+  if (const Outcome outcome = volume_.extend(total, tolerance); outcome.is_failure())
     return outcome;
   MultiVector ghosted(mesh_->ghosted_map, 3);
   ghosted.doImport(total, *mesh_->import, insert);
@@ -49,7 +67,7 @@ void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vec
       for (int i = 0; i < 3; ++i) to(a, i) = is_interface_[a] ? from(3 * a + i, 0) : 0.0;
   }
   surfaces_.extend_roughly(tolerance, total);
-  harmonic_.extend_roughly(tolerance, total);
+  volume_.extend_roughly(tolerance, total);
   const auto from = total.getLocalViewHost(read_only);
   const auto to = d.getLocalViewHost(overwrite_all);
   for (int a = 0; a < mesh_->n_owned; ++a)
@@ -74,12 +92,18 @@ std::string MeshMotion::restore(const fields::State& state) {
       for (int i = 0; i < 3; ++i) view(a, i) = rows.values[3 * a + i];
   }
   surfaces_.start_from(last);
-  harmonic_.start_from(last);
+  volume_.start_from(last);
   return "";
 }
 
 params::Table mesh_motion_table() {
-  params::Table table("Harmonic extension of the wall's displacement into the fluid's mesh.");
+  params::Table table("Extension of the wall's displacement into the fluid's mesh.");
+  params::Table elastic("as a linear elastic body, which shears before it is squeezed");
+  elastic.number("poisson ratio", 0.3, params::between(0.0, 0.45), "1",
+                 "how much it resists a change of volume");
+  table.variant("law", "harmonic",
+                {{"harmonic", params::Table("each component by itself")}, {"elastic", elastic}},
+                "what the mesh is in between");
   table.number("stiffening", 0.0, params::between(0.0, 4.0), "1",
                "an element of a part of the mean volume is as many times stiffer, to this power: "
                "small elements keep their shape where the wall moves far; 0: none, 1: usual");

@@ -1,14 +1,15 @@
 #pragma once
 #include <optional>
 
+#include "tunica/discretisation/mesh_motion.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/problems/following_surfaces.hpp"
 #include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::problems {
 
-/// The fluid's mesh follows the interface: the harmonic extension of its displacement, solved for,
-/// into the surfaces that follow it and then into the volume.
+/// The fluid's mesh follows the interface: the extension of its displacement, solved for, into the
+/// surfaces that follow it and then into the volume.
 class MeshMotion : public fields::Restartable {
 public:
   /// list: the resolved "Mesh Motion" list; interface: indices of its surfaces; at_rest: of those
@@ -46,7 +47,7 @@ private:
   std::vector<char> is_interface_;  ///< per owned node
   FollowingSurfaces surfaces_;
   discretisation::MeshMotion motion_;
-  Harmonic harmonic_;
+  ExtensionProblem volume_;
   const stepping::TimeScheme* scheme_;
   stepping::History history_;
   std::vector<Vec3> d_;

@@ -1,6 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
-#include <map>
 
 #include "tunica/mesh/block.hpp"
 #include "tunica/problems/mesh_motion.hpp"
@@ -12,8 +11,10 @@ namespace {
 using namespace tunica;
 using test::SmallTube;
 
-Teuchos::ParameterList solved_by(const std::string& method) {
+Teuchos::ParameterList solved_by(const std::string& method, const std::string& law = "harmonic",
+                                 double stiffening = 0.0) {
   Teuchos::ParameterList list;
+  list.set("law", law).set("stiffening", stiffening);
   list.sublist("Linear Solver").set("method", method);
   return test::resolved(list, problems::mesh_motion_table());
 }
@@ -52,9 +53,10 @@ double largest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 
 TEUCHOS_UNIT_TEST(mesh_motion, a_linear_field_on_the_whole_boundary_is_reproduced_inside) {
   const SmallTube tube;
-  for (const std::string method : {"cg", "direct"}) {
+  for (const auto& list : {solved_by("cg"), solved_by("direct"), solved_by("cg", "elastic", 1.0),
+                           solved_by("direct", "elastic")}) {
     problems::MeshMotion motion(
-        solved_by(method), tube.fluid,
+        list, tube.fluid,
         {tube.surface("inlet"), tube.surface("outlet"), tube.surface("interface")}, {}, scheme);
     std::vector<Vec3> given(tube.fluid.n_owned), expected(tube.fluid.n_nodes());
     for (int a = 0; a < tube.fluid.n_nodes(); ++a) expected[a] = linear_field(tube.fluid.x[a]);
@@ -122,7 +124,7 @@ TEUCHOS_UNIT_TEST(mesh_motion, stiffer_elements_are_strained_less) {
     }
     const discretisation::HarmonicExtension extension(mesh, given, discretisation::Extent::volume,
                                                       exponent);
-    problems::Harmonic harmonic(solved_by("direct").sublist("Linear Solver"), extension, 1);
+    problems::ExtensionProblem harmonic(solved_by("direct").sublist("Linear Solver"), extension, 1);
     TEST_ASSERT(harmonic.extend(phi).is_success());
     const std::vector<double> value = fields::ghosted_scalars(mesh, *phi.getVector(0));
     double whole = 0.0;
@@ -148,7 +150,7 @@ double least_part_of_volume(const fields::FieldMesh& mesh, const std::vector<Vec
   return global_min(*mesh.comm, least);
 }
 
-TEUCHOS_UNIT_TEST(mesh_motion, a_bump_crushes_small_elements_unless_they_are_stiffer) {
+TEUCHOS_UNIT_TEST(mesh_motion, a_bump_inverts_small_elements_unless_they_are_stiffer_or_elastic) {
   const Block block({0.0, 0.05, 0.15, 0.35, 0.75, 1.55});
   const fields::FieldMesh& mesh = block.field;
   std::vector<int> walls;
@@ -159,18 +161,67 @@ TEUCHOS_UNIT_TEST(mesh_motion, a_bump_crushes_small_elements_unless_they_are_sti
     const double s = std::sin(M_PI * mesh.x[a][0]) * std::sin(M_PI * mesh.x[a][1] / 1.5);
     bump[a] = {0.0, 0.0, 0.5 * s * s};
   }
-  std::map<double, double> least;
-  for (const double stiffening : {0.0, 1.0}) {
-    Teuchos::ParameterList list;
-    list.set("stiffening", stiffening);
-    problems::MeshMotion motion(test::resolved(list, problems::mesh_motion_table()), mesh,
-                                {block.surface("z_low")}, walls, scheme);
+  const auto least_part = [&](const std::string& law, double stiffening) {
+    problems::MeshMotion motion(solved_by("cg", law, stiffening), mesh, {block.surface("z_low")},
+                                walls, scheme);
     TEST_ASSERT(motion.extend(bump).is_success());
-    least[stiffening] = least_part_of_volume(mesh, motion.displacement());
+    return least_part_of_volume(mesh, motion.displacement());
+  };
+  TEST_COMPARE(least_part("harmonic", 0.0), <, 0.0);
+  TEST_COMPARE(least_part("harmonic", 1.0), >, 0.2);
+  TEST_COMPARE(least_part("elastic", 0.0), >, 0.1);
+  TEST_COMPARE(least_part("elastic", 1.0), >, 0.4);
+}
+
+// Drawn by its ends, which are free to contract: a bar becomes thinner by ν.
+TEUCHOS_UNIT_TEST(mesh_motion, an_elastic_mesh_contracts_by_poissons_ratio) {
+  const Block block({0.0, 0.4, 1.0, 2.0});
+  const fields::FieldMesh& mesh = block.field;
+  constexpr double poisson = 0.25;
+  const auto drawn = [](const Vec3& x) {
+    return Vec3{-poisson * 0.1 * x[0], -poisson * 0.1 * x[1], 0.1 * x[2]};
+  };
+  std::vector<char> given(mesh.n_nodes());
+  for (int a = 0; a < mesh.n_nodes(); ++a)
+    given[a] = mesh.is_on_any(a, {block.surface("z_low"), block.surface("z_high")});
+  const discretisation::ElasticExtension extension(mesh, given, poisson, 0.0);
+  for (const std::string method : {"cg", "direct"}) {
+    problems::ExtensionProblem problem(solved_by(method).sublist("Linear Solver"), extension);
+    MultiVector d(mesh.node_map, 3);
+    {
+      const auto view = d.getLocalViewHost(overwrite_all);
+      for (int a = 0; a < mesh.n_owned; ++a)
+        for (int i = 0; i < 3; ++i) view(a, i) = given[a] ? drawn(mesh.x[a])[i] : 0.0;
+    }
+    TEST_ASSERT(problem.extend(d).is_success());
+    const auto view = d.getLocalViewHost(read_only);
+    for (int a = 0; a < mesh.n_owned; ++a)
+      for (int i = 0; i < 3; ++i) TEST_COMPARE(std::abs(view(a, i) - drawn(mesh.x[a])[i]), <, 1e-9);
   }
-  out << "least part of a volume: " << least[0.0] << ", stiffened " << least[1.0] << "\n";
-  TEST_COMPARE(least[0.0], <, 0.0);
-  TEST_COMPARE(least[1.0], >, 0.1);
+}
+
+TEUCHOS_UNIT_TEST(mesh_motion, increments_are_differences_of_extensions) {
+  const SmallTube tube;
+  const fields::FieldMesh& mesh = tube.fluid;
+  for (const std::string law : {"harmonic", "elastic"}) {
+    problems::MeshMotion motion(solved_by("cg", law, 0.5), mesh, {tube.surface("interface")},
+                                {tube.surface("outlet")}, scheme);
+    Vector increment(mesh.vector_map), moved(mesh.vector_map);
+    std::vector<Vec3> given(mesh.n_owned), added(mesh.n_owned);
+    for (int a = 0; a < mesh.n_owned; ++a) {
+      given[a] = linear_field(mesh.x[a]);
+      for (int i = 0; i < 3; ++i) added[a][i] = 0.1 * test::scatter(4.0 * mesh.vertex[a] + i);
+    }
+    fields::store(added, mesh, increment);
+    motion.extend_increment(1e-12, increment, moved);
+    TEST_ASSERT(motion.extend(given).is_success());
+    std::vector<Vec3> expected = motion.displacement();
+    for (int a = 0; a < mesh.n_owned; ++a) given[a] += added[a];
+    TEST_ASSERT(motion.extend(given).is_success());
+    const std::vector<Vec3> d = fields::ghosted_vectors(mesh, moved);
+    for (std::size_t a = 0; a < d.size(); ++a) expected[a] += d[a];
+    TEST_COMPARE(largest(motion.displacement(), expected), <, 1e-10);
+  }
 }
 
 TEUCHOS_UNIT_TEST(mesh_motion, the_tolerance_asked_for_is_enough_and_no_number_is_a_failure) {
@@ -218,31 +269,33 @@ TEUCHOS_UNIT_TEST(mesh_motion, goes_on_from_a_saved_state) {
 
 TEUCHOS_UNIT_TEST(mesh_motion, its_discretisation_has_the_same_solution) {
   const SmallTube tube;
-  discretisation::MeshMotion motion(tube.fluid);
-  problems::MeshMotion solved(solved_by("direct"), tube.fluid, {tube.surface("interface")}, {},
-                              scheme);
-  std::vector<Vec3> given(tube.fluid.n_owned);
-  for (int a = 0; a < tube.fluid.n_owned; ++a)
-    if (tube.fluid.is_on(a, tube.surface("interface"))) given[a] = linear_field(tube.fluid.x[a]);
-  TEST_ASSERT(solved.extend(given).is_success());
-  for (int a = 0; a < tube.fluid.n_owned; ++a)
-    if (tube.fluid.is_on_boundary(a)) given[a] = solved.displacement()[a];
+  for (const std::string law : {"harmonic", "elastic"}) {
+    discretisation::MeshMotion motion(tube.fluid, {law == "elastic", 0.3, 0.5});
+    problems::MeshMotion solved(solved_by("direct", law, 0.5), tube.fluid,
+                                {tube.surface("interface")}, {}, scheme);
+    std::vector<Vec3> given(tube.fluid.n_owned);
+    for (int a = 0; a < tube.fluid.n_owned; ++a)
+      if (tube.fluid.is_on(a, tube.surface("interface"))) given[a] = linear_field(tube.fluid.x[a]);
+    TEST_ASSERT(solved.extend(given).is_success());
+    for (int a = 0; a < tube.fluid.n_owned; ++a)
+      if (tube.fluid.is_on_boundary(a)) given[a] = solved.displacement()[a];
 
-  // F(d) = 0 is linear: K (d_given − d) = F(d_given)
-  algebra::BlockVector start(motion.space()), end(motion.space()), F(motion.space()),
-      Kd(motion.space());
-  fields::store(given, tube.fluid, start[0]);
-  fields::store(solved.displacement(), tube.fluid, end[0]);
-  TEST_ASSERT(motion.residual(end, F).is_success());
-  TEST_COMPARE(F[0].normInf(), <, 1e-11);
-  TEST_ASSERT(motion.residual(start, F).is_success());
-  TEST_COMPARE(F[0].normInf(), >, 1e-3);
-  motion.assemble_jacobian(start);
-  end[0].update(1.0, start[0], -1.0);
-  motion.jacobian().apply(end, Kd);
-  Kd[0].update(-1.0, F[0], 1.0);
-  TEST_COMPARE(Kd[0].normInf(), <, 1e-11);
-  TEST_COMPARE(motion.mass_norm(end), >, 0.0);
+    // F(d) = 0 is linear: K (d_given − d) = F(d_given)
+    algebra::BlockVector start(motion.space()), end(motion.space()), F(motion.space()),
+        Kd(motion.space());
+    fields::store(given, tube.fluid, start[0]);
+    fields::store(solved.displacement(), tube.fluid, end[0]);
+    TEST_ASSERT(motion.residual(end, F).is_success());
+    TEST_COMPARE(F[0].normInf(), <, 1e-11);
+    TEST_ASSERT(motion.residual(start, F).is_success());
+    TEST_COMPARE(F[0].normInf(), >, 1e-3);
+    motion.assemble_jacobian(start);
+    end[0].update(1.0, start[0], -1.0);
+    motion.jacobian().apply(end, Kd);
+    Kd[0].update(-1.0, F[0], 1.0);
+    TEST_COMPARE(Kd[0].normInf(), <, 1e-11);
+    TEST_COMPARE(motion.mass_norm(end), >, 0.0);
+  }
 }
 
 }  // namespace

@@ -123,11 +123,12 @@ void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>&
   const Deformation worst = worst_deformation(mesh, d);
   if (worst.part_of_quality > 0.3 && worst.part_of_volume > 0.1) return;
   say("mesh",
-      formatted("an element of the fluid's mesh has %.2g of the quality that it had, one %.2g of "
-                "its volume, the worst is of quality %.2g; usual are 0.5 and more. It will soon "
-                "be inverted: Mesh Motion / stiffening = 1 keeps small elements in shape, or mesh "
-                "with larger ones beside the interface, where it moves far.",
-                worst.part_of_quality, worst.part_of_volume, worst.quality));
+      formatted(
+          "an element of the fluid's mesh has %.2g of the quality that it had, one %.2g of "
+          "its volume, the worst is of quality %.2g; usual are 0.5 and more. It will soon "
+          "be inverted: Mesh Motion / stiffening = 1 and law = elastic keep elements in shape, or "
+          "mesh with larger ones beside the interface, where it moves far.",
+          worst.part_of_quality, worst.part_of_volume, worst.quality));
 }
 
 std::vector<std::string> Watch::look(const StepSummary& step, double step_size,

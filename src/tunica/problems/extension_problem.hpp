@@ -4,19 +4,21 @@
 #include <vector>
 
 #include "tunica/base/outcome.hpp"
-#include "tunica/discretisation/mesh_motion.hpp"
+#include "tunica/discretisation/extension.hpp"
 #include "tunica/linear/scalar_solver.hpp"
 
 namespace tunica::problems {
 
-/// Solves for harmonic functions; several with the same given nodes at once. The linear system is
-/// that of the free nodes, of which there may be few, or none.
-class Harmonic {
+/// Solves for extensions of what is given at some nodes. The linear system is that of the free
+/// nodes, of which there may be few, or none.
+class ExtensionProblem {
 public:
   /// solver: a resolved list of linear::scalar_solver_table(); extension: must outlive the object;
-  /// columns: how many functions. Collective.
-  Harmonic(const Teuchos::ParameterList& solver, const discretisation::HarmonicExtension& extension,
-           int columns);
+  /// columns: how many functions with the same given nodes at once. Collective.
+  ExtensionProblem(const Teuchos::ParameterList& solver,
+                   const discretisation::HarmonicExtension& extension, int columns);
+  ExtensionProblem(const Teuchos::ParameterList& solver,
+                   const discretisation::ElasticExtension& extension);
 
   /// values: on entry those of the given nodes, zero elsewhere; on return those of all nodes.
   /// Begins with the last solution; tolerance: the relative residual left, if not that of the list.
@@ -31,7 +33,7 @@ public:
 private:
   MultiVector right_side(const MultiVector& given) const;
 
-  const discretisation::HarmonicExtension* extension_;
+  const discretisation::Extension* extension_;
   std::vector<int> free_;                         ///< owned nodes
   std::unique_ptr<linear::ScalarSolver> solver_;  ///< null where no rank has free nodes
   MultiVector solution_;                          ///< at the free nodes

@@ -1,0 +1,202 @@
+#include "tunica/discretisation/extension.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+#include "tunica/assembly/scalar_matrix.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/kernels/elastic_p1.hpp"
+#include "tunica/kernels/surface_tri3.hpp"
+
+namespace tunica::discretisation {
+
+namespace {
+
+/// γ of an element of this volume, area or length.
+class Stiffness {
+public:
+  /// mine: of the elements that the rank counts. Collective.
+  Stiffness(const Comm& comm, const std::vector<double>& mine, double exponent)
+      : exponent_(exponent) {
+    const double count = global_sum(comm, static_cast<double>(mine.size()));
+    mean_ = global_sum(comm, std::accumulate(mine.begin(), mine.end(), 0.0)) / count;
+  }
+  double operator()(double size) const {
+    return exponent_ == 0.0 ? 1.0 : std::pow(mean_ / size, exponent_);
+  }
+
+private:
+  double exponent_, mean_;
+};
+
+/// Volumes, areas or lengths of what the rank counts.
+std::vector<double> sizes_of_owned(const fields::FieldMesh& mesh, Extent extent) {
+  std::vector<double> sizes;
+  if (extent == Extent::volume) {
+    for (std::size_t e = 0; e < mesh.tets.size(); ++e)
+      if (mesh.is_owned[e])
+        sizes.push_back(kernels::make_tet4(assembly::gather(mesh.x, mesh.tets[e])).volume);
+    return sizes;
+  }
+  for (const fields::Face& face : mesh.faces) {
+    if (!face.is_owned) continue;
+    const std::array<Vec3, 3> x = assembly::gather(mesh.x, face.nodes);
+    if (extent == Extent::surfaces)
+      sizes.push_back(norm(kernels::area_normal(x)));
+    else
+      for (int k = 0; k < 3; ++k) sizes.push_back(norm(x[(k + 1) % 3] - x[k]));
+  }
+  return sizes;
+}
+
+/// ∫ γ ∇N_a·∇N_b on what a tetrahedron has of the extent: on all of it, or on its sides that are
+/// faces of the boundary, or along their edges.
+class ElementMatrices {
+public:
+  /// Collective.
+  ElementMatrices(const fields::FieldMesh& mesh, Extent extent, double stiffening)
+      : mesh_(&mesh), extent_(extent),
+        stiffness_(*mesh.comm, sizes_of_owned(mesh, extent), stiffening) {
+    if (extent == Extent::volume) return;
+    for (const fields::Face& face : mesh.faces) {
+      if (extent == Extent::surfaces)
+        add_triangle(face);
+      else
+        for (int k = 0; k < 3; ++k) add_edge(face, k, (k + 1) % 3);
+    }
+  }
+
+  assembly::ScalarElement operator()(std::size_t e) const {
+    if (extent_ == Extent::volume) {
+      const kernels::Tet4 T = kernels::make_tet4(assembly::gather(mesh_->x, mesh_->tets[e]));
+      assembly::ScalarElement K = kernels::laplace_p1(T);
+      const double gamma = stiffness_(T.volume);
+      for (auto& row : K)
+        for (double& value : row) value *= gamma;
+      return K;
+    }
+    const auto found = sides_.find(e);
+    return found == sides_.end() ? assembly::ScalarElement{} : found->second;
+  }
+
+private:
+  using Corners = std::array<Vec3, 3>;
+
+  /// Where corner k of a face is in its tetrahedron.
+  int place(const fields::Face& face, int k) const {
+    const auto& nodes = mesh_->tets[face.tet];
+    return static_cast<int>(std::find(nodes.begin(), nodes.end(), face.nodes[k]) - nodes.begin());
+  }
+
+  void add_triangle(const fields::Face& face) {
+    const Corners x = assembly::gather(mesh_->x, face.nodes);
+    const auto L = kernels::laplace_p1(x);
+    const double gamma = stiffness_(norm(kernels::area_normal(x)));
+    assembly::ScalarElement& K = sides_[face.tet];
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) K[place(face, a)][place(face, b)] += gamma * L[a][b];
+  }
+
+  /// Each edge comes with both of its faces, which is the same factor for all.
+  void add_edge(const fields::Face& face, int k, int l) {
+    if (!is_on_line(face.nodes[k], face.nodes[l])) return;
+    const double h = norm(mesh_->x[face.nodes[l]] - mesh_->x[face.nodes[k]]);
+    const double stiffness = stiffness_(h) / h;
+    assembly::ScalarElement& K = sides_[face.tet];
+    const int a = place(face, k), b = place(face, l);
+    K[a][a] += stiffness;
+    K[b][b] += stiffness;
+    K[a][b] -= stiffness;
+    K[b][a] -= stiffness;
+  }
+
+  /// Both lie on the same two surfaces, or more.
+  bool is_on_line(int a, int b) const {
+    const fields::NodeSurfaces& surfaces = mesh_->node_surfaces;
+    int common = 0;
+    for (int pair = surfaces.begin(a); pair < surfaces.end(a); ++pair)
+      common += surfaces.find(b, surfaces.surface(pair)) >= 0 ? 1 : 0;
+    return common >= 2;
+  }
+
+  const fields::FieldMesh* mesh_;
+  Extent extent_;
+  Stiffness stiffness_;
+  std::unordered_map<std::size_t, assembly::ScalarElement> sides_;  ///< by local tetrahedron
+};
+
+}  // namespace
+
+MultiVector columns_of(const fields::FieldMesh& mesh, const Vector& x) {
+  MultiVector columns(mesh.node_map, 3);
+  const auto from = x.getLocalViewHost(read_only);
+  const auto to = columns.getLocalViewHost(overwrite_all);
+  for (int a = 0; a < mesh.n_owned; ++a)
+    for (int i = 0; i < 3; ++i) to(a, i) = from(3 * a + i, 0);
+  return columns;
+}
+
+void assign_columns(const fields::FieldMesh& mesh, const MultiVector& columns, Vector& x) {
+  const auto from = columns.getLocalViewHost(read_only);
+  const auto to = x.getLocalViewHost(overwrite_all);
+  for (int a = 0; a < mesh.n_owned; ++a)
+    for (int i = 0; i < 3; ++i) to(3 * a + i, 0) = from(a, i);
+}
+
+void Extension::drop_given(MultiVector& F) const {
+  const auto view = F.getLocalViewHost(read_write);
+  for (int a = 0; a < mesh_->n_owned; ++a)
+    for (std::size_t j = 0; j < view.extent(1); ++j)
+      if (is_given_[a]) view(a, j) = 0.0;
+}
+
+HarmonicExtension::HarmonicExtension(const fields::FieldMesh& mesh, std::vector<char> is_given,
+                                     Extent extent, double stiffening)
+    : Extension(mesh, std::move(is_given)) {
+  const fields::NodeGraph graph = fields::make_node_graph(mesh);
+  const ElementMatrices element(mesh, extent, stiffening);
+  jacobian_ = assembly::scalar_matrix(mesh, graph, element, is_given_);
+  laplacian_ = assembly::scalar_matrix(mesh, graph, element, std::vector<char>(mesh.n_nodes(), 0));
+}
+
+void HarmonicExtension::residual(const MultiVector& phi, MultiVector& F) const {
+  laplacian_->apply(phi, F);
+  drop_given(F);
+}
+
+ElasticExtension::ElasticExtension(const fields::FieldMesh& mesh, std::vector<char> is_given,
+                                   double poisson, double stiffening)
+    : Extension(mesh, is_given), harmonic_(mesh, std::move(is_given), Extent::volume, stiffening),
+      matrix_(fields::make_matrix(fields::make_node_graph(mesh), mesh, 3, 3)) {
+  const Stiffness stiffness(*mesh.comm, sizes_of_owned(mesh, Extent::volume), stiffening);
+  matrix_->resumeFill();
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    const auto& nodes = mesh.tets[e];
+    const kernels::Tet4 T = kernels::make_tet4(assembly::gather(mesh.x, nodes));
+    const kernels::ElasticElement K = kernels::elastic_p1(T, stiffness(T.volume), poisson);
+    for (int a = 0; a < 4; ++a) {
+      if (nodes[a] >= mesh.n_owned) continue;
+      for (int i = 0; i < 3; ++i) {
+        std::array<int, 12> columns;
+        for (int b = 0; b < 4; ++b)
+          for (int j = 0; j < 3; ++j) columns[3 * b + j] = 3 * nodes[b] + j;
+        matrix_->sumIntoLocalValues(3 * nodes[a] + i,
+                                    Teuchos::arrayView(columns.data(), columns.size()),
+                                    Teuchos::arrayView(K[3 * a + i].data(), columns.size()));
+      }
+    }
+  }
+  matrix_->fillComplete(mesh.vector_map, mesh.vector_map);
+}
+
+void ElasticExtension::residual(const MultiVector& phi, MultiVector& F) const {
+  Vector d(mesh_->vector_map), forces(mesh_->vector_map);
+  assign_columns(*mesh_, phi, d);
+  matrix_->apply(d, forces);
+  F.assign(columns_of(*mesh_, forces));
+  drop_given(F);
+}
+
+}  // namespace tunica::discretisation

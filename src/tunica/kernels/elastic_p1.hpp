@@ -1,0 +1,18 @@
+#pragma once
+#include <array>
+
+#include "tunica/kernels/tet4.hpp"
+
+namespace tunica::kernels {
+
+/// Rows and columns 3 a + i of the displacements at the four nodes.
+using ElasticElement = std::array<std::array<double, 12>, 12>;
+
+/// Stiffness of a linear elastic tetrahedron of Young's modulus E [kPa] and Poisson's ratio ν:
+///
+///   K[a i][b j] = V (λ g_a[i] g_b[j] + μ g_a[j] g_b[i] + μ g_a·g_b δ_ij),  g_a = ∇N_a
+///
+/// with μ = E/(2(1 + ν)) and λ = E ν/((1 + ν)(1 − 2ν)) [kPa mm].
+ElasticElement elastic_p1(const Tet4& T, double young, double poisson);
+
+}  // namespace tunica::kernels
