@@ -5,6 +5,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "tunica/algebra/components.hpp"
 #include "tunica/assembly/scalar_matrix.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/kernels/elastic_p1.hpp"
@@ -129,22 +130,6 @@ private:
 
 }  // namespace
 
-MultiVector columns_of(const fields::FieldMesh& mesh, const Vector& x) {
-  MultiVector columns(mesh.node_map, 3);
-  const auto from = x.getLocalViewHost(read_only);
-  const auto to = columns.getLocalViewHost(overwrite_all);
-  for (int a = 0; a < mesh.n_owned; ++a)
-    for (int i = 0; i < 3; ++i) to(a, i) = from(3 * a + i, 0);
-  return columns;
-}
-
-void assign_columns(const fields::FieldMesh& mesh, const MultiVector& columns, Vector& x) {
-  const auto from = columns.getLocalViewHost(read_only);
-  const auto to = x.getLocalViewHost(overwrite_all);
-  for (int a = 0; a < mesh.n_owned; ++a)
-    for (int i = 0; i < 3; ++i) to(3 * a + i, 0) = from(a, i);
-}
-
 void Extension::drop_given(MultiVector& F) const {
   const auto view = F.getLocalViewHost(read_write);
   for (int a = 0; a < mesh_->n_owned; ++a)
@@ -193,9 +178,9 @@ ElasticExtension::ElasticExtension(const fields::FieldMesh& mesh, std::vector<ch
 
 void ElasticExtension::residual(const MultiVector& phi, MultiVector& F) const {
   Vector d(mesh_->vector_map), forces(mesh_->vector_map);
-  assign_columns(*mesh_, phi, d);
+  algebra::from_columns(phi, d);
   matrix_->apply(d, forces);
-  F.assign(columns_of(*mesh_, forces));
+  algebra::to_columns(forces, F);
   drop_given(F);
 }
 

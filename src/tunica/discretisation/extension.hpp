@@ -68,8 +68,4 @@ private:
   Teuchos::RCP<CrsMatrix> matrix_;
 };
 
-/// The components of a vector unknown as the columns of a nodal one, and back.
-MultiVector columns_of(const fields::FieldMesh& mesh, const Vector& x);
-void assign_columns(const fields::FieldMesh& mesh, const MultiVector& columns, Vector& x);
-
 }  // namespace tunica::discretisation

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tunica/algebra/components.hpp"
 #include "tunica/assembly/element_geometry.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/kernels/energy.hpp"
@@ -32,9 +33,10 @@ const Extension& MeshMotion::extension() const {
 }
 
 Outcome MeshMotion::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
-  MultiVector columns(mesh_->node_map, 3);
-  extension().residual(columns_of(*mesh_, x[0]), columns);
-  assign_columns(*mesh_, columns, F[0]);
+  MultiVector d(mesh_->node_map, 3), forces(mesh_->node_map, 3);
+  algebra::to_columns(x[0], d);
+  extension().residual(d, forces);
+  algebra::from_columns(forces, F[0]);
   return Outcome::success();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tunica/algebra/components.hpp"
 #include "tunica/linear/amg.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "tunica/linear/krylov.hpp"
@@ -69,21 +70,6 @@ private:
   Teuchos::RCP<Operator> preconditioner_;
 };
 
-/// Rows 3 k + i of a vector as row k of three columns, and back.
-void to_columns(const MultiVector& x, MultiVector& columns) {
-  const auto from = x.getLocalViewHost(read_only);
-  const auto to = columns.getLocalViewHost(overwrite_all);
-  for (std::size_t k = 0; k < to.extent(0); ++k)
-    for (int i = 0; i < 3; ++i) to(k, i) = from(3 * k + i, 0);
-}
-
-void from_columns(const MultiVector& columns, MultiVector& x) {
-  const auto from = columns.getLocalViewHost(read_only);
-  const auto to = x.getLocalViewHost(overwrite_all);
-  for (std::size_t k = 0; k < from.extent(0); ++k)
-    for (int i = 0; i < 3; ++i) to(3 * k + i, 0) = from(k, i);
-}
-
 /// diag(M, M, M) of an operator M for one component.
 class ForEachComponent final : public Operator {
 public:
@@ -97,9 +83,9 @@ public:
     MultiVector x(M_->getDomainMap(), 3), y(M_->getRangeMap(), 3);
     MultiVector result(map_, 1);
     for (std::size_t j = 0; j < X.getNumVectors(); ++j) {
-      to_columns(*X.getVector(j), x);
+      algebra::to_columns(*X.getVector(j), x);
       M_->apply(x, y);
-      from_columns(y, result);
+      algebra::from_columns(y, result);
       Y.getVectorNonConst(j)->update(alpha, result, beta);
     }
   }
@@ -116,10 +102,10 @@ public:
       : solver_(std::move(solver)), b_(map, 1), x_(map, 1) {}
 
   double solve_to(double tolerance, const MultiVector& B, MultiVector& X) override {
-    from_columns(B, b_);
-    from_columns(X, x_);
+    algebra::from_columns(B, b_);
+    algebra::from_columns(X, x_);
     const double residual = solver_->solve_to(tolerance, b_, x_);
-    to_columns(x_, X);
+    algebra::to_columns(x_, X);
     return residual;
   }
   double tolerance() const override { return solver_->tolerance(); }

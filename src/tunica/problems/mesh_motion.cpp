@@ -1,5 +1,6 @@
 #include "tunica/problems/mesh_motion.hpp"
 
+#include "tunica/algebra/components.hpp"
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/traffic.hpp"
 #include "tunica/discretisation/nodal_history.hpp"
@@ -68,10 +69,7 @@ void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vec
   }
   surfaces_.extend_roughly(tolerance, total);
   volume_.extend_roughly(tolerance, total);
-  const auto from = total.getLocalViewHost(read_only);
-  const auto to = d.getLocalViewHost(overwrite_all);
-  for (int a = 0; a < mesh_->n_owned; ++a)
-    for (int i = 0; i < 3; ++i) to(3 * a + i, 0) = from(a, i);
+  algebra::from_columns(total, d);
 }
 
 fields::State MeshMotion::save() const {
