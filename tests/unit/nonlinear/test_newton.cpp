@@ -206,6 +206,21 @@ TEUCHOS_UNIT_TEST(newton, a_direction_without_admissible_step_is_reported) {
   TEST_COMPARE(worst_pressure(x, 2.0), <, 1e-15);  // the start is kept
 }
 
+TEUCHOS_UNIT_TEST(newton, a_line_search_that_finds_no_step_is_named) {
+  const SmallTube tube;
+  for (const std::string search : {"backtrack", "polynomial"}) {
+    auto problem = square_root_of_two(tube.fluid);
+    problem.refuse_where([](double p) { return p < 2.0; });
+    auto chosen = options();
+    chosen.line_search = search;
+    auto x = start(tube.fluid, 2.0);
+    const auto report = nonlinear::solve_newton(problem, chosen, x);
+    TEST_ASSERT(!report.is_converged);
+    TEST_EQUALITY(report.reason,
+                  "no step with the line search \"" + search + "\": p is out of range");
+  }
+}
+
 TEUCHOS_UNIT_TEST(newton, a_start_without_residual_is_reported) {
   const SmallTube tube;
   auto problem = square_root_of_two(tube.fluid);
