@@ -1,7 +1,6 @@
 #include "tunica/problems/following_surfaces.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "tunica/base/reduce.hpp"
 
@@ -48,12 +47,20 @@ FollowingSurfaces::FollowingSurfaces(const Teuchos::ParameterList& solver,
   }
 }
 
+// A clamped wall keeps still as well as iterative solvers keep its rows.
 bool FollowingSurfaces::moves_rim(const MultiVector& values) const {
+  constexpr double still = 1e-12;
   const auto view = values.getLocalViewHost(read_only);
-  bool moves = false;
-  for (const int a : rim_)
-    for (std::size_t i = 0; i < view.extent(1); ++i) moves = moves || view(a, i) != 0.0;
-  return global_max(*mesh_->comm, moves ? 1.0 : 0.0) > 0.0;
+  const auto squares = [&](int a) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < view.extent(1); ++i) sum += view(a, i) * view(a, i);
+    return sum;
+  };
+  std::vector<double> sums{0.0, 0.0};  // of the rim, of all
+  for (const int a : rim_) sums[0] += squares(a);
+  for (int a = 0; a < mesh_->n_owned; ++a) sums[1] += squares(a);
+  sums = global_sum(*mesh_->comm, sums);
+  return sums[0] > still * still * sums[1];
 }
 
 std::vector<char> FollowingSurfaces::is_given(Extent extent) const {
@@ -72,7 +79,7 @@ const FollowingSurfaces::Stages& FollowingSurfaces::stages() const {
 
 Outcome FollowingSurfaces::extend(MultiVector& values, std::optional<double> tolerance) {
   if (!moves_rim(values)) {
-    for (const auto& stage : stages_) stage->problem.start_from(values);  // zero
+    for (const auto& stage : stages_) stage->problem.start_from(values);  // zero there
     return Outcome::success();
   }
   for (const auto& stage : stages())
