@@ -39,7 +39,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   const Outcome stressed = app::take_prestress(list.sublist("Wall"), output, wall, &fluid);
   if (stressed.is_failure()) return stressed;
   problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid, domain.interface_surfaces,
-                              fluid.surfaces_at_rest(), fluid.time_scheme());
+                              fluid.staying_surfaces(), fluid.time_scheme());
 
   // 2. Couple them.
   const std::unique_ptr<coupling::Scheme> scheme = coupling::make_scheme(

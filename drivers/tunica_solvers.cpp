@@ -64,7 +64,7 @@ Outcome march(const Teuchos::ParameterList& resolved, const app::Domain& domain,
   const Outcome stressed = app::take_prestress(list.sublist("Wall"), output, wall, &fluid);
   if (stressed.is_failure()) return stressed;
   problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid, domain.interface_surfaces,
-                              fluid.surfaces_at_rest(), fluid.time_scheme());
+                              fluid.staying_surfaces(), fluid.time_scheme());
   const stepping::Clock clock(list.sublist("Time"));
   const std::unique_ptr<coupling::Scheme> scheme = coupling::make_scheme(
       coupling,

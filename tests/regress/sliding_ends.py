@@ -114,6 +114,8 @@ def main(programs, scratch):
             ("plain", "newton", ["Coupling/scheme=monolithic", "Coupling/geometry=newton",
                                  "Coupling/Newton/jacobian cost=0"], 1e-7),
             ("plain", "partitioned", ["Coupling/tolerance=1e-10"], 1e-6),
+            ("plain", "elastic", ["Coupling/scheme=monolithic", "Mesh Motion/law=elastic", "Mesh Motion/stiffening=1",
+                                  "Mesh Motion/poisson ratio=0.2"], 1e-7),
             ("prestressed", "monolithic", ["Coupling/scheme=monolithic"], 1e-6)):
         name = f"{load}-{scheme}"
         expected = run(verdict, programs, folder, f"straight-{name}", f"straight-{load}.xml", more)

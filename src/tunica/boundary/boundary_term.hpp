@@ -52,6 +52,9 @@ public:
   virtual std::vector<int> prescribed_components() const { return {}; }
   /// True where these values are zero at all times.
   virtual bool prescribes_zero() const { return false; }
+  /// True where what the term gives a fluid belongs to places: its surface does not stretch when
+  /// its rim moves.
+  virtual bool keeps_place() const { return false; }
   /// Directions along which the vector unknown stays zero at its nodes, of length 1.
   virtual std::vector<Vec3> held_directions() const { return {}; }
   /// Comes before prescribed() of the same surroundings. Collective.

@@ -16,14 +16,15 @@ namespace tunica::boundary {
 ///      harmonic k of the flow rate its own                     1/mm²
 ///
 /// φ vanishes on the rim, where conditions of other surfaces hold. As the surface grows φ shrinks,
-/// so that the flow rate stays what is given on the domain as it lies; what the profiles miss where
-/// it grows unevenly has that of the steady flow.
+/// so that the flow rate of u through the present surface, along the undeformed normal, stays what
+/// is given; what the profiles miss where it grows unevenly has that of the steady flow.
 /// What a Fourier series of K harmonics leaves of Q(t) has the profile of the steady flow.
 class FlowRate final : public GivenVelocity {
 public:
   /// list: a resolved list of flow_rate_condition(). Collective.
   FlowRate(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface);
 
+  bool keeps_place() const override { return false; }  // profiles stretch with the cap
   void prepare(const Surroundings& s) override;
   Vec3 prescribed(const Surroundings& s, int node) const override;
   bool wants_whole_section() const override { return true; }

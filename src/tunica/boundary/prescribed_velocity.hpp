@@ -7,9 +7,10 @@
 
 namespace tunica::boundary {
 
-/// All components of the fluid's velocity are given.
+/// All components of the fluid's velocity are given, where the surface was undeformed.
 class GivenVelocity : public BoundaryTerm {
 public:
+  bool keeps_place() const override { return true; }
   std::vector<int> prescribed_components() const override { return {0, 1, 2}; }
 };
 
@@ -33,7 +34,6 @@ private:
 /// No velocity.
 class NoSlip final : public GivenVelocity {
 public:
-  bool prescribes_zero() const override { return true; }
   int precedence() const override { return 2; }
 };
 

@@ -37,6 +37,7 @@ private:
 /// The surface's velocity, from a file.
 class VelocityData final : public BoundaryTerm {
 public:
+  bool keeps_place() const override { return true; }
   explicit VelocityData(SurfaceData data) : data_(std::move(data)) {}
   std::vector<int> prescribed_components() const override { return {0, 1, 2}; }
   int precedence() const override { return 1; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
@@ -79,11 +80,14 @@ bool SurfaceTerms::prescribes(int surface, int component) const {
   });
 }
 
-bool SurfaceTerms::is_at_rest(int surface) const {
-  const Terms& terms = terms_[surface];
-  return std::any_of(terms.begin(), terms.end(), [](const auto& term) {
-    return term->prescribes_zero() && term->prescribed_components().size() == 3;
-  });
+bool SurfaceTerms::keeps_place(int surface) const {
+  std::set<int> zero;
+  for (const auto& term : terms_[surface]) {
+    if (term->keeps_place()) return true;
+    if (!term->prescribes_zero()) continue;
+    for (const int i : term->prescribed_components()) zero.insert(i);
+  }
+  return zero.size() == 3;
 }
 
 bool SurfaceTerms::moves_as_one(int surface) const {

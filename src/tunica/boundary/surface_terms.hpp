@@ -19,8 +19,9 @@ public:
   /// True where a term of the surface prescribes the component of the vector unknown, or makes it
   /// move as one.
   bool prescribes(int surface, int component) const;
-  /// True where a term keeps all components of the vector unknown at zero.
-  bool is_at_rest(int surface) const;
+  /// True where a fluid's surface does not stretch with its rim: a term gives it velocities at
+  /// places, or they are zero in all components.
+  bool keeps_place(int surface) const;
   bool moves_as_one(int surface) const;
   bool has_held_directions(int surface) const;
   /// The part of v along which the vector unknown is free there.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <set>
 #include <unordered_map>
 
 #include "tunica/algebra/components.hpp"
@@ -52,6 +54,16 @@ std::vector<double> sizes_of_owned(const fields::FieldMesh& mesh, Extent extent)
   return sizes;
 }
 
+class LineEdges {
+public:
+  using Pairs = std::vector<std::array<int, 2>>;
+  explicit LineEdges(const Pairs& pairs) : pairs_(pairs.begin(), pairs.end()) {}
+  bool contain(int a, int b) const { return pairs_.count({std::min(a, b), std::max(a, b)}) > 0; }
+
+private:
+  std::set<std::array<int, 2>> pairs_;
+};
+
 /// ∫ γ ∇N_a·∇N_b on what a tetrahedron has of the extent: on all of it, or on its sides that are
 /// faces of the boundary, or along their edges.
 class ElementMatrices {
@@ -61,11 +73,11 @@ public:
       : mesh_(&mesh), extent_(extent),
         stiffness_(*mesh.comm, sizes_of_owned(mesh, extent), stiffening) {
     if (extent == Extent::volume) return;
+    const LineEdges edges(extent == Extent::lines ? edges_of_lines(mesh) : LineEdges::Pairs{});
     for (const fields::Face& face : mesh.faces) {
-      if (extent == Extent::surfaces)
-        add_triangle(face);
-      else
-        for (int k = 0; k < 3; ++k) add_edge(face, k, (k + 1) % 3);
+      if (extent == Extent::surfaces) add_triangle(face);
+      for (int k = 0; k < 3; ++k)  // with both faces of each: the same factor for all
+        if (edges.contain(face.nodes[k], face.nodes[(k + 1) % 3])) add_edge(face, k, (k + 1) % 3);
     }
   }
 
@@ -100,9 +112,7 @@ private:
       for (int b = 0; b < 3; ++b) K[place(face, a)][place(face, b)] += gamma * L[a][b];
   }
 
-  /// Each edge comes with both of its faces, which is the same factor for all.
   void add_edge(const fields::Face& face, int k, int l) {
-    if (!is_on_line(face.nodes[k], face.nodes[l])) return;
     const double h = norm(mesh_->x[face.nodes[l]] - mesh_->x[face.nodes[k]]);
     const double stiffness = stiffness_(h) / h;
     assembly::ScalarElement& K = sides_[face.tet];
@@ -113,15 +123,6 @@ private:
     K[b][a] -= stiffness;
   }
 
-  /// Both lie on the same two surfaces, or more.
-  bool is_on_line(int a, int b) const {
-    const fields::NodeSurfaces& surfaces = mesh_->node_surfaces;
-    int common = 0;
-    for (int pair = surfaces.begin(a); pair < surfaces.end(a); ++pair)
-      common += surfaces.find(b, surfaces.surface(pair)) >= 0 ? 1 : 0;
-    return common >= 2;
-  }
-
   const fields::FieldMesh* mesh_;
   Extent extent_;
   Stiffness stiffness_;
@@ -129,6 +130,18 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::array<int, 2>> edges_of_lines(const fields::FieldMesh& mesh) {
+  std::map<std::array<int, 2>, int> surface_of;  // of the first face at an edge
+  std::set<std::array<int, 2>> found;
+  for (const fields::Face& face : mesh.faces)
+    for (int k = 0; k < 3; ++k) {
+      const int a = face.nodes[k], b = face.nodes[(k + 1) % 3];
+      const std::array<int, 2> edge{std::min(a, b), std::max(a, b)};
+      if (surface_of.emplace(edge, face.surface).first->second != face.surface) found.insert(edge);
+    }
+  return {found.begin(), found.end()};
+}
 
 void Extension::drop_given(MultiVector& F) const {
   const auto view = F.getLocalViewHost(read_write);

@@ -7,6 +7,10 @@ namespace tunica::discretisation {
 /// along the lines in which two of these meet.
 enum class Extent { volume, surfaces, lines };
 
+/// The edges of the boundary in which two surfaces meet, as local nodes: all that have an owned
+/// one, and each once.
+std::vector<std::array<int, 2>> edges_of_lines(const fields::FieldMesh& mesh);
+
 /// Functions on the undeformed mesh of a field that are given at some nodes and solve a linear
 /// equation at the others, with no flux through the rest of the boundary. γ = (V̄/V)^χ of an element
 /// of volume V (area, length), V̄ the mean of all: with χ > 0, the stiffening, small elements are
@@ -59,8 +63,8 @@ public:
   void residual(const MultiVector& phi, MultiVector& F) const override;
   /// L on the three unknowns of each node, without conditions.
   const Teuchos::RCP<CrsMatrix>& matrix() const { return matrix_; }
-  /// With the same γ and the same given nodes: each component of L is no more than a few times
-  /// stiffer, and no less than half as stiff (Korn).
+  /// With the same γ and the same given nodes. Where the whole boundary is given and γ is constant,
+  /// L is between μ and 2 μ + λ times as stiff (Korn).
   const HarmonicExtension& harmonic() const { return harmonic_; }
 
 private:

@@ -68,10 +68,10 @@ std::vector<int> Fluid::open_surfaces() const {
   return surfaces;
 }
 
-std::vector<int> Fluid::surfaces_at_rest() const {
+std::vector<int> Fluid::staying_surfaces() const {
   std::vector<int> surfaces;
   for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s)
-    if (surfaces_.is_at_rest(static_cast<int>(s))) surfaces.push_back(static_cast<int>(s));
+    if (surfaces_.keeps_place(static_cast<int>(s))) surfaces.push_back(static_cast<int>(s));
   return surfaces;
 }
 

@@ -54,8 +54,8 @@ public:
   double density() const { return options_.density; }  ///< [mg/mm³]
   /// Indices into FieldMesh::surfaces: where the fluid may pass.
   std::vector<int> open_surfaces() const;
-  /// Where its velocity is zero: walls that do not move.
-  std::vector<int> surfaces_at_rest() const;
+  /// Those that do not stretch with their rims.
+  std::vector<int> staying_surfaces() const;
   const std::vector<Vec3>& positions() const { return position_; }  ///< current, local nodes
   const assembly::FluidElements& elements() const { return elements_; }
 

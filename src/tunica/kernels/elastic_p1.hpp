@@ -12,7 +12,7 @@ using ElasticElement = std::array<std::array<double, 12>, 12>;
 ///
 ///   K[a i][b j] = V (λ g_a[i] g_b[j] + μ g_a[j] g_b[i] + μ g_a·g_b δ_ij),  g_a = ∇N_a
 ///
-/// with μ = E/(2(1 + ν)) and λ = E ν/((1 + ν)(1 − 2ν)) [kPa mm].
+/// with μ = E/(2(1 + ν)) and λ = E ν/((1 + ν)(1 − 2ν)), Hooke's law [kPa mm].
 ElasticElement elastic_p1(const Tet4& T, double young, double poisson);
 
 }  // namespace tunica::kernels

@@ -122,7 +122,8 @@ bool is_direct(const Teuchos::ParameterList& options) {
 }  // namespace
 
 params::Table scalar_solver_table() {
-  params::Table cg, table("Solves symmetric positive definite systems with one unknown per node.");
+  params::Table cg,
+      table("Solves symmetric positive definite systems with one unknown per node, or a few.");
   cg.number("tolerance", 1e-12, params::Range{0.0, 1.0, true, true}, "1",
             "reduction of the residual")
       .integer("max iterations", 200, params::between(1, 1e6), "cap on the iterations");

@@ -49,7 +49,7 @@ public:
 
   double density() const { return fluid_->density(); }
   std::vector<int> open_surfaces() const { return fluid_->open_surfaces(); }
-  std::vector<int> surfaces_at_rest() const { return fluid_->surfaces_at_rest(); }
+  std::vector<int> staying_surfaces() const { return fluid_->staying_surfaces(); }
   const std::vector<Vec3>& positions() const { return fluid_->positions(); }
   const assembly::FluidElements& elements() const { return fluid_->elements(); }
   discretisation::Observables observe() const { return fluid_->observe(x_); }

@@ -10,20 +10,48 @@ using discretisation::Extent;
 
 namespace {
 
-int n_surfaces(const fields::FieldMesh& mesh, int node) {
-  return mesh.node_surfaces.end(node) - mesh.node_surfaces.begin(node);
+using Edges = std::vector<std::array<int, 2>>;
+
+Edges edges_of_faces(const fields::FieldMesh& mesh) {
+  Edges edges;
+  for (const fields::Face& face : mesh.faces)
+    for (int k = 0; k < 3; ++k) edges.push_back({face.nodes[k], face.nodes[(k + 1) % 3]});
+  return edges;
 }
 
-/// Surfaces that have an edge: what has none, as a sphere around all, hangs on nothing.
-std::vector<char> with_edges(const fields::FieldMesh& mesh) {
-  std::vector<double> found(mesh.surfaces.size(), 0.0);
-  for (int a = 0; a < mesh.n_owned; ++a)
-    if (n_surfaces(mesh, a) > 1)
-      for (int k = mesh.node_surfaces.begin(a); k < mesh.node_surfaces.end(a); ++k)
-        found[mesh.node_surfaces.surface(k)] = 1.0;
-  std::vector<char> has_edge;
-  for (const double sum : global_sum(*mesh.comm, found)) has_edge.push_back(sum > 0.0);
-  return has_edge;
+/// Flags of the nodes that edges lead to from flagged ones, on any ranks. Collective.
+std::vector<char> reached(const fields::FieldMesh& mesh, std::vector<char> flags,
+                          const Edges& edges) {
+  for (bool changes = true; changes;) {
+    bool found = false;
+    for (bool again = true; again;) {
+      again = false;
+      for (const auto& [a, b] : edges)
+        if (flags[a] != flags[b]) flags[a] = flags[b] = again = found = true;
+    }
+    Vector owned(mesh.node_map);
+    {
+      const auto view = owned.getLocalViewHost(overwrite_all);
+      for (int a = 0; a < mesh.n_owned; ++a) view(a, 0) = flags[a];
+    }
+    const std::vector<double> all = fields::ghosted_scalars(mesh, owned);
+    for (int a = 0; a < mesh.n_nodes(); ++a) {
+      found = found || flags[a] != static_cast<char>(all[a]);
+      flags[a] = static_cast<char>(all[a]);
+    }
+    changes = !all_agree(*mesh.comm, !found);
+  }
+  return flags;
+}
+
+/// All but the nodes that are free and hang on others: the rest of the system would be singular.
+std::vector<char> given_nodes(const fields::FieldMesh& mesh, const std::vector<char>& is_free,
+                              const Edges& edges) {
+  std::vector<char> is_given;
+  for (const char free : is_free) is_given.push_back(!free);
+  const std::vector<char> hangs = reached(mesh, is_given, edges);
+  for (std::size_t a = 0; a < hangs.size(); ++a) is_given[a] = is_given[a] || !hangs[a];
+  return is_given;
 }
 
 }  // namespace
@@ -31,19 +59,22 @@ std::vector<char> with_edges(const fields::FieldMesh& mesh) {
 FollowingSurfaces::FollowingSurfaces(const Teuchos::ParameterList& solver,
                                      const fields::FieldMesh& mesh,
                                      const std::vector<int>& interface,
-                                     const std::vector<int>& at_rest)
+                                     const std::vector<int>& staying)
     : solver_(solver), mesh_(&mesh), on_surface_(mesh.n_nodes(), 0), on_line_(mesh.n_nodes(), 0) {
-  std::vector<char> follows = with_edges(mesh);
-  for (const int s : at_rest) follows[s] = 0;
+  std::vector<char> follows(mesh.surfaces.size(), 1);
+  for (const std::vector<int>* others : {&interface, &staying})
+    for (const int s : *others) follows[s] = 0;
   for (int a = 0; a < mesh.n_nodes(); ++a) {
-    const int count = n_surfaces(mesh, a);
-    const bool is_on_interface = mesh.is_on_any(a, interface);
-    if (is_on_interface && count > 1 && a < mesh.n_owned) rim_.push_back(a);
-    bool all_follow = !is_on_interface;
-    for (int k = mesh.node_surfaces.begin(a); k < mesh.node_surfaces.end(a); ++k)
-      all_follow = all_follow && follows[mesh.node_surfaces.surface(k)];
-    on_surface_[a] = all_follow && count == 1;
-    on_line_[a] = all_follow && count == 2;
+    int count = 0, following = 0;
+    for (int k = mesh.node_surfaces.begin(a); k < mesh.node_surfaces.end(a); ++k) {
+      ++count;
+      following += follows[mesh.node_surfaces.surface(k)];
+    }
+    on_surface_[a] = count == 1 && following == 1;
+    on_line_[a] = count == 2 && following == 2;
+    if (a >= mesh.n_owned || !mesh.is_on_any(a, interface)) continue;
+    interface_.push_back(a);
+    if (following > 0) rim_.push_back(a);
   }
 }
 
@@ -51,29 +82,26 @@ FollowingSurfaces::FollowingSurfaces(const Teuchos::ParameterList& solver,
 bool FollowingSurfaces::moves_rim(const MultiVector& values) const {
   constexpr double still = 1e-12;
   const auto view = values.getLocalViewHost(read_only);
-  const auto squares = [&](int a) {
+  const auto squares = [&](const std::vector<int>& nodes) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < view.extent(1); ++i) sum += view(a, i) * view(a, i);
+    for (const int a : nodes)
+      for (std::size_t i = 0; i < view.extent(1); ++i) sum += view(a, i) * view(a, i);
     return sum;
   };
-  std::vector<double> sums{0.0, 0.0};  // of the rim, of all
-  for (const int a : rim_) sums[0] += squares(a);
-  for (int a = 0; a < mesh_->n_owned; ++a) sums[1] += squares(a);
-  sums = global_sum(*mesh_->comm, sums);
+  const auto sums =
+      global_sum(*mesh_->comm, std::vector<double>{squares(rim_), squares(interface_)});
   return sums[0] > still * still * sums[1];
 }
 
-std::vector<char> FollowingSurfaces::is_given(Extent extent) const {
-  std::vector<char> given;
-  for (const char is_free : extent == Extent::lines ? on_line_ : on_surface_)
-    given.push_back(is_free ? 0 : 1);
-  return given;
-}
-
-const FollowingSurfaces::Stages& FollowingSurfaces::stages() const {
-  if (stages_.empty())
-    for (const Extent extent : {Extent::lines, Extent::surfaces})
-      stages_.push_back(std::make_unique<Stage>(solver_, *mesh_, is_given(extent), extent));
+const FollowingSurfaces::Stages& FollowingSurfaces::stages() {
+  if (!stages_.empty()) return stages_;
+  const std::vector<char> on_lines =
+      given_nodes(*mesh_, on_line_, discretisation::edges_of_lines(*mesh_));
+  const std::vector<char> on_surfaces = given_nodes(*mesh_, on_surface_, edges_of_faces(*mesh_));
+  Stages both;
+  both.push_back(std::make_unique<Stage>(solver_, *mesh_, on_lines, Extent::lines));
+  both.push_back(std::make_unique<Stage>(solver_, *mesh_, on_surfaces, Extent::surfaces));
+  stages_ = std::move(both);
   return stages_;
 }
 
@@ -88,14 +116,14 @@ Outcome FollowingSurfaces::extend(MultiVector& values, std::optional<double> tol
   return Outcome::success();
 }
 
-void FollowingSurfaces::extend_roughly(double tolerance, MultiVector& values) const {
+void FollowingSurfaces::extend_roughly(double tolerance, MultiVector& values) {
   if (!moves_rim(values)) return;
   for (const auto& stage : stages()) stage->problem.extend_roughly(tolerance, values);
 }
 
 void FollowingSurfaces::start_from(const MultiVector& values) {
-  if (!moves_rim(values)) return;
-  for (const auto& stage : stages()) stage->problem.start_from(values);
+  if (moves_rim(values)) stages();
+  for (const auto& stage : stages_) stage->problem.start_from(values);
 }
 
 }  // namespace tunica::problems

@@ -10,18 +10,19 @@ namespace tunica::problems {
 /// Surfaces of the fluid that stretch with their rims where these lie on the interface: openings
 /// whose rims widen, planes of symmetry. First the lines in which two surfaces meet are extended
 /// harmonically from their ends, then the surfaces from their edges, so that what is plane and
-/// whose rim moves in the plane stays in it. Nothing is set up before a rim moves.
+/// whose rim moves in the plane stays in it. Corners of three such surfaces stay, and so does what
+/// no edge ties to a rim. Nothing is set up before a rim moves.
 class FollowingSurfaces {
 public:
   /// solver: a resolved list of linear::scalar_solver_table(); interface: indices of its surfaces;
-  /// at_rest: of those that never move. mesh must outlive the object.
+  /// staying: of those that never move. mesh must outlive the object.
   FollowingSurfaces(const Teuchos::ParameterList& solver, const fields::FieldMesh& mesh,
-                    const std::vector<int>& interface, const std::vector<int>& at_rest);
+                    const std::vector<int>& interface, const std::vector<int>& staying);
 
   /// values: on entry those of the interface's nodes, zero elsewhere; on return those of the
   /// surfaces' nodes too. See ExtensionProblem::extend() and extend_roughly(). Collective.
   Outcome extend(MultiVector& values, std::optional<double> tolerance);
-  void extend_roughly(double tolerance, MultiVector& values) const;
+  void extend_roughly(double tolerance, MultiVector& values);
   /// Makes the next extend() begin with these values of all nodes. Collective.
   void start_from(const MultiVector& values);
 
@@ -37,14 +38,14 @@ private:
   using Stages = std::vector<std::unique_ptr<Stage>>;
 
   bool moves_rim(const MultiVector& values) const;
-  const Stages& stages() const;
-  std::vector<char> is_given(discretisation::Extent extent) const;
+  const Stages& stages();
 
   Teuchos::ParameterList solver_;
   const fields::FieldMesh* mesh_;
   std::vector<char> on_surface_, on_line_;  ///< per local node: that is where it follows
-  std::vector<int> rim_;                    ///< owned nodes of the interface on other surfaces
-  mutable Stages stages_;                   ///< none before they are needed
+  std::vector<int> interface_;              ///< its owned nodes
+  std::vector<int> rim_;                    ///< those at surfaces that follow
+  Stages stages_;                           ///< none before they are needed
 };
 
 }  // namespace tunica::problems

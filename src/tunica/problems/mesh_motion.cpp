@@ -26,10 +26,10 @@ ExtensionProblem volume_problem(const Teuchos::ParameterList& solver,
 }  // namespace
 
 MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
-                       const std::vector<int>& interface, const std::vector<int>& at_rest,
+                       const std::vector<int>& interface, const std::vector<int>& staying,
                        const stepping::TimeScheme& scheme)
     : mesh_(&mesh), is_interface_(mesh.n_owned, 0),
-      surfaces_(list.sublist("Linear Solver"), mesh, interface, at_rest),
+      surfaces_(list.sublist("Linear Solver"), mesh, interface, staying),
       motion_(mesh, motion_law(list)),
       volume_(volume_problem(list.sublist("Linear Solver"), motion_)), scheme_(&scheme),
       history_(scheme.remembers(), mesh.n_nodes()), d_(mesh.n_nodes()) {
@@ -58,7 +58,7 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
   return Outcome::success();
 }
 
-void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vector& d) const {
+void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vector& d) {
   const TrafficScope scope(Work::mesh_motion);
   MultiVector total(mesh_->node_map, 3);
   {
@@ -102,9 +102,10 @@ params::Table mesh_motion_table() {
   table.variant("law", "harmonic",
                 {{"harmonic", params::Table("each component by itself")}, {"elastic", elastic}},
                 "what the mesh is in between");
-  table.number("stiffening", 0.0, params::between(0.0, 4.0), "1",
-               "an element of a part of the mean volume is as many times stiffer, to this power: "
-               "small elements keep their shape where the wall moves far; 0: none, 1: usual");
+  table.number(
+      "stiffening", 0.0, params::between(0.0, 4.0), "1",
+      "elements have the modulus (mean volume / their volume) to this power, so that small "
+      "ones keep their shape where the wall moves far; 0: all the same, 1: usual");
   table.sublist("Linear Solver", linear::scalar_solver_table());
   return table;
 }

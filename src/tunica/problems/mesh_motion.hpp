@@ -12,11 +12,11 @@ namespace tunica::problems {
 /// surfaces that follow it and then into the volume.
 class MeshMotion : public fields::Restartable {
 public:
-  /// list: the resolved "Mesh Motion" list; interface: indices of its surfaces; at_rest: of those
+  /// list: the resolved "Mesh Motion" list; interface: indices of its surfaces; staying: of those
   /// that do not follow it; scheme: that of the fluid, which begins its steps. mesh and scheme must
   /// outlive the object.
   MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
-             const std::vector<int>& interface, const std::vector<int>& at_rest,
+             const std::vector<int>& interface, const std::vector<int>& staying,
              const stepping::TimeScheme& scheme);
 
   /// Sets displacement() from that of the owned interface nodes (other entries are ignored).
@@ -27,7 +27,7 @@ public:
 
   /// What an increment of the interface's displacement moves the owned nodes by, solved for to a
   /// relative residual; other entries of the given one are ignored. Collective.
-  void extend_increment(double tolerance, const Vector& interface, Vector& d) const;
+  void extend_increment(double tolerance, const Vector& interface, Vector& d);
 
   const std::vector<Vec3>& displacement() const { return d_; }  ///< local nodes
   /// Of the last step.

@@ -124,6 +124,27 @@ TEUCHOS_UNIT_TEST(surface_terms, where_surfaces_meet_the_stronger_condition_hold
   }
 }
 
+Condition held(const std::string& components) {
+  Teuchos::ParameterList list;
+  list.set("condition", "held");
+  list.set("components", Teuchos::Array<std::string>(Teuchos::tuple(components)));
+  boundary::condition_table("", boundary::fluid_conditions()).resolve(list, "inlet", "");
+  return {"inlet", list};
+}
+
+TEUCHOS_UNIT_TEST(surface_terms, what_has_velocities_at_places_does_not_stretch_with_its_rim) {
+  const SmallTube tube;
+  const auto keeps_place = [&](const std::vector<Condition>& conditions) {
+    return SurfaceTerms(conditions, with_springs(), tube.fluid).keeps_place(tube.surface("inlet"));
+  };
+  TEST_ASSERT(keeps_place({condition("inlet", "no slip")}));
+  TEST_ASSERT(keeps_place({condition("inlet", "velocity")}));
+  TEST_ASSERT(keeps_place({held("x"), held("y"), held("z")}));
+  TEST_ASSERT(!keeps_place({held("x"), held("y")}));
+  TEST_ASSERT(!keeps_place({condition("inlet", "springs")}));
+  TEST_ASSERT(!keeps_place({}));
+}
+
 TEUCHOS_UNIT_TEST(surface_terms, a_term_of_ones_own_adds_to_residual_and_jacobian) {
   const SmallTube tube;
   const SurfaceTerms terms({condition("outlet", "springs")}, with_springs(), tube.fluid);
