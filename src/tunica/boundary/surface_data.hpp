@@ -37,8 +37,8 @@ private:
 /// The surface's velocity, from a file.
 class VelocityData final : public BoundaryTerm {
 public:
-  bool keeps_place() const override { return true; }
   explicit VelocityData(SurfaceData data) : data_(std::move(data)) {}
+  bool keeps_place() const override { return true; }
   std::vector<int> prescribed_components() const override { return {0, 1, 2}; }
   int precedence() const override { return 1; }
   void prepare(const Surroundings& s) override { data_.set_time(s.time); }

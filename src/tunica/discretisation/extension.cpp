@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 #include <unordered_map>
 
 #include "tunica/algebra/components.hpp"
@@ -16,23 +15,6 @@
 namespace tunica::discretisation {
 
 namespace {
-
-/// γ of an element of this volume, area or length.
-class Stiffness {
-public:
-  /// mine: of the elements that the rank counts. Collective.
-  Stiffness(const Comm& comm, const std::vector<double>& mine, double exponent)
-      : exponent_(exponent) {
-    const double count = global_sum(comm, static_cast<double>(mine.size()));
-    mean_ = global_sum(comm, std::accumulate(mine.begin(), mine.end(), 0.0)) / count;
-  }
-  double operator()(double size) const {
-    return exponent_ == 0.0 ? 1.0 : std::pow(mean_ / size, exponent_);
-  }
-
-private:
-  double exponent_, mean_;
-};
 
 /// Volumes, areas or lengths of what the rank counts.
 std::vector<double> sizes_of_owned(const fields::FieldMesh& mesh, Extent extent) {
@@ -54,14 +36,22 @@ std::vector<double> sizes_of_owned(const fields::FieldMesh& mesh, Extent extent)
   return sizes;
 }
 
-class LineEdges {
+/// γ of an element of this volume, area or length.
+class Stiffness {
 public:
-  using Pairs = std::vector<std::array<int, 2>>;
-  explicit LineEdges(const Pairs& pairs) : pairs_(pairs.begin(), pairs.end()) {}
-  bool contain(int a, int b) const { return pairs_.count({std::min(a, b), std::max(a, b)}) > 0; }
+  /// Collective.
+  Stiffness(const fields::FieldMesh& mesh, Extent extent, double exponent) : exponent_(exponent) {
+    if (exponent == 0.0) return;
+    const std::vector<double> mine = sizes_of_owned(mesh, extent);
+    const double count = global_sum(*mesh.comm, static_cast<double>(mine.size()));
+    mean_ = global_sum(*mesh.comm, std::accumulate(mine.begin(), mine.end(), 0.0)) / count;
+  }
+  double operator()(double size) const {
+    return exponent_ == 0.0 ? 1.0 : std::pow(mean_ / size, exponent_);
+  }
 
 private:
-  std::set<std::array<int, 2>> pairs_;
+  double exponent_, mean_ = 1.0;
 };
 
 /// ∫ γ ∇N_a·∇N_b on what a tetrahedron has of the extent: on all of it, or on its sides that are
@@ -70,14 +60,13 @@ class ElementMatrices {
 public:
   /// Collective.
   ElementMatrices(const fields::FieldMesh& mesh, Extent extent, double stiffening)
-      : mesh_(&mesh), extent_(extent),
-        stiffness_(*mesh.comm, sizes_of_owned(mesh, extent), stiffening) {
+      : mesh_(&mesh), extent_(extent), stiffness_(mesh, extent, stiffening) {
     if (extent == Extent::volume) return;
-    const LineEdges edges(extent == Extent::lines ? edges_of_lines(mesh) : LineEdges::Pairs{});
+    const Edges lines = extent == Extent::lines ? edges_of_lines(mesh) : Edges{};
     for (const fields::Face& face : mesh.faces) {
       if (extent == Extent::surfaces) add_triangle(face);
       for (int k = 0; k < 3; ++k)  // with both faces of each: the same factor for all
-        if (edges.contain(face.nodes[k], face.nodes[(k + 1) % 3])) add_edge(face, k, (k + 1) % 3);
+        if (lines.count(edge_of(face, k)) > 0) add_edge(face, k, (k + 1) % 3);
     }
   }
 
@@ -131,16 +120,20 @@ private:
 
 }  // namespace
 
-std::vector<std::array<int, 2>> edges_of_lines(const fields::FieldMesh& mesh) {
-  std::map<std::array<int, 2>, int> surface_of;  // of the first face at an edge
-  std::set<std::array<int, 2>> found;
+Edge edge_of(const fields::Face& face, int k) {
+  const int a = face.nodes[k], b = face.nodes[(k + 1) % 3];
+  return {std::min(a, b), std::max(a, b)};
+}
+
+Edges edges_of_lines(const fields::FieldMesh& mesh) {
+  std::map<Edge, int> surface_of;  // of the first face at an edge
+  Edges found;
   for (const fields::Face& face : mesh.faces)
     for (int k = 0; k < 3; ++k) {
-      const int a = face.nodes[k], b = face.nodes[(k + 1) % 3];
-      const std::array<int, 2> edge{std::min(a, b), std::max(a, b)};
+      const Edge edge = edge_of(face, k);
       if (surface_of.emplace(edge, face.surface).first->second != face.surface) found.insert(edge);
     }
-  return {found.begin(), found.end()};
+  return found;
 }
 
 void Extension::drop_given(MultiVector& F) const {
@@ -168,7 +161,7 @@ ElasticExtension::ElasticExtension(const fields::FieldMesh& mesh, std::vector<ch
                                    double poisson, double stiffening)
     : Extension(mesh, is_given), harmonic_(mesh, std::move(is_given), Extent::volume, stiffening),
       matrix_(fields::make_matrix(fields::make_node_graph(mesh), mesh, 3, 3)) {
-  const Stiffness stiffness(*mesh.comm, sizes_of_owned(mesh, Extent::volume), stiffening);
+  const Stiffness stiffness(mesh, Extent::volume, stiffening);
   matrix_->resumeFill();
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     const auto& nodes = mesh.tets[e];

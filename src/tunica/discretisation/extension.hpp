@@ -1,4 +1,6 @@
 #pragma once
+#include <set>
+
 #include "tunica/fields/block_operator.hpp"
 
 namespace tunica::discretisation {
@@ -7,9 +9,13 @@ namespace tunica::discretisation {
 /// along the lines in which two of these meet.
 enum class Extent { volume, surfaces, lines };
 
-/// The edges of the boundary in which two surfaces meet, as local nodes: all that have an owned
-/// one, and each once.
-std::vector<std::array<int, 2>> edges_of_lines(const fields::FieldMesh& mesh);
+/// Local nodes, the lower one first.
+using Edge = std::array<int, 2>;
+using Edges = std::set<Edge>;
+/// From corner k of a face to the next.
+Edge edge_of(const fields::Face& face, int k);
+/// The edges of the boundary in which two surfaces meet: all that have an owned node.
+Edges edges_of_lines(const fields::FieldMesh& mesh);
 
 /// Functions on the undeformed mesh of a field that are given at some nodes and solve a linear
 /// equation at the others, with no flux through the rest of the boundary. γ = (V̄/V)^χ of an element

@@ -6,16 +6,15 @@
 
 namespace tunica::problems {
 
+using discretisation::Edges;
 using discretisation::Extent;
 
 namespace {
 
-using Edges = std::vector<std::array<int, 2>>;
-
 Edges edges_of_faces(const fields::FieldMesh& mesh) {
   Edges edges;
   for (const fields::Face& face : mesh.faces)
-    for (int k = 0; k < 3; ++k) edges.push_back({face.nodes[k], face.nodes[(k + 1) % 3]});
+    for (int k = 0; k < 3; ++k) edges.insert(discretisation::edge_of(face, k));
   return edges;
 }
 
