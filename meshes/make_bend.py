@@ -10,6 +10,8 @@ import sys
 
 import gmsh
 
+import lumens
+
 RADIUS, BEND, STRAIGHT = 1.5, 5.0, 3.0  # mm
 
 
@@ -25,20 +27,9 @@ def sweep(angle):
 
 
 def main(path, size, degrees):
-    gmsh.initialize()
-    gmsh.option.setNumber("General.Terminal", 0)
+    lumens.begin()
     volumes, inlet, outlet = sweep(math.radians(degrees))
-    gmsh.model.setPhysicalName(3, gmsh.model.addPhysicalGroup(3, volumes), "fluid")
-    sides = gmsh.model.getBoundary([(3, v) for v in volumes], oriented=False)
-    wall = sorted({tag for _, tag in sides} - {inlet, outlet})
-    for name, tags in (("inlet", [inlet]), ("outlet", [outlet]), ("lumen_wall", wall)):
-        gmsh.model.setPhysicalName(2, gmsh.model.addPhysicalGroup(2, tags), name)
-    gmsh.option.setNumber("Mesh.MeshSizeMax", size)
-    gmsh.option.setNumber("Mesh.MeshSizeMin", 0.5 * size)
-    gmsh.option.setNumber("Mesh.MshFileVersion", 2.2)
-    gmsh.model.mesh.generate(3)
-    gmsh.write(path)
-    gmsh.finalize()
+    lumens.write(path, size, volumes, lambda surface: {inlet: "inlet", outlet: "outlet"}.get(surface, "lumen_wall"))
 
 
 if __name__ == "__main__":

@@ -10,6 +10,8 @@ import sys
 
 import gmsh
 
+import lumens
+
 TRUNK, BRANCH, ANGLE = 1.5, 1.1, math.radians(35.0)  # mm, mm
 FORK, TRUNK_END, BRANCH_LENGTH = 7.0, 8.0, 7.0       # mm along z, z and the branches
 
@@ -35,22 +37,8 @@ def name_of(surface):
 
 
 def main(path, size):
-    gmsh.initialize()
-    gmsh.option.setNumber("General.Terminal", 0)
-    volumes = lumen()
-    gmsh.model.occ.synchronize()
-    gmsh.model.setPhysicalName(3, gmsh.model.addPhysicalGroup(3, [tag for _, tag in volumes]), "fluid")
-    surfaces = {}
-    for _, surface in gmsh.model.getBoundary(volumes, oriented=False):
-        surfaces.setdefault(name_of(surface), []).append(surface)
-    for name in sorted(surfaces):
-        gmsh.model.setPhysicalName(2, gmsh.model.addPhysicalGroup(2, surfaces[name]), name)
-    gmsh.option.setNumber("Mesh.MeshSizeMax", size)
-    gmsh.option.setNumber("Mesh.MeshSizeMin", 0.5 * size)
-    gmsh.option.setNumber("Mesh.MshFileVersion", 2.2)
-    gmsh.model.mesh.generate(3)
-    gmsh.write(path)
-    gmsh.finalize()
+    lumens.begin()
+    lumens.write(path, size, [tag for _, tag in lumen()], name_of)
 
 
 if __name__ == "__main__":
