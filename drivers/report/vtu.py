@@ -4,7 +4,7 @@ import os
 
 import numpy as np
 
-from report.run_data import BadRun
+from report.run_data import BadRun, region_names
 
 TETRAHEDRON = 10  # VTK's number
 SYMMETRIC = ("XX", "YY", "ZZ", "XY", "YZ", "XZ")  # VTK's order of six components
@@ -31,7 +31,7 @@ def _add(data, name, values):
 
 
 def _grid(file, name):
-    """The undeformed grid with region and partition."""
+    """The undeformed grid with region, partition, and names of the regions."""
     core, model, _, numpy_support = _vtk()
     points, tets = file[f"{name}/points"][:], file[f"{name}/tets"][:].astype(np.int64)
     grid = model.vtkUnstructuredGrid()
@@ -46,6 +46,11 @@ def _grid(file, name):
     for constant in ("region", "partition"):
         if f"{name}/{constant}" in file:
             _add(grid.GetCellData(), constant, file[f"{name}/{constant}"][:])
+    names = core.vtkStringArray()
+    names.SetName("region_names")
+    for region in region_names(file, name):
+        names.InsertNextValue(region)
+    grid.GetFieldData().AddArray(names)
     return grid
 
 

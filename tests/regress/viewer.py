@@ -93,6 +93,9 @@ def check_vtu(verdict, programs, results, file):
                 if expected.ndim == 2 and expected.shape[1] == 6:  # xx, xy, xz, yy, yz, zz and VTK's xx, yy, zz, xy, yz, xz
                     expected = expected[:, [0, 3, 5, 1, 4, 2]]
                 same = same and np.array_equal(values, expected)
+            names = grid.GetFieldData().GetAbstractArray("region_names")
+            names = [names.GetValue(k) for k in range(names.GetNumberOfValues())]
+            same = same and names == ["fluid", "media", "adventitia"]
             count = grid.GetCellType(0) == 10 and grid.GetNumberOfCells() == len(file[f"{name}/tets"])
             verdict.claim(same and count, f"{entry.get('file')} has what fields.h5 has, {len(file[f'{step}/{name}'])} arrays")
     refused = Run(command(programs / "tunica-report", [results.parent, "--vtu"]), results)

@@ -37,7 +37,11 @@ def compare(verdict, file, regions):
     angle = np.radians(np.array([ANGLES.get(regions[r], math.nan) for r in wall["region"][:]]))[:, None]
     for name, side in (("fibre_1", 1.0), ("fibre_2", -1.0)):
         fibre = np.cos(angle) * step["circumferential"][:] + side * np.sin(angle) * step["axial"][:]
-        agree(verdict, step[name][:], np.einsum("eij,ej->ei", F, fibre), name)
+        deformed = np.einsum("eij,ej->ei", F, fibre)
+        agree(verdict, step[name][:], deformed, name)
+        unit = deformed / np.linalg.norm(deformed, axis=1, keepdims=True)
+        stress = name.replace("fibre", "fibre_stress")
+        agree(verdict, step[stress][:], np.einsum("ei,eij,ej->e", unit, sigma, unit), stress)
     stretch = np.linalg.norm(step["fibre_1"][:], axis=1)
     verdict.claim(stretch.max() > 1.0001, f"fibres are stretched by up to {stretch.max():.5f}")
 

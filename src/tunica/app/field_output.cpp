@@ -31,6 +31,7 @@ output::Array dof_array(const std::string& name, int components, const Vector& v
 output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name) {
   output::Grid grid;
   grid.name = name;
+  grid.regions = mesh.regions;
   grid.points_global = static_cast<long long>(mesh.node_map->getGlobalNumElements());
   // Points are numbered rank by rank; where the mesh is split its nodes are not.
   const Map points(grid.points_global, mesh.n_owned, 0, mesh.comm);
@@ -110,11 +111,20 @@ void circumferential(const Strained& element, Numbers& array) {
   append(element.frame.circumferential, array);
 }
 void axial(const Strained& element, Numbers& array) { append(element.frame.axial, array); }
-/// Zero where a layer has none.
+/// As long as it is stretched; zero where a layer has none.
+Vec3 deformed_fibre(const Strained& element, std::size_t f) {
+  const std::vector<Vec3> fibres = element.law->fibre_directions(element.frame);
+  return f < fibres.size() ? element.F * fibres[f] : Vec3{};
+}
 template <std::size_t f>
 void fibre(const Strained& element, Numbers& array) {
-  const std::vector<Vec3> fibres = element.law->fibre_directions(element.frame);
-  append(f < fibres.size() ? element.F * fibres[f] : Vec3{}, array);
+  append(deformed_fibre(element, f), array);
+}
+template <std::size_t f>
+void fibre_stress(const Strained& element, Numbers& array) {
+  const Vec3 along = deformed_fibre(element, f);
+  const double squared = dot(along, along);
+  array.push_back(squared > 0.0 ? dot(along, kernels::apply(element.sigma, along)) / squared : 0.0);
 }
 
 /// An array with values per element of the wall.
@@ -137,6 +147,8 @@ const std::vector<WallArray>& registered_wall_arrays() {
       {"axial", "fibres", 3, axial, true},
       {"fibre_1", "fibres", 3, fibre<0>, true},
       {"fibre_2", "fibres", 3, fibre<1>, true},
+      {"fibre_stress_1", "fibres", 1, fibre_stress<0>, true},
+      {"fibre_stress_2", "fibres", 1, fibre_stress<1>, true},
   };
   return all;
 }
@@ -156,8 +168,8 @@ void add_wall_array_keys(params::Table& table) {
       .names(wall_arrays_key, kinds_of_wall_arrays(),
              "what fields.h5 has of the wall's elements: stress (cauchy_stress, von_mises), "
              "principal (principal_stress, principal_stretch, the largest first), fibres (fibre_1, "
-             "fibre_2 in the deformed wall, as long as they are stretched; circumferential and "
-             "axial in the unloaded one)")
+             "fibre_2 in the deformed wall, as long as they are stretched; fibre_stress_1, "
+             "fibre_stress_2 along them; circumferential and axial in the unloaded one)")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         const std::vector<std::string> kinds = kinds_of_wall_arrays();
         for (const auto& kind : list.get<Teuchos::Array<std::string>>(wall_arrays_key))

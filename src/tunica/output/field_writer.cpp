@@ -1,6 +1,5 @@
 #include "tunica/output/field_writer.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/portion.hpp"
+#include "tunica/base/reduce.hpp"
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/io/hdf5_arrays.hpp"
 #include "tunica/io/parallel_hdf5.hpp"
@@ -19,19 +19,6 @@
 namespace tunica::output {
 
 namespace {
-
-long long sum(const Comm& comm, long long mine) {
-  long long total = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &mine, &total);
-  return total;
-}
-
-/// Sum over the ranks below this one.
-long long sum_before(const Comm& comm, long long mine) {
-  long long up_to_here = 0;
-  Teuchos::scan(comm, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
-  return up_to_here - mine;
-}
 
 /// What is wrong with this rank's part of a grid, empty if nothing.
 std::string misfit(const Grid& grid, long long points_total) {
@@ -93,7 +80,7 @@ FieldWriter::FieldWriter(const std::string& folder, const std::vector<Grid>& gri
   std::string problem;
   for (const Grid& grid : grids) {
     shapes_.push_back(shape_of(grid));
-    if (problem.empty()) problem = misfit(grid, sum(*comm_, shapes_.back().points));
+    if (problem.empty()) problem = misfit(grid, global_sum(*comm_, shapes_.back().points));
   }
   throw_if_any<std::logic_error>(*comm_, problem);
 
@@ -172,13 +159,14 @@ FieldWriter::Shape FieldWriter::shape_of(const Grid& grid) const {
           grid.points_global,
           grid.first_point,
           static_cast<long long>(grid.points.size()),
-          sum(*comm_, cells),
+          global_sum(*comm_, cells),
           sum_before(*comm_, cells),
           cells,
           static_cast<long long>(grid.points.size()),
           cells,
           nullptr,
-          nullptr};
+          nullptr,
+          grid.regions};
 }
 
 void FieldWriter::write_geometry(const std::vector<Grid>& grids) const {
@@ -187,7 +175,7 @@ void FieldWriter::write_geometry(const std::vector<Grid>& grids) const {
 
   long long numbers = 0;
   for (const Shape& s : shapes_) numbers += 4 * s.points_total + 7 * s.cells_total;
-  io::Hdf5File file(path, io::Hdf5File::Mode::extend, bytes_of(numbers, 6 * shapes_.size()), comm_);
+  io::Hdf5File file(path, io::Hdf5File::Mode::extend, bytes_of(numbers, 7 * shapes_.size()), comm_);
   for (std::size_t g = 0; g < grids.size(); ++g) {
     const Shape& s = shapes_[g];
     const std::string group = "/" + s.name;
@@ -200,6 +188,7 @@ void FieldWriter::write_geometry(const std::vector<Grid>& grids) const {
                grids[g].vertex.data());
     file.write(group + "/tet_numbers", per_cell, grids[g].tet_number.data());
     file.write(group + "/region", per_cell, grids[g].region.data());
+    if (!grids[g].regions.empty()) file.write(group + "/region_names", grids[g].regions);
     file.write(group + "/partition", per_cell, grids[g].partition.data());
   }
   file.close();
@@ -297,7 +286,8 @@ std::vector<xdmf::Grid> FieldWriter::describe_blocks(const std::string& group) c
   std::vector<xdmf::Grid> grids;
   for (const Block& block : blocks_) {
     const std::string& name = block.shape.name;
-    xdmf::Grid grid{name, block.shape.points_total, block.shape.cells_total, {}};
+    xdmf::Grid grid{
+        name, block.shape.points_total, block.shape.cells_total, {}, block.shape.regions};
     for (const char* tag : {"region", "partition"}) {
       grid.attributes.push_back({tag, Centre::cell, 1, true, "/" + name + "/" + tag});
     }

@@ -21,8 +21,9 @@ struct Grid {
   std::vector<int> vertex;                     ///< per owned point: vertex of the mesh
   std::vector<std::array<long long, 4>> tets;  ///< written by this rank; global point ids
   std::vector<int> tet_number;                 ///< per tet of this rank: that of the mesh
-  std::vector<int> region;                     ///< per tet of this rank
+  std::vector<int> region;                     ///< per tet of this rank: index into regions
   std::vector<int> partition;                  ///< per tet of this rank
+  std::vector<std::string> regions{};          ///< names, of the whole mesh
 };
 
 /// Values at the owned points or at the tets of this rank, all components of one after those
@@ -38,6 +39,7 @@ struct Array {
 ///
 /// In fields.h5 lie the geometry once per grid (/fluid/points, tets, region, partition) and per
 /// step /step_000016/fluid/velocity; the step's group carries the attributes "step" and "time".
+/// /fluid/region_names has their names in the order of the numbers.
 /// Symmetric tensors are stored as xx, xy, xz, yy, yz, zz, the order of XDMF's Tensor6.
 /// A point array "displacement" moves the points in viewers (Warp By Vector).
 ///
@@ -78,6 +80,7 @@ private:
     long long cells_total, first_cell, cells;
     long long given_points, given_cells;  ///< rows that the run has on this rank
     std::shared_ptr<const RowOrder> point_order, cell_order;  ///< from the given; null: the same
+    std::vector<std::string> regions;
   };
   struct Block {
     Shape shape;

@@ -27,6 +27,29 @@ const char* const step_begin = "    <Grid GridType=\"Collection\" CollectionType
 const char* const step_end = "    </Grid>\n";
 const char* const tag_type = "NumberType=\"Int\" Precision=\"4\"";
 
+std::string escaped(const std::string& text) {
+  std::string found;
+  for (const char c : text) {
+    if (c == '&')
+      found += "&amp;";
+    else if (c == '<')
+      found += "&lt;";
+    else if (c == '"')
+      found += "&quot;";
+    else
+      found += c;
+  }
+  return found;
+}
+
+/// "0 fluid, 1 media"
+std::string legend(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    text += (k > 0 ? ", " : "") + std::to_string(k) + " " + escaped(names[k]);
+  return text;
+}
+
 std::string grid_text(const Grid& grid, const std::string& file) {
   const std::string place = file + ":/" + grid.name;
   std::ostringstream out;
@@ -35,6 +58,8 @@ std::string grid_text(const Grid& grid, const std::string& file) {
       << item(grid.cells, 4, index_type, place + "/tets") << "</Topology>\n"
       << "        <Geometry GeometryType=\"XYZ\">"
       << item(grid.points, 3, real_type, place + "/points") << "</Geometry>\n";
+  if (!grid.regions.empty())
+    out << "        <Information Name=\"region\" Value=\"" << legend(grid.regions) << "\"/>\n";
   for (const Attribute& a : grid.attributes) {
     const bool at_nodes = a.centre == Centre::node;
     out << "        <Attribute Name=\"" << a.name << "\" AttributeType=\"" << type_of(a.components)

@@ -30,6 +30,7 @@ struct Grid {
   long long points;
   long long cells;
   std::vector<Attribute> attributes;
+  std::vector<std::string> regions{};  ///< what the numbers of the attribute "region" mean
 };
 
 /// One spatial collection.

@@ -3,6 +3,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <regex>
 
+#include "tunica/io/hdf5_arrays.hpp"
 #include "tunica/output/field_writer.hpp"
 #include "tunica/output/run_folder.hpp"
 #include "unit/io/full_disk.hpp"
@@ -32,6 +33,7 @@ Grid chain(const std::string& name, long long total, int idle) {
   };
   Grid grid;
   grid.name = name;
+  grid.regions = {"blood", "media"};
   grid.points_global = total;
   grid.first_point = start(rank);
   const long long end = size > 1 && rank == idle ? start(rank) : start(rank + 1);
@@ -132,6 +134,8 @@ TEUCHOS_UNIT_TEST(field_writer, geometry_comes_back_from_any_number_of_ranks) {
   TEST_EQUALITY(tets.size(), 4u * 20u);
   TEST_EQUALITY(read(run.folder, "/fluid/partition").size(), 20u);
   TEST_EQUALITY(read(run.folder, "/wall/tets").size(), 4u * 8u);
+  const io::Hdf5Reader file(run.folder + "/fields.h5");
+  TEST_EQUALITY(file.strings("/wall/region_names").at(1), "media");
   for (std::size_t p = 0; p < 23; ++p) {
     for (std::size_t i = 0; i < 3; ++i) {
       TEST_EQUALITY(points[3 * p + i], position(static_cast<long long>(p))[i]);
