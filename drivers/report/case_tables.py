@@ -8,6 +8,7 @@ import numpy as np
 
 # Foreign lists of solvers, and what only says where things are.
 NOT_SHOWN = {"Linear Solver", "Output", "Probes", "Solvers"}
+FLOW = re.compile(r"inflow_(.+)_mm3_per_ms$")
 PERIODIC = re.compile(r"(inflow_.+|mean_pressure_.+)")
 
 
@@ -77,9 +78,39 @@ def period(case):
     return max((p for p in found if p > 0), default=None)
 
 
+def integral(values, times):
+    """By the trapezoidal rule."""
+    return np.sum(np.diff(times) * (values[1:] + values[:-1]) / 2)
+
+
+def openings(steps, length):
+    """Over the last cycle, or the whole run where length is None or longer: when it begins, and rows of name, mean flow
+    into the fluid [mm^3/ms], its share of all that leaves (NaN where it enters), mean, least and greatest pressure
+    [kPa]. None where no flow is known."""
+    times = np.array(steps.get("time", []), dtype=float)
+    flows = {m.group(1): np.array(steps[c], dtype=float) for c in steps
+             if (m := FLOW.match(c)) and all(isinstance(v, float) for v in steps[c])}
+    if len(times) < 2 or not flows:
+        return None
+    kept = times >= times[-1] - (length or np.inf) * (1 + 1e-9)
+    if kept.sum() < 2:
+        return None
+    mean = lambda values: integral(values[kept], times[kept]) / np.ptp(times[kept])  # noqa: E731
+    means = {name: mean(values) for name, values in flows.items()}
+    leaves = -sum(flow for flow in means.values() if flow < 0)
+    rows = []
+    for name, flow in means.items():
+        row = [name.replace("_", " "), flow, -flow / leaves if flow < 0 else float("nan")]
+        pressure = steps.get(f"mean_pressure_{name}_kPa")
+        if pressure is not None and all(isinstance(v, float) for v in pressure):
+            pressure = np.array(pressure)
+            row += [mean(pressure), pressure[kept].min(), pressure[kept].max()]
+        rows.append(row)
+    return times[kept][0], rows
+
+
 def l2_norm(values, times):
-    squares = np.square(values)
-    return np.sqrt(np.sum(np.diff(times) * (squares[1:] + squares[:-1]) / 2))
+    return np.sqrt(integral(np.square(values), times))
 
 
 def changes_per_cycle(steps, length):

@@ -6,15 +6,17 @@ from matplotlib import pyplot as plt
 
 from report import centreline
 from report.canvas import COLOUR, Figure, readable
+from report.case_tables import FLOW
 from report.surfaces import numbers_by_place
 
 BOOKKEEPING = ("step", "time", "converged", "coupling_iterations", "interface_residual", "step_size", "rejected",
                "error_estimate", "seconds")
-FLOW = re.compile(r"inflow_(.+)_mm3_per_ms$")
 PRESSURE = re.compile(r"mean_pressure_(.+)_kPa$")
 PROBES = {"wall displacement": re.compile(r"wall_displacement_(.+)_mm$"),
           "radial displacement": re.compile(r"radial_displacement_(.+)_mm$"),
-          "fluid pressure": re.compile(r"fluid_pressure_(?!min_kPa|max_kPa)(.+)_kPa$")}
+          "fluid pressure": re.compile(r"fluid_pressure_(?!min_kPa|max_kPa)(.+)_kPa$"),
+          "fluid velocity": re.compile(r"fluid_velocity_(.+)_mm_per_ms$")}
+UNITS = {"fluid pressure": "kPa", "fluid velocity": "mm/ms"}  # mm of the others
 
 
 # --- radial displacement --------------------------------------------------------------------
@@ -36,7 +38,7 @@ def line_of(run, surfaces):
     """The centreline; straight where there is no lumen with two ends."""
     if len(surfaces.ends) > 1:
         return centreline.of_lumen(*run.mesh("fluid"), surfaces.ends)
-    return centreline.straight(run.mesh("wall")[0])
+    return centreline.straight(run.mesh(run.grids()[-1])[0])
 
 
 def _profile(way, values):
@@ -49,12 +51,11 @@ def _profile(way, values):
     return take(np.mean, way), take(np.mean, values), take(np.min, values), take(np.max, values)
 
 
-def bulge(run, outputs, surfaces):
+def bulge(run, outputs, line):
     """Radial displacement along the centreline, a panel for each way through the vessel."""
     if "wall" not in run.grids():
         return None
     nodes = interface_points(run)
-    line = line_of(run, surfaces)
     segment, way, away = line.locate(run.mesh("wall")[0][nodes])
     paths = [p for p in line.paths() if np.isin(segment, p).sum() > 2][:4]
     canvas, panels = plt.subplots(len(paths), 1, sharex=True, sharey=True, squeeze=False, layout="constrained",
@@ -94,7 +95,7 @@ def curves(run):
     """Flow and pressure of each surface, and probes."""
     panels = [("Flow into the fluid", "flow [mm³/ms]", _matching(run, FLOW)),
               ("Mean pressure", "pressure [kPa]", _matching(run, PRESSURE))]
-    panels += [(f"Probes: {name}", f"{name} [{'kPa' if 'pressure' in name else 'mm'}]", _matching(run, pattern))
+    panels += [(f"Probes: {name}", f"{name} [{UNITS.get(name, 'mm')}]", _matching(run, pattern))
                for name, pattern in PROBES.items()]
     panels = [p for p in panels if p[2]]
     if not panels:
@@ -102,8 +103,9 @@ def curves(run):
     canvas, rows = plt.subplots(len(panels), 1, sharex=True, squeeze=False, layout="constrained",
                                 figsize=(9.5, 2.7 * len(panels) + 0.5))
     for axes, (title, label, columns) in zip(rows[:, 0], panels):
-        for i, (name, values) in enumerate(columns[:10]):
-            axes.plot(_times(run), values, color=plt.get_cmap("tab10")(i), label=name)
+        for i, (name, values) in enumerate(columns):
+            axes.plot(_times(run), values, color=plt.get_cmap("tab10")(i % 10), linestyle=("-", "--", ":")[i // 10 % 3],
+                      label=name)
         axes.set(title=title, ylabel=label)
         axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     rows[-1, 0].set_xlabel(_time_label(run))

@@ -5,7 +5,7 @@ import os
 import numpy as np
 
 from report.canvas import readable
-from report.case_tables import changes_per_cycle, parameters, period, read_case
+from report.case_tables import changes_per_cycle, openings, parameters, period, read_case
 from report.run_data import rows_where
 
 _STYLE = """
@@ -113,6 +113,21 @@ def _case(case):
     return f"<h2>The case</h2>\n<details open><summary>parameters</summary>\n{tables}</details>\n" if tables else ""
 
 
+def _flow_split(run, case):
+    """What flows through each surface, and under which pressure."""
+    found = openings(run.steps, period(case))
+    if found is None:
+        return ""
+    begin, rows = found
+    rows = [[name, float(flow), f"{100 * share:.1f} %" if share == share else "", *map(float, pressures)]
+            for name, flow, share, *pressures in rows]
+    heading = ["surface", "mean flow in [mm³/ms]", "of what leaves", "mean pressure [kPa]", "least", "greatest"]
+    width = max(len(row) for row in rows)
+    return ("<h2>Flow split</h2>\n<p class=\"note\">From "
+            f"{begin:g} to {run.steps['time'][-1]:g} ms, through the surfaces of steps.csv.</p>\n"
+            + _table(heading[:width], [row + [""] * (width - len(row)) for row in rows]))
+
+
 def _periodicity(run, case):
     """Whether the run has become periodic, where a load has a period."""
     length = period(case)
@@ -160,7 +175,7 @@ def write(run, folder, figures, step, viewer=None):
     case = read_case(run.folder)
     title = f"{run.record.get('program', 'tunica')}: {os.path.basename(os.path.abspath(run.folder))}"
     link = f"<p><a href=\"{viewer}\">The vessel to be turned, over time</a></p>\n" if viewer else ""
-    _save(folder, title, f"{_summary(run)}{link}{_images(figures)}{_periodicity(run, case)}{_effort(run)}"
+    _save(folder, title, f"{_summary(run)}{link}{_images(figures)}{_flow_split(run, case)}{_periodicity(run, case)}{_effort(run)}"
                          f"{_exponents(run, step)}{_solvers(run)}{_case(case)}<h2>The run</h2>\n{_sections(run.record)}")
 
 

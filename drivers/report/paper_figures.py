@@ -3,7 +3,7 @@ import os
 
 from matplotlib import pyplot as plt
 
-from report import section_figures, solver_figures
+from report import centreline, section_figures, solver_figures
 from report.canvas import Figure, positive, save
 from report.paper_runs import ACCELERATORS, MATERIALS, MESHES
 from report.run_data import rows_where
@@ -82,8 +82,9 @@ def state(runs, material):
             shown = [output for output in run.outputs if abs(output[0] - 8.0) < 1e-9] if run else []
             if not shown:
                 continue
-            factor = section_figures.default_magnification(run, shown)
-            canvas, figure = section_figures.section(run, shown, "velocity", factor)
+            plane = section_figures.plane_of(run, centreline.straight(run.mesh("wall")[0]))
+            factor = section_figures.default_magnification(run, shown, plane)
+            canvas, figure = section_figures.section(run, shown, "velocity", factor, plane)
             return canvas, Figure(f"state-{material}.png", f"{MATERIALS[material]} at 8 ms, {mesh} mesh", figure.text)
     return None
 

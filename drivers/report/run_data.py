@@ -51,6 +51,12 @@ def read_table(folder, name, required=True, first="step"):
     return {column: _numbers([row[i] for row in rows]) for i, column in enumerate(heading)}
 
 
+# Of elements, from what there is in the same output: found(name) is an array or None.
+DERIVED = {
+    "von_mises": lambda found: None if (t := found("cauchy_stress")) is None else von_mises(t),
+    "largest_principal_stress": lambda found: None if (t := found("principal_stress")) is None else t[:, 0],
+    "fibre_stress": lambda found: None if (t := found("fibre_stress_1")) is None else np.maximum(t, found("fibre_stress_2")),
+}
 KNOWN_ARRAYS = ("displacement", "velocity", "pressure", "von_mises", "cauchy_stress")
 
 
@@ -66,6 +72,12 @@ def open_fields(path):
         with tempfile.NamedTemporaryFile(suffix=".h5") as copy:  # stays readable when its name is gone
             shutil.copyfile(path, copy.name)
             return h5py.File(copy.name, "r")
+
+
+def region_names(file, grid):
+    """In the order of their numbers; empty where the file has none."""
+    path = f"{grid}/region_names"
+    return [name.decode() for name in file[path][:]] if path in file else []
 
 
 class Run:
@@ -161,9 +173,8 @@ class Run:
     def nodal(self, output, grid, name):
         """The same at the points of mesh(); fields of elements as means."""
         values = self.field(output, grid, name)
-        if values is None and name == "von_mises":
-            tensor = self.field(output, grid, "cauchy_stress")
-            values = None if tensor is None else von_mises(tensor)
+        if values is None and name in DERIVED:
+            values = DERIVED[name](lambda other: self.field(output, grid, other))
         if values is None:
             return None
         points, tets = self.mesh(grid)

@@ -1,4 +1,6 @@
-"""The cut of a tetrahedral mesh by a plane, x = const in axes that are chosen for it."""
+"""The plane that shows most of a vessel, and the cut of a tetrahedral mesh by it, x = const in axes of its own."""
+from dataclasses import dataclass
+
 import numpy as np
 
 _EDGES = np.array([(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)])
@@ -117,12 +119,21 @@ def section_axes(points):
     spread, directions = np.linalg.eigh(np.cov((points - points.mean(axis=0)).T))
     along = _snapped(directions[:, 2])
     if spread[1] < 1.2 * spread[0]:  # round
-        x = np.array([1.0, 0.0, 0.0]) if abs(along[0]) < 0.9 else np.array([0.0, 1.0, 0.0])
+        x = _nearest_axis(along)
         normal = x - (x @ along) * along
     else:
         normal = _snapped(directions[:, 0])
         normal = normal - (normal @ along) * along
     normal = normal / np.linalg.norm(normal)
+    return _with_up(normal, along)
+
+
+def _nearest_axis(direction):
+    """x, or y where the direction is nearly x."""
+    return np.eye(3)[0 if abs(direction[0]) < 0.9 else 1]
+
+
+def _with_up(normal, along):
     up = np.cross(along, normal)
     return np.array([normal, up if up[np.argmax(abs(up))] > 0 else -up, along])
 
@@ -139,13 +150,44 @@ def name_of_axis(direction, otherwise):
     return "xyz"[largest] if abs(direction[largest]) > 1.0 - 1e-9 else otherwise
 
 
-def plane_through(points):
-    """x = 0 if that is inside the mesh or bounds it (symmetric halves), else the middle."""
-    low, high = points[:, 0].min(), points[:, 0].max()
-    margin = 1e-6 * max(high - low, 1e-300)
-    if low > margin or high < -margin:
-        return float(0.5 * (low + high))
-    return float(np.clip(0.0, low, high))
+@dataclass
+class Plane:
+    axes: np.ndarray  # rows: its normal, and the directions up and along in it
+    level: float      # its place along the normal [mm]
+
+
+def fitted_plane(points, centres):
+    """Through the centres of a vessel: along them where they bend by more than the vessel is wide, else along what
+    the points show. Symmetric halves are cut where they end."""
+    variances = lambda x: np.linalg.eigvalsh(np.cov(x.T))  # noqa: E731
+    bends = len(centres) > 2 and variances(centres)[1] > variances(points)[0]
+    axes = section_axes(centres if bends else points)
+    return Plane(axes, _level(points, centres, axes))
+
+
+def chosen_plane(points, centres, normal, level=None):
+    """The same with a normal of any length, and where it is not None a level."""
+    normal = normal / np.linalg.norm(normal)
+    flat = points - np.outer(points @ normal, normal)
+    spread, directions = np.linalg.eigh(np.cov(flat.T))
+    along = _nearest_axis(normal) if spread[2] < 1.2 * spread[1] else _snapped(directions[:, 2])
+    along = along - (along @ normal) * normal
+    axes = _with_up(normal, along / np.linalg.norm(along))
+    return Plane(axes, _level(points, centres, axes) if level is None else level)
+
+
+def _level(points, centres, axes):
+    """Of the centres; zero where that is but for noise. Where the mesh ends on one side in a plane along the vessel, that
+    plane: it is one of symmetry."""
+    across, up = points @ axes[0], points @ axes[1]
+    low, high = across.min(), across.max()
+    size = max(high - low, 1e-300)
+    is_plane = lambda end: np.ptp(up[abs(across - end) < 1e-6 * size]) > 0.9 * np.ptp(up)  # noqa: E731
+    planes = [end for end in (low, high) if is_plane(end)]
+    if len(planes) == 1 and size < np.ptp(points @ axes[2]):
+        return float(planes[0])
+    middle = float(np.clip((centres @ axes[0]).mean(), low, high))
+    return float(np.clip(0.0, low, high)) if abs(middle) < 0.01 * size else middle
 
 
 def norm_of(values):

@@ -7,16 +7,28 @@ from matplotlib.collections import LineCollection
 from matplotlib.ticker import MaxNLocator
 
 from report.canvas import Figure, colour_scale
-from report.section import Section, name_of_axis, norm_of, plane_through, section_axes
+from report.run_data import BadRun
+from report.section import Section, chosen_plane, fitted_plane, name_of_axis, norm_of
 
 
-def default_magnification(run, outputs):
+def plane_of(run, line, wanted=None):
+    """wanted: normal and level, see chosen_plane(), or None."""
+    points = np.concatenate([run.mesh(grid)[0] for grid in run.grids()])
+    if wanted is None:
+        return fitted_plane(points, line.centres)
+    plane = chosen_plane(points, line.centres, *wanted)
+    low, high = (points @ plane.axes[0]).min(), (points @ plane.axes[0]).max()
+    if not low <= plane.level <= high:
+        raise BadRun(f"--plane: {plane.level:g} mm along its normal is beside the vessel, which reaches from {low:g} to "
+                     f"{high:g} mm")
+    return plane
+
+
+def default_magnification(run, outputs, plane):
     """Round factor that lets the largest displacement be a quarter of the radius, 1 to 100."""
-    largest, radius = 0.0, 0.0
-    for grid in run.grids():
-        points, _ = run.mesh(grid)
-        radius = max(radius, np.ptp(points[:, 1]) / 2)
-        largest = max([largest] + [norm_of(run.displacement(g, grid)).max() for _, g in outputs])
+    points = np.concatenate([run.mesh(grid)[0] for grid in run.grids()])
+    radius = np.ptp(points @ plane.axes.T, axis=0).min() / 2
+    largest = max(norm_of(run.displacement(g, grid)).max() for grid in run.grids() for _, g in outputs)
     if largest <= 0 or not np.isfinite(largest):
         return 1.0
     wanted = 0.25 * radius / largest
@@ -37,12 +49,10 @@ def _quantity(run, group, grid, quantity):
     return norm_of(values) if quantity == "velocity" else values.reshape(len(values))
 
 
-def _cuts(run, outputs, quantity, factor):
+def _cuts(run, outputs, quantity, factor, plane):
     """Per output a dictionary grid -> (section, colours at its corners); and the names of the axes."""
     meshes = {grid: run.mesh(grid) for grid in run.grids()}
-    all_points = np.concatenate([points for points, _ in meshes.values()])
-    turn = section_axes(all_points).T
-    plane = plane_through(all_points @ turn)
+    turn = plane.axes.T
     result = []
     for _, group in outputs:
         row = {}
@@ -50,7 +60,7 @@ def _cuts(run, outputs, quantity, factor):
             values = _quantity(run, group, grid, quantity)
             if values is None:
                 continue
-            cut = Section(points @ turn, tets, plane, factor * run.displacement(group, grid) @ turn)
+            cut = Section(points @ turn, tets, plane.level, factor * run.displacement(group, grid) @ turn)
             if not cut.is_empty():
                 row[grid] = (cut, cut.at_corners(values))
         result.append(row)
@@ -110,8 +120,8 @@ def _scales(run, outputs, quantity):
             "wall": ("von Mises stress [kPa]" if stress else "displacement [mm]", "YlOrRd")}
 
 
-def section(run, outputs, quantity, factor):
-    cuts, names = _cuts(run, outputs, quantity, factor)
+def section(run, outputs, quantity, factor, plane):
+    cuts, names = _cuts(run, outputs, quantity, factor, plane)
     scales = _scales(run, outputs, quantity)
     present = [g for g in ("fluid", "wall") if any(g in row for row in cuts)]
     if not present or (quantity != "wall" and "fluid" not in present):
@@ -127,7 +137,7 @@ def section(run, outputs, quantity, factor):
                         location="right", pad=0.015, aspect=28, fraction=0.035,
                         extend="max" if norms[grid].vmin == 0 else "both",
                         label=f"{grid} {scales[grid][0]}")
-    title = "Longitudinal section: " + " and ".join(f"{g} {scales[g][0].split(' [')[0]}" for g in present)
+    title = "Section: " + " and ".join(f"{g} {scales[g][0].split(' [')[0]}" for g in present)
     drawn = "displacement true to scale" if factor == 1 else f"displacement magnified {factor:g} times"
     canvas.suptitle(f"{title} ({drawn})", fontsize=13)
     return canvas, Figure(f"section_{quantity}.png", title,

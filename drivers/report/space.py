@@ -3,7 +3,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from report.section import Section, norm_of, plane_through, section_axes
+from report.section import Section, norm_of
 
 
 @dataclass
@@ -36,10 +36,10 @@ class View:
         return low[0] - pad, high[0] + pad, low[1] - pad, high[1] + pad
 
 
-def views(points):
-    """Along the direction in which the vessel spreads least, so that a fork is seen as one; and aslant, turned
-    about its length and a little from ahead. The vessel lies from left to right in both."""
-    normal, up, along = section_axes(points)
+def views(plane):
+    """Onto the plane of the sections, so that a fork is seen as one; and aslant, turned about its length and a
+    little from ahead. The vessel lies from left to right in both."""
+    normal, up, along = plane.axes
     if np.dot(np.cross(along, up), normal) < 0:
         normal = -normal
     first = np.array([along, up, normal])
@@ -77,12 +77,11 @@ def kept_half(level, triangles):
 class Stage:
     """The vessel at one time, deformed by factor times the displacement, and cut by the plane of the sections."""
 
-    def __init__(self, run, surfaces, group, factor):
-        self.run, self.surfaces, self.group, self.factor = run, surfaces, group, factor
-        everything = np.concatenate([run.mesh(g)[0] for g in run.grids()])
-        self.views = views(everything)
+    def __init__(self, run, group, factor, plane):
+        self.run, self.group, self.factor = run, group, factor
+        self.views = views(plane)
         self.normal = self.views[0].axes[2]
-        self.plane = plane_through((everything @ self.normal)[:, None])
+        self.level = plane.level * (self.normal @ plane.axes[0])  # the eye may be on either side
 
     def moved(self, grid):
         return self.run.mesh(grid)[0] + self.factor * self.run.displacement(self.group, grid)
@@ -94,21 +93,23 @@ class Stage:
     def half(self, grid, part, colours):
         """What lies behind the plane."""
         nodes = part.nodes
-        triangles, edges, weight = kept_half(self.run.mesh(grid)[0][nodes] @ self.normal - self.plane, part.triangles)
+        triangles, edges, weight = kept_half(self.run.mesh(grid)[0][nodes] @ self.normal - self.level, part.triangles)
         a, b, w = nodes[edges[:, 0]], nodes[edges[:, 1]], weight[:, None]
         moved = self.moved(grid)
         return Piece((1 - w) * moved[a] + w * moved[b], triangles, (1 - w) * colours[a] + w * colours[b])
 
     def cut(self, grid, colours):
         points, tets = self.run.mesh(grid)
-        section = Section((points @ self.normal)[:, None].repeat(3, axis=1), tets, self.plane, 0.0)
+        section = Section((points @ self.normal)[:, None].repeat(3, axis=1), tets, self.level, 0.0)
         return Piece(section.at_corners(self.moved(grid)), section.triangles, section.at_corners(colours))
 
     def arrows(self):
         """Velocities in the cut, about 30 along the vessel, the longest a little longer than their distance."""
         points, tets = self.run.mesh("fluid")
         velocity = self.run.nodal(self.group, "fluid", "velocity")
-        section = Section((points @ self.normal)[:, None].repeat(3, axis=1), tets, self.plane, 0.0)
+        section = Section((points @ self.normal)[:, None].repeat(3, axis=1), tets, self.level, 0.0)
+        if section.is_empty():
+            return Scene().arrows
         place, arrow = section.at_corners(self.moved("fluid")), section.at_corners(velocity)
         flat = place @ self.views[0].axes[:2].T
         cell = np.ptp(flat, axis=0).max() / 30

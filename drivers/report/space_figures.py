@@ -14,6 +14,10 @@ WORDS = {"wall_shear_stress": "wall shear stress [kPa]", "time_averaged_wss": "t
          "oscillatory_shear_index": "oscillatory shear index [1]",
          "relative_residence_time": "relative residence time [1/kPa]"}
 AVERAGES = ("time_averaged_wss", "oscillatory_shear_index", "relative_residence_time")
+# Arrays of the wall: name, title, label.
+STRESSES = (("von_mises", "Von Mises stress", "von Mises stress [kPa]"),
+            ("largest_principal_stress", "Largest principal stress", "largest principal stress [kPa]"),
+            ("fibre_stress", "Stress along the fibres", "along the fibres, of two the greater [kPa]"))
 MOST_FURTHER = 6
 
 
@@ -26,16 +30,17 @@ def magnitude(values):
 
 
 class SpacePictures:
-    """Scenes of the output in which the displacement is greatest."""
+    """Scenes of the output in which the displacement is greatest; averages over time are those of the last one."""
 
-    def __init__(self, run, surfaces, outputs, factor):
+    def __init__(self, run, surfaces, outputs, factor, plane):
         size = lambda group: max(norm_of(run.displacement(group, g)).max() for g in run.grids())  # noqa: E731
-        self.time, group = max(outputs, key=lambda o: size(o[1]))
         self.run, self.surfaces, self.factor = run, surfaces, factor
-        self.stage = Stage(run, surfaces, group, factor)
+        (self.time, group), (self.end, last) = max(outputs, key=lambda o: size(o[1])), outputs[-1]
+        self.stage = Stage(run, group, factor, plane)
+        self.at_end = self.stage if last == group else Stage(run, last, factor, plane)
         self.scenes, self.bars, self.titles = {}, {}, {}
-        self._wall(group)
-        self._lumen(group)
+        self._wall()
+        self._lumen()
 
     def _add(self, name, title, scene, scale):
         self.scenes[name], self.titles[name], self.bars[name] = scene, title, scale
@@ -45,21 +50,24 @@ class SpacePictures:
         norm = colour_scale(values)
         return plt.get_cmap(cmap)(norm(values))[:, :3], (norm, cmap, label)
 
-    def _wall(self, group):
+    def _wall(self):
         if self.surfaces.wall is None:
             return
+        group = self.stage.group
         size = norm_of(self.run.displacement(group, "wall"))
         colours, bar = self._colours(size, "displacement [mm]", "viridis")
         self._add("displacement", "Displacement of the wall",
                   Scene([self.stage.surface("wall", self.surfaces.wall, colours)]), bar)
-        stress = self.run.nodal(group, "wall", "von_mises")
-        if stress is not None:
-            colours, bar = self._colours(stress, "von Mises stress [kPa]", "YlOrRd")
-            self._add("stress", "Von Mises stress in the wall, cut open",
-                      Scene([self.stage.half("wall", self.surfaces.wall, colours), self.stage.cut("wall", colours)]), bar)
+        for name, title, label in STRESSES:
+            stress = self.run.nodal(group, "wall", name)
+            if stress is not None:
+                colours, bar = self._colours(stress, label, "YlOrRd")
+                self._add(name, title + " in the wall, cut open",
+                          Scene([self.stage.half("wall", self.surfaces.wall, colours), self.stage.cut("wall", colours)]),
+                          bar)
 
-    def _lumen(self, group):
-        lumen = self.surfaces.lumen
+    def _lumen(self):
+        lumen, group = self.surfaces.lumen, self.stage.group
         if lumen is None:
             return
         at_wall = "on the interface" if self.surfaces.wall is not None else "on the boundary"
@@ -70,7 +78,8 @@ class SpacePictures:
         if self.run.nodal(group, "fluid", "velocity") is not None:
             self._velocity(group)
         for name in self.run.further_arrays("fluid")[:MOST_FURTHER]:
-            values = self.run.nodal(group, "fluid", name)
+            stage = self.at_end if name in AVERAGES else self.stage
+            values = self.run.nodal(stage.group, "fluid", name)
             if values is None or not np.isfinite(values).any():
                 continue
             on_lumen = np.full(len(values), np.nan)
@@ -78,7 +87,7 @@ class SpacePictures:
             colours, bar = self._colours(on_lumen, words(name), "inferno")
             title = words(name).split(" [")[0]
             self._add(name, f"{title[0].upper()}{title[1:]} {at_wall}",
-                      Scene([self.stage.surface("fluid", lumen, colours)]), bar)
+                      Scene([stage.surface("fluid", lumen, colours)]), bar)
 
     def _velocity(self, group):
         speed = norm_of(self.run.nodal(group, "fluid", "velocity"))
@@ -115,11 +124,12 @@ class SpacePictures:
                         shrink=0.85, extend="max" if norm.vmin == 0 else "both", label=label)
         magnified = f"displacement magnified {self.factor:g} times"
         drawn = "true to scale" if self.factor == 1 else magnified
-        text = f"Deformed, {drawn}, at the output of greatest displacement; from two sides."
-        when = f"t = {self.time:g} ms"
         if name in AVERAGES:
             when, more = self._averaged()
-            text += more
+            text = f"Deformed, {drawn}, at the last output shown; from two sides.{more}"
+        else:
+            when = f"t = {self.time:g} ms"
+            text = f"Deformed, {drawn}, at the output of greatest displacement; from two sides."
         canvas.suptitle(f"{self.titles[name]}, {when}" + (f" ({magnified})" if self.factor != 1 else ""), fontsize=13)
         if name == "velocity":
             text += " Arrows begin where they are drawn; the longest one is the greatest velocity in the cut."
@@ -129,8 +139,8 @@ class SpacePictures:
         """Over what, for the title and for the text."""
         case = case_tables.read_case(self.run.folder)
         begin, period = case_tables.averages_from(case), case_tables.period(case)
-        over = f"averaged from {begin:g} to {self.time:g} ms"
-        if period and self.time - begin < period * (1 - 1e-9):
+        over = f"averaged from {begin:g} to {self.end:g} ms"
+        if period and self.end - begin < period * (1 - 1e-9):
             return over, f" It is {over}, less than one period of {period:g} ms."
         return over, f" It is {over}."
 

@@ -10,7 +10,7 @@ from matplotlib import pyplot as plt
 from report.canvas import colour_scale
 from report.section import norm_of
 from report.space import views
-from report.space_figures import MOST_FURTHER, magnitude, words
+from report.space_figures import MOST_FURTHER, STRESSES, magnitude, words
 
 MOST_OUTPUTS = 20
 MOST_NUMBERS = 15_000_000  # of 16 bits: 40 MB of text
@@ -31,7 +31,7 @@ def _text(array):
 def _fields(run, grid):
     """(name, label) of what colours that grid's surface."""
     if grid == "wall":
-        return [("displacement", "displacement [mm]"), ("von_mises", "von Mises stress [kPa]")]
+        return [("displacement", "displacement [mm]")] + [(name, label) for name, _, label in STRESSES]
     return [("pressure", "pressure [kPa]"), ("displacement", "displacement [mm]")] + [
         (name, words(name)) for name in run.further_arrays("fluid")[:MOST_FURTHER]]
 
@@ -62,7 +62,7 @@ def _ramp():
     return _text((255 * plt.get_cmap("turbo")(np.linspace(0, 1, 256))[:, :3]).astype(np.uint8))
 
 
-def write(run, parts, folder, factor):
+def write(run, parts, folder, factor, plane):
     """Returns the name of the page; None where there is no surface."""
     surfaces = [(title, grid, part) for title, grid, part in (
         ("wall", "wall", parts.wall), ("lumen", "fluid", parts.lumen)) if part is not None]
@@ -70,7 +70,7 @@ def write(run, parts, folder, factor):
         return None
     outputs = _chosen(run, surfaces)
     everything = np.concatenate([part.points for _, _, part in surfaces])
-    axes = views(everything)[0].axes
+    axes = views(plane)[0].axes
     low, high = (everything @ axes.T).min(axis=0), (everything @ axes.T).max(axis=0)
     sizes = [norm_of(run.displacement(group, surfaces[0][1])).max() for _, group in outputs]
     data = {"times": [float(f"{t:.6g}") for t, _ in outputs], "first": int(np.argmax(sizes)), "factor": factor,

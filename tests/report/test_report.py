@@ -17,9 +17,10 @@ PROGRAM, SCRATCH = sys.argv[1], sys.argv[2]
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from scratch import fresh  # noqa: E402
 sys.path.insert(0, os.path.dirname(os.path.realpath(PROGRAM)))  # as the program does
-from report.section import name_of_axis, plane_through, section_axes  # noqa: E402
+from report.case_tables import openings  # noqa: E402
+from report.section import chosen_plane, fitted_plane, name_of_axis, section_axes  # noqa: E402
 
-IN_SPACE = {"vessel.html"} | {f"space_{name}.png" for name in ("displacement", "stress", "pressure", "velocity")}
+IN_SPACE = {"vessel.html"} | {f"space_{name}.png" for name in ("displacement", "von_mises", "pressure", "velocity")}
 NO_VTK = "class=\"remark\">Pictures in space are drawn by Matplotlib"  # where it is not installed
 TABLES = {"curves.png", "coupling.png", "iterations.png", "newton.png", "observables.png"}
 ALL = IN_SPACE | TABLES | {"section_velocity.png", "section_pressure.png", "radial_displacement.png"}
@@ -54,9 +55,55 @@ class SectionPlane(unittest.TestCase):
         self.assertEqual(name_of_axis(axes[2], "along"), "along")
 
     def test_plane_is_that_of_symmetry_or_the_middle(self):
-        points = box(1, 1, 9)
-        for shift, plane in ((0, 0), (0.5, 0), (1, 0), (50, 50), (-50, -50)):
-            self.assertAlmostEqual(plane_through(points + (shift, 0, 0)), plane, places=4)
+        def tube(end):
+            angle = np.linspace(-end, end, 25)
+            circle = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+            return (circle[:, None] + np.linspace(-9, 9, 10)[:, None] * (0, 0, 1)).reshape(-1, 3)
+        half = tube(np.pi / 2)
+        for shift in (0, 0.5, 50):
+            line = np.array([(shift + 0.4, 0, -9), (shift + 0.4, 0, 9)])
+            self.assertAlmostEqual(fitted_plane(half + (shift, 0, 0), line).level, shift, places=4)
+        points = tube(np.pi)
+        for shift, level in ((0, 0), (0.01, 0), (0.5, 0.5), (1, 1), (50, 50), (-50, -50)):
+            line = np.array([(shift, 0, -9), (shift, 0, 9)])
+            self.assertAlmostEqual(fitted_plane(points + (shift, 0, 0), line).level, level, places=4)
+            across = chosen_plane(points + (shift, 0, 0), line, np.array([0, 0, 1.0]))
+            self.assertAlmostEqual(across.level, 0)
+
+    def test_plane_follows_the_centreline_where_it_bends(self):
+        t = np.linspace(0, np.pi / 2, 30)
+        line = np.stack([0 * t, 9 * np.sin(t), 9 * np.cos(t)], axis=1)
+        line[:, 0] = 5 + line[:, 1] / 3
+        points = (line[:, None] + box(1, 1, 1)[None]).reshape(-1, 3)
+        plane = fitted_plane(points, line)
+        normal = np.array([1, -1 / 3, 0]) / np.linalg.norm([1, -1 / 3, 0])
+        self.assertAlmostEqual(abs(plane.axes[0] @ normal), 1, places=6)
+        self.assertTrue(np.allclose(line @ plane.axes[0], plane.level))
+
+    def test_plane_is_the_one_that_is_chosen(self):
+        points, line = box(1, 4, 9), np.array([(0.5, 0, -9), (0.5, 0, 9)])
+        plane = chosen_plane(points, line, np.array([2.0, 0, 0]))
+        self.assertTrue(np.allclose(plane.axes, np.eye(3)))
+        self.assertAlmostEqual(plane.level, 0.5)
+        plane = chosen_plane(points, line, np.array([0, 0, 3.0]), -2.0)
+        self.assertTrue(np.allclose(plane.axes[[0, 2]], np.eye(3)[[2, 1]]))
+        self.assertEqual(plane.level, -2.0)
+
+
+class FlowSplit(unittest.TestCase):
+    def test_shares_are_of_the_last_cycle(self):
+        t = np.linspace(0, 16, 161)
+        beat = np.where(t < 8, 5.0, 1.0) + np.sin(2 * np.pi * t / 8)  # mean 1 over the second cycle, from 8 to 16
+        steps = {"time": list(t), "inflow_in_mm3_per_ms": list(beat), "inflow_out_left_mm3_per_ms": list(-0.75 * beat),
+                 "inflow_out_right_mm3_per_ms": list(-0.25 * beat), "mean_pressure_in_kPa": list(10 + np.sin(2 * np.pi * t / 8))}
+        begin, rows = openings(steps, 8.0)
+        self.assertAlmostEqual(begin, 8.0)
+        self.assertEqual([row[0] for row in rows], ["in", "out left", "out right"])
+        self.assertTrue(np.allclose([row[1] for row in rows], (1, -0.75, -0.25), atol=1e-9))
+        self.assertTrue(np.isnan(rows[0][2]))
+        self.assertTrue(np.allclose([row[2] for row in rows[1:]], (0.75, 0.25)))
+        self.assertTrue(np.allclose(rows[0][3:], (10, 9, 11)))
+        self.assertAlmostEqual(openings(steps, None)[0], 0.0)
 
 
 class Report(unittest.TestCase):
@@ -132,16 +179,17 @@ class Report(unittest.TestCase):
         with h5py.File(os.path.join(run, "fields.h5"), "a") as file:
             for step in (s for s in file if s.startswith("step_")):
                 file[f"{step}/fluid/time_averaged_wss"] = 0.002 + 0 * file["fluid/points"][:, 2]
-        self.assertEqual(report(run).returncode, 0)
+        self.assertEqual(report(run, "--plane", "y").returncode, 0)
         page = self.expect_page(os.path.join(run, "report"), ALL | TABLES | {"space_time_averaged_wss.png"})
-        self.assertIn("averaged from 0 to 10 ms, less than one period of 400 ms", page)
+        self.assertIn("at the last output shown; from two sides. It is averaged from 0 to 12 ms, less than one period of 400 ms",
+                      page)
 
     def test_case_and_periodicity_are_tables(self):
         run = write_run(self.folder("periodic"))
         write_case(os.path.join(run, "case.xml"), period=4)
         self.assertEqual(report(run, "--no-fields").returncode, 0)
         page = self.expect_page(os.path.join(run, "report"), TABLES)
-        for text in ("Has it become periodic?", "inflow inlet [mm³/ms]", "viscosity", "iterations of each step"):
+        for text in ("Flow split", "<td>inlet</td>", "Has it become periodic?", "inflow inlet [mm³/ms]", "viscosity", "iterations of each step"):
             self.assertIn(text, page)
 
     def test_killed_run_gives_what_it_has_left(self):
@@ -202,7 +250,7 @@ class Report(unittest.TestCase):
         wall = write_run(self.folder("wall"), grids=("wall",))
         self.assertEqual(report(wall).returncode, 0)
         self.expect_page(os.path.join(wall, "report"),
-                         {"vessel.html", "space_displacement.png", "space_stress.png", "section_wall.png",
+                         {"vessel.html", "space_displacement.png", "space_von_mises.png", "section_wall.png",
                           "radial_displacement.png", "curves.png", "iterations.png", "newton.png", "observables.png"})
         fluid = write_run(self.folder("fluid"), grids=("fluid",))
         self.assertEqual(report(fluid).returncode, 0)
@@ -233,6 +281,9 @@ class Report(unittest.TestCase):
         self.expect_one_line(run, "--times", "--times", "a,b")
         self.expect_one_line(run, "--step 99", "--step", "99")
         self.expect_one_line(run, "--magnify", "--magnify", "-1")
+        self.expect_one_line(run, "--plane w: expected x, y, z", "--plane", "w")
+        self.expect_one_line(run, "--plane 0,0,0: expected", "--plane", "0,0,0")
+        self.expect_one_line(run, "is beside the vessel, which reaches from -6.2", "--plane", "x=50")
         self.expect_one_line(run, "unknown option", "--unknown")
         self.expect_one_line(run, "cannot write", "--output", os.path.join(run, "run.json"))
 
