@@ -50,12 +50,12 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     log.step(clock, step, observed);
     watch.tell(log, clock, step, observed);
     if (!step.is_accepted) return checkpoints.give_up(step.reason);
-    if (fields.is_due(clock)) {
+    checkpoints.end_step([&] {
+      if (!fields.is_due(clock)) return;
       std::vector<output::Array> arrays = app::fluid_arrays(fluid, {});
       for (output::Array& array : shear.arrays()) arrays.push_back(std::move(array));
       fields.write(clock, {{"fluid", arrays, {}}});
-    }
-    checkpoints.end_step();
+    });
   }
   app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);
   return march.outcome();

@@ -90,9 +90,10 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     log.step(clock, step, observed);
     watch.tell(log, clock, step, observed, &fluid.mesh(), motion.displacement());
     if (!step.is_accepted) return checkpoints.give_up(step.reason);
-    if (fields.is_due(clock))
-      fields.write(clock, both_fields(list.sublist("Output"), fluid, motion, shear, wall));
-    checkpoints.end_step();
+    checkpoints.end_step([&] {
+      if (fields.is_due(clock))
+        fields.write(clock, both_fields(list.sublist("Output"), fluid, motion, shear, wall));
+    });
   }
 
   // 5. Report.

@@ -49,10 +49,11 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     log.step(clock, step, observed);
     watch.tell(log, clock, step, observed);
     if (!step.is_accepted) return checkpoints.give_up(step.reason);
-    if (fields.is_due(clock))
-      fields.write(clock, {{"wall", app::wall_arrays(wall),
-                            app::wall_cell_arrays(wall, list.sublist("Output"))}});
-    checkpoints.end_step();
+    checkpoints.end_step([&] {
+      if (fields.is_due(clock))
+        fields.write(clock, {{"wall", app::wall_arrays(wall),
+                              app::wall_cell_arrays(wall, list.sublist("Output"))}});
+    });
   }
   app::record_assembly(output.record, "wall", wall.jacobian_throughput(), *comm);
   return Outcome::success();

@@ -130,6 +130,27 @@ def one_result_is_enough(verdict, programs, folder):
                   "a folder with other files is fine, and they stay")
 
 
+def leaves_a_checkpoint_where_fields_have_no_room(verdict, programs, folder):
+    def words(output):
+        return [CASE, "--output", output, "--steps", 8, "--set", "Output/fields every=1", "--set", "Output/checkpoint every=100"]
+    straight = Run(command(programs / "tunica-fsi", words("spacious")), folder)
+    verdict.claim(straight.status == 0, "a run with room for its fields is done")
+    room = int(0.6 * (folder / "spacious" / "fields.h5").stat().st_size)
+    results = folder / "crowded"
+    process = subprocess.Popen(command(programs / "tunica-fsi", words("crowded")), cwd=folder, env=ENVIRONMENT, text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    while process.poll() is None and not (results / "steps.csv").exists():
+        time.sleep(0.01)
+    resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (room, resource.RLIM_INFINITY))
+    _, errors = process.communicate()
+    last = int(table(results / "steps.csv")["step"][-1])
+    verdict.claim(process.returncode == 3 and "fields.h5" in errors, f"no room for fields: {process.returncode}, {errors.strip()}")
+    verdict.claim(1 < last < 8 and checkpoints(results) == [last], f"there is a checkpoint of step {last}: {checkpoints(results)}")
+    run = Run(command(programs / "tunica-fsi", words("crowded") + ["--restart"]), folder)
+    verdict.claim(run.status == 0, f"with room it goes on {run.err}")
+    same_steps(verdict, "no room for fields", results, folder / "spacious")
+
+
 def keeps_its_own_case(verdict, programs, folder):
     """A case in the folder of its results stays as it is, however it is named."""
     text = CASE.read_text().replace("../meshes", str(MESHES)) + "<!-- by hand -->\n"
@@ -187,8 +208,8 @@ def main(programs, scratch):
     folder = fresh(scratch)
     run = fsi(programs, folder, 2)
     verdict.claim(run.status == 0, f"the first two steps end with 0 ({run.seconds:.1f} s)")
-    for part in (refuses, knows_its_end, survives_a_full_disk, tells_of_lost_words, goes_further, begins_anew,
-                 one_result_is_enough, keeps_its_own_case):
+    for part in (refuses, knows_its_end, survives_a_full_disk, leaves_a_checkpoint_where_fields_have_no_room,
+                 tells_of_lost_words, goes_further, begins_anew, one_result_is_enough, keeps_its_own_case):
         part(verdict, programs, folder)
     one_field_goes_on(verdict, programs, folder, "tunica-solid", ROOT / "xml" / "inflation.xml",
                       "--set", "Wall/analysis=dynamic")

@@ -30,13 +30,13 @@ def steps_in(results):
         return 0
 
 
-def started(programs, folder, output, ranks=1):
-    """A run that would be long, behind its first step."""
+def started(programs, folder, output, ranks=1, is_ready=lambda results: steps_in(results) > 0):
+    """A run that would be long, once it is ready: behind its first step."""
     log = open(folder / f"{output}.txt", "w")
     process = subprocess.Popen(command(programs / "tunica-fsi", words(output, 1000), ranks), cwd=folder,
                                env=ENVIRONMENT, stdout=log, stderr=log)
-    while process.poll() is None and steps_in(folder / output) < 1:
-        time.sleep(0.01)
+    while process.poll() is None and not is_ready(folder / output):
+        time.sleep(0.001)
     return process
 
 
@@ -76,6 +76,13 @@ def stops(verdict, programs, folder):
     same_steps(verdict, "stopped and gone on", folder / "SIGUSR1", folder / "straight")
 
 
+def hears_of_its_limit_in_the_set_up(verdict, programs, folder):
+    process = started(programs, folder, "early", is_ready=lambda results: (results / ".tunica-lock").exists())
+    process.send_signal(signal.SIGUSR1)
+    check_stop(verdict, folder, "early", "SIGUSR1", process.wait())
+    verdict.claim(steps_in(folder / "early") > 0, "it has made a step all the same")
+
+
 def agrees(verdict, programs, folder):
     process = started(programs, folder, "one-rank", 2)
     ranks = ranks_of(process)
@@ -106,6 +113,19 @@ def keeps_to_the_clock(verdict, programs, folder):
                   f"where checkpoints are not wanted there is none: {never.err.strip()}")
 
 
+def goes_on_on_a_third_number_of_ranks(verdict, programs, folder):
+    """Monolithic, and solved so far that round-off is all that may differ."""
+    tight = [word for setting in ("scheme=monolithic", "Newton/absolute increment=1e-13", "Newton/linear tolerance=1e-10",
+                                  "mesh tolerance=1e-13") for word in ("--set", f"Coupling/{setting}")]
+    def run(output, ranks, *more):
+        return Run(command(programs / "tunica-fsi", words(output, 4, *tight, *more), ranks), folder)
+    limited = run("third", 2, "--set", "Time/wall limit=0.001")
+    more = run("third", 3, "--restart", "--set", "Time/wall limit=999:00:00")
+    straight = run("alone", 1)
+    verdict.claim([limited.status, more.status, straight.status] == [STOPPED, 0, 0], "two ranks stop, three go on, one makes all")
+    same_steps(verdict, "two ranks, then three", folder / "third", folder / "alone", 1e-10)
+
+
 def pulse(path, values):
     """The case with an inlet pressure of these factors at the first steps."""
     text = CASE.read_text().replace("../meshes", str(ROOT / "meshes"))
@@ -133,7 +153,8 @@ def leaves_its_last_good_state(verdict, programs, folder):
 def main(programs, scratch):
     verdict = Verdict()
     folder = fresh(scratch)
-    for part in (stops, agrees, ends_at_once, keeps_to_the_clock, leaves_its_last_good_state):
+    for part in (stops, hears_of_its_limit_in_the_set_up, agrees, ends_at_once, keeps_to_the_clock,
+                 goes_on_on_a_third_number_of_ranks, leaves_its_last_good_state):
         part(verdict, programs, folder)
     for results in [path for path in folder.iterdir() if path.is_dir()]:
         shutil.rmtree(results)

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/stop_signals.hpp"
@@ -51,14 +52,26 @@ std::string Checkpoints::why_to_stop() {
   return text.str();
 }
 
-void Checkpoints::end_step() {
+TimeMarch::Place Checkpoints::here() const {
+  return {march_->clock().step(), march_->clock().time(), march_->save()};
+}
+
+void Checkpoints::end_step(const std::function<void()>& write_fields) {
   const stepping::Clock& clock = march_->clock();
   const int every = output_->checkpoint_every;
+  try {
+    write_fields();
+  } catch (const MachineFault&) {
+    try {
+      if (every > 0) write(here());  // which is smaller
+    } catch (const MachineFault&) {
+    }
+    throw;
+  }
   output_->stopped = why_to_stop();
   const bool is_stopped = !output_->stopped.empty();
   if (is_stopped) march_->stop();
-  if (every > 0 && (clock.is_every(every) || clock.is_last() || is_stopped))
-    write({clock.step(), clock.time(), march_->save()});
+  if (every > 0 && (clock.is_every(every) || clock.is_last() || is_stopped)) write(here());
 }
 
 Outcome Checkpoints::give_up(const std::string& reason) {

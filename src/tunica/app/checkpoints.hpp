@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 
 #include "tunica/app/time_march.hpp"
@@ -15,14 +16,15 @@ public:
 
   /// Brings the march and its parts to where the run goes on. A new run stays at its beginning and
   /// removes the checkpoints that --overwrite gives up: no later restart must take them for its
-  /// own. Comes when all parts are made, and before any table is replaced. From now on signals stop
-  /// the run. Throws Error if the checkpoint lacks something. Collective.
+  /// own. Comes when all parts are made, and before any table is replaced. From now on all stop
+  /// signals stop the run. Throws Error if the checkpoint lacks something. Collective.
   void begin();
 
-  /// Ends a step that was accepted: writes a checkpoint if it is due, or if a signal to any rank or
-  /// the clock on the wall stops the march here. run.json tells how long it took. Collective.
+  /// Ends a step that was accepted: lets it write its fields, and then a checkpoint if one is due,
+  /// or if a signal to any rank or the clock on the wall stops the march here, or if the fields
+  /// could not be written. run.json tells how long it took. Collective.
   /// Throws MachineFault on all ranks if the disk refuses; the checkpoints before remain.
-  void end_step();
+  void end_step(const std::function<void()>& write_fields);
 
   /// Leaves a checkpoint of the last step that was accepted, where the next one was not. The
   /// failure of the run. Collective, throws as end_step().
@@ -33,6 +35,7 @@ private:
   /// Why the march ends here, agreed by all ranks; empty where it does not.
   std::string why_to_stop();
   void write(const TimeMarch::Place& place);
+  TimeMarch::Place here() const;
 
   RunOutput* output_;
   TimeMarch* march_;

@@ -12,6 +12,7 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/session.hpp"
+#include "tunica/base/stop_signals.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/linear/direct_factor.hpp"
@@ -171,7 +172,10 @@ int solve(const Program& program, const CommandLine& command, const March& march
   const bool is_root = comm->getRank() == 0;
   const Teuchos::ParameterList list = read_case(command, program.table, *comm);
   io::FolderLock lock;
-  if (!command.dry_run) enter(folder_of(list), {program, command}, *comm, lock);
+  if (!command.dry_run) {
+    catch_early_notice();
+    enter(folder_of(list), {program, command}, *comm, lock);
+  }
   const Domain domain = load_domain(list, comm);
   print_extent(domain.extent, program.name, *comm);
   describe_domain(domain, *comm);

@@ -1,5 +1,6 @@
 #include "tunica/base/stop_signals.hpp"
 
+#include <array>
 #include <csignal>
 
 namespace tunica {
@@ -17,15 +18,23 @@ void take_down(int number) {
   std::raise(number);  // comes when this function returns
 }
 
-}  // namespace
+constexpr std::array<int, 3> all = {SIGTERM, SIGINT, SIGUSR1};
 
-void catch_stop_signals() {
+void take(int number) {
   struct sigaction action = {};
   action.sa_handler = take_down;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
-  for (const int number : {SIGTERM, SIGINT, SIGUSR1}) sigaddset(&action.sa_mask, number);
-  for (const int number : {SIGTERM, SIGINT, SIGUSR1}) sigaction(number, &action, nullptr);
+  for (const int masked : all) sigaddset(&action.sa_mask, masked);
+  sigaction(number, &action, nullptr);
+}
+
+}  // namespace
+
+void catch_early_notice() { take(SIGUSR1); }
+
+void catch_stop_signals() {
+  for (const int number : all) take(number);
 }
 
 int stop_signal() { return wish; }

@@ -3,8 +3,11 @@
 
 namespace tunica {
 
-/// From now on SIGTERM, SIGINT and SIGUSR1, which batch systems send before the time is over, are
-/// the wish that the program ends where it can. A second SIGTERM or SIGINT ends it at once.
+/// From now on SIGUSR1, which batch systems send some time before the limit of a job, is the wish
+/// that the program ends where it can.
+void catch_early_notice();
+
+/// The same for SIGTERM and SIGINT, too. A second one of these ends the program at once.
 void catch_stop_signals();
 
 /// Number of the signal that has expressed the wish to this rank; 0 where none has.
