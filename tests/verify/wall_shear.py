@@ -4,6 +4,7 @@ step hold; across a restart on another number of ranks, too.
 Usage: wall_shear.py FOLDER_OF_PROGRAMS SCRATCH
 """
 import pathlib
+import shutil
 import sys
 
 import h5py
@@ -14,9 +15,9 @@ CASE = ROOT / "xml" / "windkessel.xml"
 STEPS, STEP, FROM = 60, 5.0, 152.0  # [ms]; the averages begin within a step
 
 
-def run(verdict, programs, folder, name, ranks=1, words=()):
+def run(verdict, programs, folder, name, ranks=1, words=(), begin=FROM):
     done = Run(command(programs / "tunica-fluid",
-                       [CASE, "--output", name, "--set", f"Output/averages from={FROM}", *words], ranks), folder)
+                       [CASE, "--output", name, "--set", f"Output/averages from={begin}", *words], ranks), folder)
     verdict.claim(done.status == 0, f"{name}: ends with 0 {done.err}")
     return folder / name
 
@@ -27,8 +28,13 @@ def by_vertex(results, step, name):
         return values[np.argsort(file["fluid/vertices"][()])]
 
 
+def weights_from(begin):
+    """Of the steps, how much of them is averaged [ms]."""
+    return {step: min(STEP, STEP * step - begin) for step in range(1, STEPS + 1) if STEP * step > begin}
+
+
 def check_averages(verdict, results):
-    weights = {step: min(STEP, STEP * step - FROM) for step in range(1, STEPS + 1) if STEP * step > FROM}
+    weights = weights_from(FROM)
     stresses = {step: by_vertex(results, step, "wall_shear_stress") for step in weights}
     total = sum(weights.values())
     size = sum(weights[k] * np.linalg.norm(stresses[k], axis=1) for k in weights)
@@ -56,11 +62,17 @@ def main(programs, scratch):
     straight = run(verdict, programs, folder, "straight", words=["--steps", STEPS])
     check_averages(verdict, straight)
     run(verdict, programs, folder, "broken", words=["--steps", 45])
+    shutil.copytree(folder / "broken", folder / "later")
     broken = run(verdict, programs, folder, "broken", 2, ["--steps", STEPS, "--restart"])
     for name in ("time_averaged_wss", "oscillatory_shear_index"):
         one, other = by_vertex(straight, STEPS, name), by_vertex(broken, STEPS, name)
         error = np.abs(one - other).max() / np.abs(one).max()
         verdict.claim(error < 1e-5, f"{name} of a run that went on on two ranks is the same to {error:.1e}")
+    weights = weights_from(252.0)
+    later = run(verdict, programs, folder, "later", words=["--steps", STEPS, "--restart"], begin=252.0)
+    expected = sum(w * np.linalg.norm(by_vertex(straight, k, "wall_shear_stress"), axis=1) for k, w in weights.items())
+    error = np.abs(by_vertex(later, STEPS, "time_averaged_wss") - expected / sum(weights.values())).max()
+    verdict.claim(error < 1e-5 * expected.max(), f"averages from another time on begin anew: {error:.1e} kPa")
     return verdict.status()
 
 

@@ -1,6 +1,7 @@
 #include "tunica/app/wall_shear.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "tunica/base/reduce.hpp"
 
@@ -60,6 +61,7 @@ discretisation::Observables WallShear::observe() const {
 
 fields::State WallShear::save() const {
   fields::State state = fields::state_on(fluid_->mesh());
+  state.numbers["from"] = {from_};
   state.numbers["duration"] = {duration_};
   state.arrays["integral"] = fields::rows_of(integral_, fluid_->mesh().n_owned);
   state.arrays["integral of size"] = {1, integral_of_size_};
@@ -67,6 +69,14 @@ fields::State WallShear::save() const {
 }
 
 std::string WallShear::restore(const fields::State& state) {
+  const auto told = state.numbers.find("from");  // older checkpoints do not
+  const double was = told == state.numbers.end() ? from_ : told->second.at(0);
+  if (was != from_) {
+    std::ostringstream text;
+    text << "The averages of the wall shear stress begin anew, since \"" << averages_key
+         << "\" was " << was << " ms and is " << from_ << " ms.";
+    return text.str();
+  }
   duration_ = state.number_list("duration").at(0);
   const std::vector<double>& rows = state.array("integral", 3).values;
   for (std::size_t a = 0; a < integral_.size(); ++a)

@@ -27,7 +27,7 @@ public:
   /// max_wall_shear_stress_kPa. Collective.
   discretisation::Observables observe() const;
 
-  // Restartable: the integrals
+  // Restartable: the integrals, which begin anew where the case has another time for them
   fields::State save() const override;
   std::string restore(const fields::State& state) override;
 

@@ -11,6 +11,17 @@ inline double global_sum(const Comm& comm, double mine) {
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &mine, &sum);
   return sum;
 }
+inline long long global_sum(const Comm& comm, long long mine) {
+  long long sum = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &mine, &sum);
+  return sum;
+}
+/// Over the ranks below this one.
+inline long long sum_before(const Comm& comm, long long mine) {
+  long long up_to_here = 0;
+  Teuchos::scan(comm, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
+  return up_to_here - mine;
+}
 /// The sums of each number over the ranks, which all have as many.
 inline std::vector<double> global_sum(const Comm& comm, const std::vector<double>& mine) {
   std::vector<double> sums(mine.size(), 0.0);

@@ -1,6 +1,5 @@
 #include "tunica/boundary/cap.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <map>
 
@@ -33,20 +32,11 @@ std::vector<double> packed_faces(const fields::FieldMesh& mesh, int surface) {
 }
 
 /// All ranks' numbers, one after the other.
-std::vector<double> all_of(const Comm& comm, std::vector<double> mine) {
-  const std::size_t count = mine.size();
-  const int longest = static_cast<int>(global_max(comm, double(count)));
-  mine.resize(longest + 1, 0.0);
-  mine[longest] = double(count);
-  std::vector<double> padded(mine.size() * comm.getSize());
-  Teuchos::gatherAll(comm, longest + 1, mine.data(), static_cast<int>(padded.size()),
-                     padded.data());
-  std::vector<double> all;
-  for (int rank = 0; rank < comm.getSize(); ++rank) {
-    const auto begin = padded.begin() + static_cast<std::ptrdiff_t>(mine.size()) * rank;
-    all.insert(all.end(), begin, begin + static_cast<std::ptrdiff_t>(begin[longest]));
-  }
-  return all;
+std::vector<double> all_of(const Comm& comm, const std::vector<double>& mine) {
+  const auto count = static_cast<long long>(mine.size());
+  std::vector<double> parts(global_sum(comm, count), 0.0);
+  std::copy(mine.begin(), mine.end(), parts.begin() + sum_before(comm, count));
+  return global_sum(comm, parts);
 }
 
 std::array<Vec3, 3> corners(const Cap& cap, const std::array<int, 3>& t) {

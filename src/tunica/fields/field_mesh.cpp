@@ -29,10 +29,9 @@ std::vector<GlobalOrdinal> number_nodes(const mesh::Share& share, const std::vec
     if (is_in[mesh.tet_region[e]])
       for (const int v : mesh.tets[e]) numbers[v] = 0;
   const auto is_mine = [&](std::size_t v) { return share.is_owned[v] && numbers[v] != absent; };
-  long long mine = 0, up_to_here = 0;
+  long long mine = 0;
   for (std::size_t v = 0; v < numbers.size(); ++v) mine += is_mine(v);
-  Teuchos::scan(*share.comm, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
-  GlobalOrdinal next = up_to_here - mine;
+  GlobalOrdinal next = sum_before(*share.comm, mine);
   for (std::size_t v = 0; v < numbers.size(); ++v)
     if (is_mine(v)) numbers[v] = next++;
   share.ghosts.update(numbers);
@@ -152,11 +151,10 @@ Teuchos::RCP<const Map> map_of_dofs(const std::vector<GlobalOrdinal>& nodes, int
 }
 
 bool is_contiguous(const std::vector<GlobalOrdinal>& numbers, const Comm& comm) {
-  long long mine = static_cast<long long>(numbers.size()), up_to_here = 0;
-  Teuchos::scan(comm, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
+  const GlobalOrdinal first = sum_before(comm, static_cast<long long>(numbers.size()));
   bool is_mine = true;
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    is_mine &= numbers[i] == up_to_here - mine + static_cast<GlobalOrdinal>(i);
+    is_mine &= numbers[i] == first + static_cast<GlobalOrdinal>(i);
   return all_agree(comm, is_mine);
 }
 

@@ -1,6 +1,5 @@
 #include "tunica/fields/split_mesh.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <numeric>
 
@@ -48,11 +47,10 @@ private:
         }
       }
     };
-    long long mine = 0, up_to_here = 0;
+    long long mine = 0;
     for_each_copy([&](int, int, bool is_first) { mine += !is_first; });
-    Teuchos::scan(*mesh.comm, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
     has_copies_ = global_max(*mesh.comm, static_cast<double>(mine)) > 0.0;
-    GlobalOrdinal next = total_ + up_to_here - mine;
+    GlobalOrdinal next = total_ + sum_before(*mesh.comm, mine);
     for_each_copy([&](int a, int part, bool is_first) {
       view(a, part) = static_cast<double>(is_first ? mesh.node_map->getGlobalElement(a) : next++);
     });

@@ -3,6 +3,7 @@
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/reduce.hpp"
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/io/hdf5_arrays.hpp"
 #include "tunica/io/parallel_hdf5.hpp"
@@ -93,10 +94,7 @@ struct Contents {
 
 io::Hdf5File::Rows rows_of_rank(const fields::State& state, const Comm& comm) {
   const auto mine = static_cast<long long>(state.vertices.size());
-  long long total = 0, up_to_here = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &mine, &total);
-  Teuchos::scan(comm, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
-  return {total, up_to_here - mine, mine, 1};
+  return {global_sum(comm, mine), sum_before(comm, mine), mine, 1};
 }
 
 /// An upper bound of what the arrays of a part take in the file.

@@ -271,6 +271,9 @@ TEUCHOS_UNIT_TEST(sanity, outlets_begin_with_the_pressure_of_the_image) {
   TEST_ASSERT(doubts(tube, "outlet begins with a pressure of 0 kPa", out));
   outlet_of("9");
   TEST_ASSERT(!doubts(tube, "begins with a pressure", out));
+  tube.outlet = "";  // nothing presses there
+  TEST_ASSERT(doubts(tube, "outlet begins with a pressure of 0 kPa", out));
+  outlet_of("9");
   tube.prestress = "0";
   outlet_of("0");
   TEST_ASSERT(!doubts(tube, "begins with a pressure", out));

@@ -66,7 +66,8 @@ TEUCHOS_UNIT_TEST(field_mesh, every_rank_owns_nodes_and_together_they_own_all) {
     if (tube.mesh.tet_region[e] == 0)
       vertices.insert(tube.mesh.tets[e].begin(), tube.mesh.tets[e].end());
   TEST_ASSERT(tube.fluid.n_owned > 0);
-  TEST_EQUALITY(global_sum(*world(), tube.fluid.n_owned), static_cast<double>(vertices.size()));
+  TEST_EQUALITY(global_sum(*world(), 1.0 * tube.fluid.n_owned),
+                static_cast<double>(vertices.size()));
 }
 
 TEUCHOS_UNIT_TEST(field_mesh, maps_are_contiguous_and_three_dofs_follow_their_node) {

@@ -23,7 +23,7 @@ TEUCHOS_UNIT_TEST(interface, every_vertex_of_the_inner_surface_is_paired_once) {
   const SmallTube tube;
   const fields::InterfaceTransfer interface(tube.fluid, tube.wall, {tube.surface("interface")});
   TEST_EQUALITY(interface.n_total(), 8 * 4);  // 8 around, 4 along
-  TEST_EQUALITY(global_sum(*test::world(), interface.n_owned()), 32.0);
+  TEST_EQUALITY(global_sum(*test::world(), 1.0 * interface.n_owned()), 32.0);
 }
 
 TEUCHOS_UNIT_TEST(interface, values_go_to_a_field_and_come_back) {

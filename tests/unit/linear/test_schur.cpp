@@ -101,7 +101,7 @@ Vector solved(const SchurSum& S, const Vector& r, double& residual) {
 Vector inverse_lumped_inertia(const CrsMatrix& A, double& n_kept) {
   Vector translation(A.getDomainMap()), response(A.getRangeMap()), D(A.getRangeMap());
   A.getLocalDiagCopy(D);
-  int n_mine = 0;
+  double n_mine = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     translation.putScalar(0.0);
     const auto ones = translation.getLocalViewHost(read_write);

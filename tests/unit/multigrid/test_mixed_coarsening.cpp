@@ -163,12 +163,12 @@ TEUCHOS_UNIT_TEST(mixed_coarsening,
   Vector ones(Pu->getDomainMap()), sums(Pu->getRangeMap()), reached(Pu->getDomainMap());
   ones.putScalar(1.0);
   Pu->apply(ones, sums);
-  int n_wrong = 0;
+  long long n_wrong = 0;
   for (const GlobalOrdinal row : global_numbers(*Pu->getRowMap())) {
     const double sum = sums.getData()[Pu->getRowMap()->getLocalElement(row)];
     n_wrong += std::abs(sum - 1.0) > 1e-14 && !row_of(*Pu, row).empty();
   }
-  TEST_EQUALITY(global_sum(*test::world(), n_wrong), 0.0);
+  TEST_EQUALITY(global_sum(*test::world(), n_wrong), 0);
   sums.putScalar(1.0);
   Pu->apply(sums, reached, Teuchos::TRANS);
   double least = 1e300;  // no coarse unknown is without a fine one

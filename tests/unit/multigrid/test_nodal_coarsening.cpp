@@ -80,7 +80,7 @@ TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number
 TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
   for (const auto& [nodes, order, hosts, parts] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
-    int n_neighbours_in_the_set = 0, n_without_a_neighbour = 0;
+    long long n_neighbours_in_the_set = 0, n_without_a_neighbour = 0;
     for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap())) {
       int n_coarse = 0;
       for (const GlobalOrdinal column : columns_of(*nodes, row))
@@ -90,8 +90,8 @@ TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
       else
         n_without_a_neighbour += n_coarse == 0;
     }
-    TEST_EQUALITY(global_sum(*nodes->getComm(), n_neighbours_in_the_set), 0.0);
-    TEST_EQUALITY(global_sum(*nodes->getComm(), n_without_a_neighbour), 0.0);
+    TEST_EQUALITY(global_sum(*nodes->getComm(), n_neighbours_in_the_set), 0);
+    TEST_EQUALITY(global_sum(*nodes->getComm(), n_without_a_neighbour), 0);
   }
 }
 

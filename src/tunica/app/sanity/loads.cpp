@@ -139,8 +139,10 @@ std::vector<Course> visit_fluid(const Teuchos::ParameterList& fluid,
     visit_opening(c, area_of(openings, c.surface), times, driven, loads);
   }
   for (const Vessel::Opening& o : openings)
-    if (std::find(named.begin(), named.end(), o.surface) == named.end())
+    if (std::find(named.begin(), named.end(), o.surface) == named.end()) {
       driven.pressing.emplace_back(Teuchos::ParameterList(), 0.0);
+      loads.first_pressures.emplace_back(o.surface, 0.0);
+    }
   if (openings.size() == driven.inflows.size() + driven.outlets.size() && !driven.inflows.empty())
     loads.balance = balance_of(driven.inflows, driven.outlets);
   return driven.pressing;

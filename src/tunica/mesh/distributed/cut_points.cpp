@@ -1,6 +1,5 @@
 #include "tunica/mesh/distributed/cut_points.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Zoltan2_BasicVectorAdapter.hpp>
 #include <Zoltan2_PartitioningProblem.hpp>
 #include <numeric>
@@ -49,13 +48,12 @@ std::vector<int> bisected(const std::vector<Vec3>& points, long long total, cons
 
 std::vector<int> cut_by_planes(const std::vector<Vec3>& points, const CommPtr& comm) {
   const int ranks = comm->getSize();
-  long long mine = static_cast<long long>(points.size()), up_to_here = 0;
-  Teuchos::scan(*comm, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
-  const auto total = static_cast<long long>(global_sum(*comm, static_cast<double>(mine)));
+  const auto mine = static_cast<long long>(points.size());
+  const long long first = sum_before(*comm, mine), total = global_sum(*comm, mine);
   std::vector<int> rows(points.size());
-  std::iota(rows.begin(), rows.end(), static_cast<int>(up_to_here - mine));
+  std::iota(rows.begin(), rows.end(), static_cast<int>(first));
   if (total < ranks) return rows;  // a part for each
-  const std::vector<Vec3> even = spread(*comm, points, up_to_here - mine, total);
+  const std::vector<Vec3> even = spread(*comm, points, first, total);
   return fetch(*comm, rows, bisected(even, total, comm), total);
 }
 

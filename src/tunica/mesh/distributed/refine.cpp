@@ -129,10 +129,9 @@ private:
     }
     edges_ = exchange(comm_, wanted_, edges_by_rank(wanted_)).items;
     sort_once(edges_);
-    long long mine = static_cast<long long>(edges_.size()), up_to_here = 0;
-    Teuchos::scan(comm_, Teuchos::REDUCE_SUM, 1, &mine, &up_to_here);
-    first_number_ = old_.vertices + up_to_here - mine;
-    const auto edges = static_cast<long long>(global_sum(comm_, static_cast<double>(mine)));
+    const auto mine = static_cast<long long>(edges_.size());
+    first_number_ = old_.vertices + sum_before(comm_, mine);
+    const long long edges = global_sum(comm_, mine);
     new_ = {old_.comm, {}, old_.vertices + edges, 8 * old_.tets, 4 * old_.triangles};
     constexpr long long most = std::numeric_limits<int>::max();
     TUNICA_CHECK(new_.vertices <= most && new_.tets < most,
