@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import re
 import subprocess
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -91,6 +92,23 @@ def columns_of(folder):
     if not rows:
         raise SystemExit(f"{folder} has no steps.csv with steps in it")
     return {name: [float(row[name]) for row in rows] for name in rows[0]}
+
+
+# Ends of the columns of steps.csv that say how a step was solved.
+OF_ITERATIONS = ("step", "time", "converged", "iterations", "_newton", "_linear", "seconds", "residual", "rejected", "step_size",
+                 "error_estimate")
+
+
+def differences(one, other):
+    """Column -> the largest difference of two histories over the largest value of the column, or of all components where
+    it is one of a vector. Columns that are zero but for round-off are left out."""
+    names = [name for name in one if name in other and not name.endswith(OF_ITERATIONS)]
+    vector_of = lambda name: re.sub("_[xyz]_", "_", name)  # noqa: E731
+    largest = {}
+    for name in names:
+        largest[vector_of(name)] = max(largest.get(vector_of(name), 0.0), *map(abs, one[name]))
+    return {name: max(abs(a - b) for a, b in zip(one[name], other[name])) / largest[vector_of(name)]
+            for name in names if largest[vector_of(name)] > 1e-12}
 
 
 def table_text(head, rows):
