@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -31,6 +32,8 @@ std::string text_of(const std::string& file, const Comm& comm) {
     std::ifstream in(file);
     TUNICA_CHECK(in, file + ": cannot be read.");
     text.assign(std::istreambuf_iterator<char>(in), {});
+    TUNICA_CHECK(text.size() <= std::numeric_limits<int>::max(),
+                 file + ": is larger than 2 GB, more than is handed to all ranks.");
   });
   broadcast(comm, text);
   return text;

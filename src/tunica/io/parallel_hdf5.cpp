@@ -20,12 +20,18 @@ namespace {
 constexpr hsize_t rows_of_chunk = 16384;
 
 /// Takes room behind the end of a file, which HDF5 gives back on closing as far as it is not
-/// needed. A failure leaves the file as it was.
+/// needed; where the file system cannot say whether it has room, a write will. A failure leaves the
+/// file as it was.
 Outcome take_room(const std::string& path, long long bytes) {
   const int file = ::open(path.c_str(), O_WRONLY);
   if (file < 0) return Outcome::success();  // HDF5 will say why
   const off_t end = lseek(file, 0, SEEK_END);
-  const int failure = posix_fallocate(file, end, static_cast<off_t>(bytes));
+  // Not posix_fallocate(), which writes a byte to each block where it is not supported.
+  int failure = 0;
+  do {
+    failure = ::fallocate(file, 0, end, static_cast<off_t>(bytes)) == 0 ? 0 : errno;
+  } while (failure == EINTR);
+  if (failure == EOPNOTSUPP || failure == ENOSYS) failure = 0;
   const bool is_restored = failure == 0 || ftruncate(file, end) == 0;
   ::close(file);
   if (failure == 0) return Outcome::success();
