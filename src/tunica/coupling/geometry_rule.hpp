@@ -13,7 +13,8 @@ namespace tunica::coupling {
 ///   W = c n + (1 + s) Σ_k m_k,   s = 0 without shape derivatives.
 ///
 /// The rule goes one way, tries the other for two steps every so often, and takes that if they need
-/// clearly less than the two before. As long as its way wins it tries half as often each time.
+/// clearly less than the two before. As long as its way wins it tries half as often each time. It
+/// begins without, and tries the other at once where a step takes many Newton steps.
 /// There is no clock in it: runs can be repeated, and ranks agree.
 class GeometryRule {
 public:

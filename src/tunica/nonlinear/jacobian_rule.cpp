@@ -36,7 +36,8 @@ void JacobianRule::note(const std::vector<NewtonStep>& steps) {
   ++steps_since_;
   const std::size_t n = steps.size();
   if (n == 1) first_increment_ = steps.front().increment;
-  if (n < 2 || !(steps[n - 2].increment > 0.0)) return;
+  // An increment over one that an older Jacobian gave says how good that one was.
+  if (n < 2 || steps_since_ < 2 || !(steps[n - 2].increment > 0.0)) return;
   const double rate = std::max(1e-6, steps[n - 1].increment / steps[n - 2].increment);
   if (rate_ == 0.0) new_rate_ = rate;
   rate_ = rate;

@@ -43,10 +43,17 @@ TEUCHOS_UNIT_TEST(geometry_rule, derivatives_are_tried_ever_less_often_where_the
   TEST_EQUALITY(later, std::string(64, '-') + "++");  // no less often than this
 }
 
-TEUCHOS_UNIT_TEST(geometry_rule, derivatives_stay_where_they_pay) {
+TEUCHOS_UNIT_TEST(geometry_rule, derivatives_come_at_once_and_stay_where_they_pay) {
   GeometryRule rule;
   const std::string ways = march(rule, in_a_bend, 20);
-  TEST_EQUALITY(ways, "----++++++--++++++++");
+  TEST_EQUALITY(ways, "-++++++--++++++++--+");
+}
+
+TEUCHOS_UNIT_TEST(geometry_rule, derivatives_that_do_not_help_many_steps_are_not_tried_more_often) {
+  GeometryRule rule;
+  constexpr Counts hard{{12, 12}, {60, 60}};
+  const std::string ways = march(rule, hard, 13);
+  TEST_EQUALITY(ways, "-++--------++");
 }
 
 TEUCHOS_UNIT_TEST(geometry_rule, follows_a_flow_that_changes) {

@@ -55,6 +55,18 @@ TEUCHOS_UNIT_TEST(jacobian_rule, the_last_one_serves_while_it_takes_no_more_step
   TEST_ASSERT(renews(1000.0, 0.95));  // it hardly falls
 }
 
+TEUCHOS_UNIT_TEST(jacobian_rule, an_increment_over_one_of_an_older_jacobian_is_not_the_new_ones) {
+  JacobianRule rule(2.0);
+  rule.renewed();
+  make(rule, steps(1e-3, {0.7}));
+  rule.renewed();
+  const std::vector<double> parts{0.7, 0.7, 1e-2,
+                                  0.6};  // old, from old to new, new, of a later state
+  for (std::size_t n = 2; n <= parts.size(); ++n)
+    rule.note(steps(1e-3, {parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(n)}));
+  TEST_ASSERT(rule.wants_new(steps(1e-3, parts), 1e-12));
+}
+
 TEUCHOS_UNIT_TEST(jacobian_rule, the_next_solve_begins_with_the_last_one_of_the_former) {
   JacobianRule rule(2.0);
   TEST_ASSERT(rule.wants_new({}, 1e-9));  // there is none
