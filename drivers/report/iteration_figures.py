@@ -16,7 +16,7 @@ def coupling_history(run, step):
     if step is None or not has_coupling_iterations(run):
         return None
     chosen = rows_where(run.coupling, step=float(step))
-    if not chosen or not chosen["step"]:
+    if not chosen or not chosen["step"] or not max(run.coupling["relaxation"]) > 0:  # monolithic ones are not relaxed
         return None
     canvas, (left, right) = plt.subplots(1, 2, figsize=(10.5, 4.2), layout="constrained")
     others = [s for s in dict.fromkeys(run.coupling["step"]) if s != step]

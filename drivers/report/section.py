@@ -155,6 +155,10 @@ class Plane:
     axes: np.ndarray  # rows: its normal, and the directions up and along in it
     level: float      # its place along the normal [mm]
 
+    def option(self):
+        """What of the command line says the same."""
+        return "--plane=" + ",".join(f"{part:.4g}" for part in self.axes[0] + 0.0) + f"={self.level:.4g}"
+
 
 def fitted_plane(points, centres):
     """Through the centres of a vessel: along them where they bend by more than the vessel is wide, else along what

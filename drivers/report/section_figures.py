@@ -141,7 +141,8 @@ def section(run, outputs, quantity, factor, plane):
     drawn = "displacement true to scale" if factor == 1 else f"displacement magnified {factor:g} times"
     canvas.suptitle(f"{title} ({drawn})", fontsize=13)
     return canvas, Figure(f"section_{quantity}.png", title,
-                          f"Cut through the deformed configuration, {drawn}; the same colours at all times.")
+                          f"Cut through the deformed configuration, {drawn}; the same colours at all times. "
+                          f"The plane is that of {plane.option()}.")
 
 
 def _section_rows(cuts, bars, names):

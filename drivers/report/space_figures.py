@@ -17,7 +17,8 @@ AVERAGES = ("time_averaged_wss", "oscillatory_shear_index", "relative_residence_
 # Arrays of the wall: name, title, label.
 STRESSES = (("von_mises", "Von Mises stress", "von Mises stress [kPa]"),
             ("largest_principal_stress", "Largest principal stress", "largest principal stress [kPa]"),
-            ("fibre_stress", "Stress along the fibres", "along the fibres, of two the greater [kPa]"))
+            ("fibre_stress", "Stress along the fibres", "stress along fibres [kPa]"))
+CUT_OPEN = [name for name, _, _ in STRESSES]
 MOST_FURTHER = 6
 
 
@@ -36,6 +37,7 @@ class SpacePictures:
         size = lambda group: max(norm_of(run.displacement(group, g)).max() for g in run.grids())  # noqa: E731
         self.run, self.surfaces, self.factor = run, surfaces, factor
         (self.time, group), (self.end, last) = max(outputs, key=lambda o: size(o[1])), outputs[-1]
+        self.plane = plane
         self.stage = Stage(run, group, factor, plane)
         self.at_end = self.stage if last == group else Stage(run, last, factor, plane)
         self.scenes, self.bars, self.titles = {}, {}, {}
@@ -131,6 +133,10 @@ class SpacePictures:
             when = f"t = {self.time:g} ms"
             text = f"Deformed, {drawn}, at the output of greatest displacement; from two sides."
         canvas.suptitle(f"{self.titles[name]}, {when}" + (f" ({magnified})" if self.factor != 1 else ""), fontsize=13)
+        if name == "velocity" or name in CUT_OPEN:
+            text += f" The cut is that of {self.plane.option()}."
+        if name == "fibre_stress":
+            text += " Of two families the greater."
         if name == "velocity":
             text += " Arrows begin where they are drawn; the longest one is the greatest velocity in the cut."
         return canvas, Figure(f"space_{name}.png", self.titles[name], text)
