@@ -32,6 +32,23 @@ def commit():
     return found.stdout.strip() or "unknown"
 
 
+def write_commit(folder):
+    """Beside the folder of a run, of what sources it is."""
+    with open(folder + ".commit", "w", encoding="utf-8") as file:
+        file.write(commit())
+
+
+def commits_of(output):
+    """Commit -> names of the runs in the folder that are of it."""
+    found = {}
+    for entry in sorted(os.listdir(output)):
+        name, end = os.path.splitext(entry)
+        if end == ".commit":
+            with open(os.path.join(output, entry), encoding="utf-8") as file:
+                found.setdefault(file.read().strip(), []).append(name)
+    return found
+
+
 def processor():
     try:
         with open("/proc/cpuinfo", encoding="utf-8") as file:

@@ -83,10 +83,10 @@ constexpr const char* wall_arrays_key = "wall arrays";
 
 /// One of the wall's elements as it is deformed.
 struct Strained {
-  const materials::HyperelasticLaw* law;
   materials::Frame frame;
-  Mat3 F;      ///< deformation gradient
-  Sym3 sigma;  ///< Cauchy stress [kPa]
+  std::vector<Vec3> fibres;  ///< directions in the deformed wall, as long as they are stretched
+  Mat3 F;                    ///< deformation gradient
+  Sym3 sigma;                ///< Cauchy stress [kPa]
 };
 
 using Numbers = std::vector<double>;
@@ -111,18 +111,14 @@ void circumferential(const Strained& element, Numbers& array) {
   append(element.frame.circumferential, array);
 }
 void axial(const Strained& element, Numbers& array) { append(element.frame.axial, array); }
-/// As long as it is stretched; zero where a layer has none.
-Vec3 deformed_fibre(const Strained& element, std::size_t f) {
-  const std::vector<Vec3> fibres = element.law->fibre_directions(element.frame);
-  return f < fibres.size() ? element.F * fibres[f] : Vec3{};
-}
+/// Zero where a layer has none.
 template <std::size_t f>
 void fibre(const Strained& element, Numbers& array) {
-  append(deformed_fibre(element, f), array);
+  append(f < element.fibres.size() ? element.fibres[f] : Vec3{}, array);
 }
 template <std::size_t f>
 void fibre_stress(const Strained& element, Numbers& array) {
-  const Vec3 along = deformed_fibre(element, f);
+  const Vec3 along = f < element.fibres.size() ? element.fibres[f] : Vec3{};
   const double squared = dot(along, along);
   array.push_back(squared > 0.0 ? dot(along, kernels::apply(element.sigma, along)) / squared : 0.0);
 }
@@ -204,10 +200,10 @@ std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall,
     const materials::HyperelasticLaw& law = *wall.elements().layer(e).law;
     const materials::Frame frame = wall.elements().frame(e);
     const auto d_e = assembly::gather(d, mesh.tets[e]);
-    const Strained element{
-        &law, frame, kernels::deformation_gradient(T, d_e),
-        kernels::cauchy_stress(T, d_e, assembly::gather(p, wall.scalar_mesh().tets[e]), law,
-                               frame)};
+    Strained element{frame, law.fibre_directions(frame), kernels::deformation_gradient(T, d_e),
+                     kernels::cauchy_stress(T, d_e, assembly::gather(p, wall.scalar_mesh().tets[e]),
+                                            law, frame)};
+    for (Vec3& fibre : element.fibres) fibre = element.F * fibre;
     for (std::size_t k = 0; k < chosen.size(); ++k) chosen[k]->append(element, arrays[k].values);
   }
   return arrays;
