@@ -88,7 +88,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
         app::joined({wall.observe(), fluid.observe(), shear.observe(),
                      domain.probes.observe(&fluid, &wall), surfaces.observe(&fluid, &wall)});
     log.step(clock, step, observed);
-    watch.tell(log, clock, step, observed, &fluid.mesh(), motion.displacement());
+    watch.tell(log, clock, step, observed, &fluid.mesh(), motion.displacement(),
+               [&] { return app::volume_change(wall); });
     if (!step.is_accepted) return checkpoints.give_up(step.reason);
     checkpoints.end_step([&] {
       if (fields.is_due(clock))

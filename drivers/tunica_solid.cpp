@@ -47,7 +47,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     const discretisation::Observables observed = app::joined(
         {wall.observe(), domain.probes.observe(nullptr, &wall), surfaces.observe(nullptr, &wall)});
     log.step(clock, step, observed);
-    watch.tell(log, clock, step, observed);
+    watch.tell(log, clock, step, observed, nullptr, {}, [&] { return app::volume_change(wall); });
     if (!step.is_accepted) return checkpoints.give_up(step.reason);
     checkpoints.end_step([&] {
       if (fields.is_due(clock))

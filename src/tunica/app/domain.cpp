@@ -94,6 +94,25 @@ Regions regions_of(const mesh::Mesh& mesh, const MeshRequirements& requirements)
   return regions;
 }
 
+/// Of what is in no field: the regions that a surface bounds, as the end of a message. Collective.
+std::string forgotten_regions(const mesh::Share& share, int surface,
+                              const std::vector<std::vector<int>>& fields) {
+  const mesh::Mesh& mesh = share.mesh;
+  std::string names;
+  for (int r = 0; r < static_cast<int>(mesh.regions.size()); ++r) {
+    if (std::any_of(fields.begin(), fields.end(),
+                    [&](const auto& field) { return std::count(field.begin(), field.end(), r); }))
+      continue;
+    const std::vector<char> is_in = mesh::marked_regions(mesh, {r});
+    double bounds = 0.0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      if (mesh.triangle_surface[i] == surface && share.is_between(i, is_in)) bounds = 1.0;
+    if (global_max(*share.comm, bounds) > 0.0)
+      names += (names.empty() ? "\"" : ", \"") + mesh.regions[r].name + "\"";
+  }
+  return names.empty() ? "" : " It bounds the region " + names + ", which is not in the field.";
+}
+
 /// Every surface the case names must exist and bound the field, or one of the fields, each of which
 /// is given by its regions. Collective.
 void check_surfaces(const mesh::Share& share, const std::vector<std::string>& names,
@@ -115,7 +134,8 @@ void check_surfaces(const mesh::Share& share, const std::vector<std::string>& na
     }
     TUNICA_CHECK(bounds[surface] > 0.0, where + ": the surface \"" + name + "\" does not bound " +
                                             (fields.size() == 1 ? "this field" : "fluid or wall") +
-                                            ": it lies outside or inside.");
+                                            ": it lies outside or inside." +
+                                            forgotten_regions(share, surface, fields));
   }
 }
 

@@ -163,6 +163,11 @@ double TimeFunction::operator()(double time) const {
   return in_table(times_.front() + within(time, times_.front(), period_, kind_ == Kind::steps));
 }
 
+double TimeFunction::span() const {
+  if (period_ > 0.0) return period_;
+  return times_.empty() ? 0.0 : times_.back();
+}
+
 std::pair<double, double> TimeFunction::table_range() const {
   if (values_.empty()) return {0.0, 0.0};
   const auto [least, largest] = std::minmax_element(values_.begin(), values_.end());

@@ -110,6 +110,8 @@ TEUCHOS_UNIT_TEST(vessel, tube_is_measured_as_it_was_made) {
   TEST_EQUALITY(vessel.elements_across_lumen, tube.around / 4);
   TEST_EQUALITY(vessel.elements_across_wall, 3);
   TEST_EQUALITY(vessel.openings.size(), 2);
+  TEST_EQUALITY(vessel.openings[0].wall_end, "struct_in");
+  TEST_EQUALITY(vessel.openings[1].wall_end, "struct_out");
   TEST_FLOATING_EQUALITY(vessel.openings[0].area, M_PI * tube.radius * tube.radius, 5e-3);
   TEST_FLOATING_EQUALITY(vessel.region_shares[0] + vessel.region_shares[1], 1.0, 1e-12);
 }
@@ -122,6 +124,8 @@ TEUCHOS_UNIT_TEST(vessel, quarter_of_a_tube_is_that_tube) {
   surfaces.wall_ends.insert(surfaces.wall_ends.end(), {"symmetry_x", "symmetry_y"});
   const app::Vessel vessel =
       app::vessel_of(test::share_of(quarter, {true, false, false}), {0}, {1, 2}, surfaces);
+  TEST_EQUALITY(vessel.openings.size(), 2);
+  TEST_EQUALITY(vessel.openings[0].wall_end, "struct_in");  // not a plane of symmetry
   TEST_FLOATING_EQUALITY(vessel.radius, tube.radius, 2e-3);
   TEST_FLOATING_EQUALITY(vessel.length, tube.length, 5e-3);
   TEST_FLOATING_EQUALITY(vessel.thickness, tube.media + tube.adventitia, 5e-3);
@@ -135,6 +139,7 @@ TEUCHOS_UNIT_TEST(vessel, is_the_same_on_any_number_of_ranks) {
   TEST_EQUALITY(domain.vessel.wall->tets, 3888);
   TEST_EQUALITY(domain.vessel.elements_across_wall, 3);
   TEST_EQUALITY(domain.vessel.elements_across_lumen, 2);
+  TEST_EQUALITY(domain.vessel.openings.at(0).wall_end, "struct_in");
 }
 
 TEUCHOS_UNIT_TEST(stiffness, is_youngs_modulus_of_isotropic_laws) {
@@ -198,6 +203,8 @@ TEUCHOS_UNIT_TEST(sanity, values_in_other_units_are_doubted) {
   tube = {};
   tube.inlet = condition("inlet", "flow rate", number("flow rate", "2000"));
   TEST_ASSERT(doubts(tube, "mm^3/ms (= ml/s)", out));
+  tube.inlet = condition("inlet", "flow rate", number("flow rate", "0.002"));
+  TEST_ASSERT(doubts(tube, "1 l/min = 16.7 mm^3/ms", out));
   tube = {};
   tube.c10 = "1e6";
   TEST_ASSERT(doubts(tube, "media: Young's modulus", out));
@@ -206,6 +213,7 @@ TEUCHOS_UNIT_TEST(sanity, values_in_other_units_are_doubted) {
 TEUCHOS_UNIT_TEST(sanity, outlets_settle_to_the_pressure_of_their_resistances) {
   TubeCase tube;
   tube.c10 = "330";
+  tube.prestress = "12";
   const auto with = [&](const std::string& flow, const std::string& outlet) {
     // A triangle: as much as is given on the mean.
     tube.inlet = condition(
@@ -272,11 +280,45 @@ TEUCHOS_UNIT_TEST(sanity, outlets_begin_with_the_pressure_of_the_image) {
   outlet_of("9");
   TEST_ASSERT(!doubts(tube, "begins with a pressure", out));
   tube.outlet = "";  // nothing presses there
-  TEST_ASSERT(doubts(tube, "outlet begins with a pressure of 0 kPa", out));
+  TEST_ASSERT(doubts(tube, "the opening outlet has no condition", out));
   outlet_of("9");
   tube.prestress = "0";
   outlet_of("0");
   TEST_ASSERT(!doubts(tube, "begins with a pressure", out));
+  outlet_of("9");  // 9 kPa R/(E h) = 0.9
+  TEST_ASSERT(doubts(tube, "widens by about 90 % at once", out));
+  TEST_ASSERT(doubts(tube, "/ pressure = 9)", out));
+}
+
+TEUCHOS_UNIT_TEST(sanity, openings_without_a_condition_are_doubted_beside_outlets) {
+  TubeCase tube;
+  tube.outlet = "";
+  TEST_ASSERT(!doubts(tube, "has no condition", out));  // one that is left free is usual
+  app::Vessel fork = ideal_tube();
+  fork.openings.push_back({"branch", 1.0, 10});
+  tube.outlet = condition("outlet", "resistance", number("resistance", "1"));
+  const app::Sanity s = app::judge(tube.resolved(), fork);
+  const auto found = std::count_if(s.doubts.begin(), s.doubts.end(), [](const std::string& doubt) {
+    return doubt.find("the opening branch has no condition") != std::string::npos;
+  });
+  TEST_EQUALITY(found, 1);
+}
+
+TEUCHOS_UNIT_TEST(sanity, ends_that_a_fibre_frame_does_not_know_are_doubted) {
+  Teuchos::ParameterList list = TubeCase().resolved();
+  Teuchos::ParameterList& frame = list.sublist("Wall").sublist("Fibre Frame");
+  const auto only = [](const char* name) { return Teuchos::Array<std::string>(1, name); };
+  frame.set("kind", "laplace");
+  frame.set("start surfaces", only("struct_in"));
+  frame.set("end surfaces", only("struct_out"));
+  app::Vessel fork = ideal_tube();
+  fork.openings[0].wall_end = "struct_in";
+  fork.openings[1].wall_end = "struct_out";
+  TEST_EQUALITY(app::judge(list, fork).doubts.size(), 0);
+  fork.openings.push_back({"branch", 1.0, 10, "struct_branch"});
+  const app::Sanity s = app::judge(list, fork);
+  TEST_EQUALITY(s.doubts.size(), 1);
+  TEST_EQUALITY(s.doubts.at(0).find("struct_branch, the wall's end at the opening branch"), 0);
 }
 
 TEUCHOS_UNIT_TEST(sanity, steps_that_are_too_long_are_doubted) {
@@ -286,6 +328,14 @@ TEUCHOS_UNIT_TEST(sanity, steps_that_are_too_long_are_doubted) {
   tube.inlet =
       condition("inlet", "pressure", number("pressure", "0.1") + test::table_of("0, 20", "0, 1"));
   TEST_ASSERT(doubts(tube, "a wave runs through the vessel in 17.9 ms", out));
+  // The first steps of a run whose load rises slowly are no reason.
+  tube.step_size = "5";
+  tube.inlet = condition("inlet", "pressure",
+                         number("pressure", "0.1") + test::table_of("0, 10000", "0, 1"));
+  Teuchos::ParameterList first = tube.resolved();
+  first.sublist("Time").set("steps", 2);
+  for (const std::string& doubt : app::judge(first, ideal_tube()).doubts)
+    TEST_EQUALITY(doubt.find("a wave runs through"), std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(sanity, meshes_that_do_not_hang_together_or_are_coarse_are_doubted) {

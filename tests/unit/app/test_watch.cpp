@@ -39,6 +39,28 @@ TEUCHOS_UNIT_TEST(watch, wall_that_loses_volume_is_told_once) {
   TEST_COMPARE_ARRAYS(found, (Counts{0, 1, 0}));
 }
 
+TEUCHOS_UNIT_TEST(watch, volume_is_lost_in_so_many_elements_and_most_at_a_place) {
+  const test::SmallTube tube;
+  const fields::FieldMesh& wall = tube.wall;
+  // J = 1 + 0.15 (1 − z/L), in three layers of elements by their middles: 1.125, 1.075, 1.025.
+  double L = 0.0;
+  for (const Vec3& x : wall.x) L = std::max(L, x[2]);
+  L = global_max(*wall.comm, L);
+  std::vector<Vec3> D;
+  for (const Vec3& x : wall.x) D.push_back({0.0, 0.0, 0.15 * x[2] * (1.0 - 0.5 * x[2] / L)});
+  const app::VolumeChange change = app::volume_change(wall, D);
+  TEST_EQUALITY(3 * change.beyond, change.all);
+  TEST_COMPARE(change.place[2], <, L / 3.0);
+
+  app::Watch watch(TubeCase().resolved());
+  const auto found = watch.look(after(1), 1.0, volumes(0.8, 1.0), nullptr, {}, [] {
+    return app::VolumeChange{3, 40, {1.0, 2.0, 3.0}};
+  });
+  TEST_EQUALITY(found.size(), 1);
+  TEST_INEQUALITY(found.at(0).find("3 of 40 are beyond that, the worst at (1, 2, 3)"),
+                  std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(watch, compressible_wall_may_lose_volume) {
   TubeCase tube;
   tube.c10 = "1e9";  // of the size of the bulk modulus

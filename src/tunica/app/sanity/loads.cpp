@@ -125,7 +125,9 @@ void visit_opening(const boundary::Condition& c, double area, const std::vector<
     case Kind::none:
       break;
   }
-  if (drive.outlet) driven.outlets.push_back(*drive.outlet);
+  if (!drive.outlet) return;
+  driven.outlets.push_back(*drive.outlet);
+  loads.has_outlets = true;
 }
 
 /// What presses on the openings, in time.
@@ -141,7 +143,7 @@ std::vector<Course> visit_fluid(const Teuchos::ParameterList& fluid,
   for (const Vessel::Opening& o : openings)
     if (std::find(named.begin(), named.end(), o.surface) == named.end()) {
       driven.pressing.emplace_back(Teuchos::ParameterList(), 0.0);
-      loads.first_pressures.emplace_back(o.surface, 0.0);
+      loads.bare.push_back(o.surface);
     }
   if (openings.size() == driven.inflows.size() + driven.outlets.size() && !driven.inflows.empty())
     loads.balance = balance_of(driven.inflows, driven.outlets);
@@ -215,10 +217,12 @@ void visit_amplitude(const Teuchos::ParameterList& list, double dt, Loads& loads
       std::find(loads.periods.begin(), loads.periods.end(), period) == loads.periods.end())
     loads.periods.push_back(period);
   constexpr int n = 2000;
+  // A run of a few steps only is no reason to call a load fast.
+  const double span = std::max(amplitude.span(), loads.end);
   double low = amplitude(0.0), high = low, slope = 0.0;
   for (int k = 1; k <= n; ++k) {
-    const double value = amplitude(loads.end * k / n);
-    slope = std::max(slope, std::abs(value - amplitude(loads.end * (k - 1) / n)) * n / loads.end);
+    const double value = amplitude(span * k / n);
+    slope = std::max(slope, std::abs(value - amplitude(span * (k - 1) / n)) * n / span);
     low = std::min(low, value);
     high = std::max(high, value);
   }

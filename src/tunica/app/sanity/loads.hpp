@@ -21,8 +21,10 @@ struct Loads {
   double peak_pressure = 0.0;        ///< largest on openings of the fluid and on the wall [kPa]
   std::string pressure_surface{};    ///< with the list that names it
   double pressure_difference = 0.0;  ///< largest between openings [kPa]
-  /// Of openings with a pressure in the beginning [kPa].
+  /// Of openings with a pressure in the beginning, given or that of an outlet [kPa].
   std::vector<std::pair<std::string, double>> first_pressures{};
+  std::vector<std::string> bare{};  ///< openings without a condition: zero pressure
+  bool has_outlets = false;         ///< some answer the flow with a pressure
   /// Where all that flows in leaves through outlets: means over the period of what is given, or
   /// over the run.
   struct Balance {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "tunica/app/sanity/openings.hpp"
 #include "tunica/app/sanity/stiffness.hpp"
 #include "tunica/app/sanity/units.hpp"
 #include "tunica/base/formatted.hpp"
@@ -34,8 +35,7 @@ public:
     shape();
     if (vessel_.wall) stiffness();
     loads();
-    outlets();
-    if (vessel_.wall && vessel_.fluid) prestress();
+    openings();
     if (vessel_.fluid) flow();
     if (has_fixed_steps()) steps();
     found_.rows = std::move(rows_);
@@ -54,10 +54,9 @@ private:
   void mesh(const char* field, const ElementShapes& shapes);
   void shape();
   void stiffness();
-  void prestress();
   void held();
   void loads();
-  void outlets();
+  void openings();
   void flow();
   double driven_speed(std::string& how) const;
   void steps();
@@ -186,46 +185,14 @@ void Judge::loads() {
         formatted("%.3g mm^3/ms (ml/s) in %s", loads_.peak_flow, loads_.flow_surface.c_str()), "");
 }
 
-void Judge::outlets() {
-  if (!loads_.balance) return;
-  const Loads::Balance& b = *loads_.balance;
-  row("mean flow, and pressure at the outlets",
-      formatted("%.3g mm^3/ms, %.3g kPa = %.3g mmHg", b.inflow, b.pressure, b.pressure * 7.50062),
-      "8 to 18 kPa");
-  if (b.inflow < 0.0)
-    doubts_.push_back(formatted(
-        "the flow rates that are given draw %.3g mm^3/ms out of the vessel on the mean, and the "
-        "outlets have to let it in; usual is the other way. A flow rate above zero flows in.",
-        -b.inflow));
-  else if (b.pressure > 50.0)
-    doubts_.push_back(formatted(
-        "behind resistances like those of the outlets a mean flow of %.3g mm^3/ms raises the "
-        "pressure to %.3g kPa; arteries have 8 to 18. 1 mmHg s/ml = 0.1333 kPa ms/mm^3, 1 "
-        "dyn s/cm^5 = 1e-4 kPa ms/mm^3, 1 ml/s = 1 mm^3/ms. Check the units of what is given.",
-        b.inflow, b.pressure));
-  else if (b.pressure < 0.0)
-    doubts_.push_back(
-        formatted("the outlets let the pressure settle to %.3g kPa, below zero; arteries have 8 to "
-                  "18. Look at their \"distal pressure\".",
-                  b.pressure));
-  if (b.mean_flow != 0.0 && std::abs(b.mean_flow - b.inflow) > 0.25 * std::abs(b.inflow))
-    doubts_.push_back(formatted(
-        "the outlets begin as if %.3g mm^3/ms left through them (their \"mean flow\"), but "
-        "%.3g flow in on the mean: the pressure drifts for some time constants. Let them add up.",
-        b.mean_flow, b.inflow));
-}
-
-// Where the vessel was imaged under pressure, the blood begins with it.
-void Judge::prestress() {
-  const double imaged = list_.sublist("Wall").sublist("Prestress").get<double>("pressure");
-  if (imaged == 0.0) return;
-  for (const auto& [surface, p] : loads_.first_pressures)
-    if (std::abs(p - imaged) > 0.25 * std::abs(imaged))
-      doubts_.push_back(formatted(
-          "%s begins with a pressure of %.3g kPa, but the wall was imaged under %.3g kPa "
-          "(Wall / Prestress): the vessel jumps in its first steps. Begin with that pressure "
-          "(a windkessel: \"initial pressure\" or \"mean flow\").",
-          surface.c_str(), p, imaged));
+void Judge::openings() {
+  if (loads_.balance)
+    row("mean flow, and pressure at the outlets",
+        formatted("%.3g mm^3/ms, %.3g kPa = %.3g mmHg", loads_.balance->inflow,
+                  loads_.balance->pressure, loads_.balance->pressure * 7.50062),
+        "8 to 18 kPa");
+  for (const std::string& doubt : doubts_of_openings(list_, vessel_, loads_, found_.modulus))
+    doubts_.push_back(doubt);
 }
 
 double Judge::driven_speed(std::string& how) const {
@@ -267,6 +234,11 @@ void Judge::flow() {
         formatted("a mean velocity of %.3g mm/ms (m/s) is to be expected, %s; usual is up "
                   "to 1.5. Check the units: mm/ms, mm^3/ms (= ml/s), kPa.",
                   found_.speed, how.c_str()));
+  else if (loads_.peak_speed > 0.0 && loads_.peak_speed < 0.005 && vessel_.radius > 0.5)
+    doubts_.push_back(
+        formatted("the largest mean velocity given is %.3g mm/ms (m/s), in %s; usual are 0.05 to "
+                  "1.5. Check the units: mm/ms, mm^3/ms (= ml/s; 1 l/min = 16.7 mm^3/ms).",
+                  loads_.peak_speed, loads_.flow_surface.c_str()));
   else if (found_.reynolds > 10000.0)
     doubts_.push_back(
         formatted("the Reynolds number is about %.3g; usual is up to 4000. Flow beyond is "

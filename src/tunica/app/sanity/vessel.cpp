@@ -8,10 +8,12 @@
 #include <tuple>
 
 #include "tunica/app/sanity/global_median.hpp"
+#include "tunica/app/sanity/place_of_least.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/mesh/distributed/rows.hpp"
 #include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/info.hpp"
+#include "tunica/mesh/validate.hpp"
 
 namespace tunica::app {
 
@@ -282,12 +284,38 @@ void measure_wall(const Part& part, const VesselSurfaces& surfaces, Vessel& vess
   vessel.thickness = thickness_of(vessel.wall->volume, area, vessel.radius);
 }
 
-/// The middle of the worst tetrahedron of all ranks, where the calling one has found `place`.
-Vec3 place_of_worst(const Comm& comm, double mine, double worst, Vec3 place) {
-  const int vote = mine == worst ? comm.getRank() : comm.getSize();
-  const int speaker = static_cast<int>(global_min(comm, vote));
-  if (speaker < comm.getSize()) Teuchos::broadcast(comm, speaker, 3, place.data());
-  return place;
+/// The wall's surface around an opening: that with most of the vertices at which the opening meets
+/// the inside of the wall. A plane of symmetry has two of them.
+void find_ends(const Part& fluid, const Part& wall, const VesselSurfaces& surfaces,
+               Vessel& vessel) {
+  const mesh::Mesh& mesh = wall.mesh;
+  const auto of_fluid = boundary_of(fluid), of_wall = boundary_of(wall);
+  const std::vector<char> inside = vertices_of(mesh, joined(mesh, of_wall, surfaces.wall_inside));
+  const std::size_t n_openings = vessel.openings.size(), n_surfaces = mesh.surfaces.size();
+  std::vector<int> opening(mesh.vertices.size(), -1);  // at whose rim a vertex is
+  std::vector<double> rim(n_openings, 0.0), shared(n_openings * n_surfaces, 0.0);
+  for (std::size_t k = 0; k < n_openings; ++k) {
+    const int s = mesh::surface_index(mesh, vessel.openings[k].surface);
+    const std::vector<char> is_there = vertices_of(mesh, of_fluid[s]);
+    for (std::size_t v = 0; v < opening.size(); ++v)
+      if (is_there[v] && inside[v] && wall.share.is_owned[v]) {
+        opening[v] = static_cast<int>(k);
+        rim[k] += 1.0;
+      }
+  }
+  for (std::size_t s = 0; s < n_surfaces; ++s) {
+    if (contains(surfaces.wall_inside, mesh.surfaces[s].name)) continue;
+    const std::vector<char> is_there = vertices_of(mesh, of_wall[s]);
+    for (std::size_t v = 0; v < opening.size(); ++v)
+      if (is_there[v] && opening[v] >= 0) shared[opening[v] * n_surfaces + s] += 1.0;
+  }
+  rim = global_sum(wall.comm, rim);
+  shared = global_sum(wall.comm, shared);
+  for (std::size_t k = 0; k < n_openings; ++k) {
+    const auto first = shared.begin() + static_cast<std::ptrdiff_t>(k * n_surfaces);
+    const auto most = std::max_element(first, first + static_cast<std::ptrdiff_t>(n_surfaces));
+    if (*most > 0.5 * rim[k]) vessel.openings[k].wall_end = mesh.surfaces[most - first].name;
+  }
 }
 
 ElementShapes shapes_of(const Part& part) {
@@ -309,7 +337,7 @@ ElementShapes shapes_of(const Part& part) {
   }
   const double mine = tets == 0.0 ? std::numeric_limits<double>::infinity() : shapes.worst_quality;
   shapes.worst_quality = global_min(part.comm, mine);
-  shapes.worst_place = place_of_worst(part.comm, mine, shapes.worst_quality, shapes.worst_place);
+  shapes.worst_place = place_of_least(part.comm, mine, shapes.worst_place);
   shapes.least_angle = global_min(part.comm, shapes.least_angle);
   shapes.volume = global_sum(part.comm, shapes.volume);
   smallest = global_min(part.comm, smallest);
@@ -350,6 +378,7 @@ Vessel vessel_of(const mesh::Share& share, const std::vector<int>& fluid,
     const Part part(share, wall);
     vessel.wall = shapes_of(part);
     measure_wall(part, surfaces, vessel);
+    if (!fluid.empty()) find_ends(Part(share, fluid), part, surfaces, vessel);
     vessel.region_shares.assign(wall.size(), 0.0);
     for (std::size_t t = 0; t < share.mesh.tets.size(); ++t)
       for (std::size_t k = 0; k < wall.size(); ++k)

@@ -42,8 +42,9 @@ struct VesselSurfaces {
 struct Vessel {
   struct Opening {
     std::string surface;
-    double area;          ///< mm²
-    int elements_across;  ///< 0: it has no vertex but at its rim
+    double area;             ///< mm²
+    int elements_across;     ///< 0: it has no vertex but at its rim
+    std::string wall_end{};  ///< the wall's surface around it
   };
   std::optional<ElementShapes> fluid, wall;
   std::vector<Opening> openings;        ///< surfaces of the fluid that are no sides

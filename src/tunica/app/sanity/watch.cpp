@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "tunica/app/sanity/place_of_least.hpp"
 #include "tunica/app/sanity/stiffness.hpp"
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/formatted.hpp"
@@ -53,6 +55,35 @@ Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<V
           global_min(*mesh.comm, worst.part_of_volume)};
 }
 
+VolumeChange volume_change(const fields::FieldMesh& mesh, const std::vector<Vec3>& D) {
+  VolumeChange change;
+  double least = std::numeric_limits<double>::infinity();  // −|ln J|
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    if (!mesh.is_owned[e]) continue;
+    const auto X = assembly::gather(mesh.x, mesh.tets[e]);
+    auto x = X;
+    for (int a = 0; a < 4; ++a) x[a] += D[mesh.tets[e][a]];
+    const double J = volume(x) / volume(X), badness = -std::abs(std::log(J));
+    ++change.all;
+    if (J < 0.9 || J > 1.1) ++change.beyond;
+    if (badness >= least) continue;
+    least = badness;
+    change.place = 0.25 * (X[0] + X[1] + X[2] + X[3]);
+  }
+  change.place = place_of_least(*mesh.comm, least, change.place);
+  change.beyond = global_sum(*mesh.comm, change.beyond);
+  change.all = global_sum(*mesh.comm, change.all);
+  return change;
+}
+
+VolumeChange volume_change(const problems::SolidProblem& wall) {
+  Vector d(wall.mesh().vector_map);
+  fields::store(wall.displacement(), wall.mesh(), d);
+  std::vector<Vec3> D = fields::ghosted_vectors(wall.mesh(), d);
+  for (std::size_t a = 0; a < D.size(); ++a) D[a] += wall.from_stress_free()[a];
+  return volume_change(wall.mesh(), D);
+}
+
 Watch::Watch(const Teuchos::ParameterList& list) {
   if (list.isSublist("Wall"))
     is_nearly_incompressible_ = are_nearly_incompressible(list.sublist("Wall"));
@@ -73,15 +104,23 @@ void Watch::say(const std::string& kind, const std::string& line) {
   if (said_.insert(kind).second) lines_.push_back(line);
 }
 
-void Watch::look_at_volume(const discretisation::Observables& observables) {
+void Watch::look_at_volume(const discretisation::Observables& observables,
+                           const std::function<VolumeChange()>& wall) {
   const double *low = find(observables, "min_det_F"), *high = find(observables, "max_det_F");
   if (!is_nearly_incompressible_ || low == nullptr || high == nullptr) return;
   if (*low >= 0.9 && *high <= 1.1) return;
+  if (said_.count("volume") > 0) return;
+  std::string where;
+  if (wall) {
+    const VolumeChange change = wall();
+    where = formatted(", %lld of %lld are beyond that, the worst at (%.3g, %.3g, %.3g)",
+                      change.beyond, change.all, change.place[0], change.place[1], change.place[2]);
+  }
   say("volume",
       formatted("elements of the wall have %.3g to %.3g times their volume (det F); usual is "
-                "0.9 to 1.1 with its bulk modulus. A finer mesh, or \"volumetric "
+                "0.9 to 1.1 with its bulk modulus%s. A finer mesh, or \"volumetric "
                 "stabilisation\" = 1 in Wall; is the load as large as it should be?",
-                *low, *high));
+                *low, *high, where.c_str()));
 }
 
 void Watch::look_at_outlets(const discretisation::Observables& observables, double step_size) {
@@ -133,9 +172,10 @@ void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>&
 
 std::vector<std::string> Watch::look(const StepSummary& step, double step_size,
                                      const discretisation::Observables& observables,
-                                     const fields::FieldMesh* fluid, const std::vector<Vec3>& d) {
+                                     const fields::FieldMesh* fluid, const std::vector<Vec3>& d,
+                                     const std::function<VolumeChange()>& wall) {
   lines_.clear();
-  look_at_volume(observables);
+  look_at_volume(observables, wall);
   look_at_outlets(observables, step_size);
   look_at_iterations(step);
   if (fluid != nullptr && !d.empty() && said_.count("mesh") == 0) look_at_mesh(*fluid, d);
@@ -144,9 +184,9 @@ std::vector<std::string> Watch::look(const StepSummary& step, double step_size,
 
 void Watch::tell(const RunLog& log, const stepping::Clock& clock, const StepSummary& step,
                  const discretisation::Observables& observables, const fields::FieldMesh* fluid,
-                 const std::vector<Vec3>& d) {
+                 const std::vector<Vec3>& d, const std::function<VolumeChange()>& wall) {
   if (!step.is_accepted) return;
-  for (const std::string& line : look(step, clock.step_size(), observables, fluid, d))
+  for (const std::string& line : look(step, clock.step_size(), observables, fluid, d, wall))
     log.note("warning: " + line);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "tunica/app/run_log.hpp"
 #include "tunica/fields/field_mesh.hpp"
+#include "tunica/problems/solid_problem.hpp"
 
 namespace tunica::app {
 
@@ -18,6 +20,16 @@ struct Deformation {
 /// d: at local nodes. Collective.
 Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<Vec3>& d);
 
+/// Of the wall's elements that have less than 0.9 or more than 1.1 of their volume: how many of
+/// all there are, and the middle of the worst, as it was meshed [mm].
+struct VolumeChange {
+  long long beyond = 0, all = 0;
+  Vec3 place{};
+};
+/// D: displacement from where the wall is free of stress, at local nodes [mm]. Collective.
+VolumeChange volume_change(const fields::FieldMesh& mesh, const std::vector<Vec3>& D);
+VolumeChange volume_change(const problems::SolidProblem& wall);
+
 /// What a run says while it goes on, each thing once: a wall that does not keep its volume, flow
 /// that comes back through an outlet, a lumen whose mesh is bent badly, iterations near their cap.
 class Watch {
@@ -26,18 +38,22 @@ public:
   explicit Watch(const Teuchos::ParameterList& list);
 
   /// What is new at the end of an accepted step: a line each, with the cure. d: displacement of the
-  /// fluid's mesh at its local nodes, empty where it stands still. Collective.
+  /// fluid's mesh at its local nodes, empty where it stands still. wall: asked only where it does
+  /// not keep its volume. Collective.
   std::vector<std::string> look(const StepSummary& step, double step_size,
                                 const discretisation::Observables& observables,
                                 const fields::FieldMesh* fluid = nullptr,
-                                const std::vector<Vec3>& d = {});
+                                const std::vector<Vec3>& d = {},
+                                const std::function<VolumeChange()>& wall = {});
   /// The same, said on the screen.
   void tell(const RunLog& log, const stepping::Clock& clock, const StepSummary& step,
             const discretisation::Observables& observables,
-            const fields::FieldMesh* fluid = nullptr, const std::vector<Vec3>& d = {});
+            const fields::FieldMesh* fluid = nullptr, const std::vector<Vec3>& d = {},
+            const std::function<VolumeChange()>& wall = {});
 
 private:
-  void look_at_volume(const discretisation::Observables& observables);
+  void look_at_volume(const discretisation::Observables& observables,
+                      const std::function<VolumeChange()>& wall);
   void look_at_outlets(const discretisation::Observables& observables, double step_size);
   void look_at_iterations(const StepSummary& step);
   void look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>& d);
