@@ -59,6 +59,24 @@ void CommonMotions::store(const NodalResidual& R, const std::vector<Vec3>& u,
     }
 }
 
+std::vector<double> CommonMotions::means(const Vector& u) const {
+  if (is_empty()) return {};
+  std::vector<double> sums(motions_.size(), 0.0);
+  const auto values = u.getLocalViewHost(read_only);
+  for (int row = 0; row < 3 * mesh_->n_owned; ++row)
+    if (motion_of_[row] >= 0) sums[motion_of_[row]] += values(row, 0);
+  sums = global_sum(*mesh_->comm, sums);
+  for (std::size_t m = 0; m < sums.size(); ++m) sums[m] /= motions_[m].count;
+  return sums;
+}
+
+void CommonMotions::insert(const std::vector<double>& values, Vector& u) const {
+  if (is_empty()) return;
+  const auto rows = u.getLocalViewHost(read_write);
+  for (int row = 0; row < 3 * mesh_->n_owned; ++row)
+    if (motion_of_[row] >= 0) rows(row, 0) = values[motion_of_[row]];
+}
+
 void CommonMotions::begin() {
   for (Motion& motion : motions_)
     for (Values* each : {&motion.column, &motion.row}) {

@@ -38,6 +38,11 @@ public:
   void store(const NodalResidual& R, const std::vector<Vec3>& u, const std::vector<double>& values,
              algebra::BlockVector& F) const;
 
+  /// The mean of each motion's members, of values at owned nodes. Collective.
+  std::vector<double> means(const Vector& u) const;
+  /// Gives each motion's members one value.
+  void insert(const std::vector<double>& values, Vector& u) const;
+
   /// A Jacobian begins; what its elements and faces hold of members, before it is dropped; and,
   /// where all are in, the last rank() of the field's products. diagonal: of K, in the field's
   /// units. Collective.

@@ -112,6 +112,22 @@ std::string MixedField::restore_history(const fields::State& state, const algebr
   return surfaces_.restore(state);
 }
 
+void MixedField::hold_prescribed(algebra::BlockVector& dx) const {
+  const std::vector<double> common = common_motions_.means(dx[0]);
+  {
+    const auto u = dx[0].getLocalViewHost(read_write);
+    for (int a = 0; a < mesh_->n_owned; ++a) {
+      if (fixed_.is_free(a)) continue;
+      const Vec3 free = fixed_.project(a, {u(3 * a, 0), u(3 * a + 1, 0), u(3 * a + 2, 0)});
+      for (int i = 0; i < 3; ++i) u(3 * a + i, 0) = free[i];
+    }
+    const auto p = dx[1].getLocalViewHost(read_write);
+    for (int a = 0; a < scalar_mesh().n_owned; ++a)
+      if (fixed_.is_scalar_fixed(fields::host_of(a, split()))) p(a, 0) = 0.0;
+  }
+  common_motions_.insert(common, dx[0]);
+}
+
 double MixedField::mass_norm(const algebra::BlockVector& dx) const {
   return assembly::mass_norm(*mesh_, scalar_mesh(), geometry(), dx);
 }

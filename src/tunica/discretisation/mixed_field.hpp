@@ -40,6 +40,8 @@ public:
   /// Null where the field has none.
   const std::shared_ptr<algebra::LowRank>& products() const { return products_; }
   double mass_norm(const algebra::BlockVector& dx) const override;
+  /// Of an increment: prescribed unknowns have none, and those that move as one the same.
+  void hold_prescribed(algebra::BlockVector& dx) const;
 
   const stepping::TimeScheme& time_scheme() const { return *scheme_; }
   /// What is prescribed, per local node.

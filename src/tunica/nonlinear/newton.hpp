@@ -23,6 +23,9 @@ public:
   virtual void jacobian(const algebra::BlockVector& x) = 0;
   virtual void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const = 0;
   virtual linear::LinearSolver& linear_solver() = 0;
+  /// Gives unknowns that are prescribed the increment they have, which an inexact solve misses. The
+  /// residual, which takes their values for granted, would not show it.
+  virtual void hold_prescribed(algebra::BlockVector& dx) const { static_cast<void>(dx); }
   /// The norm by which Newton's method stops; of a field (dxᵀ M dx)^½ with the mass matrices of all
   /// unknowns, [LY1] newstop.
   virtual double increment_norm(const algebra::BlockVector& dx) = 0;

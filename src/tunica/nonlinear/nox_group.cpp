@@ -98,6 +98,7 @@ NOX::Abstract::Group::ReturnType NoxGroup::computeNewton(Teuchos::ParameterList&
   algebra::BlockVector direction = blocks(newton_);
   log_->linear.push_back(
       problem_->linear_solver().solve(blocks(f_), direction, list.get<double>("Tolerance")));
+  problem_->hold_prescribed(direction);
   newton_.scale(-1.0);
   is_newton_ = true;
   return log_->linear.back().is_converged ? Ok : NotConverged;

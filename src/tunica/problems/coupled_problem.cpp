@@ -260,6 +260,18 @@ Teuchos::RCP<const CrsMatrix> CoupledProblem::assemble_operator(const std::strin
   return M;
 }
 
+// On the interface both leave free what the wall does.
+void CoupledProblem::hold_prescribed(algebra::BlockVector& dx) const {
+  const auto hold = [&](const FieldProblem& field, const algebra::Embedding& part) {
+    algebra::BlockVector y(field.space());
+    part.restrict(dx, y);
+    field.hold_prescribed(y);
+    part.insert(y, dx);
+  };
+  hold(*fluid_, *fluid_part_);
+  hold(*wall_, *wall_part_);
+}
+
 double CoupledProblem::increment_norm(const algebra::BlockVector& dx) {
   return dt_ * dx["velocity"].norm2() /
          std::sqrt(static_cast<double>(mesh_->node_map->getGlobalNumElements()));

@@ -69,6 +69,7 @@ public:
   }
   /// Made when it is first asked for: a field that others solve for does without.
   linear::LinearSolver& linear_solver() override;
+  void hold_prescribed(algebra::BlockVector& dx) const override { field_->hold_prescribed(dx); }
   double increment_norm(const algebra::BlockVector& dx) override { return field_->mass_norm(dx); }
 
 protected:

@@ -4,6 +4,7 @@
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
+#include "tunica/multigrid/muelu/cycle.hpp"
 #include "tunica/problems/solid_problem.hpp"
 #include "unit/problems/lists.hpp"
 
@@ -53,6 +54,44 @@ TEUCHOS_UNIT_TEST(solid_problem, jacobian_is_the_derivative_of_the_residual) {
       TEST_COMPARE(test::jacobian_error(wall, x, v, 1e-6), <, 1e-6);
     }
   }
+}
+
+TEUCHOS_UNIT_TEST(solid_problem, inexact_solves_leave_what_is_prescribed_where_it_is) {
+  const SmallTube tube;
+  const auto displacement = [&](const std::string& method, double tolerance) {
+    auto list = clamped();
+    test::condition(list, "interface", "pressure").set("pressure", 2.0);
+    auto& solver = list.sublist("Linear Solver");
+    if (method == "direct") {
+      solver.set("method", method);
+    } else {  // sweeps that solve nothing exactly, not even the rows of what is prescribed
+      solver.set("method", std::string("gcr")).set("preconditioner", std::string("multigrid"));
+      auto muelu = multigrid::mixed_cycle_list(1);
+      muelu.sublist("Factories").sublist("Sweeps").set("damping", 0.6);
+      muelu.sublist("Hierarchy").set("coarse: max size", 40);
+      solver.sublist("MueLu") = muelu;
+    }
+    auto& newton = list.sublist("Newton");
+    newton.set("linear tolerance", tolerance).set("absolute increment", 1e-13);
+    newton.set("relative increment", 0.0);
+    SolidProblem wall(resolved(list), tube.wall);
+    wall.begin_step(stepping::Clock(0.125, 1));
+    const auto report = wall.solve();
+    TEST_ASSERT(report.is_converged);
+    return wall.displacement();
+  };
+  const auto exact = displacement("direct", 1e-8), found = displacement("multigrid", 0.1);
+  double prescribed = 0.0, distance = 0.0, largest = 0.0;
+  for (int a = 0; a < tube.wall.n_owned; ++a) {
+    if (tube.wall.is_on(a, tube.surface("struct_in")) ||
+        tube.wall.is_on(a, tube.surface("struct_out")))
+      prescribed = std::max(prescribed, norm(found[a]));
+    distance = std::max(distance, norm(found[a] - exact[a]));
+    largest = std::max(largest, norm(exact[a]));
+  }
+  TEST_EQUALITY(prescribed, 0.0);
+  TEST_COMPARE(largest, >, 1e-4);
+  TEST_COMPARE(distance, <, 1e-9 * largest);
 }
 
 TEUCHOS_UNIT_TEST(solid_problem, jacobian_with_fibres_is_the_derivative_of_the_residual) {
