@@ -101,7 +101,8 @@ int conclude(const Program& program, RunOutput& output, const Comm& comm,
                                             : output::RunStatus::done,
                        message);
   if (comm.getRank() == 0) {
-    if (!message.empty()) std::cerr << program.name << ": " << message << std::endl;
+    // At once, or a launcher puts what the other stream says in between.
+    if (!message.empty()) std::cerr << program.name + ": " + message + "\n" << std::flush;
     std::cout << "results in " << output.folder.path() << std::endl;
   }
   if (outcome.is_failure()) return exit_not_converged;

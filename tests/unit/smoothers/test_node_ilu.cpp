@@ -314,6 +314,28 @@ TEUCHOS_UNIT_TEST(nodal_ilu_smoother, does_what_its_list_says) {
   TEST_COMPARE(largest_distance(x, expected), <, 1e-12);
 }
 
+TEUCHOS_UNIT_TEST(nodal_ilu_smoother, three_sweeps_are_chebyshevs_polynomial) {
+  const WallMatrix wall;
+  if (wall.K()->getComm()->getSize() > 1) return;  // whose factors are exact within ranks alone
+  Teuchos::ParameterList list = multigrid::mixed_cycle_list(3, "chebyshev");
+  list.sublist("Factories")
+      .sublist("Sweeps")
+      .set("fill", 100)  // exact factors: all eigenvalues are 1
+      .set("spectral bound", 0.0)
+      .set("precision", "double");
+  list.sublist("Hierarchy").set("max levels", 1).sublist("All").set("CoarseSolver", "Sweeps");
+  const multigrid::Cycle cycle(
+      wall.K(), Teuchos::rcp(new multigrid::MixedCoarsening(*wall.jacobian.K.space())), list);
+  const Vector z = wall.scattered(1);
+  Vector b(z.getMap()), x(z.getMap()), expected(z, Teuchos::Copy);
+  wall.K()->apply(z, b);
+  cycle.apply(b, x);
+  const auto T3 = [](double t) { return 4.0 * t * t * t - 3.0 * t; };
+  // What is left of an error at 1, for the interval from 0.55 to 1.25: its middle 0.9, half 0.35.
+  expected.scale(1.0 - T3((0.9 - 1.0) / 0.35) / T3(0.9 / 0.35));
+  TEST_COMPARE(largest_distance(x, expected), <, 1e-9);
+}
+
 TEUCHOS_UNIT_TEST(nodal_ilu_smoother, slips_in_its_list_are_refused) {
   const auto refusal = [](const auto& slip) {
     Teuchos::ParameterList list = multigrid::mixed_cycle_list(1);
@@ -322,6 +344,7 @@ TEUCHOS_UNIT_TEST(nodal_ilu_smoother, slips_in_its_list_are_refused) {
   };
   for (const auto& [text, part] :
        {std::pair{refusal([](auto& s) { s.set("precision", "half"); }), "\"single\""},
+        std::pair{refusal([](auto& s) { s.set("polynomial", "legendre"); }), "\"chebyshev\""},
         std::pair{refusal([](auto& s) { s.set("sweeps", 0); }), "\"sweeps\""},
         std::pair{refusal([](auto& s) { s.set("fill", -1); }), "\"fill\""},
         std::pair{refusal([](auto& s) { s.set("swept", 1); }), "\"swept\""}})

@@ -210,9 +210,9 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
   return nodal_levels(smoother, coarse_size);
 }
 
-Teuchos::ParameterList mixed_cycle_list(int sweeps) {
+Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial) {
   Teuchos::ParameterList smoother;
-  smoother.set("factory", "NodalIluSmoother").set("sweeps", sweeps);
+  smoother.set("factory", "NodalIluSmoother").set("sweeps", sweeps).set("polynomial", polynomial);
   return nodal_levels(smoother, coarsest_mixed);
 }
 

@@ -77,6 +77,7 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked = fal
 Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
 
 /// The same for a mixed system, smoothed by incomplete factors in blocks of a node's unknowns.
-Teuchos::ParameterList mixed_cycle_list(int sweeps);
+/// polynomial: as NodalIluSmoother has it.
+Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial = "power");
 
 }  // namespace tunica::multigrid
