@@ -110,7 +110,7 @@ std::string forgotten_regions(const mesh::Share& share, int surface,
     if (global_max(*share.comm, bounds) > 0.0)
       names += (names.empty() ? "\"" : ", \"") + mesh.regions[r].name + "\"";
   }
-  return names.empty() ? "" : " It bounds the region " + names + ", which is not in the field.";
+  return names.empty() ? "" : " It bounds the region " + names + ", which is in no field.";
 }
 
 /// Every surface the case names must exist and bound the field, or one of the fields, each of which

@@ -41,6 +41,7 @@ public:
   const std::shared_ptr<algebra::LowRank>& products() const { return products_; }
   double mass_norm(const algebra::BlockVector& dx) const override;
   /// Of an increment: prescribed unknowns have none, and those that move as one the same.
+  /// Collective.
   void hold_prescribed(algebra::BlockVector& dx) const;
 
   const stepping::TimeScheme& time_scheme() const { return *scheme_; }

@@ -80,8 +80,8 @@ public:
     K_->apply(x, y);
   }
   linear::LinearSolver& linear_solver() override { return *solver_; }
-  /// Root mean square of Δt |dy| over the vertices: how far the increment moves them [mm].
   void hold_prescribed(algebra::BlockVector& dx) const override;
+  /// Root mean square of Δt |dy| over the vertices: how far the increment moves them [mm].
   double increment_norm(const algebra::BlockVector& dx) override;
 
   // SystemSource

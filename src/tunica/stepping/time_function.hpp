@@ -22,8 +22,7 @@ public:
   std::vector<double> kinks(double end) const;
   /// Of the repetition [ms]; 0 where there is none.
   double period() const { return period_; }
-  /// In which all that it does is seen: a period, or up to the last time of a table [ms]; 0 where
-  /// it is constant.
+  /// A period, or up to the last time of a table [ms]; 0 where it is constant.
   double span() const;
   /// The least and the largest value of a table; zeros where there is none.
   std::pair<double, double> table_range() const;

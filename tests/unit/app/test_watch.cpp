@@ -48,9 +48,16 @@ TEUCHOS_UNIT_TEST(watch, volume_is_lost_in_so_many_elements_and_most_at_a_place)
   L = global_max(*wall.comm, L);
   std::vector<Vec3> D;
   for (const Vec3& x : wall.x) D.push_back({0.0, 0.0, 0.15 * x[2] * (1.0 - 0.5 * x[2] / L)});
-  const app::VolumeChange change = app::volume_change(wall, D);
+  const auto geometry = assembly::ElementGeometry(wall, wall.x);
+  const app::VolumeChange change = app::volume_change(wall, geometry, D);
   TEST_EQUALITY(3 * change.beyond, change.all);
   TEST_COMPARE(change.place[2], <, L / 3.0);
+  // The image of a wall that is longer without stress, x = 0.905 X: J is that of X.
+  std::vector<Vec3> X(wall.x), from_X;
+  for (Vec3& x : X) x[2] /= 0.905;
+  for (std::size_t a = 0; a < X.size(); ++a) from_X.push_back(wall.x[a] - X[a]);
+  const auto free_of_stress = assembly::ElementGeometry(wall, X);
+  TEST_EQUALITY(app::volume_change(wall, free_of_stress, from_X).beyond, 0);
 
   app::Watch watch(TubeCase().resolved());
   const auto found = watch.look(after(1), 1.0, volumes(0.8, 1.0), nullptr, {}, [] {

@@ -37,6 +37,14 @@ public:
     for (const double t : times) most = std::max(most, std::abs((*this)(t)));
     return most;
   }
+  /// In all of its course, also where the run is shorter.
+  double peak_of_course() const {
+    constexpr int n = 2000;
+    double most = 0.0;
+    for (int k = 0; k <= n; ++k)
+      most = std::max(most, std::abs((*this)(amplitude_.span() * k / n)));
+    return most;
+  }
   /// Over a period, also where the run is shorter, or else over the run.
   double mean(double end) const {
     constexpr int n = 4000;
@@ -63,8 +71,14 @@ void note_pressure(double peak, const std::string& where, Loads& loads) {
   loads.pressure_surface = where;
 }
 
-void note_flow(double peak, double area, const std::string& surface, Loads& loads) {
-  if (peak == 0.0 || area == 0.0) return;
+/// course: the peak of all of the amplitude's course.
+void note_flow(double peak, double course, double area, const std::string& surface, Loads& loads) {
+  if (area == 0.0) return;
+  if (course / area > loads.course_speed) {
+    loads.course_speed = course / area;
+    loads.speed_surface = surface;
+  }
+  if (peak == 0.0) return;
   loads.peak_speed = std::max(loads.peak_speed, peak / area);
   if (peak <= loads.peak_flow) return;
   loads.peak_flow = peak;
@@ -105,10 +119,10 @@ void visit_opening(const boundary::Condition& c, double area, const std::vector<
   const Course course(c.list, drive.size);
   switch (drive.kind) {
     case Kind::velocity:
-      note_flow(area * course.peak(times), area, c.surface, loads);
+      note_flow(area * course.peak(times), area * course.peak_of_course(), area, c.surface, loads);
       break;
     case Kind::flow:
-      note_flow(course.peak(times), area, c.surface, loads);
+      note_flow(course.peak(times), course.peak_of_course(), area, c.surface, loads);
       driven.inflows.push_back(course.mean(loads.end));
       break;
     case Kind::pressure:
@@ -210,28 +224,37 @@ double skips(const stepping::TimeFunction& amplitude, double dt, double end) {
   return 0.0;
 }
 
+/// Of an amplitude up to a time.
+struct Extremes {
+  double low, high, slope;
+};
+Extremes extremes(const stepping::TimeFunction& amplitude, double end) {
+  constexpr int n = 2000;
+  Extremes found{amplitude(0.0), amplitude(0.0), 0.0};
+  for (int k = 1; k <= n; ++k) {
+    const double value = amplitude(end * k / n);
+    found.slope = std::max(found.slope, std::abs(value - amplitude(end * (k - 1) / n)) * n / end);
+    found.low = std::min(found.low, value);
+    found.high = std::max(found.high, value);
+  }
+  return found;
+}
+
 void visit_amplitude(const Teuchos::ParameterList& list, double dt, Loads& loads) {
   const stepping::TimeFunction amplitude(list);
   const double period = amplitude.period();
   if (period > 0.0 &&
       std::find(loads.periods.begin(), loads.periods.end(), period) == loads.periods.end())
     loads.periods.push_back(period);
-  constexpr int n = 2000;
-  // A run of a few steps only is no reason to call a load fast.
-  const double span = std::max(amplitude.span(), loads.end);
-  double low = amplitude(0.0), high = low, slope = 0.0;
-  for (int k = 1; k <= n; ++k) {
-    const double value = amplitude(span * k / n);
-    slope = std::max(slope, std::abs(value - amplitude(span * (k - 1) / n)) * n / span);
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
+  const auto [low, high, slope] = extremes(amplitude, loads.end);
   if (slope == 0.0) return;
   const auto [least, most] = amplitude.table_range();
   if (least < most)
     loads.overshoot =
         std::max(loads.overshoot, std::max(least - low, high - most) / (most - least));
-  if (loads.rise == 0.0 || (high - low) / slope < loads.rise) loads.rise = (high - low) / slope;
+  const Extremes course = extremes(amplitude, std::max(amplitude.span(), loads.end));
+  const double rise = (course.high - course.low) / std::max(slope, course.slope);
+  if (loads.rise == 0.0 || rise < loads.rise) loads.rise = rise;
   if (dt == 0.0) return;
   const bool has_steps =
       list.isParameter("interpolation") && list.get<std::string>("interpolation") == "steps";

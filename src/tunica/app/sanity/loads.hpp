@@ -18,6 +18,8 @@ struct Loads {
   double flow_area = 0.0;  ///< of this opening [mm²]
   std::string flow_surface{};
   double peak_speed = 0.0;           ///< largest mean velocity that is prescribed [mm/ms]
+  double course_speed = 0.0;         ///< the same in all of the amplitudes' courses
+  std::string speed_surface{};       ///< of that
   double peak_pressure = 0.0;        ///< largest on openings of the fluid and on the wall [kPa]
   std::string pressure_surface{};    ///< with the list that names it
   double pressure_difference = 0.0;  ///< largest between openings [kPa]
@@ -35,8 +37,9 @@ struct Loads {
   std::optional<Balance> balance{};
   double impulse = 0.0;           ///< largest that it gives: its integral over time [kPa ms]
   std::vector<double> periods{};  ///< of the amplitudes, each once [ms]
-  double rise =
-      0.0;  ///< of the fastest amplitude: its range over its largest slope; 0: constant [ms]
+  /// Of the fastest amplitude that changes in the run: the range of its whole course over its
+  /// largest slope; 0: all are constant [ms]. A run of a few steps makes no load fast.
+  double rise = 0.0;
   /// What fixed steps do not see of an amplitude: how far it strays within one from a straight
   /// line, over its largest value. Tables of steps count where they change faster than that.
   double missed = 0.0;

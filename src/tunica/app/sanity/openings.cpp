@@ -37,12 +37,9 @@ void doubt_outlets(const Loads& loads, Doubts& doubts) {
         b.mean_flow, b.inflow));
 }
 
-// One that is left free is usual; beside others that hold the blood back it drains the vessel.
+// One that is left free is usual; beside outlets, or a prestress, it drains the vessel.
 void doubt_bare(const Loads& loads, double imaged, Doubts& doubts) {
-  const bool is_held_back = imaged != 0.0 || loads.has_outlets ||
-                            std::any_of(loads.first_pressures.begin(), loads.first_pressures.end(),
-                                        [](const auto& opening) { return opening.second != 0.0; });
-  if (!is_held_back) return;
+  if (imaged == 0.0 && !loads.has_outlets) return;
   for (const std::string& surface : loads.bare)
     doubts.push_back(formatted(
         "the opening %s has no condition, so that blood leaves there against a pressure of 0 kPa, "
@@ -50,7 +47,7 @@ void doubt_bare(const Loads& loads, double imaged, Doubts& doubts) {
         "this is meant.",
         surface.c_str(),
         imaged != 0.0 ? formatted("but the wall was imaged under %.3g kPa", imaged).c_str()
-                      : "but others begin under pressure or hold it back"));
+                      : "past outlets that hold it back"));
 }
 
 // Where the vessel was imaged under pressure, the blood begins with it.

@@ -2,6 +2,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include "tunica/base/reduce.hpp"
+#include "tunica/base/tensor.hpp"
 
 namespace tunica::app {
 

@@ -234,11 +234,11 @@ void Judge::flow() {
         formatted("a mean velocity of %.3g mm/ms (m/s) is to be expected, %s; usual is up "
                   "to 1.5. Check the units: mm/ms, mm^3/ms (= ml/s), kPa.",
                   found_.speed, how.c_str()));
-  else if (loads_.peak_speed > 0.0 && loads_.peak_speed < 0.005 && vessel_.radius > 0.5)
+  else if (loads_.course_speed > 0.0 && loads_.course_speed < 0.005 && vessel_.radius > 0.5)
     doubts_.push_back(
         formatted("the largest mean velocity given is %.3g mm/ms (m/s), in %s; usual are 0.05 to "
                   "1.5. Check the units: mm/ms, mm^3/ms (= ml/s; 1 l/min = 16.7 mm^3/ms).",
-                  loads_.peak_speed, loads_.flow_surface.c_str()));
+                  loads_.course_speed, loads_.speed_surface.c_str()));
   else if (found_.reynolds > 10000.0)
     doubts_.push_back(
         formatted("the Reynolds number is about %.3g; usual is up to 4000. Flow beyond is "

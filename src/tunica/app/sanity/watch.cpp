@@ -12,6 +12,7 @@
 #include "tunica/boundary/registry.hpp"
 #include "tunica/coupling/registry.hpp"
 #include "tunica/discretisation/solid_options.hpp"
+#include "tunica/kernels/solid_up.hpp"
 #include "tunica/mesh/info.hpp"
 
 namespace tunica::app {
@@ -55,20 +56,20 @@ Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<V
           global_min(*mesh.comm, worst.part_of_volume)};
 }
 
-VolumeChange volume_change(const fields::FieldMesh& mesh, const std::vector<Vec3>& D) {
+VolumeChange volume_change(const fields::FieldMesh& mesh, const assembly::ElementGeometry& geometry,
+                           const std::vector<Vec3>& D) {
   VolumeChange change;
   double least = std::numeric_limits<double>::infinity();  // −|ln J|
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
-    const auto X = assembly::gather(mesh.x, mesh.tets[e]);
-    auto x = X;
-    for (int a = 0; a < 4; ++a) x[a] += D[mesh.tets[e][a]];
-    const double J = volume(x) / volume(X), badness = -std::abs(std::log(J));
+    const auto nodes = mesh.tets[e];
+    const double J = kernels::solid_jacobian_determinant(geometry[e], assembly::gather(D, nodes));
     ++change.all;
     if (J < 0.9 || J > 1.1) ++change.beyond;
-    if (badness >= least) continue;
-    least = badness;
-    change.place = 0.25 * (X[0] + X[1] + X[2] + X[3]);
+    if (-std::abs(std::log(J)) >= least) continue;
+    least = -std::abs(std::log(J));
+    change.place =
+        0.25 * (mesh.x[nodes[0]] + mesh.x[nodes[1]] + mesh.x[nodes[2]] + mesh.x[nodes[3]]);
   }
   change.place = place_of_least(*mesh.comm, least, change.place);
   change.beyond = global_sum(*mesh.comm, change.beyond);
@@ -77,11 +78,9 @@ VolumeChange volume_change(const fields::FieldMesh& mesh, const std::vector<Vec3
 }
 
 VolumeChange volume_change(const problems::SolidProblem& wall) {
-  Vector d(wall.mesh().vector_map);
-  fields::store(wall.displacement(), wall.mesh(), d);
-  std::vector<Vec3> D = fields::ghosted_vectors(wall.mesh(), d);
+  std::vector<Vec3> D = fields::ghosted_vectors(wall.mesh(), wall.state()["displacement"]);
   for (std::size_t a = 0; a < D.size(); ++a) D[a] += wall.from_stress_free()[a];
-  return volume_change(wall.mesh(), D);
+  return volume_change(wall.mesh(), wall.elements().geometry, D);
 }
 
 Watch::Watch(const Teuchos::ParameterList& list) {

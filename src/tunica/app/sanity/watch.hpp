@@ -26,8 +26,10 @@ struct VolumeChange {
   long long beyond = 0, all = 0;
   Vec3 place{};
 };
-/// D: displacement from where the wall is free of stress, at local nodes [mm]. Collective.
-VolumeChange volume_change(const fields::FieldMesh& mesh, const std::vector<Vec3>& D);
+/// geometry: where the wall is free of stress. D: displacement from there, at local nodes [mm].
+/// Collective.
+VolumeChange volume_change(const fields::FieldMesh& mesh, const assembly::ElementGeometry& geometry,
+                           const std::vector<Vec3>& D);
 VolumeChange volume_change(const problems::SolidProblem& wall);
 
 /// What a run says while it goes on, each thing once: a wall that does not keep its volume, flow
