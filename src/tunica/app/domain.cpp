@@ -18,6 +18,7 @@
 #include "tunica/discretisation/solid_options.hpp"
 #include "tunica/mesh/distributed/share.hpp"
 #include "tunica/mesh/validate.hpp"
+#include "tunica/params/nearest.hpp"
 #include "tunica/problems/fibre_frames.hpp"
 #include "tunica/problems/prestress.hpp"
 #include "tunica/problems/solid_problem.hpp"
@@ -94,23 +95,29 @@ Regions regions_of(const mesh::Mesh& mesh, const MeshRequirements& requirements)
   return regions;
 }
 
+/// Of each surface more than zero where it bounds the part that these regions fill. Collective.
+std::vector<double> bounds_of(const mesh::Share& share, const std::vector<int>& regions) {
+  const mesh::Mesh& mesh = share.mesh;
+  const std::vector<char> is_in = mesh::marked_regions(mesh, regions);
+  std::vector<double> bounds(mesh.surfaces.size(), 0.0);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    if (share.is_between(i, is_in)) bounds[mesh.triangle_surface[i]] = 1.0;
+  return global_sum(*share.comm, bounds);
+}
+
 /// Of what is in no field: the regions that a surface bounds, as the end of a message. Collective.
 std::string forgotten_regions(const mesh::Share& share, int surface,
                               const std::vector<std::vector<int>>& fields) {
-  const mesh::Mesh& mesh = share.mesh;
-  std::string names;
-  for (int r = 0; r < static_cast<int>(mesh.regions.size()); ++r) {
-    if (std::any_of(fields.begin(), fields.end(),
-                    [&](const auto& field) { return std::count(field.begin(), field.end(), r); }))
-      continue;
-    const std::vector<char> is_in = mesh::marked_regions(mesh, {r});
-    double bounds = 0.0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      if (mesh.triangle_surface[i] == surface && share.is_between(i, is_in)) bounds = 1.0;
-    if (global_max(*share.comm, bounds) > 0.0)
-      names += (names.empty() ? "\"" : ", \"") + mesh.regions[r].name + "\"";
-  }
-  return names.empty() ? "" : " It bounds the region " + names + ", which is in no field.";
+  std::vector<std::string> names;
+  for (int r = 0; r < static_cast<int>(share.mesh.regions.size()); ++r)
+    if (std::none_of(
+            fields.begin(), fields.end(),
+            [&](const auto& field) { return std::count(field.begin(), field.end(), r); }) &&
+        bounds_of(share, {r})[surface] > 0.0)
+      names.push_back(share.mesh.regions[r].name);
+  return names.empty()
+             ? ""
+             : " It bounds the region " + params::quoted(names) + ", which is in no field.";
 }
 
 /// Every surface the case names must exist and bound the field, or one of the fields, each of which
@@ -120,11 +127,9 @@ void check_surfaces(const mesh::Share& share, const std::vector<std::string>& na
   const mesh::Mesh& mesh = share.mesh;
   std::vector<double> bounds(mesh.surfaces.size(), 0.0);
   for (const std::vector<int>& regions : fields) {
-    const std::vector<char> is_in = mesh::marked_regions(mesh, regions);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      if (share.is_between(i, is_in)) bounds[mesh.triangle_surface[i]] = 1.0;
+    const std::vector<double> of_field = bounds_of(share, regions);
+    for (std::size_t s = 0; s < bounds.size(); ++s) bounds[s] += of_field[s];
   }
-  bounds = global_sum(*share.comm, bounds);
   for (const std::string& name : names) {
     int surface = 0;
     try {

@@ -67,7 +67,7 @@ public:
     Vector& velocity = y["velocity"];
     Vector d(velocity.getMap());
     p.fluid_part_->restrict(x, y);
-    drop_fixed(velocity);
+    p.fluid_->hold_prescribed(y);
     velocity.scale(p.dt_);
     p.motion_->extend_increment(p.product_tolerance_, velocity, d);  // d = E Δt y
     p.fluid_->shape_jacobian().add_product(d, F);
@@ -75,15 +75,6 @@ public:
   }
 
 private:
-  void drop_fixed(Vector& velocity) const {
-    const assembly::Constraints& fixed = problem_->fluid_->constraints();
-    const auto y = velocity.getLocalViewHost(read_write);
-    for (int a = 0; a < problem_->fluid_->mesh().n_owned; ++a) {
-      const Vec3 free = fixed.project(a, {y(3 * a, 0), y(3 * a + 1, 0), y(3 * a + 2, 0)});
-      for (int i = 0; i < 3; ++i) y(3 * a + i, 0) = free[i];
-    }
-  }
-
   const CoupledProblem* problem_;
 };
 

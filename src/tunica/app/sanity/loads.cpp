@@ -12,10 +12,15 @@ namespace tunica::app {
 
 namespace {
 
-std::vector<double> sample_times(const Teuchos::ParameterList& list, double end) {
+std::vector<double> even_times(double end) {
   constexpr int n = 2000;
   std::vector<double> times;
   for (int k = 0; k <= n; ++k) times.push_back(end * k / n);
+  return times;
+}
+
+std::vector<double> sample_times(const Teuchos::ParameterList& list, double end) {
+  std::vector<double> times = even_times(end);
   const double slack = 1e-6 * end;  // a table of steps has its next value behind a kink
   for (const double t : stepping::kinks(list, end))
     for (const double s : {t - slack, t, t + slack})
@@ -38,13 +43,7 @@ public:
     return most;
   }
   /// In all of its course, also where the run is shorter.
-  double peak_of_course() const {
-    constexpr int n = 2000;
-    double most = 0.0;
-    for (int k = 0; k <= n; ++k)
-      most = std::max(most, std::abs((*this)(amplitude_.span() * k / n)));
-    return most;
-  }
+  double peak_of_course() const { return peak(even_times(amplitude_.span())); }
   /// Over a period, also where the run is shorter, or else over the run.
   double mean(double end) const {
     constexpr int n = 4000;
