@@ -8,7 +8,7 @@ namespace tunica::coupling {
 
 params::Table monolithic_solver_table() {
   return linear::linear_solver_table({"multigrid", linear::default_block_preconditioner(6, 2),
-                                      multigrid::mixed_cycle_list(3, "chebyshev"), true});
+                                      multigrid::mixed_cycle_list(3, "chebyshev"), true, 10});
 }
 
 params::Table monolithic_table() {

@@ -2,7 +2,11 @@
 
 #include <BelosLinearProblem.hpp>
 #include <BelosTpetraAdapter.hpp>
+#include <Teuchos_BLAS.hpp>
+#include <algorithm>
 #include <cmath>
+
+#include "tunica/base/reduce.hpp"
 
 namespace tunica::linear {
 
@@ -14,36 +18,71 @@ double norm(const MultiVector& v) {
   return size;
 }
 
-double dot(const MultiVector& a, const MultiVector& b) {
-  double product = 0.0;
-  a.dot(b, Teuchos::ArrayView<double>(&product, 1));
-  return product;
+using Columns = std::vector<Teuchos::RCP<MultiVector>>;
+
+/// Entries that stay in the nearest cache while all columns pass over them.
+constexpr int piece = 1024;
+
+/// Qᵀ v of the columns from the first on, with one message.
+std::vector<double> products(const Columns& Q, int first, const MultiVector& v) {
+  const Teuchos::BLAS<int, double> blas;
+  const int n = static_cast<int>(v.getLocalLength());
+  const double* values = v.getLocalViewHost(read_only).data();
+  std::vector<const double*> columns;
+  for (std::size_t i = first; i < Q.size(); ++i)
+    columns.push_back(Q[i]->getLocalViewHost(read_only).data());
+  std::vector<double> mine(columns.size(), 0.0);
+  for (int a = 0; a < n; a += piece)
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      mine[i] += blas.DOT(std::min(piece, n - a), columns[i] + a, 1, values + a, 1);
+  return global_sum(*v.getMap()->getComm(), mine);
 }
 
-/// The directions kept and their images under A, orthonormal.
-struct Basis {
-  std::vector<Teuchos::RCP<MultiVector>> z, q;
-
-  /// Orthonormalises the images; false where q depends on them already.
-  bool add(const Teuchos::RCP<MultiVector>& new_z, const Teuchos::RCP<MultiVector>& new_q) {
-    const double before = norm(*new_q);
-    for (int pass = 0; pass < 2; ++pass)
-      for (std::size_t i = 0; i < q.size(); ++i) {
-        const double c = dot(*new_q, *q[i]);
-        new_q->update(-c, *q[i], 1.0);
-        new_z->update(-c, *z[i], 1.0);
-      }
-    const double after = norm(*new_q);
-    if (!(after > 1e-10 * before)) return false;
-    new_q->scale(1.0 / after);
-    new_z->scale(1.0 / after);
-    z.push_back(new_z);
-    q.push_back(new_q);
-    return true;
-  }
-};
+/// v ← v + s Z c, by the columns from the first on.
+void add_columns(const Columns& Z, int first, double s, const std::vector<double>& c,
+                 MultiVector& v) {
+  const Teuchos::BLAS<int, double> blas;
+  const int n = static_cast<int>(v.getLocalLength());
+  double* values = v.getLocalViewHost(read_write).data();
+  std::vector<const double*> columns;
+  for (std::size_t i = first; i < Z.size(); ++i)
+    columns.push_back(Z[i]->getLocalViewHost(read_only).data());
+  for (int a = 0; a < n; a += piece)
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      blas.AXPY(std::min(piece, n - a), s * c[i], columns[i] + a, 1, values + a, 1);
+}
 
 }  // namespace
+
+void Directions::keep_last(int number) {
+  for (Columns* columns : {&z_, &q_})
+    if (static_cast<int>(columns->size()) > number)
+      columns->erase(columns->begin(), columns->end() - number);
+}
+
+bool Directions::add(const Teuchos::RCP<MultiVector>& z, const Teuchos::RCP<MultiVector>& q) {
+  const double before = norm(*q);
+  std::vector<double> all(q_.size(), 0.0);
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::vector<double> c = products(q_, 0, *q);  // c = Qᵀ q
+    add_columns(q_, 0, -1.0, c, *q);                    // q ← q − Q c
+    for (std::size_t i = 0; i < c.size(); ++i) all[i] += c[i];
+  }
+  add_columns(z_, 0, -1.0, all, *z);
+  const double after = norm(*q);
+  if (!(after > 1e-10 * before)) return false;
+  q->scale(1.0 / after);
+  z->scale(1.0 / after);
+  z_.push_back(z);
+  q_.push_back(q);
+  return true;
+}
+
+void Directions::minimise_from(int first, MultiVector& r, MultiVector& x) const {
+  const std::vector<double> c = products(q_, first, r);  // c = Qᵀ r
+  add_columns(z_, first, 1.0, c, x);                     // x ← x + Z c
+  add_columns(q_, first, -1.0, c, r);                    // r ← r − Q c
+}
 
 Gcr::Gcr(const Teuchos::RCP<Teuchos::ParameterList>& list) { setParameters(list); }
 
@@ -56,6 +95,8 @@ Teuchos::RCP<const Teuchos::ParameterList> Gcr::getValidParameters() const {
   valid->set("Convergence Tolerance", 1e-8, "|r| / |b| to be reached");
   valid->set("Maximum Iterations", 1000, "cap on the iterations");
   valid->set("Num Blocks", 200, "directions kept between restarts");
+  valid->set("Recycled Directions", Teuchos::RCP<Directions>(), "of this matrix; null: none");
+  valid->set("Num Recycled Blocks", 0, "directions left there");
   valid->set("Maximum Restarts", 1000, "not used: the cap on the iterations ends the method");
   return valid;
 }
@@ -68,17 +109,25 @@ void Gcr::setParameters(const Teuchos::RCP<Teuchos::ParameterList>& list) {
 Belos::ReturnType Gcr::solve() {
   const double tolerance = list_->get<double>("Convergence Tolerance");
   const int cap = list_->get<int>("Maximum Iterations");
-  const auto kept = static_cast<std::size_t>(list_->get<int>("Num Blocks"));
+  const int kept = list_->get<int>("Num Blocks");
   MultiVector& x = *problem_->getLHS();
   const MultiVector& b = *problem_->getRHS();
-  MultiVector r(b.getMap(), 1);
-  problem_->applyOp(x, r);
-  r.update(1.0, b, -1.0);  // r = b − A x
+  MultiVector r(b, Teuchos::Copy);
+  if (norm(x) > 0.0) {
+    problem_->applyOp(x, r);
+    r.update(1.0, b, -1.0);  // r = b − A x
+  }
   const double scale = norm(b);
   relative_residual_ = scale == 0.0 ? 0.0 : norm(r) / scale;
-  Basis basis;
+  const auto recycled = list_->get<Teuchos::RCP<Directions>>("Recycled Directions");
+  Directions basis;
+  if (!recycled.is_null() && recycled->size() > 0 && relative_residual_ > tolerance) {
+    std::swap(basis, *recycled);
+    basis.minimise(r, x);
+    relative_residual_ = norm(r) / scale;
+  }
   for (iterations_ = 0; relative_residual_ > tolerance && iterations_ < cap; ++iterations_) {
-    if (basis.z.size() == kept) basis = Basis();
+    if (basis.size() >= kept) basis.clear();
     const auto z = Teuchos::rcp(new MultiVector(b.getMap(), 1));
     const auto q = Teuchos::rcp(new MultiVector(b.getMap(), 1));
     if (problem_->getRightPrec().is_null())
@@ -87,9 +136,7 @@ Belos::ReturnType Gcr::solve() {
       problem_->getRightPrec()->apply(r, *z);  // z = P⁻¹ r
     problem_->applyOp(*z, *q);                 // q = A z
     if (!basis.add(z, q)) break;
-    const double step = dot(*basis.q.back(), r);
-    x.update(step, *basis.z.back(), 1.0);   // x ← x + (qᵀr) z
-    r.update(-step, *basis.q.back(), 1.0);  // r ← r − (qᵀr) q
+    basis.minimise_by_last(r, x);  // x ← x + (qᵀr) z, r ← r − (qᵀr) q
     const double before = relative_residual_;
     relative_residual_ = norm(r) / scale;
     if (!(relative_residual_ < before * (1.0 - 1e-12))) {  // stagnation, or not a number
@@ -97,13 +144,11 @@ Belos::ReturnType Gcr::solve() {
       break;
     }
   }
+  if (!recycled.is_null() && basis.size() > 0) {
+    basis.keep_last(list_->get<int>("Num Recycled Blocks"));
+    std::swap(basis, *recycled);
+  }
   return relative_residual_ <= tolerance ? Belos::Converged : Belos::Unconverged;
-}
-
-Teuchos::RCP<Belos::SolverManager<Scalar, MultiVector, Operator>> GcrFactory::getSolver(
-    const std::string& name, const Teuchos::RCP<Teuchos::ParameterList>& list) {
-  if (!isSupported(name)) return Teuchos::null;
-  return Teuchos::rcp(new Gcr(list));
 }
 
 }  // namespace tunica::linear

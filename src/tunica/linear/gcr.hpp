@@ -1,5 +1,4 @@
 #pragma once
-#include <BelosCustomSolverFactory.hpp>
 #include <BelosSolverManager.hpp>
 
 #include "tunica/base/types.hpp"
@@ -7,6 +6,30 @@
 namespace tunica::linear {
 
 using BelosProblem = Belos::LinearProblem<Scalar, MultiVector, Operator>;
+
+/// Search directions Z of a matrix A and their orthonormal images Q = A Z. They serve any right
+/// side, as long as A is the same.
+class Directions {
+public:
+  int size() const { return static_cast<int>(z_.size()); }
+  void clear() { keep_last(0); }
+  /// Those that were added last.
+  void keep_last(int number);
+
+  /// Adds z and its image q, made orthonormal to the others: two passes of Gram and Schmidt, each
+  /// with one message. False where q depends on the others already. Collective.
+  bool add(const Teuchos::RCP<MultiVector>& z, const Teuchos::RCP<MultiVector>& q);
+
+  /// x ← x + Z Qᵀ r, r ← r − Q Qᵀ r: the least |r| that all directions permit. Collective.
+  void minimise(MultiVector& r, MultiVector& x) const { minimise_from(0, r, x); }
+  /// The same by the direction added last, where the others have done so.
+  void minimise_by_last(MultiVector& r, MultiVector& x) const { minimise_from(size() - 1, r, x); }
+
+private:
+  void minimise_from(int first, MultiVector& r, MultiVector& x) const;
+
+  std::vector<Teuchos::RCP<MultiVector>> z_, q_;
+};
 
 /// Generalised conjugate residuals as a Belos solver manager, "GCR":
 ///
@@ -18,7 +41,12 @@ using BelosProblem = Belos::LinearProblem<Scalar, MultiVector, Operator>;
 /// minimises |r| over the kept directions; after "Num Blocks" of them it begins anew. One right
 /// side. Stagnation (q vanishes, or qᵀr no longer changes r) ends it as not converged.
 ///
-/// Source: [EES] Eisenstat, Elman, Schultz 1983; the fluid's method in [LY1] section 5.4.
+/// With "Recycled Directions", of which the caller knows that they are A's, it begins with those,
+/// and leaves there the last "Num Recycled Blocks" of all: a direction in which P is poor is found
+/// once, not with each right side.
+///
+/// Source: [EES] Eisenstat, Elman, Schultz 1983; the fluid's method in [LY1] section 5.4. Krylov
+/// spaces kept over a sequence of systems: Parks, de Sturler, Mackey, Johnson, Maiti 2006.
 class Gcr : public Belos::SolverManager<Scalar, MultiVector, Operator> {
 public:
   explicit Gcr(const Teuchos::RCP<Teuchos::ParameterList>& list);
@@ -40,16 +68,6 @@ private:
   Teuchos::RCP<BelosProblem> problem_;
   int iterations_ = 0;
   double relative_residual_ = 1.0;
-};
-
-/// Makes "GCR" known to a Belos::SolverFactory.
-class GcrFactory : public Belos::CustomSolverFactory<Scalar, MultiVector, Operator> {
-public:
-  Teuchos::RCP<Belos::SolverManager<Scalar, MultiVector, Operator>> getSolver(
-      const std::string& name, const Teuchos::RCP<Teuchos::ParameterList>& list) override;
-  int numSupportedSolvers() const override { return 1; }
-  std::vector<std::string> supportedSolverNames() const override { return {"GCR"}; }
-  bool isSupported(const std::string& name) const override { return name == "GCR"; }
 };
 
 }  // namespace tunica::linear

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "tunica/base/fault_point.hpp"
-#include "tunica/linear/gcr.hpp"
 
 namespace tunica::linear {
 
@@ -23,7 +22,19 @@ Teuchos::RCP<Teuchos::ParameterList> belos_list(const KrylovOptions& options, do
     list->set("Num Blocks", std::min(options.restart, options.max_iterations));
     list->set("Maximum Restarts", options.max_iterations / options.restart + 1);
   }
+  if (!options.recycled.is_null()) {
+    list->set("Recycled Directions", options.recycled);
+    list->set("Num Recycled Blocks", options.most_recycled);
+  }
   return list;
+}
+
+// A factory of ours, added to Belos's with each solve, would stay in a list of the program, which
+// is searched from its start.
+Teuchos::RCP<Belos::SolverManager<Scalar, MultiVector, Operator>> make_solver(
+    const std::string& method, const Teuchos::RCP<Teuchos::ParameterList>& list) {
+  if (method == "GCR") return Teuchos::rcp(new Gcr(list));
+  return Belos::SolverFactory<Scalar, MultiVector, Operator>().create(method, list);
 }
 
 }  // namespace
@@ -36,9 +47,7 @@ KrylovResult solve_krylov(const KrylovOptions& options, const Teuchos::RCP<const
       new Belos::LinearProblem<Scalar, MultiVector, Operator>(A, x, Teuchos::rcpFromRef(B)));
   if (!preconditioner.is_null()) problem->setRightPrec(preconditioner);
   problem->setProblem();
-  Belos::SolverFactory<Scalar, MultiVector, Operator> factory;
-  factory.addFactory(Teuchos::rcp(new GcrFactory));
-  const auto solver = factory.create(options.method, belos_list(options, tolerance));
+  const auto solver = make_solver(options.method, belos_list(options, tolerance));
   solver->setProblem(problem);
   fault_point("krylov solve");
   try {

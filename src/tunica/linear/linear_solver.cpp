@@ -137,6 +137,8 @@ public:
         rule_(options.get<double>("refresh factor"), preconditioner_of(options).setup_cost),
         system_(preconditioner_of(options).make(options, K, operators)), b_(system_->map(), 1),
         x_(system_->map(), 1) {
+    if (options.isParameter("recycle")) options_.most_recycled = options.get<int>("recycle");
+    if (options_.most_recycled > 0) options_.recycled = Teuchos::rcp(new Directions);
     for (char& c : options_.method) c = static_cast<char>(std::toupper(c));
     const PreconditionedSystem& system = *system_;
     const auto gather = [&system](const algebra::BlockVector& x, MultiVector& all) {
@@ -201,10 +203,12 @@ private:
   void refresh_matrix() {
     system_->refresh_matrix();
     if (!sum_.is_null()) sum_->refresh();
+    if (recycles()) options_.recycled->clear();
     is_stale_ = false;
     is_behind_ = true;
   }
 
+  bool recycles() const { return !options_.recycled.is_null(); }
   bool has_sum_inverse() const { return !sum_.is_null() && !system_->preconditioner().is_null(); }
 
   /// With Z this good the iterations are those of the blocks alone; a few make it so.
@@ -226,22 +230,22 @@ private:
     return system_->preconditioner();
   }
 
-  /// Where the part of low rank outweighs the blocks, a method takes for solved what round-off has
-  /// kept from the truth: what remains is solved for again. Iterations.
-  int refine(const KrylovOptions& options, const Teuchos::RCP<const Operator>& K,
-             const KrylovResult& first, double tolerance) {
-    int iterations = 0;
+  /// Where the part of low rank outweighs the blocks, or directions are recycled, a method may take
+  /// for solved what round-off has kept from the truth: what remains is solved for again.
+  void refine(const KrylovOptions& options, const Teuchos::RCP<const Operator>& K,
+              SolveReport& report) {
     MultiVector r(b_.getMap(), 1), dx(b_.getMap(), 1);
-    for (int pass = 0; pass < 2 && first.recurrence_residual <= tolerance; ++pass) {
-      const double rest = relative_residual(*K, b_, x_);
-      if (is_solved(rest, tolerance) || !std::isfinite(rest)) break;
+    for (int pass = 0; pass < 2; ++pass) {
+      const double rest = report.true_residual;
+      if (is_solved(rest, report.tolerance) || !std::isfinite(rest)) return;
       K->apply(x_, r);
       r.update(1.0, b_, -1.0);  // r = b − K x
       dx.putScalar(0.0);
-      iterations += solve_krylov(options, K, preconditioner(), r, dx, tolerance / rest).iterations;
+      report.iterations +=
+          solve_krylov(options, K, preconditioner(), r, dx, report.tolerance / rest).iterations;
       x_.update(1.0, dx, 1.0);
+      report.true_residual = relative_residual(*K, b_, x_);
     }
-    return iterations;
   }
 
   /// Iterations of one attempt.
@@ -257,18 +261,20 @@ private:
     const auto K = Teuchos::rcp(new CountingOperator(matrix()));
     const KrylovResult result =
         solve_krylov(options, K, preconditioner(), b_, x_, report.tolerance);
-    const int more = sum_.is_null() ? 0 : refine(options, K, result, report.tolerance);
-    report.operator_applications += K->count();
-    report.iterations += result.iterations + more;
+    const int before = report.iterations;
+    report.iterations += result.iterations;
     report.recurrence_residual = result.recurrence_residual;
     report.true_residual = relative_residual(*matrix(), b_, x_);
+    const bool may_drift = !sum_.is_null() || recycles();
+    if (may_drift && result.recurrence_residual <= report.tolerance) refine(options, K, report);
+    report.operator_applications += K->count();
     if (!std::isfinite(report.true_residual)) {  // a breakdown: keep the start
       x_.putScalar(0.0);
       report.true_residual = 1.0;
     }
     report.is_converged = is_solved(report.true_residual, report.tolerance);
     report.solve_seconds += watch.seconds();
-    return result.iterations + more;
+    return report.iterations - before;
   }
 
   KrylovOptions options_;
@@ -282,7 +288,8 @@ private:
   bool is_behind_ = false;  ///< the preconditioner is that of an earlier matrix
 };
 
-params::Table krylov_table(const SolverDefaults& defaults, bool has_restart) {
+params::Table krylov_table(const SolverDefaults& defaults, bool has_restart,
+                           bool has_recycling = false) {
   params::Table table;
   add_preconditioner_keys(table, defaults);
   table.integer("max iterations", 200, params::between(1, 1e6), "cap on the iterations")
@@ -291,6 +298,10 @@ params::Table krylov_table(const SolverDefaults& defaults, bool has_restart) {
           "set up a new preconditioner when the iterations lost by keeping the old one are this "
           "times what a set-up costs, and at once where a solve with an old one gets nowhere; 0: "
           "a new one for each matrix");
+  if (has_recycling)
+    table.integer("recycle", defaults.recycled, params::between(0, 1000),
+                  "search directions kept from one right side to the next of the same matrix; they "
+                  "cost as much memory as twice as many vectors");
   if (has_restart)
     table.integer("restart", 200, params::between(1, 1e6), "basis vectors between restarts");
   return table;
@@ -307,7 +318,7 @@ params::Table linear_solver_table(const SolverDefaults& defaults) {
                 {{"direct", params::Table("sparse LU on rank 0, for small systems")},
                  {"flexible gmres", krylov_table(defaults, true)},
                  {"gmres", krylov_table(linear, true)},
-                 {"gcr", krylov_table(defaults, true)},
+                 {"gcr", krylov_table(defaults, true, true)},
                  {"bicgstab", krylov_table(linear, false)},
                  {"tfqmr", krylov_table(linear, false)},
                  {"fixed point", krylov_table(defaults, false)}},
@@ -318,11 +329,12 @@ params::Table linear_solver_table(const SolverDefaults& defaults) {
 
 params::Table inner_solver_table(SolverDefaults defaults) {
   defaults.has_fields = false;
+  defaults.recycled = 0;
   params::Table table("Solves for one field within a preconditioner.");
   table
       .variant("method", "gcr",
                {{"direct", params::Table("sparse LU on rank 0, for small systems")},
-                {"gcr", krylov_table(defaults, true)},
+                {"gcr", krylov_table(defaults, true, true)},
                 {"fixed point", krylov_table(defaults, false)}},
                "sparse direct (Amesos2 KLU2), GCR, or the preconditioner alone, as often as "
                "\"max iterations\" says (fixed point)")

@@ -20,6 +20,8 @@ struct SolverDefaults {
   Teuchos::ParameterList cycle = multigrid::mixed_cycle_list(2);
   /// The system is one of several fields.
   bool has_fields = false;
+  /// Directions that GCR keeps from solve to solve.
+  int recycled = 0;
 };
 
 /// A preconditioner, as XML names it.

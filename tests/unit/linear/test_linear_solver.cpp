@@ -320,4 +320,69 @@ TEUCHOS_UNIT_TEST(linear_solver, a_preconditioner_that_gives_no_numbers_leaves_t
   }
 }
 
+/// Solves to 1e-10, checked against the matrix. Iterations.
+int solve_well(linear::LinearSolver& solver, const fields::BlockOperator& K,
+               const algebra::BlockVector& b, Teuchos::FancyOStream& out, bool& success) {
+  algebra::BlockVector x = K.zero();
+  const auto report = solver.solve(b, x, 1e-10);
+  TEST_ASSERT(report.is_converged);
+  TEST_COMPARE(true_error(K, b, x), <, 2.1e-10);
+  return report.iterations;
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, recycled_directions_serve_every_right_side_of_their_matrix) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto recycling =
+      linear::make_linear_solver(resolved({{"method", "gcr"}}, {{"recycle", 100}}), jacobian.K);
+  const auto plain = linear::make_linear_solver(resolved({{"method", "gcr"}}), jacobian.K);
+  const auto first = test::scattered(tube.wall, 1);
+  auto second = test::scattered(tube.wall, 2);
+  for (int b = 0; b < second.n_blocks(); ++b) second[b].update(1.0, first[b], 0.01);
+  for (const auto& solver : {recycling.get(), plain.get()}) solver->matrix_changed();
+  const auto iterations = [&](linear::LinearSolver& solver, const algebra::BlockVector& b) {
+    return solve_well(solver, jacobian.K, b, out, success);
+  };
+  const int fresh = iterations(*plain, first), same = iterations(*recycling, first);
+  TEST_EQUALITY(same, fresh);
+  TEST_COMPARE(fresh, <=, 100);  // all are kept, or what follows would not hold
+  const int again = iterations(*recycling, first);
+  TEST_EQUALITY(again, 0);
+  // nearly the first: what remains is a hundredth
+  const int kept = iterations(*recycling, second), none = iterations(*plain, second);
+  TEST_COMPARE(kept, >, 0);
+  TEST_COMPARE(kept, <, none);
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, directions_of_another_matrix_are_not_recycled) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  const auto recycling =
+      linear::make_linear_solver(resolved({{"method", "gcr"}}, {{"recycle", 100}}), jacobian.K);
+  const auto b = test::scattered(tube.wall, 1);
+  recycling->matrix_changed();
+  solve_well(*recycling, jacobian.K, b, out, success);
+  jacobian.set(0.005);
+  recycling->matrix_changed();
+  recycling->prepare();
+  const auto plain = linear::make_linear_solver(resolved({{"method", "gcr"}}), jacobian.K);
+  plain->matrix_changed();
+  const int anew = solve_well(*recycling, jacobian.K, b, out, success);
+  const int fresh = solve_well(*plain, jacobian.K, b, out, success);
+  TEST_EQUALITY(anew, fresh);
+}
+
+TEUCHOS_UNIT_TEST(linear_solver, a_right_side_that_is_no_number_leaves_nothing_to_recycle) {
+  const SmallTube tube;
+  const test::WallJacobian jacobian(tube);
+  const auto solver =
+      linear::make_linear_solver(resolved({{"method", "gcr"}}, {{"recycle", 100}}), jacobian.K);
+  solver->matrix_changed();
+  auto b = test::scattered(tube.wall, 1);
+  auto x = jacobian.K.zero();
+  b[0].scale(std::nan(""));
+  TEST_ASSERT(!solver->solve(b, x, 1e-8).is_converged);
+  solve_well(*solver, jacobian.K, test::scattered(tube.wall, 1), out, success);
+}
+
 }  // namespace

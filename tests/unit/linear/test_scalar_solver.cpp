@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/assembly/element_geometry.hpp"
+#include "tunica/base/heap.hpp"
 #include "tunica/fields/block_operator.hpp"
 #include "tunica/kernels/laplace_p1.hpp"
 #include "tunica/linear/krylov.hpp"
@@ -97,6 +98,27 @@ TEUCHOS_UNIT_TEST(krylov, conjugate_gradients_measure_the_residual_against_the_r
   X.scale(1.0 + 1e-10);  // good enough already
   const auto result = linear::solve_krylov({"CG", 200, 0}, K, Teuchos::null, B, X, 1e-8);
   TEST_EQUALITY(result.iterations, 0);
+}
+
+// A run makes millions of solves.
+TEUCHOS_UNIT_TEST(krylov, solves_leave_nothing_behind) {
+  const SmallTube tube;
+  const auto K = laplacian(tube.wall);
+  MultiVector X(tube.wall.node_map, 1), B(tube.wall.node_map, 1);
+  B.randomize();
+  for (const std::string method : {"GCR", "CG"}) {
+    const auto solve = [&](int times) {
+      for (int i = 0; i < times; ++i) {
+        X.putScalar(0.0);
+        linear::solve_krylov({method, 3, method == "GCR" ? 3 : 0}, K, Teuchos::null, B, X, 1e-8);
+      }
+      return heap_bytes();
+    };
+    const double before = solve(20);
+    const double after = solve(500);
+    out << method << ": " << before << " and " << after << " bytes\n";
+    TEST_COMPARE(after - before, <, 8 * 500);  // less than a pointer per solve
+  }
 }
 
 }  // namespace
