@@ -108,16 +108,26 @@ class Centreline:
         return segment, way, away
 
 
-def of_lumen(points, tets, ends):
-    """From the largest cap to the others; ends: VesselSurfaces.ends."""
+def beginning(points, ends, inflows):
+    """Number of the cap where most flows in; of the largest, where nothing does.
+
+    ends: VesselSurfaces.ends, inflows: through each, summed over outputs."""
+    if len(inflows) and max(inflows) > 0:
+        return int(np.argmax(inflows))
     along = section_axes(points)[2]
     centres = [weighted_centre(end.points, end.triangles) for end in ends]
     largest = max(area for _, area in centres)
-    start = min((k for k, (_, area) in enumerate(centres) if area > 0.99 * largest),
-                key=lambda k: centres[k][0] @ along)
+    return min((k for k, (_, area) in enumerate(centres) if area > 0.99 * largest),
+               key=lambda k: centres[k][0] @ along)
+
+
+def of_lumen(points, tets, ends, inflows=()):
+    """From the cap where the flow comes from to the others."""
+    start = beginning(points, ends, inflows)
+    centre, _ = weighted_centre(ends[start].points, ends[start].triangles)
     others = np.concatenate([end.nodes for k, end in enumerate(ends) if k != start])
     u = harmonic(points, tets, ends[start].nodes, others)
-    return _linked(_slices(points, tets, u, *_levels(points, tets)), centres[start][0])
+    return _linked(_slices(points, tets, u, *_levels(points, tets)), centre)
 
 
 def _levels(points, tets):

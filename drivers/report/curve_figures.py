@@ -7,7 +7,7 @@ from matplotlib import pyplot as plt
 from report import centreline
 from report.canvas import COLOUR, Figure, readable
 from report.case_tables import FLOW
-from report.surfaces import numbers_by_place
+from report.surfaces import area_vectors, numbers_by_place
 
 BOOKKEEPING = ("step", "time", "converged", "coupling_iterations", "interface_residual", "step_size", "rejected",
                "error_estimate", "seconds")
@@ -34,10 +34,23 @@ def interface_points(run):
     return np.flatnonzero(radius <= radius.min() + 0.2 * np.ptp(radius) + 1e-12)
 
 
+def inflows(run, ends):
+    """Through each cap, −Σ ∫ v·n over a score of outputs; none where there are no velocities."""
+    total = np.zeros(len(ends))
+    normals = [area_vectors(end.points, end.triangles) for end in ends]
+    for _, group in run.outputs[::max(1, len(run.outputs) // 20)]:
+        velocity = run.nodal(group, "fluid", "velocity")
+        if velocity is None:
+            return ()
+        for k, end in enumerate(ends):
+            total[k] -= np.einsum("ij,ij", velocity[end.nodes][end.triangles].mean(axis=1), normals[k])
+    return total
+
+
 def line_of(run, surfaces):
     """The centreline; straight where there is no lumen with two ends."""
     if len(surfaces.ends) > 1:
-        return centreline.of_lumen(*run.mesh("fluid"), surfaces.ends)
+        return centreline.of_lumen(*run.mesh("fluid"), surfaces.ends, inflows(run, surfaces.ends))
     return centreline.straight(run.mesh(run.grids()[-1])[0])
 
 

@@ -10,6 +10,7 @@ from synthetic_run import AROUND, INNER, LENGTH, tube
 sys.path.insert(0, os.path.dirname(os.path.realpath(sys.argv[1])))  # as the program does
 from report import centreline  # noqa: E402
 from report.case_tables import changes_per_cycle  # noqa: E402
+from report.curve_figures import inflows  # noqa: E402
 from report.section import Section, apart_by_region, nodal_means  # noqa: E402
 from report.section_figures import painted  # noqa: E402
 from report.space import kept_half  # noqa: E402
@@ -93,6 +94,32 @@ class Line(unittest.TestCase):
         self.assertLess(abs(way - points[:, 2]).max(), 1e-8)
         self.assertLess(abs(away[:, :2] - points[:, :2] / radius[:, None]).max(), 1e-8)
         self.assertEqual(len(line.paths()), 1)
+
+    def test_begins_where_the_flow_comes_from(self):
+        class Run:
+            outputs = [(1.0, "first"), (2.0, "second")]
+            direction = 1.0
+
+            def nodal(self, group, grid, name):
+                v = np.zeros_like(points)
+                v[:, 2] = {"first": -0.1, "second": 1.0}[group] * self.direction  # some flows back at first
+                return v
+
+        points, tets = self.straight, self.tets.copy()
+        a, b, c, d = (points[tets[:, k]] for k in range(4))
+        inverted = np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) < 0
+        tets[inverted] = tets[inverted][:, [0, 2, 1, 3]]  # the caps are to be seen from outside
+        ends = caps(points, tets, points[:, 2])
+        for direction in (1.0, -1.0):
+            run = Run()
+            run.direction = direction
+            flows = inflows(run, ends)
+            area = sum(np.linalg.norm(area_vectors(ends[0].points, ends[0].triangles), axis=1))
+            self.assertAlmostEqual(max(flows), 0.9 * area, places=9)
+            self.assertAlmostEqual(sum(flows), 0.0, places=9)
+            _, way, _ = centreline.of_lumen(points, tets, ends, flows).locate(points[self.side])
+            z = points[self.side, 2]
+            self.assertLess(abs(way - (z if direction > 0 else LENGTH - z)).max(), 1e-8)
 
     def test_bent_tube_has_that_of_the_torus(self):
         angle = self.straight[:, 2] / RADIUS
