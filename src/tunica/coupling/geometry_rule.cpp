@@ -9,7 +9,6 @@ namespace {
 constexpr int longest_wait = 64, steps_of_trial = 2;
 constexpr int wait_after_failure = 32;  // an attempt for nothing costs as much as many steps
 constexpr double gain = 0.9;            ///< another way must need less than this part of the work
-constexpr std::size_t many = 8;         ///< Newton steps, which derivatives nearly always halve
 
 // Measured on tubes and vessels of 10,000 to 300,000 tetrahedra.
 constexpr double of_newton_step = 2.0;  ///< c: residual, mesh motion, a part of a Jacobian
@@ -28,13 +27,13 @@ void GeometryRule::go(bool has_derivatives, int wait) {
   steps_ = 0;
 }
 
-void GeometryRule::note(const nonlinear::NewtonReport& report) {
+void GeometryRule::note(const nonlinear::NewtonReport& report, bool has_gone_over) {
   before_ = last_;
   last_ = work_of(report, wants_derivatives());
   ++steps_;
-  const bool is_early = !present_ && wait_ == first_wait && steps_ < wait_;
-  if (is_early && report.steps.size() > many) {
-    if (steps_ == 1) before_ = last_;
+  if (has_gone_over && steps_ > wait_) return note_failure();
+  if (has_gone_over) {
+    before_ = last_;
     steps_ = wait_;
   }
   if (steps_ == wait_) rival_ = before_ + last_;

@@ -14,14 +14,19 @@ namespace tunica::coupling {
 ///
 /// The rule goes one way, tries the other for two steps every so often, and takes that if they need
 /// clearly less than the two before. As long as its way wins it tries half as often each time. It
-/// begins without, and tries the other at once where a step takes many Newton steps.
-/// There is no clock in it: runs can be repeated, and ranks agree.
+/// begins without. A solve without them goes over to them where it takes many Newton steps; the
+/// rule then tries them at once, and a trial without them is over. There is no clock in it: runs
+/// can be repeated, and ranks agree.
 class GeometryRule {
 public:
   bool wants_derivatives() const { return present_ != is_trial(); }
 
-  /// A step was solved in the way that it wants.
-  void note(const nonlinear::NewtonReport& report);
+  /// Newton steps without derivatives after which a solve goes over to them, which nearly always
+  /// halve so many.
+  static constexpr int most_without = 8;
+
+  /// A step was solved in the way that it wants, or has gone over to derivatives.
+  void note(const nonlinear::NewtonReport& report, bool has_gone_over);
   /// A step could not be solved so.
   void note_failure();
 

@@ -55,14 +55,15 @@ Outcome Monolithic::attempt(bool is_careful, const stepping::Clock& clock, Itera
                             bool& is_over) {
   const Stopwatch all;
   const problems::CoupledProblem::Seconds before = problem_.seconds();
-  if (rule_) problem_.want_shape_derivatives(rule_->wants_derivatives());
+  if (rule_)
+    problem_.want_shape_derivatives(rule_->wants_derivatives(), GeometryRule::most_without);
   const auto solution =
       is_careful ? problem_.solve_carefully(fluid_->state(), wall_->state(), accepts_unconverged_)
                  : problem_.solve(fluid_states_.extrapolated(clock.step_sizes()),
                                   wall_states_.extrapolated(clock.step_sizes()), false);
   if (rule_ && !is_careful) {
     if (solution.newton.is_converged)
-      rule_->note(solution.newton);
+      rule_->note(solution.newton, solution.has_gone_over);
     else if (!solution.newton.steps.empty())
       rule_->note_failure();
   }

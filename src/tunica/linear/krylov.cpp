@@ -19,7 +19,8 @@ Teuchos::RCP<Teuchos::ParameterList> belos_list(const KrylovOptions& options, do
   // CG starts from a guess; Belos would reduce the guess's residual, however small, further.
   if (options.method == "CG") list->set("Implicit Residual Scaling", "Norm of RHS");
   if (options.restart > 0) {
-    list->set("Num Blocks", std::min(options.restart, options.max_iterations));
+    list->set("Num Blocks",
+              std::min(options.restart, options.max_iterations) + options.most_recycled);
     list->set("Maximum Restarts", options.max_iterations / options.restart + 1);
   }
   if (!options.recycled.is_null()) {

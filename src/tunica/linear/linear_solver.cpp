@@ -188,7 +188,8 @@ private:
   void refresh(SolveReport& report) {
     const Stopwatch watch;
     const TrafficScope scope(Work::preconditioner);
-    rule_.renew();  // nothing to keep should the set-up fail
+    rule_.renew();                               // nothing to keep should the set-up fail
+    if (recycles()) options_.recycled->clear();  // it is measured without their help
     system_->refresh_preconditioner();
     if (has_sum_inverse()) refresh_sum_inverse();
     is_behind_ = false;
@@ -230,14 +231,15 @@ private:
     return system_->preconditioner();
   }
 
-  /// Where the part of low rank outweighs the blocks, or directions are recycled, a method may take
-  /// for solved what round-off has kept from the truth: what remains is solved for again.
-  void refine(const KrylovOptions& options, const Teuchos::RCP<const Operator>& K,
-              SolveReport& report) {
+  /// Where the part of low rank outweighs the blocks, or images of recycled directions are not what
+  /// they were, a method may take for solved what is not: what remains is solved for again.
+  void refine(KrylovOptions options, const Teuchos::RCP<const Operator>& K, SolveReport& report) {
+    options.recycled = Teuchos::null;
     MultiVector r(b_.getMap(), 1), dx(b_.getMap(), 1);
     for (int pass = 0; pass < 2; ++pass) {
       const double rest = report.true_residual;
       if (is_solved(rest, report.tolerance) || !std::isfinite(rest)) return;
+      if (sum_.is_null()) options_.recycled->clear();
       K->apply(x_, r);
       r.update(1.0, b_, -1.0);  // r = b − K x
       dx.putScalar(0.0);

@@ -68,6 +68,11 @@ int NewtonReport::linear_iterations() const {
   return sum;
 }
 
+void NewtonReport::comes_after(const NewtonReport& earlier) {
+  steps.insert(steps.begin(), earlier.steps.begin(), earlier.steps.end());
+  earlier_steps += static_cast<int>(earlier.steps.size());
+}
+
 namespace {
 
 using ProductSpace = Teuchos::RCP<const Thyra::VectorSpaceBase<double>>;
@@ -163,9 +168,11 @@ NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& option
   algebra::BlockVector start(x.space());
   start.assign(x);
   const NewtonReport report = try_newton(problem, options, x, *rule);
-  if (report.is_converged || !rule->has_lagged()) return report;
+  if (report.is_converged || !rule->has_lagged() || !options.tries_again) return report;
   x.assign(start);
-  return try_newton(problem, options, x, always);
+  NewtonReport again = try_newton(problem, options, x, always);
+  again.comes_after(report);
+  return again;
 }
 
 }  // namespace tunica::nonlinear

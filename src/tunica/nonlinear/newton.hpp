@@ -43,6 +43,8 @@ struct NewtonOptions {
   double jacobian_cost;       ///< c of JacobianRule
   std::string line_search;    ///< "guarded", "full step", "backtrack", "polynomial"
   ForcingOptions forcing;
+  /// Where Jacobians that were kept have failed, from the start with a new one in each step.
+  bool tries_again = true;
 };
 /// Of the keys that say where it stops.
 struct NewtonDefaults {
@@ -67,9 +69,12 @@ struct NewtonStep {
 
 struct NewtonReport {
   bool is_converged = false;
-  std::string reason;  ///< why not
-  std::vector<NewtonStep> steps;
+  std::string reason;             ///< why not
+  std::vector<NewtonStep> steps;  ///< all, also those of attempts that were given up
+  int earlier_steps = 0;          ///< of them, before the last attempt
 
+  /// Puts the steps of an earlier attempt before.
+  void comes_after(const NewtonReport& earlier);
   int linear_iterations() const;
 };
 

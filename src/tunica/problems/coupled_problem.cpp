@@ -270,7 +270,7 @@ double CoupledProblem::increment_norm(const algebra::BlockVector& dx) {
 
 CoupledProblem::Solution CoupledProblem::solve(const algebra::BlockVector& fluid,
                                                const algebra::BlockVector& wall, bool wants_any) {
-  if (wants_shape_derivatives_ && !knows_domain_) rule_.forget();  // the last Jacobian has none
+  if (wants_shape_derivatives_ != knows_domain_) rule_.forget();  // the last Jacobian is another
   knows_domain_ = wants_shape_derivatives_;
   return solve(newton_, rule_, fluid, wall, wants_any);
 }
@@ -285,6 +285,30 @@ CoupledProblem::Solution CoupledProblem::solve_carefully(const algebra::BlockVec
   nonlinear::JacobianRule always(0.0);
   rule_.forget();
   return solve(careful, always, fluid, wall, wants_any);
+}
+
+// x ← x − J⁻¹ F(x), with J = K at first and, where that takes too long, J = K + S E; from where the
+// steps with K have led, if they have become shorter, else from the start.
+nonlinear::NewtonReport CoupledProblem::find_root(const nonlinear::NewtonOptions& options,
+                                                  nonlinear::JacobianRule& rule,
+                                                  algebra::BlockVector& x) {
+  if (knows_domain_ || is_extrapolated_ || most_steps_without_ == 0)
+    return nonlinear::solve_newton(*this, options, x, &rule);
+  algebra::BlockVector start(x.space());
+  start.assign(x);
+  nonlinear::NewtonOptions without = options;
+  without.max_iterations = std::min(options.max_iterations, most_steps_without_);
+  without.tries_again = false;
+  const nonlinear::NewtonReport first = nonlinear::solve_newton(*this, without, x, &rule);
+  if (first.is_converged) return first;
+  const bool is_nearer = static_cast<int>(first.steps.size()) >= without.max_iterations &&
+                         first.steps.back().increment < first.steps.front().increment;
+  if (!is_nearer) x.assign(start);
+  knows_domain_ = true;
+  rule.forget();
+  nonlinear::NewtonReport all = nonlinear::solve_newton(*this, options, x, &rule);
+  all.comes_after(first);
+  return all;
 }
 
 CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& options,
@@ -303,10 +327,13 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
   fluid_->prescribe(fluid_x_);
   fluid_part_->insert(fluid_x_, x);
   wall_part_->insert(wall_x_, x);
-  Solution solution{nonlinear::solve_newton(*this, options, x, &rule), false};
+  const bool knew = knows_domain_;
+  Solution solution{find_root(options, rule, x), false};
+  solution.has_gone_over = knows_domain_ && !knew;
   solution.is_taken = solution.newton.is_converged;
   if (!solution.is_taken && wants_any &&
-      static_cast<int>(solution.newton.steps.size()) >= options.max_iterations) {
+      static_cast<int>(solution.newton.steps.size()) - solution.newton.earlier_steps >=
+          options.max_iterations) {
     algebra::BlockVector F(space());
     solution.is_taken = residual(x, F).is_success();
   }

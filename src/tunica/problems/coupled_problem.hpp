@@ -47,14 +47,19 @@ public:
   /// Collective.
   Outcome begin_step(const stepping::Clock& clock);
   /// Whether Jacobians have shape derivatives from the next solve on: with "geometry" = "newton"
-  /// they have, else not until told. Not where the domain is extrapolated.
-  void want_shape_derivatives(bool wanted) { wants_shape_derivatives_ = wanted; }
+  /// they have, else not until told. Not where the domain is extrapolated. A solve that has not
+  /// converged in so many steps without them goes on with them; 0: it never does.
+  void want_shape_derivatives(bool wanted, int most_steps_without) {
+    wants_shape_derivatives_ = wanted;
+    most_steps_without_ = most_steps_without;
+  }
   /// Newton's method from these states of the fields; on success they are those of the new time,
   /// else they stay what they were, unless wants_any is true and all steps that are permitted have
   /// led to a state that is admissible, though not accurate. Collective.
   struct Solution {
     nonlinear::NewtonReport newton;
-    bool is_taken;  ///< the states are those of the new time
+    bool is_taken;               ///< the states are those of the new time
+    bool has_gone_over = false;  ///< to shape derivatives, after steps without
   };
   Solution solve(const algebra::BlockVector& fluid, const algebra::BlockVector& wall,
                  bool wants_any);
@@ -100,6 +105,9 @@ private:
   Solution solve(const nonlinear::NewtonOptions& options, nonlinear::JacobianRule& rule,
                  const algebra::BlockVector& fluid, const algebra::BlockVector& wall,
                  bool wants_any);
+  /// Newton's method from and to x.
+  nonlinear::NewtonReport find_root(const nonlinear::NewtonOptions& options,
+                                    nonlinear::JacobianRule& rule, algebra::BlockVector& x);
   void tie_fields();
   void set_reference();
   /// Takes x apart.
@@ -113,6 +121,7 @@ private:
   SolidProblem* wall_;
   MeshMotion* motion_;
   bool is_extrapolated_, wants_shape_derivatives_;
+  int most_steps_without_ = 0;
   double mesh_tolerance_, product_tolerance_;
   bool knows_domain_;  ///< the present Jacobian has shape derivatives
   std::unique_ptr<fields::SplitMesh> split_;
