@@ -229,11 +229,13 @@ class SolverRun:
         self.solvers = read_table(folder, "solvers.csv", first="field")
         if not self.solvers.get("field"):
             raise BadRun(f"{os.path.join(folder, 'solvers.csv')} has no rows; no system has been solved")
-        self.newton = rows_where(read_table(folder, "newton.csv"), step=self.choice["step"],
-                                 coupling_iteration=self.choice["coupling iteration"])
+        self.newton = {}  # none of another program's system
+        if "step" in self.choice:
+            self.newton = rows_where(read_table(folder, "newton.csv"), step=self.choice["step"],
+                                     coupling_iteration=self.choice["coupling iteration"])
 
     def fields(self):
-        return [f for f in ("fluid", "wall") if f in self.solvers["field"]]
+        return list(dict.fromkeys(self.solvers["field"]))
 
     def settings(self, field):
         """In the order of the case."""
@@ -243,6 +245,8 @@ class SolverRun:
         return int(rows_where(self.solvers, field=field)["unknowns"][0])
 
     def place(self):
+        if "step" not in self.choice:
+            return "the files of the case"
         return f"step {self.choice['step']}, coupling iteration {self.choice['coupling iteration']}"
 
 

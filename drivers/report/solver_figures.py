@@ -12,13 +12,13 @@ MARKERS = "osD^vP*X"
 
 
 def draw_all(runs, folder):
-    jobs = [lambda: newton_history(runs)]
+    jobs = [lambda: newton_history(runs)] if all(run.newton for run in runs) else []
     jobs += [lambda f=f: krylov_counts([run for run in runs if f in run.fields()], f) for f in fields_of(runs)]
     return save(jobs, folder)
 
 
 def fields_of(runs):
-    return [f for f in ("fluid", "wall") if any(f in run.fields() for run in runs)]
+    return list(dict.fromkeys(f for run in runs for f in run.fields()))
 
 
 def label(run, runs, field):
@@ -54,7 +54,9 @@ def krylov_counts(runs, field):
                                   figsize=(3.8 * len(runs) + 3.4, max(4.2, 1.0 + 0.27 * len(settings))))
     for axes, run in zip(panels[0], runs):
         _count_panel(axes, run, field, settings)
-        axes.set(title=label(run, runs, field), xlabel="Newton step")
+        axes.set(title=label(run, runs, field), xlabel="Newton step" if run.newton else "")
+        if not run.newton:
+            axes.set_xticks([])
     panels[0, 0].set_ylabel("iterations")
     _scale_counts(panels[0, 0], [n for run in runs for n in rows_where(run.solvers, field=field)["iterations"]])
     _legend(panels[0, -1], runs[-1], field, settings)

@@ -165,5 +165,5 @@ def write_solver_run(folder, unknowns=9072, fields=("fluid", "wall"), growth=1, 
                 solver_rows(unknowns, fields, growth))
     write_table(os.path.join(folder, "newton.csv"),
                 NEWTON_COLUMNS,
-                newton_rows(1, 2, ("fluid", "wall")))
+                newton_rows(1, 2, fields))
     return folder

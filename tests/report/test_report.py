@@ -324,6 +324,21 @@ class Report(unittest.TestCase):
         for text in ("step 1, coupling iteration 2", "paper P_L, BiCGStab", "200 (cap)", "9,072 unknowns, 2 ranks"):
             self.assertIn(text, page)
 
+    def test_solvers_of_coupled_and_foreign_systems_have_figures(self):
+        coupled = write_solver_run(self.folder("coupled_solvers"), fields=("system",))
+        self.assertEqual(report(coupled).stderr, "")
+        self.expect_page(os.path.join(coupled, "report"), {"newton.png", "krylov_system.png"})
+        foreign = write_solver_run(self.folder("foreign_solvers"), fields=("system",))
+        os.remove(os.path.join(foreign, "newton.csv"))
+        path = os.path.join(foreign, "solvers.json")
+        with open(path, encoding="utf-8") as file:
+            choice = json.load(file)
+        del choice["step"], choice["coupling iteration"]
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(choice, file)
+        self.assertEqual(report(foreign).stderr, "")
+        self.expect_page(os.path.join(foreign, "report"), {"krylov_system.png"})
+
     def test_solvers_of_several_folders_stand_side_by_side(self):
         coarse = write_solver_run(self.folder("coarse"))
         fine = write_solver_run(self.folder("fine"), unknowns=60500, growth=3, fields=("fluid",))

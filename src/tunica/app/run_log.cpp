@@ -114,6 +114,7 @@ void RunLog::step(const stepping::Clock& clock, const StepSummary& s,
   for (const discretisation::Observable& o : observables) row.emplace_back(o.value);
   steps_table_->row(row);
   seconds_.push_front(now - last_);
+  if (seconds_.size() > 6) seconds_.pop_back();
   last_ = now;
   print(clock, s);
   if (s.is_accepted && !s.is_converged) warn(s.reason);

@@ -88,16 +88,13 @@ void Hdf5File::make_group(const std::string& name) {
 }
 
 std::vector<std::string> Hdf5File::groups() {
-  H5G_info_t info{};
-  noted(H5Gget_info(file_, &info), "list the groups");
   std::vector<std::string> names;
-  for (hsize_t i = 0; i < info.nlinks; ++i) {
-    std::array<char, 256> name{};
-    noted(H5Lget_name_by_idx(file_, "/", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(),
-                             H5P_DEFAULT),
-          "list the groups");
-    names.emplace_back(name.data());
-  }
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* all) -> herr_t {
+    static_cast<std::vector<std::string>*>(all)->emplace_back(name);
+    return 0;
+  };
+  // One walk: asked for by number, each link is looked for from the first on.
+  noted(H5Literate(file_, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), "list the groups");
   return names;
 }
 

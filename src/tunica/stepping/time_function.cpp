@@ -107,8 +107,8 @@ std::vector<double> numbers(const Teuchos::ParameterList& options, const std::st
 double within(double time, double begin, double period, bool at_end) {
   double since = std::fmod(time - begin, period);
   if (since < 0.0) since += period;
-  // Round-off in n Δt must not push a step past its end.
-  const double slack = 1e-9 * std::max(std::abs(time), period);
+  // Round-off in sums of Δt must not push a step past its end.
+  const double slack = 1e-9 * period + 1e-12 * std::abs(time);
   if (at_end && since <= slack) since = period;
   if (!at_end && since >= period - slack) since = 0.0;
   return since;

@@ -109,6 +109,36 @@ TEUCHOS_UNIT_TEST(cycle, entries_that_were_zero_at_first_may_become_others) {
   }
 }
 
+TEUCHOS_UNIT_TEST(cycle, fill_that_one_bad_matrix_asked_for_is_given_up_again) {
+  const WallMatrix wall;
+  const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(*wall.jacobian.K.space()));
+  const auto K = Teuchos::rcp(new CrsMatrix(*wall.K(), Teuchos::Copy));
+  const auto stretch = [&](double factor) {  // of what is beside the diagonal
+    K->resumeFill();
+    {
+      const auto from = wall.K()->getLocalMatrixHost(), to = K->getLocalMatrixHost();
+      for (int i = 0; i < from.numRows(); ++i) {
+        auto row = to.row(i);
+        for (int k = 0; k < row.length; ++k)
+          row.value(k) = (row.colidx(k) == i ? 1.0 : factor) * from.row(i).value(k);
+      }
+    }
+    K->fillComplete(wall.K()->getDomainMap(), wall.K()->getRangeMap());
+  };
+  const auto list =
+      list_with([](auto& s) { s.set("factory", "NodalIluSmoother").set("spectral bound", 3.0); });
+  const Vector b = wall.scattered(5);
+  multigrid::Cycle cycle(K, nodes, list);
+  const auto distance_to_new = [&] { return distance(cycle, multigrid::Cycle(K, nodes, list), b); };
+  stretch(2.0);
+  cycle.refresh();
+  stretch(1.0);
+  cycle.refresh();
+  TEST_COMPARE(distance_to_new(), >, 1e-3);  // it has more fill than a new one
+  for (int again = 0; again < 32; ++again) cycle.refresh();
+  TEST_COMPARE(distance_to_new(), <, 1e-9);
+}
+
 TEUCHOS_UNIT_TEST(cycle, lists_with_parts_of_muelu_are_set_up_anew) {
   WallMatrix wall;
   const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(*wall.jacobian.K.space()));

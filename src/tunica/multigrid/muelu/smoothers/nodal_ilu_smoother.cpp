@@ -11,6 +11,7 @@ namespace {
 
 // Of the power method: at first, and where matrix and direction are near to the last ones.
 constexpr int first_iterations = 8, later_iterations = 2;
+constexpr int first_patience = 32, longest_patience = 1024;  ///< refreshes
 
 // Eigenvalues of (L U)⁻¹ K that sweeps are to damp. Tried on coupled systems of tubes and vessels:
 // from 0.5 to 0.6 and to 1.25 or 1.3 it makes no difference of more than one iteration.
@@ -56,6 +57,8 @@ void NodalIluSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLa
   numbering_ = numbering;
   const auto& list = GetParameterList();
   fill_ = list.get<int>("fill");
+  refreshes_ = 0;
+  patience_ = first_patience;
   const int sweeps = list.get<int>("sweeps");
   weights_.assign(sweeps, 1.0);
   if (list.get<std::string>("polynomial") == "chebyshev") weights_ = chebyshev_weights(sweeps);
@@ -74,6 +77,12 @@ void NodalIluSmoother::make_factors() {
 void NodalIluSmoother::refresh() {
   const auto& list = GetParameterList();
   const double bound = list.get<double>("spectral bound");
+  if (fill_ > list.get<int>("fill") && ++refreshes_ >= patience_) {
+    fill_ = list.get<int>("fill");  // one bad matrix need not have been like those that follow
+    refreshes_ = 0;
+    patience_ = std::min(2 * patience_, longest_patience);
+    make_factors();
+  }
   factors_->refresh();
   damping_ = list.get<double>("damping");
   if (bound == 0.0) return;

@@ -44,6 +44,7 @@ private:
   const ::tunica::CrsMatrix* K_ = nullptr;
   algebra::DofLayout numbering_;
   int fill_ = 0;
+  int refreshes_ = 0, patience_ = 0;  ///< since there is more fill than asked for, and its length
   std::shared_ptr<smoothers::NodeIlu> factors_;
   std::shared_ptr<::tunica::MultiVector> direction_;  ///< of the largest eigenvalue
   double damping_ = 1.0;                              ///< ω
