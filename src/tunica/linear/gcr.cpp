@@ -25,6 +25,7 @@ constexpr int piece = 1024;
 
 /// Qᵀ v of the columns from the first on, with one message.
 std::vector<double> products(const Columns& Q, int first, const MultiVector& v) {
+  if (first == static_cast<int>(Q.size())) return {};
   const Teuchos::BLAS<int, double> blas;
   const int n = static_cast<int>(v.getLocalLength());
   const double* values = v.getLocalViewHost(read_only).data();
@@ -58,6 +59,11 @@ void Directions::keep_last(int number) {
   for (Columns* columns : {&z_, &q_})
     if (static_cast<int>(columns->size()) > number)
       columns->erase(columns->begin(), columns->end() - number);
+}
+
+void Directions::keep_first(int number) {
+  for (Columns* columns : {&z_, &q_})
+    if (static_cast<int>(columns->size()) > number) columns->resize(number);
 }
 
 bool Directions::add(const Teuchos::RCP<MultiVector>& z, const Teuchos::RCP<MultiVector>& q) {
@@ -113,7 +119,7 @@ Belos::ReturnType Gcr::solve() {
   MultiVector& x = *problem_->getLHS();
   const MultiVector& b = *problem_->getRHS();
   MultiVector r(b, Teuchos::Copy);
-  if (norm(x) > 0.0) {
+  if (!(norm(x) == 0.0)) {
     problem_->applyOp(x, r);
     r.update(1.0, b, -1.0);  // r = b − A x
   }
@@ -121,8 +127,9 @@ Belos::ReturnType Gcr::solve() {
   relative_residual_ = scale == 0.0 ? 0.0 : norm(r) / scale;
   const auto recycled = list_->get<Teuchos::RCP<Directions>>("Recycled Directions");
   Directions basis;
-  if (!recycled.is_null() && recycled->size() > 0 && relative_residual_ > tolerance) {
-    std::swap(basis, *recycled);
+  if (!recycled.is_null()) std::swap(basis, *recycled);
+  const int n_recycled = basis.size();
+  if (n_recycled > 0 && relative_residual_ > tolerance) {
     basis.minimise(r, x);
     relative_residual_ = norm(r) / scale;
   }
@@ -144,7 +151,8 @@ Belos::ReturnType Gcr::solve() {
       break;
     }
   }
-  if (!recycled.is_null() && basis.size() > 0) {
+  if (!recycled.is_null()) {
+    if (iterations_ < 3) basis.keep_first(n_recycled);
     basis.keep_last(list_->get<int>("Num Recycled Blocks"));
     std::swap(basis, *recycled);
   }

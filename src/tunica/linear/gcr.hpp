@@ -15,6 +15,7 @@ public:
   void clear() { keep_last(0); }
   /// Those that were added last.
   void keep_last(int number);
+  void keep_first(int number);
 
   /// Adds z and its image q, made orthonormal to the others: two passes of Gram and Schmidt, each
   /// with one message. False where q depends on the others already. Collective.
@@ -43,7 +44,7 @@ private:
 ///
 /// With "Recycled Directions", of which the caller knows that they are A's, it begins with those,
 /// and leaves there the last "Num Recycled Blocks" of all: a direction in which P is poor is found
-/// once, not with each right side.
+/// once, not with each right side. Solves of one or two iterations have none, and leave none.
 ///
 /// Source: [EES] Eisenstat, Elman, Schultz 1983; the fluid's method in [LY1] section 5.4. Krylov
 /// spaces kept over a sequence of systems: Parks, de Sturler, Mackey, Johnson, Maiti 2006.
