@@ -7,6 +7,7 @@ from matplotlib import pyplot as plt
 from report import centreline
 from report.canvas import COLOUR, Figure, readable
 from report.case_tables import FLOW
+from report.run_data import spread
 from report.surfaces import area_vectors, numbers_by_place
 
 BOOKKEEPING = ("step", "time", "converged", "coupling_iterations", "interface_residual", "step_size", "rejected",
@@ -38,7 +39,7 @@ def inflows(run, ends):
     """Through each cap, −Σ ∫ v·n over a score of outputs; none where there are no velocities."""
     total = np.zeros(len(ends))
     normals = [area_vectors(end.points, end.triangles) for end in ends]
-    for _, group in run.outputs[::max(1, len(run.outputs) // 20)]:
+    for _, group in spread(run.outputs, 20):
         velocity = run.nodal(group, "fluid", "velocity")
         if velocity is None:
             return ()

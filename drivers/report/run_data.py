@@ -198,7 +198,7 @@ class Run:
             return []
         if text is None:
             moving = [o for o in self.outputs if o[0] > 0] or self.outputs  # rest says little
-            return [moving[i] for i in np.unique(np.linspace(0, len(moving) - 1, 6).round().astype(int))]
+            return spread(moving, 6)
         try:
             wanted = [float(t) for t in text.split(",")]
         except ValueError:
@@ -248,6 +248,11 @@ class SolverRun:
         if "step" not in self.choice:
             return "the files of the case"
         return f"step {self.choice['step']}, coupling iteration {self.choice['coupling iteration']}"
+
+
+def spread(items, most):
+    """So many of them at most, evenly, with the first and the last."""
+    return [items[i] for i in np.unique(np.linspace(0, len(items) - 1, most).round().astype(int))]
 
 
 def is_of_solvers(folder):

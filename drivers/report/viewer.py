@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib import pyplot as plt
 
 from report.canvas import colour_scale
+from report.run_data import spread
 from report.section import norm_of
 from report.space import views
 from report.space_figures import MOST_FURTHER, STRESSES, magnitude, words
@@ -55,7 +56,7 @@ def _chosen(run, surfaces):
     """Outputs: about 20, fewer of large meshes."""
     size = sum(3 * len(part.nodes) + 4 * len(part.nodes) for _, _, part in surfaces)
     count = int(np.clip(MOST_NUMBERS // max(size, 1), 2, MOST_OUTPUTS))
-    return [run.outputs[i] for i in np.unique(np.linspace(0, len(run.outputs) - 1, count).round().astype(int))]
+    return spread(run.outputs, count)
 
 
 def _ramp():
