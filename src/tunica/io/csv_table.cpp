@@ -44,13 +44,15 @@ CsvTable::CsvTable(const std::string& path, std::vector<std::string> columns, bo
 
 void CsvTable::keep(const std::string& heading, int kept_step) {
   std::ifstream earlier(path_);
-  std::string line, kept;
+  std::string line;
   std::getline(earlier, line);
   const bool is_another = earlier.is_open() && line != heading;
+  AtomicFile kept(path_);  // line by line: the table of a long run is large
+  kept.add(heading + '\n');
   // A row that a killed run has not finished lacks its line break.
   while (!is_another && std::getline(earlier, line) && !earlier.eof()) {
     const long step = std::strtol(line.c_str(), nullptr, 10);
-    if (step > 0 && step <= kept_step) kept += line + '\n';
+    if (step > 0 && step <= kept_step) kept.add(line + '\n');
   }
   earlier.close();
   if (is_another) {
@@ -60,7 +62,7 @@ void CsvTable::keep(const std::string& heading, int kept_step) {
               << " has other columns than before and begins anew; its rows are in "
               << old_path.value() << std::endl;
   }
-  const Outcome written = replace_file(path_, heading + '\n' + kept);
+  const Outcome written = kept.commit();
   if (written.is_failure()) throw std::runtime_error(written.reason());
 }
 

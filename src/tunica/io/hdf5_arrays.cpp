@@ -49,9 +49,8 @@ bool Hdf5Reader::has(const std::string& dataset) const {
   return H5Lexists(file_, dataset.c_str(), H5P_DEFAULT) > 0;
 }
 
-std::string Hdf5Reader::attribute(const std::string& name) const {
-  const Hdf5Handle attribute(H5Aopen(file_, name.c_str(), H5P_DEFAULT), H5Aclose);
-  TUNICA_CHECK(attribute.is_valid(), path_ + ": has no attribute \"" + name + "\"");
+std::string Hdf5Reader::attribute(const std::string& name, const std::string& object) const {
+  const Hdf5Handle attribute = open_attribute(name, object);
   const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
   const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
   std::vector<char> text(string_length(type));
@@ -60,6 +59,46 @@ std::string Hdf5Reader::attribute(const std::string& name) const {
   TUNICA_CHECK(H5Aread(attribute, type, text.data()) >= 0,
                path_ + ": attribute \"" + name + "\" cannot be read");
   return trimmed(text.data(), text.size());
+}
+
+double Hdf5Reader::number(const std::string& name, const std::string& object) const {
+  const Hdf5Handle attribute = open_attribute(name, object);
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+  double value = 0.0;
+  TUNICA_CHECK(H5Sget_simple_extent_npoints(space) == 1 &&
+                   H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0,
+               path_ + ": attribute \"" + name + "\" of " + object + " is not a number");
+  return value;
+}
+
+bool Hdf5Reader::has_attribute(const std::string& name, const std::string& object) const {
+  return H5Aexists_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+Hdf5Handle Hdf5Reader::open_attribute(const std::string& name, const std::string& object) const {
+  Hdf5Handle attribute(
+      H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  TUNICA_CHECK(attribute.is_valid(), path_ + ": " + (object == "/" ? "" : object + " ") +
+                                         "has no attribute \"" + name + "\"");
+  return attribute;
+}
+
+std::vector<std::string> Hdf5Reader::names(const std::string& group) const {
+  const Hdf5Handle handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose);
+  std::vector<std::string> names;
+  TUNICA_CHECK(handle.is_valid() && hdf5_names(handle, names) >= 0,
+               path_ + ": the group " + group + " cannot be listed");
+  return names;
+}
+
+int Hdf5Reader::columns(const std::string& dataset) const {
+  const Hdf5Handle handle = open(dataset);
+  const Hdf5Handle space(H5Dget_space(handle), H5Sclose);
+  const int dimensions = H5Sget_simple_extent_ndims(space);
+  if (dimensions != 1 && dimensions != 2) fail(dataset, "expected one or two dimensions");
+  hsize_t size[2] = {0, 1};
+  H5Sget_simple_extent_dims(space, size, nullptr);
+  return static_cast<int>(size[1]);
 }
 
 Hdf5Handle Hdf5Reader::open(const std::string& dataset) const {

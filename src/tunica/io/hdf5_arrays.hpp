@@ -11,10 +11,17 @@ namespace tunica::io {
 class Hdf5Reader {
 public:
   explicit Hdf5Reader(const std::string& path);
-  std::string attribute(const std::string& name) const;
+  /// Of the file, or of a group or dataset.
+  std::string attribute(const std::string& name, const std::string& object = "/") const;
+  double number(const std::string& name, const std::string& object) const;
+  bool has_attribute(const std::string& name, const std::string& object) const;
   bool has(const std::string& dataset) const;
+  /// Of what lies in a group.
+  std::vector<std::string> names(const std::string& group) const;
   /// How many rows a dataset of so many columns has (columns 1: one-dimensional).
   std::size_t rows(const std::string& dataset, hsize_t columns = 1) const;
+  /// Of a dataset of one or two dimensions.
+  int columns(const std::string& dataset) const;
   /// A dataset of rows × columns, row by row.
   std::vector<int> integers(const std::string& dataset, hsize_t columns = 1) const;
   std::vector<double> reals(const std::string& dataset, hsize_t columns) const;
@@ -28,6 +35,7 @@ public:
 private:
   [[noreturn]] void fail(const std::string& dataset, const std::string& message) const;
   Hdf5Handle open(const std::string& dataset) const;
+  Hdf5Handle open_attribute(const std::string& name, const std::string& object) const;
   /// Number of rows; the size must fit the columns and what is stored.
   std::size_t rows_of(hid_t id, const std::string& dataset, hsize_t columns) const;
   void read_any(hid_t id, hid_t type, const std::string& dataset, hsize_t columns, hsize_t first,

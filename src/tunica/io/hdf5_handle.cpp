@@ -33,6 +33,15 @@ std::vector<char> hdf5_text(const std::vector<std::string>& values, std::size_t 
   return text;
 }
 
+herr_t hdf5_names(hid_t group, std::vector<std::string>& names) {
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* all) -> herr_t {
+    static_cast<std::vector<std::string>*>(all)->emplace_back(name);
+    return 0;
+  };
+  // One walk: asked for by number, each link is looked for from the first on.
+  return H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names);
+}
+
 std::string hdf5_failure(const std::string& path, const std::string& action) {
   std::string cause;
   const auto keep = [](unsigned n, const H5E_error2_t* entry, void* out) -> herr_t {

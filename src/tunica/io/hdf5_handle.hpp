@@ -56,6 +56,10 @@ Hdf5Handle hdf5_string_type(std::size_t length);
 std::size_t hdf5_string_length(const std::vector<std::string>& values);
 std::vector<char> hdf5_text(const std::vector<std::string>& values, std::size_t length);
 
+/// The names of what lies in a group or at the top of a file, in their alphabet's order, are
+/// appended. Negative where they cannot be listed.
+herr_t hdf5_names(hid_t group, std::vector<std::string>& names);
+
 /// "fields.h5: cannot write /step_000001 (unable to …)": what HDF5 has just refused, with the
 /// innermost entry of its error stack, which names the cause.
 std::string hdf5_failure(const std::string& path, const std::string& action);

@@ -89,12 +89,7 @@ void Hdf5File::make_group(const std::string& name) {
 
 std::vector<std::string> Hdf5File::groups() {
   std::vector<std::string> names;
-  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* all) -> herr_t {
-    static_cast<std::vector<std::string>*>(all)->emplace_back(name);
-    return 0;
-  };
-  // One walk: asked for by number, each link is looked for from the first on.
-  noted(H5Literate(file_, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), "list the groups");
+  noted(hdf5_names(file_, names), "list the groups");
   return names;
 }
 

@@ -14,7 +14,6 @@
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/io/hdf5_arrays.hpp"
 #include "tunica/io/parallel_hdf5.hpp"
-#include "tunica/output/field_files.hpp"
 
 namespace tunica::output {
 
@@ -53,23 +52,18 @@ void bring_into_xdmf_order(Array& array) {
 }
 
 void write_array(io::Hdf5File& file, const std::string& group, io::Hdf5File::Rows rows,
-                 const RowOrder* order, const Array& array) {
+                 const RowOrder* order, const Array& array, const std::string& centre) {
   rows.columns = array.components;
   std::vector<double> values;
   const std::vector<double>* chosen = &array.values;
   if (order != nullptr) chosen = &(values = (*order)(*chosen, array.components));
   file.write(group + "/" + array.name, rows, chosen->data());
+  file.attribute(group + "/" + array.name, centre_name, centre);
 }
 
 /// An upper bound of what HDF5 writes: the numbers and its own tables.
 long long bytes_of(long long numbers, std::size_t datasets) {
   return 8 * numbers + 4096 * static_cast<long long>(datasets) + 65536;
-}
-
-std::string group_of(int step) {
-  std::array<char, 32> name;
-  std::snprintf(name.data(), name.size(), "/step_%06d", step);
-  return name.data();
 }
 
 }  // namespace
@@ -83,12 +77,13 @@ FieldWriter::FieldWriter(const std::string& folder, const std::vector<Grid>& gri
     if (problem.empty()) problem = misfit(grid, global_sum(*comm_, shapes_.back().points));
   }
   throw_if_any<std::logic_error>(*comm_, problem);
+  if (comm_->getRank() == 0) xdmf_ = std::make_unique<XdmfFiles>(folder_);
 
   if (can_go_on(kept_step))
-    go_on(grids, kept_step);
+    go_on(grids);
   else
     begin_anew(grids);
-  replace_xdmf();
+  on_root_or_fault(*comm_, [&] { return xdmf_->replace(); });
 }
 
 bool FieldWriter::can_go_on(int kept_step) {
@@ -97,10 +92,9 @@ bool FieldWriter::can_go_on(int kept_step) {
   const bool exists = std::filesystem::exists(folder_ + "/" + hdf5_name);
   Outcome going_on = Outcome::success();
   if (is_root) {
-    std::vector<GridSize> sizes;
-    for (const Shape& s : shapes_) sizes.push_back({s.name, s.points_total, s.cells_total});
-    going_on = exists ? can_be_continued(folder_, sizes, kept_step)
-                      : Outcome::failure("it does not exist");
+    std::vector<xdmf::Grid> grids;
+    for (const Shape& s : shapes_) grids.push_back(description_of(s));
+    going_on = exists ? xdmf_->take_steps(kept_step, grids) : Outcome::failure("it does not exist");
   }
   going_on = agreed(*comm_, going_on);
   try {
@@ -111,14 +105,13 @@ bool FieldWriter::can_go_on(int kept_step) {
     going_on = Outcome::failure(fault.what());
   }
   if (going_on.is_success()) return true;
+  if (is_root) xdmf_ = std::make_unique<XdmfFiles>(folder_);
   on_root_or_fault(*comm_, [&] { return exists ? set_fields_aside(folder_) : Outcome::success(); });
   remark_ = std::string(hdf5_name) + " cannot be continued and begins anew: " + going_on.reason();
   return false;
 }
 
-void FieldWriter::go_on(const std::vector<Grid>& grids, int kept_step) {
-  if (comm_->getRank() == 0) finished_steps_ = xdmf_up_to(kept_step, folder_);
-  broadcast(*comm_, finished_steps_);
+void FieldWriter::go_on(const std::vector<Grid>& grids) {
   for (std::size_t g = 0; g < grids.size(); ++g) {
     Shape& s = shapes_[g];
     s.point_order = take_share(s.name + "/vertices", grids[g].vertex, s.first_point, s.points);
@@ -244,11 +237,13 @@ void FieldWriter::finish_step() {
   throw_if_any<std::logic_error>(*comm_, complaint_);
   if (blocks_.empty()) return;
 
-  const std::string group = group_of(step_);
+  const std::string group = "/" + step_group(step_);
   write_blocks(group);
-  finished_steps_ += xdmf::step(time_, describe_blocks(group), hdf5_name);
+  on_root_or_fault(*comm_, [&] {
+    xdmf_->add(describe_step(group));
+    return xdmf_->replace_if_due();
+  });
   blocks_.clear();
-  replace_xdmf();
 }
 
 void FieldWriter::write_blocks(const std::string& group) const {
@@ -265,51 +260,45 @@ void FieldWriter::write_blocks(const std::string& group) const {
   fault_point("field output");
   file.make_group(group);
   file.attribute(group, "step", static_cast<long long>(step_));
-  file.attribute(group, "time", time_);
   for (const Block& block : blocks_) {
     const Shape& s = block.shape;
     const std::string place = group + "/" + s.name;
     for (const Array& array : block.point_data) {
       write_array(file, place, {s.points_total, s.first_point, s.points, 1}, s.point_order.get(),
-                  array);
+                  array, at_nodes);
     }
     for (const Array& array : block.cell_data) {
-      write_array(file, place, {s.cells_total, s.first_cell, s.cells, 1}, s.cell_order.get(),
-                  array);
+      write_array(file, place, {s.cells_total, s.first_cell, s.cells, 1}, s.cell_order.get(), array,
+                  at_cells);
     }
   }
+  file.attribute(group, time_name, time_);
   file.close();
 }
 
-std::vector<xdmf::Grid> FieldWriter::describe_blocks(const std::string& group) const {
-  using xdmf::Centre;
-  std::vector<xdmf::Grid> grids;
-  for (const Block& block : blocks_) {
-    const std::string& name = block.shape.name;
-    xdmf::Grid grid{
-        name, block.shape.points_total, block.shape.cells_total, {}, block.shape.regions};
-    for (const char* tag : {"region", "partition"}) {
-      grid.attributes.push_back({tag, Centre::cell, 1, true, "/" + name + "/" + tag});
-    }
-    const std::string place = group + "/" + name + "/";
-    for (const Array& a : block.point_data) {
-      grid.attributes.push_back({a.name, Centre::node, a.components, false, place + a.name});
-    }
-    for (const Array& a : block.cell_data) {
-      grid.attributes.push_back({a.name, Centre::cell, a.components, false, place + a.name});
-    }
-    grids.push_back(std::move(grid));
-  }
-  return grids;
+xdmf::Grid FieldWriter::description_of(const Shape& shape) {
+  xdmf::Grid grid{shape.name, shape.points_total, shape.cells_total, {}, shape.regions};
+  for (const char* tag : {"region", "partition"})
+    grid.attributes.push_back({tag, xdmf::Centre::cell, 1, true, "/" + shape.name + "/" + tag});
+  return grid;
 }
 
-void FieldWriter::replace_xdmf() const {
-  on_root_or_fault(*comm_, [&] {
-    const Outcome outcome =
-        io::replace_file(folder_ + "/" + xdmf_name, xdmf::document(finished_steps_));
-    if (outcome.is_failure()) return outcome;
-    return io::replace_file(folder_ + "/" + xdmf2_name, xdmf::document_by_block(finished_steps_));
-  });
+xdmf::Step FieldWriter::describe_step(const std::string& group) const {
+  xdmf::Step step{time_, {}};
+  for (const Block& block : blocks_) {
+    xdmf::Grid grid = description_of(block.shape);
+    const auto first = grid.attributes.size();
+    const std::string place = group + "/" + grid.name + "/";
+    for (const Array& a : block.point_data)
+      grid.attributes.push_back({a.name, xdmf::Centre::node, a.components, false, place + a.name});
+    for (const Array& a : block.cell_data)
+      grid.attributes.push_back({a.name, xdmf::Centre::cell, a.components, false, place + a.name});
+    // As HDF5 lists them to a run that goes on.
+    std::sort(grid.attributes.begin() + first, grid.attributes.end(),
+              [](const auto& one, const auto& other) { return one.name < other.name; });
+    step.grids.push_back(std::move(grid));
+  }
+  return step;
 }
 
 }  // namespace tunica::output

@@ -6,8 +6,8 @@
 
 #include "tunica/base/tensor.hpp"
 #include "tunica/base/types.hpp"
+#include "tunica/output/field_files.hpp"
 #include "tunica/output/row_order.hpp"
-#include "tunica/output/xdmf.hpp"
 
 namespace tunica::output {
 
@@ -38,17 +38,19 @@ struct Array {
 /// "fields.xdmf2", see xdmf.hpp, in one folder.
 ///
 /// In fields.h5 lie the geometry once per grid (/fluid/points, tets, region, partition) and per
-/// step /step_000016/fluid/velocity; the step's group carries the attributes "step" and "time".
-/// /fluid/region_names has their names in the order of the numbers.
-/// Symmetric tensors are stored as xx, xy, xz, yy, yz, zz, the order of XDMF's Tensor6.
-/// A point array "displacement" moves the points in viewers (Warp By Vector).
+/// step /step_000016/fluid/velocity; the step's group carries the attributes "step" and, once all
+/// is there, "time". /fluid/region_names has their names in the order of the numbers. Symmetric
+/// tensors are stored as xx, xy, xz, yy, yz, zz, the order of XDMF's Tensor6. A point array
+/// "displacement" moves the points in viewers (Warp By Vector).
 ///
 /// Rows are named by the mesh: /fluid/vertices and /fluid/tet_numbers. A run that goes on in the
 /// same folder brings its rows into the order of the file, which does not change; "partition" is
 /// that of the run that began the file.
 ///
+/// Each array of a step has an attribute "centre", "node" or "cell".
+///
 /// A run killed at any time leaves the finished steps: write() touches no file, finish_step()
-/// opens the file, writes, flushes and closes it, and only then replaces the XDMF.
+/// opens the file, writes, flushes and closes it, and only then lets the XDMF know.
 class FieldWriter {
 public:
   /// Replaces the files of an earlier run and writes the geometry. Ranks may own nothing.
@@ -90,7 +92,7 @@ private:
   Shape shape_of(const Grid& grid) const;
   /// False, with a remark, where there is nothing to continue. What cannot be is set aside.
   bool can_go_on(int kept_step);
-  void go_on(const std::vector<Grid>& grids, int kept_step);
+  void go_on(const std::vector<Grid>& grids);
   /// Sets which rows of the file this rank writes; returns how they come from those given.
   std::shared_ptr<const RowOrder> take_share(const std::string& dataset,
                                              const std::vector<int>& given, long long& first,
@@ -99,14 +101,15 @@ private:
   void write_geometry(const std::vector<Grid>& grids) const;
   std::string complaint(int step, double time, const Block& block) const;
   void write_blocks(const std::string& group) const;
-  std::vector<xdmf::Grid> describe_blocks(const std::string& group) const;
-  void replace_xdmf() const;
+  /// The grid without the arrays of any step.
+  static xdmf::Grid description_of(const Shape& shape);
+  xdmf::Step describe_step(const std::string& group) const;
 
   std::string folder_;
   CommPtr comm_;
   int compression_ = 0;
   std::vector<Shape> shapes_;
-  std::string finished_steps_;  ///< their XDMF text
+  std::unique_ptr<XdmfFiles> xdmf_;  ///< on rank 0
 
   int step_ = 0;  ///< of the blocks not yet on the disk
   double time_ = 0.0;

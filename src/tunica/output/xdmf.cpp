@@ -1,8 +1,10 @@
 #include "tunica/output/xdmf.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
-#include <utility>
+
+#include "tunica/io/atomic_file.hpp"
 
 namespace tunica::output::xdmf {
 
@@ -23,8 +25,6 @@ std::string item(long long rows, int columns, const char* type, const std::strin
 
 const char* const real_type = "NumberType=\"Float\" Precision=\"8\"";
 const char* const index_type = "NumberType=\"Int\" Precision=\"8\"";
-const char* const step_begin = "    <Grid GridType=\"Collection\" CollectionType=\"Spatial\">";
-const char* const step_end = "    </Grid>\n";
 const char* const tag_type = "NumberType=\"Int\" Precision=\"4\"";
 
 std::string escaped(const std::string& text) {
@@ -50,12 +50,13 @@ std::string legend(const std::vector<std::string>& names) {
   return text;
 }
 
-std::string grid_text(const Grid& grid, const std::string& file) {
+/// time: a line, or none.
+std::string grid_text(const Grid& grid, const std::string& time, const std::string& file) {
   const std::string place = file + ":/" + grid.name;
   std::ostringstream out;
   out << "      <Grid Name=\"" << grid.name << "\" GridType=\"Uniform\">\n"
-      << "        <Topology TopologyType=\"Tetrahedron\" NumberOfElements=\"" << grid.cells << "\">"
-      << item(grid.cells, 4, index_type, place + "/tets") << "</Topology>\n"
+      << time << "        <Topology TopologyType=\"Tetrahedron\" NumberOfElements=\"" << grid.cells
+      << "\">" << item(grid.cells, 4, index_type, place + "/tets") << "</Topology>\n"
       << "        <Geometry GeometryType=\"XYZ\">"
       << item(grid.points, 3, real_type, place + "/points") << "</Geometry>\n";
   if (!grid.regions.empty())
@@ -72,80 +73,54 @@ std::string grid_text(const Grid& grid, const std::string& file) {
   return out.str();
 }
 
-std::string between(const std::string& text, const std::string& before, const std::string& after) {
-  const std::size_t begin = text.find(before) + before.size();
-  return text.substr(begin, text.find(after, begin) - begin);
-}
-
-/// The passages of a text from begin to end, both inclusive.
-std::vector<std::string> passages(const std::string& text, const std::string& begin,
-                                  const std::string& end) {
-  std::vector<std::string> found;
-  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
-    const std::size_t last = text.find(end, at);
-    if (last == std::string::npos) break;
-    found.push_back(text.substr(at, last + end.size() - at));
-  }
-  return found;
-}
-
-std::vector<std::string> steps_of(const std::string& document) {
-  return passages(document, step_begin, std::string("\n") + step_end);
-}
-
-const char* const head = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
-const char* const foot = "</Domain>\n</Xdmf>\n";
-
-}  // namespace
-
-std::string step(double time, const std::vector<Grid>& grids, const std::string& hdf5_file) {
+/// <Time> with as many digits as give the number back.
+std::string time_text(double time) {
   std::ostringstream out;
   out.precision(std::numeric_limits<double>::max_digits10);
-  out << step_begin << "\n"
-      << "      <Time Value=\"" << time << "\"/>\n";
-  for (const Grid& grid : grids) out << grid_text(grid, hdf5_file);
-  out << step_end;
+  out << "<Time Value=\"" << time << "\"/>\n";
   return out.str();
 }
 
-std::string steps_up_to(int last, const std::string& document) {
-  const std::string mark = "/step_";
-  std::string kept;
-  for (const std::string& step : steps_of(document)) {
-    const std::size_t number = step.find(mark);
-    if (number != std::string::npos && std::stoi(step.substr(number + mark.size())) <= last)
-      kept += step;
+const char* const head = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
+const char* const foot = "  </Grid>\n</Domain>\n</Xdmf>\n";
+
+}  // namespace
+
+void Document::add(const Step& step, const std::string& hdf5_file) {
+  const std::string time = time_text(step.time);
+  steps_ += "    <Grid GridType=\"Collection\" CollectionType=\"Spatial\">\n      " + time;
+  for (const Grid& grid : step.grids) {
+    steps_ += grid_text(grid, "", hdf5_file);
+    auto block = std::find_if(blocks_.begin(), blocks_.end(),
+                              [&](const auto& known) { return known.first == grid.name; });
+    if (block == blocks_.end()) block = blocks_.insert(block, {grid.name, ""});
+    block->second += grid_text(grid, "        " + time, hdf5_file);
   }
-  return kept;
+  steps_ += "    </Grid>\n";
+  ++n_steps_;
 }
 
-std::string document(const std::string& steps) {
-  return std::string(head) +
-         "  <Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n" + steps +
-         "  </Grid>\n" + foot;
+Outcome Document::replace_version_3(const std::string& path) const {
+  io::AtomicFile file(path);
+  file.add(head);
+  file.add("  <Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n");
+  file.add(steps_);
+  file.add(foot);
+  return file.commit();
 }
 
-std::string document_by_block(const std::string& steps) {
-  std::vector<std::pair<std::string, std::string>> blocks;  // name, its grids
-  for (const std::string& step : steps_of(steps)) {
-    const std::string time = between(step, "<Time Value=\"", "\"");
-    for (std::string grid : passages(step, "      <Grid Name=", "\n      </Grid>\n")) {
-      grid.insert(grid.find('\n') + 1, "        <Time Value=\"" + time + "\"/>\n");
-      const std::string name = between(grid, "Name=\"", "\"");
-      auto block = blocks.begin();
-      while (block != blocks.end() && block->first != name) ++block;
-      if (block == blocks.end()) block = blocks.insert(block, {name, ""});
-      block->second += grid;
-    }
+Outcome Document::replace_version_2(const std::string& path) const {
+  io::AtomicFile file(path);
+  file.add(head);
+  file.add("  <Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Spatial\">\n");
+  for (const auto& [name, grids] : blocks_) {
+    file.add("    <Grid Name=\"" + name +
+             "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n");
+    file.add(grids);
+    file.add("    </Grid>\n");
   }
-  std::string text;
-  for (const auto& [name, grids] : blocks) {
-    text += "    <Grid Name=\"" + name +
-            "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n" + grids + step_end;
-  }
-  return std::string(head) +
-         "  <Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Spatial\">\n" + text +
-         "  </Grid>\n" + foot;
+  file.add(foot);
+  return file.commit();
 }
 
 }  // namespace tunica::output::xdmf

@@ -1,6 +1,9 @@
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "tunica/base/outcome.hpp"
 
 namespace tunica::output {
 
@@ -33,17 +36,27 @@ struct Grid {
   std::vector<std::string> regions{};  ///< what the numbers of the attribute "region" mean
 };
 
-/// One spatial collection.
-std::string step(double time, const std::vector<Grid>& grids, const std::string& hdf5_file);
+struct Step {
+  double time;
+  std::vector<Grid> grids;
+};
 
-/// The steps of a whole file up to that number, as step() made them.
-std::string steps_up_to(int last, const std::string& document);
+/// A run's steps so far, for readers of both versions.
+class Document {
+public:
+  /// hdf5_file: the name that the numbers are to be found under.
+  void add(const Step& step, const std::string& hdf5_file);
+  int n_steps() const { return n_steps_; }
 
-/// The whole file around the steps, for readers of version 3.
-std::string document(const std::string& steps);
+  /// Replaces the files in one step each. Not collective.
+  Outcome replace_version_3(const std::string& path) const;
+  Outcome replace_version_2(const std::string& path) const;
 
-/// The same steps for readers of version 2.
-std::string document_by_block(const std::string& steps);
+private:
+  int n_steps_ = 0;
+  std::string steps_;                                        ///< for version 3
+  std::vector<std::pair<std::string, std::string>> blocks_;  ///< for version 2: name, its grids
+};
 
 }  // namespace xdmf
 }  // namespace tunica::output

@@ -350,6 +350,55 @@ TEUCHOS_UNIT_TEST(field_writer, goes_on_in_the_order_of_the_file) {
     TEST_EQUALITY(numbers[i], value(2, static_cast<long long>(i), 0));
 }
 
+TEUCHOS_UNIT_TEST(field_writer, names_the_steps_of_a_killed_run_again) {
+  Run whole("whole");
+  for (const int step : {1, 2, 3}) {
+    whole.write(step);
+    whole.writer.finish_step();
+  }
+  Run killed("restarted");
+  for (const int step : {1, 2}) {
+    killed.write(step);
+    killed.writer.finish_step();
+  }
+  world()->barrier();
+  if (world()->getRank() == 0)
+    for (const char* name : {"/fields.xdmf", "/fields.xdmf2"})
+      std::filesystem::remove(killed.folder + name);
+  killed.writer = FieldWriter(killed.folder, {killed.fluid, killed.wall}, world(), 2);
+  TEST_EQUALITY(killed.writer.remark(), "");
+  world()->barrier();
+  TEST_EQUALITY(named_and_missing(killed.folder).first.size(), 24u);
+  world()->barrier();
+  killed.write(3);
+  killed.writer.finish_step();
+  world()->barrier();
+  for (const char* name : {"/fields.xdmf", "/fields.xdmf2"})
+    TEST_EQUALITY(content(killed.folder + name), content(whole.folder + name));
+}
+
+TEUCHOS_UNIT_TEST(field_writer, step_that_was_not_finished_is_not_named) {
+  Run run("unfinished");
+  for (const int step : {1, 2}) {
+    run.write(step);
+    run.writer.finish_step();
+  }
+  world()->barrier();
+  if (world()->getRank() == 0) {
+    const hid_t file = H5Fopen((run.folder + "/fields.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    H5Adelete_by_name(file, "/step_000001", "time", H5P_DEFAULT);
+    H5Ldelete(file, "/step_000001/wall", H5P_DEFAULT);
+    H5Fclose(file);
+  }
+  world()->barrier();
+  const FieldWriter writer(run.folder, {run.fluid, run.wall}, world(), 2);
+  TEST_EQUALITY(writer.remark(), "");
+  world()->barrier();
+  const std::string text = content(run.folder + "/fields.xdmf");
+  TEST_EQUALITY(count(text, "/step_000001/"), 0);
+  TEST_EQUALITY(count(text, "/step_000002/"), 4);
+}
+
 TEUCHOS_UNIT_TEST(field_writer, sets_aside_what_it_cannot_continue) {
   Run run("aside");
   run.write(1);
