@@ -66,8 +66,8 @@ std::vector<Vec3> SolidProblem::velocity() const {
 }
 
 params::Table solid_solver_table() {
-  return linear::linear_solver_table(
-      {"multigrid", linear::default_block_preconditioner(6, 2), multigrid::mixed_cycle_list(3)});
+  return linear::linear_solver_table({"multigrid", linear::default_block_preconditioner(6, 2),
+                                      multigrid::mixed_cycle_list(3, "chebyshev")});
 }
 
 params::Table solid_table() {
