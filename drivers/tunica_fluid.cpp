@@ -57,6 +57,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
       fields.write(clock, {{"fluid", arrays, {}}});
     });
   }
+  fields.finish();
   app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);
   return march.outcome();
 }

@@ -98,6 +98,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   }
 
   // 5. Report.
+  fields.finish();
   app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);
   app::record_assembly(output.record, "wall", wall.jacobian_throughput(), *comm);
   return Outcome::success();

@@ -55,6 +55,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
                               app::wall_cell_arrays(wall, list.sublist("Output"))}});
     });
   }
+  fields.finish();
   app::record_assembly(output.record, "wall", wall.jacobian_throughput(), *comm);
   return Outcome::success();
 }

@@ -139,14 +139,19 @@ class Run:
             self.remarks.append("fields.h5 holds no finished output; there are no pictures of the vessel.")
 
     def _finished(self):
-        """Groups of outputs; of a step that was being written when the run was killed the XDMF knows nothing."""
+        """Groups of outputs. What was being written when the run was killed has no time yet; in files whose arrays
+        do not say where they stand, which are of earlier versions, it may have one, but the XDMF does not know it."""
         names = [n for n in self.fields if n.startswith("step_") and "time" in self.fields[n].attrs]
         try:
             with open(os.path.join(self.folder, "fields.xdmf"), encoding="utf-8") as file:
                 told = set(re.findall(r":/(step_\d+)/", file.read()))
         except OSError:
             return names
-        return [n for n in names if n in told]
+        return [n for n in names if n in told or self._says_where(self.fields[n])]
+
+    @staticmethod
+    def _says_where(output):
+        return any("centre" in array.attrs for grid in output.values() if hasattr(grid, "values") for array in grid.values())
 
     def grids(self):
         return [g for g in ("fluid", "wall") if self.fields is not None and f"{g}/tets" in self.fields]

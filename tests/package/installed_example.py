@@ -85,7 +85,7 @@ def refuse_what_does_not_fit(verdict, prefix, scratch):
             ("absent", "0.1", "fsi", [], "The component fsi of Tunica is not installed"),
             ("unknown", "0.1", "mesh", [], 'Tunica has no component "mesh"'),
             ("newer", "0.2", "multigrid", [], 'compatible with requested version "0.2"'),
-            ("trilinos", "0.1", "multigrid", [f"-DTrilinos_DIR={other}"], "found 99.1 in")):
+            ("trilinos", "0.1", "multigrid", [f"-DTrilinos_ROOT={other}"], "found 99.1 in")):
         text = refusal(scratch, name, ASK.format(version, component), [here, *options])
         if not verdict.claim(expected in text, f"{name}: the message says: {expected}"):
             print(text)

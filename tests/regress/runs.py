@@ -13,6 +13,10 @@ import scratch  # noqa: E402
 from pages import ENVIRONMENT  # noqa: E402
 
 fresh = scratch.fresh  # of all scripts
+SKIPPED = 77  # exit status of a test that has nothing to run with
+# Coupled systems solved so far that round-off is all that may differ.
+TIGHT = [word for setting in ("scheme=monolithic", "Newton/absolute increment=1e-13", "Newton/linear tolerance=1e-10",
+                              "mesh tolerance=1e-13") for word in ("--set", f"Coupling/{setting}")]
 
 
 class Run:

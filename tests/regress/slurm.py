@@ -1,9 +1,10 @@
 """docs/cluster/run.slurm: a run that Slurm stops before the limit of its jobs goes on in the next one, and its history is
 that of a run nobody stopped. Slurm's daemons are started for one machine; where Debian's slurm-wlm is not
-installed, or the user is not root, nothing is tested.
+installed, or the user is not root, the test is skipped.
 
 Usage: slurm.py FOLDER_OF_PROGRAMS SCRATCH
 """
+import json
 import os
 import pathlib
 import shutil
@@ -12,10 +13,10 @@ import subprocess
 import sys
 import time
 
-from runs import ENVIRONMENT, ROOT, Run, Verdict, command, fresh, same_steps, table
+from runs import ENVIRONMENT, ROOT, SKIPPED, TIGHT, Run, Verdict, command, fresh, same_steps, table
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
-STEPS = 100  # more than fit into the first job of most machines; nothing is claimed of how many do
+STEPS = 200  # more than fit into the first job of most machines; nothing is claimed of how many do
 NAMES = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel")
 CONFIGURATION = """ClusterName=one
 SlurmctldHost={host}
@@ -101,25 +102,29 @@ def main(programs, scratch):
     slurm = Slurm(folder)
     if not slurm.is_there():
         print("skip  Slurm is not installed, or this is not root")
-        return 0
+        return SKIPPED
     try:
         slurm.start()
-        jobs = slurm.run("sbatch", "--parsable", f"--export=ALL,TUNICA={programs}", "--ntasks=2", "--time=1",
-                         "--array=1-30%1", "--signal=B:USR1@50", f"--chdir={folder}",
-                         ROOT / "docs" / "cluster" / "run.slurm", CASE, folder / "results", "--steps", STEPS)
-        verdict.claim(jobs.strip().isdigit(), f"sbatch takes the script: {jobs.strip()}")
-        while "tunica" in slurm.run("squeue"):
-            time.sleep(2)
+        for ranks, array in ((2, "1-1"), (3, "1-30%1")):  # the first job's limit comes, and others take over
+            jobs = slurm.run("sbatch", "--parsable", f"--export=ALL,TUNICA={programs}", f"--ntasks={ranks}",
+                             "--overcommit", "--time=1", f"--array={array}", "--signal=B:USR1@50", f"--chdir={folder}",
+                             ROOT / "docs" / "cluster" / "run.slurm", CASE, folder / "results", "--steps", STEPS, *TIGHT)
+            verdict.claim(jobs.strip().isdigit(), f"sbatch takes the script: {jobs.strip()}")
+            while "tunica" in slurm.run("squeue"):
+                time.sleep(2)
     finally:
         slurm.close()
     outputs = sorted(folder.glob("tunica-*.out"))
     verdict.claim(0 < len(outputs) < 30, f"{len(outputs)} jobs have run, the others were cancelled")
-    straight = Run(command(programs / "tunica-fsi", [CASE, "--output", "straight", "--steps", STEPS], 2), folder,
+    straight = Run(command(programs / "tunica-fsi", [CASE, "--output", "straight", "--steps", STEPS, *TIGHT], 1), folder,
                    ENVIRONMENT)
     verdict.claim(straight.status == 0, "a run that nobody stops is done")
     steps = table(folder / "results" / "steps.csv")["step"]
     verdict.claim(steps == list(range(1, STEPS + 1)), f"the jobs have made {len(steps)} steps, each once")
-    same_steps(verdict, "over all jobs", folder / "results", folder / "straight", 1e-8)  # of iterations that end at 1e-8 mm
+    legs = json.loads((folder / "results" / "run.json").read_text())["history"]
+    verdict.claim([leg["ranks"] for leg in legs] == [2] + [3] * (len(legs) - 1),
+                  f"the jobs have {[leg['ranks'] for leg in legs]} ranks")
+    same_steps(verdict, "over all jobs", folder / "results", folder / "straight", 1e-10)
     return verdict.status()
 
 

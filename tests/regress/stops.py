@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 
-from runs import ENVIRONMENT, ROOT, Run, Verdict, checkpoints, command, fresh, same_steps
+from runs import ENVIRONMENT, ROOT, TIGHT, Run, Verdict, checkpoints, command, fresh, same_steps
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
 STOPPED = 5
@@ -115,10 +115,8 @@ def keeps_to_the_clock(verdict, programs, folder):
 
 def goes_on_on_a_third_number_of_ranks(verdict, programs, folder):
     """Monolithic, and solved so far that round-off is all that may differ."""
-    tight = [word for setting in ("scheme=monolithic", "Newton/absolute increment=1e-13", "Newton/linear tolerance=1e-10",
-                                  "mesh tolerance=1e-13") for word in ("--set", f"Coupling/{setting}")]
     def run(output, ranks, *more):
-        return Run(command(programs / "tunica-fsi", words(output, 4, *tight, *more), ranks), folder)
+        return Run(command(programs / "tunica-fsi", words(output, 4, *TIGHT, *more), ranks), folder)
     limited = run("third", 2, "--set", "Time/wall limit=0.001")
     more = run("third", 3, "--restart", "--set", "Time/wall limit=999:00:00")
     straight = run("alone", 1)

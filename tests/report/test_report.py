@@ -18,6 +18,7 @@ sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from scratch import fresh  # noqa: E402
 sys.path.insert(0, os.path.dirname(os.path.realpath(PROGRAM)))  # as the program does
 from report.case_tables import openings  # noqa: E402
+from report.run_data import Run  # noqa: E402
 from report.section import chosen_plane, fitted_plane, name_of_axis, section_axes  # noqa: E402
 
 IN_SPACE = {"vessel.html"} | {f"space_{name}.png" for name in ("displacement", "von_mises", "pressure", "velocity")}
@@ -210,6 +211,12 @@ class Report(unittest.TestCase):
         page = self.expect_page(os.path.join(run, "report"), ALL)
         self.assertIn("going on, or was killed", page)
         self.assertIn("24 steps · t = 12 ms", page)
+        before = len(Run(run).outputs)
+        with h5py.File(os.path.join(run, "fields.h5"), "a") as file:  # finished, but the XDMF lags behind
+            file["step_000036/fluid/velocity"] = np.zeros((3, 3))
+            file["step_000036/fluid/velocity"].attrs["centre"] = "node"
+            file["step_000036"].attrs["time"] = 18.0
+        self.assertEqual([name for _, name in Run(run).outputs][before:], ["step_000036"])
 
     def test_what_is_missing_is_a_remark(self):
         cases = [("run.json", "{\"status\":", "not valid JSON", TABLES),

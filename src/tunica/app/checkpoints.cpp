@@ -87,8 +87,8 @@ void Checkpoints::write(const TimeMarch::Place& place) {
   fault_point("checkpoint");
   const double before = output_->restart ? output_->restart->head.seconds : 0.0;
   const output::CheckpointHead head{
-      output_->fingerprint,    place.step,    place.time,         march_->fixed_step(),
-      before + run_.seconds(), place.numbers, output_->parameters};
+      output_->fingerprint,    place.step,    place.time,          march_->fixed_step(),
+      before + run_.seconds(), place.numbers, output_->parameters, output_->files};
   output::StateSources states;
   for (const auto& [name, part] : march_->parts())
     states.emplace_back(name, [part = part] { return part->save(); });

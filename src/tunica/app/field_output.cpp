@@ -230,4 +230,8 @@ void FieldSeries::write(const stepping::Clock& clock, std::vector<GridFields> fi
   writer_->finish_step();
 }
 
+void FieldSeries::finish() {
+  if (writer_) writer_->finish();
+}
+
 }  // namespace tunica::app

@@ -42,6 +42,8 @@ public:
   bool is_due(const stepping::Clock& clock) const;
   /// Collective.
   void write(const stepping::Clock& clock, std::vector<GridFields> fields);
+  /// At the end of a run. Collective.
+  void finish();
 
 private:
   int every_;

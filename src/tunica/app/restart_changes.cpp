@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/hash.hpp"
 #include "tunica/params/read_xml.hpp"
 
 namespace tunica::app {
@@ -25,13 +27,49 @@ void move_mesh(Teuchos::ParameterList& was, const Teuchos::ParameterList& list) 
     was.sublist("Mesh").set("file", list.sublist("Mesh").get<std::string>("file"));
 }
 
+bool is_file(const std::string& path) {
+  const std::string key = " / file";
+  return path.size() > key.size() && path.compare(path.size() - key.size(), key.size(), key) == 0;
+}
+
 /// A file of the same name, elsewhere.
 bool is_moved_file(const params::Difference& change) {
-  constexpr const char* key = " / file";
-  const std::size_t at = change.path.rfind(key);
-  return at != std::string::npos && at + std::string(key).size() == change.path.size() &&
-         std::filesystem::path(change.before).filename() ==
-             std::filesystem::path(change.after).filename();
+  return is_file(change.path) && std::filesystem::path(change.before).filename() ==
+                                     std::filesystem::path(change.after).filename();
+}
+
+std::string hash_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::uint64_t hash = hash_start;
+  std::vector<char> part(1 << 20);
+  while (file.read(part.data(), static_cast<std::streamsize>(part.size())), file.gcount() > 0)
+    hash = hash_bytes(part.data(), static_cast<std::size_t>(file.gcount()), hash);
+  TUNICA_CHECK(file.eof(), path + ": cannot be read");
+  return hash_digits(hash);
+}
+
+void add_hashes(const Teuchos::ParameterList& list, const std::string& path,
+                std::map<std::string, std::string>& hashes) {
+  for (auto it = list.begin(); it != list.end(); ++it) {
+    const std::string& name = list.name(it);
+    const std::string here = path.empty() ? name : path + " / " + name;
+    if (list.isSublist(name))
+      add_hashes(list.sublist(name), here, hashes);
+    else if (is_file(here) && here != "Mesh / file")
+      hashes[here] = hash_of(list.get<std::string>(name));
+  }
+}
+
+/// Files of the same name that hold something else.
+void add_edited_files(const output::CheckpointHead& head, const Teuchos::ParameterList& list,
+                      Changes& changes) {
+  for (const auto& [path, hash] : hashes_of_files(list)) {
+    const auto before = head.files.find(path);
+    const bool is_told = std::any_of(changes.begin(), changes.end(),
+                                     [&, &key = path](const auto& c) { return c.path == key; });
+    if (!is_told && before != head.files.end() && before->second != hash)
+      changes.push_back({path, "contents " + before->second, "contents " + hash});
+  }
 }
 
 std::string lines_of(const Changes& changes) {
@@ -81,6 +119,7 @@ bool may_change_freely(const std::string& path) {
                                              "Fluid / Linear Solver",
                                              "Fluid / Newton",
                                              "Mesh / file",
+                                             "Mesh / partitioner",
                                              "Mesh Motion / Linear Solver",
                                              "Output",
                                              "Probes",
@@ -93,6 +132,12 @@ bool may_change_freely(const std::string& path) {
                                              "Wall / Newton"};
   static const std::vector<std::string> bound{"Coupling / geometry", "Coupling / scheme"};
   return is_in(path, free) && !is_in(path, bound);
+}
+
+std::map<std::string, std::string> hashes_of_files(const Teuchos::ParameterList& list) {
+  std::map<std::string, std::string> hashes;
+  add_hashes(list, "", hashes);
+  return hashes;
 }
 
 Changes changes_since(const output::CheckpointHead& head, const Teuchos::ParameterList& list,
@@ -109,6 +154,7 @@ Changes changes_since(const output::CheckpointHead& head, const Teuchos::Paramet
     return change.path == "Output / folder" || is_moved_file(change);
   };
   changes.erase(std::remove_if(changes.begin(), changes.end(), is_place), changes.end());
+  add_edited_files(head, list, changes);
   return changes;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,14 @@ using Changes = std::vector<params::Difference>;
 /// false for those that say what is solved: physics, loads, discretisation in space and time.
 bool may_change_freely(const std::string& path);
 
+/// Hashes of what the files of a case hold, by key; not of its mesh, which has a fingerprint.
+/// Throws Error where one cannot be read. Not collective.
+std::map<std::string, std::string> hashes_of_files(const Teuchos::ParameterList& list);
+
 /// The difference between the case that the checkpoint was made with and that of this run. Both are
 /// complete: what the older one lacks has the default of the table. Where the folder of the results
-/// and the mesh lie does not count, the mesh itself is compared by its fingerprint. Not collective.
+/// and files lie does not count, but what these hold; the mesh is compared by its fingerprint. Not
+/// collective.
 Changes changes_since(const output::CheckpointHead& head, const Teuchos::ParameterList& list,
                       const params::Table& table);
 

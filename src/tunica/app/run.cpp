@@ -196,6 +196,7 @@ int solve(const Program& program, const CommandLine& command, const March& march
   linear::check_direct_solver(comm);
   RunOutput output({program, command, set_up}, list, comm, lock, restart);
   output.fingerprint = domain.fingerprint;
+  on_root(*comm, [&] { output.files = hashes_of_files(list); });
   record_sizes(domain, output.record);
   record_shares(domain, *comm, output.record);
   for (const auto& [phase, peak] : domain.memory.phases())

@@ -43,15 +43,16 @@ struct RunOutput {
   output::RunFolder folder;
   output::RunRecord record;
   int fields_every, checkpoint_every;
-  int compression;                 ///< of the fields
-  bool has_asked_times;            ///< the case wants fields at times
-  std::optional<Restart> restart;  ///< from where the run goes on
-  std::string parameters;          ///< the resolved case, XML
-  std::string fingerprint{};       ///< of the mesh
-  int unconverged_steps = 0;       ///< that were accepted
-  int steps_of_traffic = 0;        ///< behind the first of this program
-  Stopwatch since_start;           ///< of the program
-  std::string stopped{};           ///< why the run ends before its end; empty if it does not
+  int compression;                             ///< of the fields
+  bool has_asked_times;                        ///< the case wants fields at times
+  std::optional<Restart> restart;              ///< from where the run goes on
+  std::string parameters;                      ///< the resolved case, XML
+  std::string fingerprint{};                   ///< of the mesh
+  std::map<std::string, std::string> files{};  ///< see output::CheckpointHead
+  int unconverged_steps = 0;                   ///< that were accepted
+  int steps_of_traffic = 0;                    ///< behind the first of this program
+  Stopwatch since_start;                       ///< of the program
+  std::string stopped{};  ///< why the run ends before its end; empty if it does not
 };
 
 /// The work of a run; a failure is one to converge.

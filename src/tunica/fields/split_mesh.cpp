@@ -1,8 +1,10 @@
 #include "tunica/fields/split_mesh.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
+#include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 
 namespace tunica::fields {
@@ -122,6 +124,13 @@ std::unique_ptr<SplitMesh> split_mesh(const FieldMesh& mesh, const std::vector<i
   int most = 0;
   for (const int vertex : mesh.vertex) most = std::max(most, vertex);
   const int stride = 1 + static_cast<int>(global_max(*mesh.comm, most));
+  int last_copy = 0;
+  for (const Copy& c : copies) last_copy = std::max(last_copy, c.copy);
+  const double largest = (global_max(*mesh.comm, last_copy) + 1.0) * stride;
+  TUNICA_CHECK(largest <= std::numeric_limits<int>::max(),
+               "a mesh of " + std::to_string(stride) + " vertices with " +
+                   std::to_string(static_cast<int>(global_max(*mesh.comm, last_copy)) + 1) +
+                   " pressures at some is larger than this program can number");
   split->x.clear();
   split->vertex.clear();
   split->n_owned = 0;

@@ -86,6 +86,9 @@ CheckpointFile::CheckpointFile(const std::string& path) : path_(path) {
   head_ = {text("run/mesh"), static_cast<int>(number("run/step")), number("run/time"),
            number("run/step size"), number("run/seconds")};
   for (const std::string& piece : parameters) head_.parameters += piece;
+  const std::string file = "run/" + std::string(file_prefix);
+  for (const auto& [name, hash] : texts_)
+    if (name.compare(0, file.size(), file) == 0) head_.files[name.substr(file.size())] = hash;
   const std::string control = "run/" + std::string(control_prefix);
   for (const auto& [name, values] : numbers_)
     if (name.compare(0, control.size(), control) == 0)

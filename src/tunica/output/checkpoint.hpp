@@ -19,11 +19,15 @@ struct CheckpointHead {
   /// What the step control needs to go on, by name.
   std::map<std::string, std::vector<double>> control{};
   std::string parameters{};  ///< with which the step was made, XML; empty in older files
+  /// Hashes of what the files held that these name, by key; on rank 0.
+  std::map<std::string, std::string> files{};
 };
 
 constexpr const char* checkpoint_format = "tunica-checkpoint 2";
 
-/// Under which the numbers of the control stand among those of the part "run".
+/// Under which the hashes of files stand among the texts of the part "run", and
+/// under which the numbers of the control stand among those of the part "run".
+constexpr const char* file_prefix = "file ";
 constexpr const char* control_prefix = "control ";
 
 /// The parts of a run ("fluid", "coupling") by name, and what makes their states: the same whenever

@@ -18,7 +18,12 @@ namespace {
 
 const std::string step_prefix = "step_";
 
-bool is_step(const std::string& name) { return name.rfind(step_prefix, 0) == 0; }
+/// Whoever reads fields.h5 may have added groups of other names.
+bool is_step(const std::string& name) {
+  return name.rfind(step_prefix, 0) == 0 && name.size() > step_prefix.size() &&
+         name.size() < step_prefix.size() + 10 &&
+         name.find_first_not_of("0123456789", step_prefix.size()) == std::string::npos;
+}
 
 int number_of(const std::string& group) { return std::stoi(group.substr(step_prefix.size())); }
 
@@ -48,16 +53,20 @@ std::vector<std::string> steps_up_to(int last, const io::Hdf5Reader& in) {
   return groups;
 }
 
-/// What a step has of a grid. Throws Error where that is not all.
+/// What a step has of a grid. Throws Error where that is nothing.
 xdmf::Grid grid_of(const io::Hdf5Reader& in, const std::string& group, const xdmf::Grid& geometry) {
   xdmf::Grid grid = geometry;
   const std::string place = group + "/" + grid.name;
   for (const std::string& name : in.names(place)) {
-    const std::string dataset = place + "/" + name, centre = in.attribute(centre_name, dataset);
+    const std::string dataset = place + "/" + name;
+    if (!in.has_attribute(centre_name, dataset)) continue;  // not ours
+    const std::string centre = in.attribute(centre_name, dataset);
     TUNICA_CHECK(centre == at_nodes || centre == at_cells, dataset + " has no known centre");
     grid.attributes.push_back({name, centre == at_nodes ? xdmf::Centre::node : xdmf::Centre::cell,
                                in.columns(dataset), false, "/" + dataset});
   }
+  TUNICA_CHECK(grid.attributes.size() > geometry.attributes.size(),
+               "no array of " + place + " says where it stands; an earlier version made them");
   return grid;
 }
 
@@ -117,8 +126,9 @@ Outcome XdmfFiles::take_steps(int last, const std::vector<xdmf::Grid>& grids) {
 Outcome XdmfFiles::replace() {
   const Outcome outcome = document_.replace_version_3(folder_ + "/" + xdmf_name);
   if (outcome.is_failure()) return outcome;
-  n_written_ = document_.n_steps();
-  return document_.replace_version_2(folder_ + "/" + xdmf2_name);
+  const Outcome second = document_.replace_version_2(folder_ + "/" + xdmf2_name);
+  if (second.is_success()) n_written_ = document_.n_steps();
+  return second;
 }
 
 Outcome XdmfFiles::replace_if_due() {

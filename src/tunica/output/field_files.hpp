@@ -38,7 +38,7 @@ void drop_steps_behind(int step, const std::string& folder, const CommPtr& comm)
 class XdmfFiles {
 public:
   explicit XdmfFiles(std::string folder) : folder_(std::move(folder)) {}
-  /// Brings them up to date where the disk lets it.
+  /// Brings them up to date where the disk lets it: the way out of an exception.
   ~XdmfFiles();
   XdmfFiles(const XdmfFiles&) = delete;
   XdmfFiles& operator=(const XdmfFiles&) = delete;

@@ -83,7 +83,7 @@ FieldWriter::FieldWriter(const std::string& folder, const std::vector<Grid>& gri
     go_on(grids);
   else
     begin_anew(grids);
-  on_root_or_fault(*comm_, [&] { return xdmf_->replace(); });
+  finish();
 }
 
 bool FieldWriter::can_go_on(int kept_step) {
@@ -97,6 +97,8 @@ bool FieldWriter::can_go_on(int kept_step) {
     going_on = exists ? xdmf_->take_steps(kept_step, grids) : Outcome::failure("it does not exist");
   }
   going_on = agreed(*comm_, going_on);
+  // First: a run that is killed meanwhile must not leave an XDMF of what is gone.
+  if (going_on.is_success()) finish();
   try {
     if (going_on.is_success()) drop_steps_behind(kept_step, folder_, comm_);
   } catch (const io::NoRoom&) {
@@ -244,6 +246,10 @@ void FieldWriter::finish_step() {
     return xdmf_->replace_if_due();
   });
   blocks_.clear();
+}
+
+void FieldWriter::finish() {
+  on_root_or_fault(*comm_, [&] { return xdmf_->replace(); });
 }
 
 void FieldWriter::write_blocks(const std::string& group) const {

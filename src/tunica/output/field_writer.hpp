@@ -73,6 +73,8 @@ public:
   /// Brings what write() took to the disk. Collective. Throws std::logic_error on all ranks if
   /// a write() did not fit the grids, and MachineFault if the disk refuses.
   void finish_step();
+  /// Brings the XDMF up to date. Collective. Throws MachineFault if the disk refuses.
+  void finish();
 
 private:
   /// What remains of a Grid when its geometry is on the disk.

@@ -29,6 +29,7 @@ Sums checksums(const fields::State& state, const Comm& comm) {
 fields::State state_of(const CheckpointHead& head) {
   fields::State run;
   run.texts["mesh"] = head.mesh;
+  for (const auto& [key, hash] : head.files) run.texts[file_prefix + key] = hash;
   run.numbers["step"] = {static_cast<double>(head.step)};
   run.numbers["time"] = {head.time};
   run.numbers["step size"] = {head.step_size};

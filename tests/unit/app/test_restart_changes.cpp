@@ -1,4 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <Tpetra_Core.hpp>
+#include <fstream>
 
 #include "tunica/app/restart_changes.hpp"
 #include "tunica/app/schema.hpp"
@@ -17,7 +19,8 @@ TEUCHOS_UNIT_TEST(restart_changes, are_free_where_they_do_not_change_what_is_sol
        {"Time / steps", "Time / end time", "Output / averages from", "Output / checkpoint every",
         "Output / fields every", "Fluid / Newton / relative increment",
         "Wall / Linear Solver / MueLu / verbosity", "Coupling / tolerance",
-        "Coupling / Added Mass Solver / tolerance", "Probes / tip / position"})
+        "Coupling / Added Mass Solver / tolerance", "Probes / tip / position",
+        "Mesh / partitioner"})
     TEST_ASSERT(app::may_change_freely(path));
   for (const char* path : {"Time / step size", "Time / tolerance", "Fluid / viscosity",
                            "Fluid / Surfaces / Newton / pressure", "Wall / Layers / media / law",
@@ -53,6 +56,31 @@ TEUCHOS_UNIT_TEST(restart_changes, do_not_count_where_files_lie) {
   };
   TEST_EQUALITY(changes_from("/elsewhere/obstacle-inlet.csv"), 0u);
   TEST_EQUALITY(changes_from("/elsewhere/another.csv"), 1u);
+}
+
+TEUCHOS_UNIT_TEST(restart_changes, count_what_files_hold) {
+  Teuchos::ParameterList now = shipped("benchmarks/obstacle.xml");
+  app::fsi_table().resolve(now, "", std::string(TUNICA_TEST_DATA) + "/../../xml/benchmarks");
+  Teuchos::ParameterList& inlet = now.sublist("Fluid").sublist("Surfaces").sublist("inlet");
+  const std::string file =
+      "restart_changes" + std::to_string(Tpetra::getDefaultComm()->getRank()) + ".csv";
+  inlet.set("file", file);
+  const auto write = [&](const std::string& text) { std::ofstream(file) << text; };
+  write("0,0,0,1,0,0
+");
+  output::CheckpointHead head;
+  head.parameters = params::to_xml(now);
+  head.files = app::hashes_of_files(now);
+  TEST_EQUALITY(head.files.size(), 1u);  // without the mesh
+  TEST_ASSERT(app::changes_since(head, now, app::fsi_table()).empty());
+  write("0,0,0,2,0,0
+");
+  const app::Changes changes = app::changes_since(head, now, app::fsi_table());
+  TEST_EQUALITY(changes.size(), 1u);
+  TEST_EQUALITY(changes.at(0).path, "Fluid / Surfaces / inlet / file");
+  TEST_ASSERT(!app::may_change_freely(changes.at(0).path));
+  head.files.clear();  // of an earlier version
+  TEST_ASSERT(app::changes_since(head, now, app::fsi_table()).empty());
 }
 
 TEUCHOS_UNIT_TEST(restart_changes, to_a_case_that_nobody_can_read_are_all_there_is) {
