@@ -7,7 +7,7 @@ import json
 import pathlib
 import sys
 
-from runs import ROOT, Run, Verdict, command, fresh, table, two_at_a_time
+from runs import ROOT, TIGHT, Run, Verdict, command, fresh, table, two_at_a_time
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
 # What is kept from one matrix to the next would remember what was given up: preconditioners, and of multigrid's the
@@ -97,10 +97,29 @@ def goes_on(verdict, programs, folder):
                   "broken: does not go on with fixed steps")
 
 
+def one_newton_for_all(verdict, programs, folder):
+    """Repeated steps bring back what monolithic coupling keeps of earlier ones: states, mesh, Jacobian, rules."""
+    def run_whole(output, steps, ranks=1, more=()):
+        words = [CASE, "--output", output, "--steps", steps, *TIGHT, *more]
+        for setting in ADAPTIVE:
+            words += ["--set", setting]
+        return Run(command(programs / "tunica-fsi", words, ranks), folder), folder / output
+    (run, straight), _ = two_at_a_time([lambda: run_whole("whole", 8), lambda: run_whole("whole-broken", 4)])
+    rows = table(straight / "steps.csv")
+    verdict.claim(run.status == 0 and rows["rejected"][0] > 0 and max(rows["error_estimate"]) <= 1.0,
+                  f"monolithic: the first step is repeated {rows['rejected'][0]:.0f} times {run.err}")
+    run, both = run_whole("whole-2", 8, 2)
+    verdict.claim(run.status == 0, f"monolithic on two ranks: exit status {run.status} is 0")
+    alike(verdict, "monolithic on two ranks", straight, both, 1e-9)
+    run, broken = run_whole("whole-broken", 8, more=["--restart"])
+    verdict.claim(run.status == 0, "monolithic: goes on after its fourth step")
+    alike(verdict, "monolithic, broken", straight, broken, 1e-9)
+
+
 def main(programs, scratch):
     verdict = Verdict()
     folder = fresh(scratch)
-    for part in (cuts, goes_on):
+    for part in (cuts, goes_on, one_newton_for_all):
         part(verdict, programs, folder)
     return verdict.status()
 

@@ -29,7 +29,7 @@ void GeometryRule::go(bool has_derivatives, int wait) {
 
 void GeometryRule::note(const nonlinear::NewtonReport& report, bool has_gone_over) {
   before_ = last_;
-  last_ = work_of(report, wants_derivatives());
+  last_ = work_of(report, wants_derivatives() || has_gone_over);
   ++steps_;
   if (has_gone_over && steps_ > wait_) return note_failure();
   if (has_gone_over) {

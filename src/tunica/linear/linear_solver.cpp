@@ -231,15 +231,16 @@ private:
     return system_->preconditioner();
   }
 
-  /// Where the part of low rank outweighs the blocks, or images of recycled directions are not what
-  /// they were, a method may take for solved what is not: what remains is solved for again.
+  /// Where the part of low rank outweighs the blocks, products are inexact, or images of recycled
+  /// directions are not what they were, a method may take for solved what is not: what remains is
+  /// solved for again.
   void refine(KrylovOptions options, const Teuchos::RCP<const Operator>& K, SolveReport& report) {
     options.recycled = Teuchos::null;
     MultiVector r(b_.getMap(), 1), dx(b_.getMap(), 1);
     for (int pass = 0; pass < 2; ++pass) {
       const double rest = report.true_residual;
       if (is_solved(rest, report.tolerance) || !std::isfinite(rest)) return;
-      if (sum_.is_null()) options_.recycled->clear();
+      if (sum_.is_null() && recycles()) options_.recycled->clear();
       K->apply(x_, r);
       r.update(1.0, b_, -1.0);  // r = b − K x
       dx.putScalar(0.0);
@@ -267,7 +268,7 @@ private:
     report.iterations += result.iterations;
     report.recurrence_residual = result.recurrence_residual;
     report.true_residual = relative_residual(*matrix(), b_, x_);
-    const bool may_drift = !sum_.is_null() || recycles();
+    const bool may_drift = !sum_.is_null() || !whole_.is_null() || recycles();
     if (may_drift && result.recurrence_residual <= report.tolerance) refine(options, K, report);
     report.operator_applications += K->count();
     if (!std::isfinite(report.true_residual)) {  // a breakdown: keep the start

@@ -66,15 +66,13 @@ TEUCHOS_UNIT_TEST(restart_changes, count_what_files_hold) {
       "restart_changes" + std::to_string(Tpetra::getDefaultComm()->getRank()) + ".csv";
   inlet.set("file", file);
   const auto write = [&](const std::string& text) { std::ofstream(file) << text; };
-  write("0,0,0,1,0,0
-");
+  write("0,0,0,1,0,0\n");
   output::CheckpointHead head;
   head.parameters = params::to_xml(now);
   head.files = app::hashes_of_files(now);
   TEST_EQUALITY(head.files.size(), 1u);  // without the mesh
   TEST_ASSERT(app::changes_since(head, now, app::fsi_table()).empty());
-  write("0,0,0,2,0,0
-");
+  write("0,0,0,2,0,0\n");
   const app::Changes changes = app::changes_since(head, now, app::fsi_table());
   TEST_EQUALITY(changes.size(), 1u);
   TEST_EQUALITY(changes.at(0).path, "Fluid / Surfaces / inlet / file");
