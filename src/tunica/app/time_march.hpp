@@ -25,7 +25,8 @@ double wall_limit(const Teuchos::ParameterList& list);
 Teuchos::ParameterList fluid_list(const Teuchos::ParameterList& list);
 
 /// Takes a run from step to step. A step that fails, or is not accurate enough, is undone, cut and
-/// repeated: every part goes back to where the step began, as in a run that is restarted there.
+/// repeated: every part goes back to where the step began, as in a run that is restarted there, but
+/// for what a part has learnt from the failure.
 class TimeMarch {
 public:
   /// list: the resolved case. The parts, which must outlive the object, are all that a step changes
@@ -67,7 +68,7 @@ public:
     double time;
     Numbers numbers;
   };
-  /// Gives up the step made last, which was not accepted: all is as before it. Collective.
+  /// Gives up the step made last, which was not accepted, as for a repeat. Collective.
   Place undo();
 
 private:

@@ -66,7 +66,7 @@ Outcome Monolithic::attempt(bool is_careful, const stepping::Clock& clock, Itera
       rule_->note(solution.newton, solution.has_gone_over);
     else if (!solution.newton.steps.empty())
       rule_->note_failure();
-    has_failed_ = !solution.newton.is_converged;
+    if (!solution.newton.is_converged) failed_step_ = clock.step();
   }
   iteration.solve("system") = solution.newton;
   if (!solution.newton.steps.empty()) iteration.residual = solution.newton.steps.back().increment;
@@ -92,13 +92,13 @@ fields::State Monolithic::save() const {
 
 std::string Monolithic::restore(const fields::State& state) {
   // A step that is repeated since it failed keeps what the failure has taught.
-  if (rule_ && !has_failed_ && state.numbers.count("geometry") > 0) rule_->restore(state);
-  has_failed_ = false;
+  if (rule_ && step_ != failed_step_ && state.numbers.count("geometry") > 0) rule_->restore(state);
   return "";
 }
 
 Report Monolithic::solve_step(const stepping::Clock& clock, const Watch& watch) {
   Report report;
+  step_ = clock.step();
   Outcome outcome = problem_.begin_step(clock);
   bool is_over = outcome.is_failure();
   for (const bool is_careful : {false, true}) {
@@ -112,7 +112,6 @@ Report Monolithic::solve_step(const stepping::Clock& clock, const Watch& watch) 
   if (report.is_accepted) {
     fluid_states_.accept();
     wall_states_.accept();
-    has_failed_ = false;
   }
   if (!report.is_converged) {
     std::ostringstream text;

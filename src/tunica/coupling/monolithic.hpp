@@ -47,7 +47,7 @@ private:
   problems::CoupledProblem problem_;
   bool accepts_unconverged_;
   std::optional<GeometryRule> rule_;  ///< where the geometry is "automatic"
-  bool has_failed_ = false;           ///< the step, since the last state was restored
+  int step_ = 0, failed_step_ = -1;   ///< the last one, and the last whose first attempt failed
   problems::FluidProblem* fluid_;
   problems::SolidProblem* wall_;
   problems::StateHistory fluid_states_, wall_states_;

@@ -193,10 +193,12 @@ void Hdf5File::write(const std::string& name, long long total, int columns,
                part.values);
 }
 
+void Hdf5File::check() const { throw_if_any<MachineFault>(*comm_, failure_); }
+
 void Hdf5File::close() {
   noted(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush");
   noted(file_.close(), "close");
-  throw_if_any<MachineFault>(*comm_, failure_);
+  check();
 }
 
 }  // namespace tunica::io

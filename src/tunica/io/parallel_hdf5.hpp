@@ -69,6 +69,8 @@ public:
   /// Strings that all ranks know, of fixed length as Hdf5Reader reads them.
   void write(const std::string& name, const std::vector<std::string>& values);
 
+  /// Throws MachineFault on all ranks if anything has failed on any so far.
+  void check() const;
   /// Flushes and closes. Throws MachineFault on all ranks if anything has failed on any.
   void close();
 

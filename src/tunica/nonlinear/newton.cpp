@@ -20,7 +20,10 @@ params::Table newton_table(const NewtonDefaults& defaults) {
               "s in s |F_k|/|F_{k-1}|, the part of an increment that is expected of the next one: "
               "residuals fall faster than errors");
   params::Table table("Newton's method.");
-  table.integer("max iterations", 20, params::between(1, 1000), "cap on the Newton steps of an attempt")
+  table
+      .integer("max iterations", 20, params::between(1, 1000),
+               "cap on the Newton steps of a solve; a careful one of monolithic coupling, after "
+               "one that failed, may take four times as many")
       .number("relative increment", defaults.relative_increment, params::non_negative(), "1",
               "stop when the norm of the increment has fallen to this part of the first one")
       .number("absolute increment", defaults.absolute_increment, params::non_negative(),

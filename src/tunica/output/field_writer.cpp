@@ -278,6 +278,7 @@ void FieldWriter::write_blocks(const std::string& group) const {
                   at_cells);
     }
   }
+  file.check();  // a step that lacks something must not get its time
   file.attribute(group, time_name, time_);
   file.close();
 }

@@ -1,10 +1,10 @@
 #include <Teuchos_UnitTestHarness.hpp>
-#include <Tpetra_Core.hpp>
 #include <fstream>
 
 #include "tunica/app/restart_changes.hpp"
 #include "tunica/app/schema.hpp"
 #include "tunica/params/read_xml.hpp"
+#include "unit/io/scratch.hpp"
 
 namespace {
 
@@ -62,8 +62,9 @@ TEUCHOS_UNIT_TEST(restart_changes, count_what_files_hold) {
   Teuchos::ParameterList now = shipped("benchmarks/obstacle.xml");
   app::fsi_table().resolve(now, "", std::string(TUNICA_TEST_DATA) + "/../../xml/benchmarks");
   Teuchos::ParameterList& inlet = now.sublist("Fluid").sublist("Surfaces").sublist("inlet");
-  const std::string file =
-      "restart_changes" + std::to_string(Tpetra::getDefaultComm()->getRank()) + ".csv";
+  const int rank = output::test::world()->getRank();
+  const std::string file = output::test::scratch("restart_changes") + std::to_string(rank) + ".csv";
+  std::filesystem::create_directories(std::filesystem::path(file).parent_path());
   inlet.set("file", file);
   const auto write = [&](const std::string& text) { std::ofstream(file) << text; };
   write("0,0,0,1,0,0\n");
