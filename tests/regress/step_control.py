@@ -111,7 +111,7 @@ def one_newton_for_all(verdict, programs, folder):
     size = rows["step_size"][0]
     run, chosen = run_whole("whole-chosen", 8, more=["--set", f"Time/step size={size!r}"])
     verdict.claim(run.status == 0, "monolithic: so does a run that begins with that step")
-    alike(verdict, "monolithic, chosen", straight, chosen, 1e-9, [0.0] * 8)
+    alike(verdict, "monolithic, chosen", straight, chosen, 1e-9, [0.0] * len(rows["step"]))
     run, both = run_whole("whole-2", 8, 2)
     verdict.claim(run.status == 0, f"monolithic on two ranks: exit status {run.status} is 0")
     alike(verdict, "monolithic on two ranks", straight, both, 1e-9)
