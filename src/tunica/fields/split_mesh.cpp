@@ -124,12 +124,12 @@ std::unique_ptr<SplitMesh> split_mesh(const FieldMesh& mesh, const std::vector<i
   int most = 0;
   for (const int vertex : mesh.vertex) most = std::max(most, vertex);
   const int stride = 1 + static_cast<int>(global_max(*mesh.comm, most));
-  int last_copy = 0;
-  for (const Copy& c : copies) last_copy = std::max(last_copy, c.copy);
-  const double largest = (global_max(*mesh.comm, last_copy) + 1.0) * stride;
-  TUNICA_CHECK(largest <= std::numeric_limits<int>::max(),
+  int n_copies = 1;
+  for (const Copy& c : copies) n_copies = std::max(n_copies, c.copy + 1);
+  split->n_copies = static_cast<int>(global_max(*mesh.comm, n_copies));
+  TUNICA_CHECK(static_cast<double>(stride) * split->n_copies <= std::numeric_limits<int>::max(),
                "a mesh of " + std::to_string(stride) + " vertices with " +
-                   std::to_string(static_cast<int>(global_max(*mesh.comm, last_copy)) + 1) +
+                   std::to_string(split->n_copies) +
                    " pressures at some is larger than this program can number");
   split->x.clear();
   split->vertex.clear();
@@ -143,9 +143,6 @@ std::unique_ptr<SplitMesh> split_mesh(const FieldMesh& mesh, const std::vector<i
     split->n_owned += c.node < mesh.n_owned;
     global.push_back(c.number);
   }
-  int n_copies = 1;
-  for (const int copy : split->copy) n_copies = std::max(n_copies, copy + 1);
-  split->n_copies = static_cast<int>(global_max(*mesh.comm, n_copies));
   set_maps(global, *split);
   return split;
 }

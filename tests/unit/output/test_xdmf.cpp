@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "tunica/output/field_files.hpp"
-#include "unit/io/scratch.hpp"
+#include "unit/output/field_run.hpp"
 
 namespace tunica::output::test {
 
@@ -16,13 +16,7 @@ std::string own_folder(const std::string& name) {
 }
 
 /// Steps that a file names.
-int n_steps(const std::string& path) {
-  const std::string text = content(path), mark = "<Time Value=";
-  int found = 0;
-  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
-    ++found;
-  return found;
-}
+int n_steps(const std::string& path) { return count(content(path), "<Time Value="); }
 
 }  // namespace
 
