@@ -107,15 +107,15 @@ void sweep(benchmark::State& state, const Wall& wall, bool is_single) {
   smoothers::VankaOptions options;
   options.order = "forward";
   options.is_single = is_single;
-  const auto is_pressure = smoothers::scalar_rows(*wall.K(), {});
-  const auto smoother = smoothers::make_vanka(*wall.K(), is_pressure, options);
+  const auto mixed = smoothers::mixed_rows(*wall.K(), {});
+  const auto smoother = smoothers::make_vanka(*wall.K(), mixed, options);
   smoother->refresh();
   Vector b(wall.K()->getRowMap()), x(b.getMap());
   b.randomize();
   const double seconds =
       measure(state, is_single ? "single sweep" : "double sweep", [&] { smoother->smooth(b, x); });
   const Bytes bytes =
-      bytes_of_sweep(*wall.K(), smoothers::make_vanka_patches(*wall.K(), is_pressure),
+      bytes_of_sweep(*wall.K(), smoothers::make_vanka_patches(*wall.K(), mixed.is_pressure),
                      is_single ? sizeof(float) : sizeof(double));
   const double all = bytes.inverses + bytes.rows + bytes.vectors;
   state.counters["MB kept"] = smoother->bytes() / 1e6;
@@ -132,7 +132,7 @@ void sweep_of_kind(benchmark::State& state, const Wall& wall, const std::string&
   options.order = "forward";
   options.patch = patch;
   const auto smoother =
-      smoothers::make_vanka(*wall.K(), smoothers::scalar_rows(*wall.K(), {}), options);
+      smoothers::make_vanka(*wall.K(), smoothers::mixed_rows(*wall.K(), {}), options);
   smoother->refresh();
   Vector b(wall.K()->getRowMap()), x(b.getMap());
   b.randomize();
@@ -167,7 +167,7 @@ void set_up(benchmark::State& state, const Wall& wall, const std::string& patch,
   options.is_single = is_single;
   options.patch = patch;
   const auto smoother =
-      smoothers::make_vanka(*wall.K(), smoothers::scalar_rows(*wall.K(), {}), options);
+      smoothers::make_vanka(*wall.K(), smoothers::mixed_rows(*wall.K(), {}), options);
   const std::string kind = patch != "full" ? patch : is_single ? "single" : "double";
   measure(state, kind + " set-up", [&] { smoother->refresh(); });
 }
@@ -177,7 +177,7 @@ using BlockRelaxation = Ifpack2::BlockRelaxation<RowMatrix>;
 /// Ifpack2's on the same patches: what it calls Gauss-Seidel is the forward sweep.
 std::unique_ptr<BlockRelaxation> block_relaxation(const Wall& wall) {
   const auto patches =
-      smoothers::make_vanka_patches(*wall.K(), smoothers::scalar_rows(*wall.K(), {}));
+      smoothers::make_vanka_patches(*wall.K(), smoothers::mixed_rows(*wall.K(), {}).is_pressure);
   Teuchos::Array<Teuchos::ArrayRCP<int>> parts;
   for (int p = 0; p < patches.n_patches(); ++p)
     parts.push_back(Teuchos::arcpClone(

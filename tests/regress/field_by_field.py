@@ -11,7 +11,7 @@ from runs import ROOT, Run, Verdict, command, fresh, table, write_case
 CASE = ROOT / "xml" / "monolithic" / "solvers.xml"
 WHOLE, TURN, BOTH = "nodal ILU 2+2", "fields in turn, a cycle each", "fields that overlap, a cycle each"
 SOLVED, FACSI = "fields that overlap, solved to 0.1", "FaCSI, SIMPLE in the lumen"
-BLOCK = "block, two scales"
+BLOCK, VANKA, PAIRS = "block, two scales", "Vanka 2+2", "node pairs 2+2"
 OTHERS = ["BGS(AMG), RILUK(1)", "BGS(AMG), Chebyshev(3) in the wall", "AMG(BGS), RILUK(1)",
           "AMG(BGS), Chebyshev(3) in the wall"]
 
@@ -32,7 +32,7 @@ def counts(verdict, programs, folder, ranks):
 def main(programs, scratch):
     verdict = Verdict()
     folder = fresh(scratch)
-    write_case(CASE, folder / "case.xml", {"System": [WHOLE, TURN, BOTH, SOLVED, FACSI, BLOCK] + OTHERS})
+    write_case(CASE, folder / "case.xml", {"System": [WHOLE, TURN, BOTH, SOLVED, FACSI, BLOCK, VANKA, PAIRS] + OTHERS})
     alone = counts(verdict, programs, folder, 1)
     if not alone:
         return verdict.status()
@@ -42,11 +42,14 @@ def main(programs, scratch):
     verdict.claim(alone[SOLVED] <= alone[BOTH], f"fields solved to 0.1: {alone[SOLVED]:.0f}")
     verdict.claim(alone[TURN] <= alone[FACSI] <= alone[TURN] + 4, f"the wall's own block: {alone[FACSI]:.0f}")
     verdict.claim(alone[BLOCK] <= 2 * alone[TURN], f"velocity and pressure: {alone[BLOCK]:.0f}")
+    verdict.claim(alone[PAIRS] <= alone[VANKA], f"pairs of nodes {alone[PAIRS]:.0f}, Vanka {alone[VANKA]:.0f}")
     for ranks in (2, 4):
         found = counts(verdict, programs, folder, ranks)
-        for name in (TURN, BOTH, SOLVED, FACSI, BLOCK):
+        for name in (TURN, BOTH, SOLVED, FACSI, BLOCK, VANKA):
             verdict.claim(abs(found.get(name, 0) - alone[name]) <= 2,
                           f"{ranks} ranks, {name}: {found.get(name)}, alone {alone[name]:.0f}")
+        # Pairs of two ranks are cut.
+        verdict.claim(0 < found.get(PAIRS, 0) <= 2 * alone[PAIRS], f"{ranks} ranks, {PAIRS}: {found.get(PAIRS)}")
     return verdict.status()
 
 

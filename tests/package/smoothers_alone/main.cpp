@@ -31,12 +31,12 @@ void report(const char* name, const Stokes& stokes,
 int main(int argc, char** argv) {
   Tpetra::ScopeGuard session(&argc, &argv);
   const Stokes stokes(6);
-  std::vector<char> is_pressure;
+  tunica::smoothers::MixedRows mixed;
   for (long long row = stokes.map->getMinGlobalIndex(); row <= stokes.map->getMaxGlobalIndex();
        ++row)
-    is_pressure.push_back(row % 4 == 3);
+    mixed.is_pressure.push_back(row % 4 == 3);
 
-  const auto vanka = tunica::smoothers::make_vanka(*stokes.K, is_pressure, {});
+  const auto vanka = tunica::smoothers::make_vanka(*stokes.K, mixed, {});
   vanka->refresh();
   report("vanka", stokes, [&](MultiVector& x) { vanka->smooth(*stokes.b, x); });
   const auto ilu = tunica::smoothers::make_node_ilu(*stokes.K, {}, {});

@@ -70,7 +70,7 @@ TEUCHOS_UNIT_TEST(vanka_smoother, does_what_vanka_does) {
   const auto M = cycle(wall, list);
   smoothers::VankaOptions options{2, 0.7, "backward", true, true, "diagonal"};
   const auto vanka =
-      smoothers::make_vanka(*wall.K(), smoothers::scalar_rows(*wall.K(), {}), options);
+      smoothers::make_vanka(*wall.K(), smoothers::mixed_rows(*wall.K(), {}), options);
   vanka->refresh();
   const Vector b = wall.scattered(1);
   Vector x = wall.scattered(2), expected(b.getMap());

@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(columns, vanka_treats_each_as_if_it_were_alone) {
       options.patch = patch;
       options.sweeps = 2;
       const auto vanka =
-          smoothers::make_vanka(*wall.K(), smoothers::scalar_rows(*wall.K(), {}), options);
+          smoothers::make_vanka(*wall.K(), smoothers::mixed_rows(*wall.K(), {}), options);
       vanka->refresh();
       TEST_EQUALITY(worst_distance(wall, [&](const auto& b, auto& x) { vanka->smooth(b, x); }),
                     0.0);

@@ -15,12 +15,12 @@ using test::largest_distance;
 using test::WallMatrix;
 
 smoothers::VankaPatches patches_of(const CrsMatrix& K) {
-  return smoothers::make_vanka_patches(K, smoothers::scalar_rows(K, {}));
+  return smoothers::make_vanka_patches(K, smoothers::mixed_rows(K, {}).is_pressure);
 }
 
 /// Set up for the present values.
 std::unique_ptr<smoothers::Vanka> vanka(const CrsMatrix& K, const VankaOptions& options) {
-  auto smoother = smoothers::make_vanka(K, smoothers::scalar_rows(K, {}), options);
+  auto smoother = smoothers::make_vanka(K, smoothers::mixed_rows(K, {}), options);
   smoother->refresh();
   return smoother;
 }
@@ -237,7 +237,7 @@ void clear_row(CrsMatrix& K, int row) {
 TEUCHOS_UNIT_TEST(vanka, a_singular_patch_of_one_rank_throws_on_all) {
   WallMatrix wall;
   const auto patches = patches_of(*wall.K());
-  const auto smoother = smoothers::make_vanka(*wall.K(), smoothers::scalar_rows(*wall.K(), {}), {});
+  const auto smoother = smoothers::make_vanka(*wall.K(), smoothers::mixed_rows(*wall.K(), {}), {});
   smoother->refresh();
   clear_row(*wall.K(), patches.rows[0]);
   std::string message;

@@ -13,24 +13,31 @@ namespace {
 template <class Real>
 class DiagonalSolver final : public PatchSolver {
 public:
-  DiagonalSolver(const CrsMatrix& K, const VankaPatches& patches, int velocities)
-      : K_(&K), patches_(&patches), m_(velocities), inverses_(n_local_rows(K) / (m_ + 1) * m_ * m_),
-        local_(2 * patches.rows.size()), row_of_column_(n_local(*K.getColMap()), -1),
-        is_uncovered_(n_local_rows(K), 0), B1T_(n_local_rows(K)), B2_(n_local_rows(K)) {
+  DiagonalSolver(const CrsMatrix& K, const VankaPatches& patches, const MixedRows& mixed)
+      : K_(&K), patches_(&patches), place_(mixed.place), places_(rows_of_places(mixed)),
+        slot_(n_local_rows(K), -1), local_(2 * patches.rows.size()),
+        row_of_column_(n_local(*K.getColMap()), -1), is_uncovered_(n_local_rows(K), 0),
+        B1T_(n_local_rows(K)), B2_(n_local_rows(K)) {
     for (std::size_t i = 0; i < is_uncovered_.size(); ++i)
       row_of_column_[patches.column_of_row[i]] = static_cast<int>(i);
     for (const int row : patches.uncovered_rows) is_uncovered_[row] = 1;
+    inverse_at_.push_back(0);
+    for (int place = 0; place < places_.n_places(); ++place) {
+      const int m = places_.n_velocities[place];
+      for (int i = 0; i < m; ++i) slot_[velocities_of(place)[i]] = i;
+      inverse_at_.push_back(inverse_at_.back() + m * m);
+    }
+    inverses_.resize(inverse_at_.back());
   }
 
   int refresh() override {
-    const int singular_node = invert_nodes();
+    const int singular_pressure = invert_places();
     int singular = -1;
     for (int p = 0; p < patches_->n_patches(); ++p) {
       const bool is_regular = reduce(p);
       if (!is_regular && singular < 0) singular = p;
     }
-    // The patch of a node's own pressure names the node.
-    return singular_node >= 0 ? singular_node : singular;
+    return singular_pressure >= 0 ? singular_pressure : singular;
   }
 
   void solve(int patch, const double* r, double* correction) const override {
@@ -42,13 +49,13 @@ public:
     for (int a = 0; a < n; ++a) rest -= s[a] * r[a];
     const double p = correction[n] = t[n] * rest;  // (r_p − B2 D⁻¹ r_u) / S
     for (int first = 0, end; first < n; first = end) {
-      const int node = rows[first] / (m_ + 1);
-      const Real* const inverse = inverses_.data() + node * m_ * m_;
-      for (end = first; end < n && rows[end] / (m_ + 1) == node;) ++end;
+      const int place = place_[rows[first]], m = places_.n_velocities[place];
+      const Real* const inverse = inverses_.data() + inverse_at_[place];
+      for (end = first; end < n && place_[rows[end]] == place;) ++end;
       for (int a = first; a < end; ++a) {  // u = D⁻¹ r_u − D⁻¹ B1ᵀ p
-        const Real* const row = inverse + rows[a] % (m_ + 1) * m_;
+        const Real* const row = inverse + slot_[rows[a]] * m;
         correction[a] = -t[a] * p;
-        for (int b = first; b < end; ++b) correction[a] += row[rows[b] % (m_ + 1)] * r[b];
+        for (int b = first; b < end; ++b) correction[a] += row[slot_[rows[b]]] * r[b];
       }
     }
   }
@@ -60,34 +67,49 @@ public:
 
   double bytes() const override {
     return static_cast<double>(sizeof(Real) * (inverses_.size() + local_.size()) +
-                               sizeof(int) * row_of_column_.size() + is_uncovered_.size() +
-                               sizeof(double) * (B1T_.size() + B2_.size()));
+                               sizeof(std::size_t) * (inverse_at_.size() + places_.start.size()) +
+                               sizeof(int) * (row_of_column_.size() + place_.size() + slot_.size() +
+                                              places_.rows.size() + places_.n_velocities.size()) +
+                               is_uncovered_.size() + sizeof(double) * (B1T_.size() + B2_.size()));
   }
 
 private:
-  /// With zeros in the rows and columns of uncovered velocities. A node without inverse, or -1.
-  int invert_nodes() {
+  const int* velocities_of(int place) const { return places_.rows.data() + places_.start[place]; }
+
+  /// With zeros in the rows and columns of uncovered velocities. The patch of a pressure where
+  /// there is no inverse, or -1.
+  int invert_places() {
     const auto K = K_->getLocalMatrixHost();
     int singular = -1;
-    for (int node = 0; node < K.numRows() / (m_ + 1); ++node) {
-      const int first = node * (m_ + 1);
+    for (int place = 0; place < places_.n_places(); ++place) {
+      const int m = places_.n_velocities[place];
+      const int* const rows = velocities_of(place);
       std::vector<double>& D = dense_;
-      D.assign(m_ * m_, 0.0);
-      for (int i = 0; i < m_; ++i) {
-        const auto row = K.rowConst(first + i);
+      D.assign(m * m, 0.0);
+      for (int i = 0; i < m; ++i) {
+        const auto row = K.rowConst(rows[i]);
         for (int k = 0; k < row.length; ++k) {
-          const int j = row_of_column_[row.colidx(k)] - first;
-          if (j >= 0 && j < m_ && !is_uncovered_[first + i] && !is_uncovered_[first + j])
-            D[i * m_ + j] = row.value(k);
+          const int j = row_of_column_[row.colidx(k)];
+          if (j >= 0 && place_[j] == place && slot_[j] >= 0 && !is_uncovered_[rows[i]] &&
+              !is_uncovered_[j])
+            D[i * m + slot_[j]] = row.value(k);
         }
-        if (is_uncovered_[first + i]) D[i * m_ + i] = 1.0;
+        if (is_uncovered_[rows[i]]) D[i * m + i] = 1.0;
       }
-      if (!invert_dense(m_, D.data(), scratch_) && singular < 0) singular = node;
-      for (int i = 0; i < m_; ++i)
-        if (is_uncovered_[first + i]) D[i * m_ + i] = 0.0;
-      std::copy(D.begin(), D.end(), inverses_.begin() + node * m_ * m_);
+      if (m > 0 && !invert_dense(m, D.data(), scratch_) && singular < 0)
+        singular = patch_that_reaches(place);
+      for (int i = 0; i < m; ++i)
+        if (is_uncovered_[rows[i]]) D[i * m + i] = 0.0;
+      std::copy(D.begin(), D.end(), inverses_.begin() + inverse_at_[place]);
     }
     return singular;
+  }
+
+  int patch_that_reaches(int place) const {
+    for (int p = 0; p < patches_->n_patches(); ++p)
+      for (std::size_t k = patches_->start[p]; k < patches_->start[p + 1]; ++k)
+        if (place_[patches_->rows[k]] == place) return p;
+    return 0;
   }
 
   /// s, t and 1/S of a patch; false where S is zero or not a number.
@@ -99,12 +121,13 @@ private:
     const double mc = read_coupling(rows, n);
     double S = mc;
     for (int a = 0; a < n; ++a) {
-      const int first = rows[a] / (m_ + 1) * (m_ + 1), i = rows[a] - first;
-      const Real* const inverse = inverses_.data() + rows[a] / (m_ + 1) * m_ * m_;
+      const int place = place_[rows[a]], m = places_.n_velocities[place], i = slot_[rows[a]];
+      const Real* const inverse = inverses_.data() + inverse_at_[place];
       double left = 0.0, right = 0.0;
-      for (int j = 0; j < m_; ++j) {
-        left += B2_[first + j] * inverse[j * m_ + i];
-        right += inverse[i * m_ + j] * B1T_[first + j];
+      for (int j = 0; j < m; ++j) {
+        const int other = velocities_of(place)[j];
+        left += B2_[other] * inverse[j * m + i];
+        right += inverse[i * m + j] * B1T_[other];
       }
       s[a] = static_cast<Real>(left);
       t[a] = static_cast<Real>(right);
@@ -136,9 +159,12 @@ private:
 
   const CrsMatrix* K_;
   const VankaPatches* patches_;
-  int m_;                       ///< velocities per node
-  std::vector<Real> inverses_;  ///< m×m per node, row by row
-  std::vector<Real> local_;     ///< s, t and 1/S, patch after patch, one number unused
+  std::vector<int> place_;  ///< of rows
+  RowsOfPlaces places_;
+  std::vector<int> slot_;                ///< of a velocity among those of its place; else -1
+  std::vector<std::size_t> inverse_at_;  ///< of each place
+  std::vector<Real> inverses_;           ///< m×m of the m velocities of a place, row by row
+  std::vector<Real> local_;              ///< s, t and 1/S, patch after patch, one number unused
   std::vector<int> row_of_column_;
   std::vector<char> is_uncovered_;
   std::vector<double> B1T_, B2_, dense_;  ///< of refresh(), as is the rest
@@ -149,12 +175,14 @@ private:
 
 template <class Real>
 std::unique_ptr<PatchSolver> make_diagonal_solver(const CrsMatrix& K, const VankaPatches& patches,
-                                                  int velocities) {
-  return std::make_unique<DiagonalSolver<Real>>(K, patches, velocities);
+                                                  const MixedRows& mixed) {
+  return std::make_unique<DiagonalSolver<Real>>(K, patches, mixed);
 }
 template std::unique_ptr<PatchSolver> make_diagonal_solver<double>(const CrsMatrix&,
-                                                                   const VankaPatches&, int);
+                                                                   const VankaPatches&,
+                                                                   const MixedRows&);
 template std::unique_ptr<PatchSolver> make_diagonal_solver<float>(const CrsMatrix&,
-                                                                  const VankaPatches&, int);
+                                                                  const VankaPatches&,
+                                                                  const MixedRows&);
 
 }  // namespace tunica::smoothers

@@ -32,6 +32,6 @@ std::unique_ptr<PatchSolver> make_dense_solver(const CrsMatrix& K, const VankaPa
 /// patches: make_nodal_patches().
 template <class Real>
 std::unique_ptr<PatchSolver> make_diagonal_solver(const CrsMatrix& K, const VankaPatches& patches,
-                                                  int velocities);
+                                                  const MixedRows& mixed);
 
 }  // namespace tunica::smoothers

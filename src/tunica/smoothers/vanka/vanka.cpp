@@ -14,15 +14,20 @@ namespace {
 
 class PatchVanka final : public Vanka {
 public:
-  PatchVanka(const CrsMatrix& K, const std::vector<char>& is_pressure, const VankaOptions& options)
-      : K_(&K), is_pressure_(is_pressure), options_(options),
-        rows_(make_patch_rows(K, is_pressure)) {
-    update_b2_pattern(K, is_pressure_, reaches_);
-    find_patches();
+  PatchVanka(const CrsMatrix& K, const MixedRows& mixed, const VankaOptions& options)
+      : K_(&K), mixed_(mixed), options_(options), rows_(make_patch_rows(K, mixed.is_pressure)) {
+    update_b2_pattern(K, mixed_.is_pressure, reaches_);
+    std::string problem;
+    try {
+      find_patches();
+    } catch (const std::invalid_argument& error) {
+      problem = error.what();
+    }
+    throw_if_any<std::invalid_argument>(*K.getComm(), problem);
   }
 
   void refresh() override {
-    if (update_b2_pattern(*K_, is_pressure_, reaches_)) find_patches();
+    if (update_b2_pattern(*K_, mixed_.is_pressure, reaches_)) find_patches();
     rows_->refresh();
     std::string singular;
     if (const int patch = solver_->refresh(); patch >= 0)
@@ -72,14 +77,14 @@ private:
 
   void find_patches() {
     if (options_.patch == "full")
-      patches_ = make_vanka_patches(*K_, is_pressure_);
+      patches_ = make_vanka_patches(*K_, mixed_.is_pressure);
     else if (options_.patch == "diagonal")
-      patches_ = make_nodal_patches(*K_, is_pressure_);
+      patches_ = make_nodal_patches(*K_, mixed_);
     else
-      patches_ = make_pair_patches(*K_, is_pressure_);
+      patches_ = make_pair_patches(*K_, mixed_);
     solver_.reset();  // its memory first
     solver_ = options_.is_single ? solver<float>() : solver<double>();
-    share_.assign(is_pressure_.size(), 0.0);
+    share_.assign(mixed_.is_pressure.size(), 0.0);
     for (const int row : patches_.rows) share_[row] += 1.0;
     for (double& share : share_)
       if (share > 0.0) share = 1.0 / share;
@@ -88,7 +93,7 @@ private:
   template <class Real>
   std::unique_ptr<PatchSolver> solver() const {
     if (options_.patch != "diagonal") return make_dense_solver<Real>(*K_, patches_);
-    return make_diagonal_solver<Real>(*K_, patches_, velocities_per_node(is_pressure_));
+    return make_diagonal_solver<Real>(*K_, patches_, mixed_);
   }
 
   std::string name(int row) const {
@@ -157,7 +162,8 @@ private:
   }
 
   const CrsMatrix* K_;
-  std::vector<char> is_pressure_, reaches_;  ///< of rows; of the entries of pressure rows
+  MixedRows mixed_;
+  std::vector<char> reaches_;  ///< of the entries of pressure rows
   VankaOptions options_;
   VankaPatches patches_;
   std::unique_ptr<PatchRows> rows_;
@@ -168,18 +174,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Vanka> make_vanka(const CrsMatrix& K, const std::vector<char>& is_pressure,
+std::unique_ptr<Vanka> make_vanka(const CrsMatrix& K, const MixedRows& mixed,
                                   const VankaOptions& options) {
-  if (options.patch != "full") {
-    std::string problem;
-    try {
-      velocities_per_node(is_pressure);
-    } catch (const std::invalid_argument& error) {
-      problem = error.what();
-    }
-    throw_if_any<std::invalid_argument>(*K.getComm(), problem);
-  }
-  return std::make_unique<PatchVanka>(K, is_pressure, options);
+  return std::make_unique<PatchVanka>(K, mixed, options);
 }
 
 }  // namespace tunica::smoothers

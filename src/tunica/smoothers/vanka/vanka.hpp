@@ -31,11 +31,10 @@ public:
   virtual double bytes() const = 0;
 };
 
-/// is_pressure: one flag per local row of K, which must outlive the smoother and keep its graph.
-/// Throws
-/// std::invalid_argument on all ranks where patches of nodes are asked for and the rows are not
-/// whole nodes. Collective.
-std::unique_ptr<Vanka> make_vanka(const CrsMatrix& K, const std::vector<char>& is_pressure,
+/// mixed: of the rows of K, which must outlive the smoother and keep its graph. Throws
+/// std::invalid_argument on all ranks where patches of nodes are asked for and rows of one have no
+/// place. Collective.
+std::unique_ptr<Vanka> make_vanka(const CrsMatrix& K, const MixedRows& mixed,
                                   const VankaOptions& options);
 
 }  // namespace tunica::smoothers

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <unordered_map>
 
 #include "tunica/base/trilinos.hpp"
 
@@ -25,11 +26,14 @@ VankaPatches without_patches(const VankaPatches& from) {
   return patches;
 }
 
-/// Appends the rows first .. end-1 but the lone ones.
-void append(VankaPatches& patches, int first, int end) {
-  for (int row = first; row < end; ++row)
-    if (!std::binary_search(patches.uncovered_rows.begin(), patches.uncovered_rows.end(), row))
-      patches.rows.push_back(row);
+/// Appends the first n rows of a place, or all, but the uncovered ones.
+void append(VankaPatches& patches, const RowsOfPlaces& places, int place, int n = -1) {
+  const std::size_t first = places.start[place];
+  const std::size_t end = n < 0 ? places.start[place + 1] : first + n;
+  for (std::size_t r = first; r < end; ++r)
+    if (!std::binary_search(patches.uncovered_rows.begin(), patches.uncovered_rows.end(),
+                            places.rows[r]))
+      patches.rows.push_back(places.rows[r]);
 }
 
 }  // namespace
@@ -67,16 +71,16 @@ VankaPatches make_vanka_patches(const CrsMatrix& K, const std::vector<char>& is_
   return patches;
 }
 
-VankaPatches make_nodal_patches(const CrsMatrix& K, const std::vector<char>& is_pressure) {
-  const int velocities = velocities_per_node(is_pressure), unknowns = velocities + 1;
-  const VankaPatches reached = make_vanka_patches(K, is_pressure);
+VankaPatches make_nodal_patches(const CrsMatrix& K, const MixedRows& mixed) {
+  const RowsOfPlaces places = rows_of_places(mixed);
+  const VankaPatches reached = make_vanka_patches(K, mixed.is_pressure);
   VankaPatches patches = without_patches(reached);
   for (int p = 0; p < reached.n_patches(); ++p) {
-    int last_node = -1;
+    int last = -1;
     for (std::size_t k = reached.start[p]; k + 1 < reached.start[p + 1]; ++k) {
-      const int node = reached.rows[k] / unknowns;
-      if (node != last_node) append(patches, unknowns * node, unknowns * node + velocities);
-      last_node = node;
+      const int place = mixed.place[reached.rows[k]];
+      if (place != last) append(patches, places, place, places.n_velocities[place]);
+      last = place;
     }
     patches.rows.push_back(reached.rows[reached.start[p + 1] - 1]);
     patches.start.push_back(patches.rows.size());
@@ -84,25 +88,33 @@ VankaPatches make_nodal_patches(const CrsMatrix& K, const std::vector<char>& is_
   return patches;
 }
 
-VankaPatches make_pair_patches(const CrsMatrix& K, const std::vector<char>& is_pressure) {
-  const int unknowns = velocities_per_node(is_pressure) + 1;
-  VankaPatches patches = without_patches(make_vanka_patches(K, is_pressure));
+VankaPatches make_pair_patches(const CrsMatrix& K, const MixedRows& mixed) {
+  const RowsOfPlaces places = rows_of_places(mixed);
+  VankaPatches patches = without_patches(make_vanka_patches(K, mixed.is_pressure));
   const std::vector<int> row_of_column = rows_of_columns(K, patches.column_of_row);
   const auto local = K.getLocalMatrixHost();
-  for (int i = unknowns - 1; i < local.numRows(); i += unknowns) {
+  for (int here = 0; here < places.n_places(); ++here) {
+    if (!places.has_pressure(here)) continue;
     std::vector<int> others;
-    bool is_alone = true;
-    const auto row = local.rowConst(i);
-    for (int k = 0; k < row.length; ++k) {
-      const int j = row_of_column[row.colidx(k)];
-      if (j >= 0 && is_pressure[j] && j > i) others.push_back(j);
-      is_alone &= j < 0 || !is_pressure[j] || j == i;
+    for (std::size_t r = places.start[here] + places.n_velocities[here]; r < places.start[here + 1];
+         ++r) {
+      const auto row = local.rowConst(places.rows[r]);
+      for (int k = 0; k < row.length; ++k) {
+        const int j = row_of_column[row.colidx(k)];
+        const int other = j < 0 ? here : mixed.place[j];
+        if (other != here && (mixed.is_pressure[j] || !places.has_pressure(other)))
+          others.push_back(other);
+      }
     }
-    if (is_alone) others.push_back(i);
     std::sort(others.begin(), others.end());
-    for (const int j : others) {
-      if (j != i) append(patches, i + 1 - unknowns, i + 1);
-      append(patches, j + 1 - unknowns, j + 1);
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    if (others.empty()) others.push_back(here);
+    for (const int other : others) {
+      const bool both_have_pressures = places.has_pressure(other);
+      if (both_have_pressures && other < here) continue;  // has had its turn
+      if (!both_have_pressures) append(patches, places, other);
+      append(patches, places, here);
+      if (both_have_pressures && other != here) append(patches, places, other);
       patches.start.push_back(patches.rows.size());
     }
   }
@@ -127,24 +139,46 @@ bool update_b2_pattern(const CrsMatrix& K, const std::vector<char>& is_pressure,
   return is_new;
 }
 
-int velocities_per_node(const std::vector<char>& is_pressure) {
-  const auto first = std::find(is_pressure.begin(), is_pressure.end(), 1);
-  const auto velocities = static_cast<std::size_t>(first - is_pressure.begin());
-  bool is_nodal = is_pressure.size() % (velocities + 1) == 0;
-  for (std::size_t i = 0; is_nodal && i < is_pressure.size(); ++i)
-    is_nodal = (i % (velocities + 1) == velocities) == (is_pressure[i] != 0);
-  if (!is_nodal && !is_pressure.empty())
-    throw std::invalid_argument(
-        "Vanka: patches of nodes need rows of as many velocities and one pressure for each node; "
-        "where a node has several pressures, \"patch\" must be \"full\".");
-  return static_cast<int>(velocities);
+MixedRows mixed_rows(const CrsMatrix& K, const algebra::DofLayout& numbering,
+                     const Teuchos::RCP<const Vector>& hosts) {
+  MixedRows mixed;
+  std::unordered_map<GlobalOrdinal, int> places;
+  for (const GlobalOrdinal number : global_numbers(*K.getRowMap())) {
+    GlobalOrdinal node = number / numbering.dofs();
+    if (!hosts.is_null()) {
+      const auto host = hosts->getLocalViewHost(read_only);
+      const int local = hosts->getMap()->getLocalElement(node);
+      if (local >= 0 && host(local, 0) >= 0.0) node = static_cast<GlobalOrdinal>(host(local, 0));
+    }
+    mixed.is_pressure.push_back(numbering.is_scalar(number));
+    mixed.place.push_back(places.emplace(node, static_cast<int>(places.size())).first->second);
+  }
+  return mixed;
 }
 
-std::vector<char> scalar_rows(const CrsMatrix& K, const algebra::DofLayout& numbering) {
-  std::vector<char> flags(n_local_rows(K));
-  for (std::size_t i = 0; i < flags.size(); ++i)
-    flags[i] = numbering.is_scalar(K.getRowMap()->getGlobalElement(static_cast<int>(i)));
-  return flags;
+RowsOfPlaces rows_of_places(const MixedRows& mixed) {
+  if (mixed.place.size() != mixed.is_pressure.size())
+    throw std::invalid_argument("Vanka: patches of nodes need the place of each row.");
+  RowsOfPlaces places;
+  std::vector<int> count;
+  for (std::size_t row = 0; row < mixed.place.size(); ++row) {
+    const std::size_t place = mixed.place[row];
+    if (place >= count.size()) {
+      count.resize(place + 1, 0);
+      places.n_velocities.resize(place + 1, 0);
+    }
+    ++count[place];
+    if (!mixed.is_pressure[row]) ++places.n_velocities[place];
+  }
+  places.start.push_back(0);
+  for (const int n : count) places.start.push_back(places.start.back() + n);
+  places.rows.resize(mixed.place.size());
+  std::vector<std::size_t> next(places.start.begin(), places.start.end() - 1);
+  for (const bool is_pressure : {false, true})
+    for (std::size_t row = 0; row < mixed.place.size(); ++row)
+      if ((mixed.is_pressure[row] != 0) == is_pressure)
+        places.rows[next[mixed.place[row]]++] = static_cast<int>(row);
+  return places;
 }
 
 }  // namespace tunica::smoothers

@@ -18,28 +18,47 @@ struct VankaPatches {
   int largest() const;
 };
 
+/// The rows of a mixed matrix on one rank.
+struct MixedRows {
+  std::vector<char> is_pressure;  ///< of each local row
+  /// Of each local row the vertex that its unknown stands at, numbered from zero; with the patches
+  /// of whole vertices only, else it may be empty.
+  std::vector<int> place;
+};
+
+/// Which rows of K are what. Nodes with a host (NodeIluOptions) stand where it does.
+MixedRows mixed_rows(const CrsMatrix& K, const algebra::DofLayout& numbering,
+                     const Teuchos::RCP<const Vector>& hosts = Teuchos::null);
+
+/// The rows of each place, velocities before pressures.
+struct RowsOfPlaces {
+  std::vector<std::size_t> start;  ///< size: places + 1
+  std::vector<int> rows;
+  std::vector<int> n_velocities;  ///< of each place
+
+  int n_places() const { return static_cast<int>(n_velocities.size()); }
+  bool has_pressure(int place) const {
+    return start[place] + n_velocities[place] < start[place + 1];
+  }
+};
+/// Throws std::invalid_argument where a row has no place.
+RowsOfPlaces rows_of_places(const MixedRows& mixed);
+
 /// One patch per pressure row with the velocity rows that its row of B2 reaches, ascending.
 /// Depends on the values only in what is zero: eliminated velocities are in no patch.
-/// is_pressure: one flag per local row of K.
 VankaPatches make_vanka_patches(const CrsMatrix& K, const std::vector<char>& is_pressure);
 
-/// The same with all velocities of each node that a patch reaches but the uncovered ones. Throws
-/// std::invalid_argument where the rows are not nodes of as many velocities and a pressure.
-VankaPatches make_nodal_patches(const CrsMatrix& K, const std::vector<char>& is_pressure);
+/// The same with all velocities of each place that a patch reaches but the uncovered ones.
+VankaPatches make_nodal_patches(const CrsMatrix& K, const MixedRows& mixed);
 
-/// One patch per pair of nodes whose pressures are neighbours in the graph of K, with the
-/// unknowns of both but the uncovered rows of make_vanka_patches().
-VankaPatches make_pair_patches(const CrsMatrix& K, const std::vector<char>& is_pressure);
+/// One patch per pair of places of which pressures are neighbours in the graph of K, with the
+/// unknowns of both but the uncovered rows of make_vanka_patches(). A place without pressure is
+/// paired with those whose pressures reach its velocities.
+VankaPatches make_pair_patches(const CrsMatrix& K, const MixedRows& mixed);
 
 /// Notes which entries of the pressure rows are not zero: with the graph, all that the patches
 /// depend on. True where this differs from what was noted before.
 bool update_b2_pattern(const CrsMatrix& K, const std::vector<char>& is_pressure,
                        std::vector<char>& reaches);
-
-/// Velocity rows per node. Throws as make_nodal_patches() does.
-int velocities_per_node(const std::vector<char>& is_pressure);
-
-/// Flags of the pressure rows.
-std::vector<char> scalar_rows(const CrsMatrix& K, const algebra::DofLayout& numbering);
 
 }  // namespace tunica::smoothers

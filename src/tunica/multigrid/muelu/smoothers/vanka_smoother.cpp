@@ -41,7 +41,7 @@ Teuchos::RCP<const Teuchos::ParameterList> VankaSmoother::GetValidParameterList(
 void VankaSmoother::check(const Teuchos::ParameterList& list) const { options_of(list); }
 
 void VankaSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout& numbering) {
-  vanka_ = smoothers::make_vanka(K, smoothers::scalar_rows(K, numbering),
+  vanka_ = smoothers::make_vanka(K, smoothers::mixed_rows(K, numbering, hosts()),
                                  options_of(GetParameterList()));
   vanka_->refresh();
 }
