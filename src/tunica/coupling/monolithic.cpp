@@ -16,7 +16,8 @@ params::Table monolithic_table() {
   params::Table fixed, moving;
   moving
       .number("mesh tolerance", 1e-8, reduction, "1",
-              "reduction of the residual where the mesh follows the wall in a Newton step")
+              "least residual, relative, to which the mesh follows the wall in a Newton step; less "
+              "will do that is the linear tolerance of \"Newton\" of what the step makes of it")
       .number("product tolerance", 1e-3, reduction, "1",
               "the same where a product with the Jacobian moves the mesh; at most the least linear "
               "tolerance of \"Newton\"");
@@ -29,7 +30,7 @@ params::Table monolithic_table() {
           "knows (newton) or does not (quasi), or that of the two which takes less work, "
           "found by trying (automatic); or extrapolated from earlier steps to the order of "
           "the time scheme, and moved once the step is solved")
-      .integer("predictor order", 1, params::between(0, 2),
+      .integer("predictor order", 2, params::between(0, 2),
                "first guess of a step: 0 the last state, 1 linear and 2 quadratic extrapolation in "
                "time")
       .choice("when not converged", "stop", {"stop", "accept"},

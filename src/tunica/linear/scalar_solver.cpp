@@ -34,6 +34,9 @@ public:
   }
   double solve_to(double, const MultiVector& B, MultiVector& X) override {
     factor_.apply(B, X);
+    return residual(B, X);
+  }
+  double residual(const MultiVector& B, const MultiVector& X) const override {
     return relative_residual(*K_, B, X);
   }
   double tolerance() const override { return 1e-10; }
@@ -59,6 +62,9 @@ public:
       for (std::size_t j = 0; j < B.getNumVectors(); ++j)
         solve_krylov(options_, K_, preconditioner_, *B.getVector(j), *X.getVectorNonConst(j),
                      tolerance);
+    return residual(B, X);
+  }
+  double residual(const MultiVector& B, const MultiVector& X) const override {
     return relative_residual(*K_, B, X);
   }
   double tolerance() const override { return tolerance_; }
@@ -107,6 +113,12 @@ public:
     const double residual = solver_->solve_to(tolerance, b_, x_);
     algebra::to_columns(x_, X);
     return residual;
+  }
+  double residual(const MultiVector& B, const MultiVector& X) const override {
+    Vector b(b_.getMap()), x(x_.getMap());
+    algebra::from_columns(B, b);
+    algebra::from_columns(X, x);
+    return solver_->residual(b, x);
   }
   double tolerance() const override { return solver_->tolerance(); }
 

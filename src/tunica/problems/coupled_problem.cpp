@@ -82,7 +82,6 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
     : mesh_(&parts.mesh), interface_(&parts.interface), fluid_(&parts.fluid), wall_(&parts.wall),
       motion_(&parts.motion), is_extrapolated_(list.get<std::string>("geometry") == "extrapolated"),
       wants_shape_derivatives_(list.get<std::string>("geometry") == "newton"),
-      mesh_tolerance_(is_extrapolated_ ? 0.0 : list.get<double>("mesh tolerance")),
       product_tolerance_(is_extrapolated_ ? 0.0 : list.get<double>("product tolerance")),
       knows_domain_(wants_shape_derivatives_), split_(mesh_of_pressures(parts)),
       K_(std::make_unique<fields::BlockOperator>(
@@ -97,6 +96,8 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
   const double best =
       newton_.forcing.kind == "constant" ? newton_.forcing.tolerance : newton_.forcing.smallest;
   product_tolerance_ = std::min(product_tolerance_, std::max(best, 1e-14));
+  // Nor need the mesh follow an increment better than the increment is known.
+  if (!is_extrapolated_) mesh_accuracy_ = {list.get<double>("mesh tolerance"), best};
   if (!is_extrapolated_) K_->set_action(std::make_shared<FollowingDomain>(*this));
   solver_ = linear::make_linear_solver(list.sublist("Linear Solver"), *K_, *this);
 }
@@ -160,10 +161,10 @@ void CoupledProblem::read(const algebra::BlockVector& x) {
   for (int b = 0; b < wall_x_.n_blocks(); ++b) wall_x_[b].update(1.0, reference_[b], 1.0);
 }
 
-Outcome CoupledProblem::follow_wall(std::optional<double> tolerance) {
+Outcome CoupledProblem::follow_wall(const ExtensionAccuracy& accuracy) {
   const Stopwatch watch;
   const std::vector<Vec3> d = fields::owned_vectors(wall_->mesh(), wall_x_["displacement"]);
-  const Outcome moved = motion_->extend(interface_->to_fluid(interface_->from_wall(d)), tolerance);
+  const Outcome moved = motion_->extend(interface_->to_fluid(interface_->from_wall(d)), accuracy);
   seconds_.motion += watch.seconds();
   if (moved.is_failure()) return moved.at("the mesh motion");
   return fluid_->set_domain(motion_->displacement(), motion_->past_displacement())
@@ -173,7 +174,7 @@ Outcome CoupledProblem::follow_wall(std::optional<double> tolerance) {
 Outcome CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
   read(x);
   if (!is_extrapolated_) {
-    if (const Outcome outcome = follow_wall(mesh_tolerance_); outcome.is_failure()) return outcome;
+    if (const Outcome outcome = follow_wall(mesh_accuracy_); outcome.is_failure()) return outcome;
     fluid_->prescribe(fluid_x_);  // a flow rate through an opening that has changed
   }
   const Stopwatch flowing;
@@ -319,7 +320,7 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
   wall_x_.assign(wall);
   wall_->prescribe(wall_x_);
   if (!is_extrapolated_)  // what is prescribed may depend on where the domain lies
-    if (const Outcome outcome = follow_wall(mesh_tolerance_); outcome.is_failure())
+    if (const Outcome outcome = follow_wall(mesh_accuracy_); outcome.is_failure())
       return {{false, outcome.reason(), {}}, false};
   // y of the wall, which is that of the interface
   for (int b = 0; b < wall_x_.n_blocks(); ++b) wall_x_[b].update(-1.0, reference_[b], 1.0);

@@ -1,6 +1,5 @@
 #pragma once
 #include <memory>
-#include <optional>
 
 #include "tunica/fields/embed_field.hpp"
 #include "tunica/fields/interface_transfer.hpp"
@@ -112,8 +111,8 @@ private:
   void set_reference();
   /// Takes x apart.
   void read(const algebra::BlockVector& x);
-  /// The mesh moves with wall_x_; tolerance: none for that of the mesh motion.
-  Outcome follow_wall(std::optional<double> tolerance);
+  /// The mesh moves with wall_x_.
+  Outcome follow_wall(const ExtensionAccuracy& accuracy);
 
   const fields::FieldMesh* mesh_;
   const fields::InterfaceTransfer* interface_;
@@ -122,7 +121,8 @@ private:
   MeshMotion* motion_;
   bool is_extrapolated_, wants_shape_derivatives_;
   int most_steps_without_ = 0;
-  double mesh_tolerance_, product_tolerance_;
+  ExtensionAccuracy mesh_accuracy_;
+  double product_tolerance_;
   bool knows_domain_;  ///< the present Jacobian has shape derivatives
   std::unique_ptr<fields::SplitMesh> split_;
   std::unique_ptr<fields::BlockOperator> K_;

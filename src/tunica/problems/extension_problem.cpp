@@ -1,5 +1,6 @@
 #include "tunica/problems/extension_problem.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "tunica/algebra/picked_matrix.hpp"
@@ -55,10 +56,13 @@ MultiVector ExtensionProblem::right_side(const MultiVector& given) const {
   return b;
 }
 
-Outcome ExtensionProblem::extend(MultiVector& values, std::optional<double> tolerance) {
+Outcome ExtensionProblem::extend(MultiVector& values, const ExtensionAccuracy& accuracy) {
   if (!solver_) return Outcome::success();
-  const double wanted = tolerance.value_or(solver_->tolerance());
-  const double residual = solver_->solve_to(wanted, right_side(values), solution_);
+  const MultiVector b = right_side(values);
+  double wanted = accuracy.tolerance.value_or(solver_->tolerance());
+  if (accuracy.reduction > 0.0)
+    wanted = std::max(wanted, accuracy.reduction * std::min(1.0, solver_->residual(b, solution_)));
+  const double residual = solver_->solve_to(wanted, b, solution_);
   if (!(residual <= 2.0 * wanted)) {
     std::ostringstream text;
     text << "the linear solver left a relative residual of " << residual << " instead of "

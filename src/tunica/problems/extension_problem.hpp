@@ -9,6 +9,13 @@
 
 namespace tunica::problems {
 
+/// How well an extension is solved for.
+struct ExtensionAccuracy {
+  std::optional<double> tolerance;  ///< the relative residual left, if not that of the list
+  /// Enough, where that is more: this part of the residual of the last solution.
+  double reduction = 0.0;
+};
+
 /// Solves for extensions of what is given at some nodes. The linear system is that of the free
 /// nodes, of which there may be few, or none.
 class ExtensionProblem {
@@ -21,9 +28,8 @@ public:
                    const discretisation::ElasticExtension& extension);
 
   /// values: on entry those of the given nodes, zero elsewhere; on return those of all nodes.
-  /// Begins with the last solution; tolerance: the relative residual left, if not that of the list.
-  /// Says why where the linear solver fails. Collective.
-  Outcome extend(MultiVector& values, std::optional<double> tolerance = {});
+  /// Begins with the last solution. Says why where the linear solver fails. Collective.
+  Outcome extend(MultiVector& values, const ExtensionAccuracy& accuracy = {});
   /// The same, from nothing and to a relative residual of its own: values that are small to others
   /// are not known better. What a failing solver leaves is what is wrong with the result.
   void extend_roughly(double tolerance, MultiVector& values) const;

@@ -104,13 +104,13 @@ const FollowingSurfaces::Stages& FollowingSurfaces::stages() {
   return stages_;
 }
 
-Outcome FollowingSurfaces::extend(MultiVector& values, std::optional<double> tolerance) {
+Outcome FollowingSurfaces::extend(MultiVector& values, const ExtensionAccuracy& accuracy) {
   if (!moves_rim(values)) {
     for (const auto& stage : stages_) stage->problem.start_from(values);  // zero there
     return Outcome::success();
   }
   for (const auto& stage : stages())
-    if (const Outcome outcome = stage->problem.extend(values, tolerance); outcome.is_failure())
+    if (const Outcome outcome = stage->problem.extend(values, accuracy); outcome.is_failure())
       return outcome;
   return Outcome::success();
 }

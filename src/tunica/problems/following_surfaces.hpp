@@ -1,6 +1,5 @@
 #pragma once
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "tunica/problems/extension_problem.hpp"
@@ -21,7 +20,7 @@ public:
 
   /// values: on entry those of the interface's nodes, zero elsewhere; on return those of the
   /// surfaces' nodes too. See ExtensionProblem::extend() and extend_roughly(). Collective.
-  Outcome extend(MultiVector& values, std::optional<double> tolerance);
+  Outcome extend(MultiVector& values, const ExtensionAccuracy& accuracy);
   void extend_roughly(double tolerance, MultiVector& values);
   /// Makes the next extend() begin with these values of all nodes. Collective.
   void start_from(const MultiVector& values);

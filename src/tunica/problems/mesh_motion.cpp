@@ -37,7 +37,7 @@ MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMe
 }
 
 Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
-                           std::optional<double> tolerance) {
+                           const ExtensionAccuracy& accuracy) {
   const TrafficScope scope(Work::mesh_motion);
   MultiVector total(mesh_->node_map, 3);
   {
@@ -47,10 +47,9 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
         view(a, i) = is_interface_[a] ? interface_displacement[a][i] : 0.0;
   }
   fault_point("mesh motion");
-  if (const Outcome outcome = surfaces_.extend(total, tolerance); outcome.is_failure())
+  if (const Outcome outcome = surfaces_.extend(total, accuracy); outcome.is_failure())
     return outcome;
-  if (const Outcome outcome = volume_.extend(total, tolerance); outcome.is_failure())
-    return outcome;
+  if (const Outcome outcome = volume_.extend(total, accuracy); outcome.is_failure()) return outcome;
   MultiVector ghosted(mesh_->ghosted_map, 3);
   ghosted.doImport(total, *mesh_->import, insert);
   const auto view = ghosted.getLocalViewHost(read_only);

@@ -1,6 +1,4 @@
 #pragma once
-#include <optional>
-
 #include "tunica/discretisation/mesh_motion.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/problems/following_surfaces.hpp"
@@ -20,10 +18,9 @@ public:
              const stepping::TimeScheme& scheme);
 
   /// Sets displacement() from that of the owned interface nodes (other entries are ignored).
-  /// tolerance: the relative residual left, if not that of the list. Says why where the linear
-  /// solver fails. Collective.
+  /// Says why where the linear solver fails. Collective.
   Outcome extend(const std::vector<Vec3>& interface_displacement,
-                 std::optional<double> tolerance = {});
+                 const ExtensionAccuracy& accuracy = {});
 
   /// What an increment of the interface's displacement moves the owned nodes by, solved for to a
   /// relative residual; other entries of the given one are ignored. Collective.

@@ -1,5 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "tunica/mesh/block.hpp"
 #include "tunica/problems/mesh_motion.hpp"
@@ -77,6 +79,35 @@ TEUCHOS_UNIT_TEST(mesh_motion, a_linear_field_on_the_whole_boundary_is_reproduce
       given[a] = tube.fluid.is_on_boundary(a) ? expected[a] : Vec3{7, 7, 7};  // 7 is ignored
     TEST_ASSERT(motion.extend(given).is_success());
     TEST_COMPARE(largest(motion.displacement(), expected), <, 1e-10);
+  }
+}
+
+// What is left undone is a part of the increment, and gone when it has been asked for often enough.
+TEUCHOS_UNIT_TEST(mesh_motion, an_increment_is_followed_as_well_as_is_asked) {
+  std::vector<double> planes;
+  for (int k = 0; k <= 120; ++k) planes.push_back(0.5 * k);  // else one level solves it
+  const Block block(planes);
+  std::vector<int> all(block.mesh.surfaces.size());
+  std::iota(all.begin(), all.end(), 0);
+  const double increment = 1e-2, reduction = 0.03;
+  for (const auto& list : {solved_by("cg"), solved_by("cg", "elastic")}) {
+    problems::MeshMotion motion(list, block.field, all, {}, scheme);
+    std::vector<Vec3> given(block.field.n_owned), expected(block.field.n_nodes());
+    const auto error_after = [&](double factor, const problems::ExtensionAccuracy& accuracy) {
+      for (int a = 0; a < block.field.n_nodes(); ++a)
+        expected[a] = factor * linear_field(block.field.x[a]);
+      std::copy_n(expected.begin(), given.size(), given.begin());
+      TEST_ASSERT(motion.extend(given, accuracy).is_success());
+      return largest(motion.displacement(), expected) /
+             largest(expected, std::vector<Vec3>(expected.size()));
+    };
+    TEST_COMPARE(error_after(1.0, {}), <, 1e-10);
+    const double once = error_after(1.0 + increment, {1e-8, reduction});
+    TEST_COMPARE(once, >, 1e-6);
+    TEST_COMPARE(once, <, reduction * increment);
+    double last = once;
+    for (int k = 0; k < 5; ++k) last = error_after(1.0 + increment, {1e-8, reduction});
+    TEST_COMPARE(last, <, 2e-8);
   }
 }
 
