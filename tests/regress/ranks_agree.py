@@ -49,6 +49,7 @@ def case(name, scheme):
     put(coupling, "scheme", "string", scheme)
     if scheme == "monolithic":
         put(sublist(coupling, "Newton"), "absolute increment", "double", "1e-13")
+        put(sublist(coupling, "Newton"), "linear tolerance", "double", "1e-10")
         put(sublist(coupling, "Linear Solver"), "method", "string", "direct")
         put(coupling, "mesh tolerance", "double", "1e-13")
     else:

@@ -15,12 +15,13 @@ params::Table monolithic_table() {
   const auto reduction = params::Range{0.0, 1.0, true, true};
   params::Table fixed, moving;
   moving
-      .number("mesh tolerance", 1e-8, reduction, "1",
-              "least residual, relative, to which the mesh follows the wall in a Newton step; less "
-              "will do that is the linear tolerance of \"Newton\" of what the step makes of it")
+      .number(
+          "mesh tolerance", 1e-8, reduction, "1",
+          "relative residual to which the mesh follows the wall; within Newton's method it is "
+          "enough to reduce what a step makes of it by the least linear tolerance of \"Newton\"")
       .number("product tolerance", 1e-3, reduction, "1",
-              "the same where a product with the Jacobian moves the mesh; at most the least linear "
-              "tolerance of \"Newton\"");
+              "relative residual where a product with the Jacobian moves the mesh; at most the "
+              "least linear tolerance of \"Newton\"");
   params::Table table("One Newton's method for fluid and wall together.");
   table
       .variant(

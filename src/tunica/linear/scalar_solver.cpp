@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "tunica/algebra/components.hpp"
 #include "tunica/linear/amg.hpp"
@@ -13,18 +14,33 @@ namespace tunica::linear {
 
 namespace {
 
-double relative_residual(const CrsMatrix& K, const MultiVector& B, const MultiVector& X) {
-  MultiVector R(B, Teuchos::Copy);
-  K.apply(X, R, Teuchos::NO_TRANS, -1.0, 1.0);
-  std::vector<double> r(B.getNumVectors()), b(B.getNumVectors());
-  R.norm2(Teuchos::arrayViewFromVector(r));
-  B.norm2(Teuchos::arrayViewFromVector(b));
+/// Of each column.
+struct Norms {
+  Norms(const CrsMatrix& K, const MultiVector& B, const MultiVector& X)
+      : r(B.getNumVectors()), b(B.getNumVectors()) {
+    MultiVector R(B, Teuchos::Copy);
+    K.apply(X, R, Teuchos::NO_TRANS, -1.0, 1.0);
+    R.norm2(Teuchos::arrayViewFromVector(r));
+    B.norm2(Teuchos::arrayViewFromVector(b));
+  }
+  std::vector<double> r, b;  ///< |B − K X|, |B|
+};
+
+double largest_residual(const CrsMatrix& K, const MultiVector& B, const MultiVector& X) {
+  const auto [r, b] = Norms(K, B, X);
   double largest = 0.0;
   for (std::size_t j = 0; j < r.size(); ++j) {
     if (!std::isfinite(r[j])) return std::numeric_limits<double>::infinity();
     if (b[j] > 0.0) largest = std::max(largest, r[j] / b[j]);
   }
   return largest;
+}
+
+double common_residual(const CrsMatrix& K, const MultiVector& B, const MultiVector& X) {
+  const auto [r, b] = Norms(K, B, X);
+  const double of_b = std::inner_product(b.begin(), b.end(), b.begin(), 0.0);
+  const double of_r = std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
+  return of_b > 0.0 ? std::sqrt(of_r / of_b) : 0.0;
 }
 
 class DirectScalarSolver final : public ScalarSolver {
@@ -34,10 +50,10 @@ public:
   }
   double solve_to(double, const MultiVector& B, MultiVector& X) override {
     factor_.apply(B, X);
-    return residual(B, X);
+    return largest_residual(*K_, B, X);
   }
   double residual(const MultiVector& B, const MultiVector& X) const override {
-    return relative_residual(*K_, B, X);
+    return common_residual(*K_, B, X);
   }
   double tolerance() const override { return 1e-10; }
 
@@ -62,10 +78,10 @@ public:
       for (std::size_t j = 0; j < B.getNumVectors(); ++j)
         solve_krylov(options_, K_, preconditioner_, *B.getVector(j), *X.getVectorNonConst(j),
                      tolerance);
-    return residual(B, X);
+    return largest_residual(*K_, B, X);
   }
   double residual(const MultiVector& B, const MultiVector& X) const override {
-    return relative_residual(*K_, B, X);
+    return common_residual(*K_, B, X);
   }
   double tolerance() const override { return tolerance_; }
 

@@ -15,7 +15,7 @@ public:
   double solve(const MultiVector& B, MultiVector& X) { return solve_to(tolerance(), B, X); }
   /// The same to another relative residual.
   virtual double solve_to(double tolerance, const MultiVector& B, MultiVector& X) = 0;
-  /// The relative residual of X, the largest of all columns.
+  /// |B − K X| / |B| over all columns together, 0 for B = 0.
   virtual double residual(const MultiVector& B, const MultiVector& X) const = 0;
   /// The relative residual that solve() aims at.
   virtual double tolerance() const = 0;

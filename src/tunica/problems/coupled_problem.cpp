@@ -96,9 +96,11 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
   const double best =
       newton_.forcing.kind == "constant" ? newton_.forcing.tolerance : newton_.forcing.smallest;
   product_tolerance_ = std::min(product_tolerance_, std::max(best, 1e-14));
-  // Nor need the mesh follow an increment better than the increment is known.
-  if (!is_extrapolated_) mesh_accuracy_ = {list.get<double>("mesh tolerance"), best};
-  if (!is_extrapolated_) K_->set_action(std::make_shared<FollowingDomain>(*this));
+  if (!is_extrapolated_) {
+    // Nor need the mesh follow an increment better than the increment is known.
+    mesh_accuracy_ = {list.get<double>("mesh tolerance"), best};
+    K_->set_action(std::make_shared<FollowingDomain>(*this));
+  }
   solver_ = linear::make_linear_solver(list.sublist("Linear Solver"), *K_, *this);
 }
 
@@ -320,7 +322,7 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
   wall_x_.assign(wall);
   wall_->prescribe(wall_x_);
   if (!is_extrapolated_)  // what is prescribed may depend on where the domain lies
-    if (const Outcome outcome = follow_wall(mesh_accuracy_); outcome.is_failure())
+    if (const Outcome outcome = follow_wall({mesh_accuracy_.tolerance}); outcome.is_failure())
       return {{false, outcome.reason(), {}}, false};
   // y of the wall, which is that of the interface
   for (int b = 0; b < wall_x_.n_blocks(); ++b) wall_x_[b].update(-1.0, reference_[b], 1.0);

@@ -60,8 +60,11 @@ Outcome ExtensionProblem::extend(MultiVector& values, const ExtensionAccuracy& a
   if (!solver_) return Outcome::success();
   const MultiVector b = right_side(values);
   double wanted = accuracy.tolerance.value_or(solver_->tolerance());
-  if (accuracy.reduction > 0.0)
-    wanted = std::max(wanted, accuracy.reduction * std::min(1.0, solver_->residual(b, solution_)));
+  if (accuracy.reduction > 0.0) {
+    constexpr double most = 0.01;
+    const double change = solver_->residual(b, solution_);
+    wanted = std::max(wanted, accuracy.reduction * (change < most ? change : most));
+  }
   const double residual = solver_->solve_to(wanted, b, solution_);
   if (!(residual <= 2.0 * wanted)) {
     std::ostringstream text;

@@ -12,7 +12,8 @@ namespace tunica::problems {
 /// How well an extension is solved for.
 struct ExtensionAccuracy {
   std::optional<double> tolerance;  ///< the relative residual left, if not that of the list
-  /// Enough, where that is more: this part of the residual of the last solution.
+  /// Enough, where that is more: this part of the residual of the last solution, of which no more
+  /// than a hundredth counts, as where there was none, or one of an attempt that failed.
   double reduction = 0.0;
 };
 

@@ -93,9 +93,12 @@ TEUCHOS_UNIT_TEST(mesh_motion, an_increment_is_followed_as_well_as_is_asked) {
   for (const auto& list : {solved_by("cg"), solved_by("cg", "elastic")}) {
     problems::MeshMotion motion(list, block.field, all, {}, scheme);
     std::vector<Vec3> given(block.field.n_owned), expected(block.field.n_nodes());
+    double tiny = 1e-10;  // a component that is no measure of the others
     const auto error_after = [&](double factor, const problems::ExtensionAccuracy& accuracy) {
       for (int a = 0; a < block.field.n_nodes(); ++a)
         expected[a] = factor * linear_field(block.field.x[a]);
+      tiny = -tiny;
+      for (Vec3& d : expected) d[1] *= tiny;
       std::copy_n(expected.begin(), given.size(), given.begin());
       TEST_ASSERT(motion.extend(given, accuracy).is_success());
       return largest(motion.displacement(), expected) /
@@ -104,7 +107,7 @@ TEUCHOS_UNIT_TEST(mesh_motion, an_increment_is_followed_as_well_as_is_asked) {
     TEST_COMPARE(error_after(1.0, {}), <, 1e-10);
     const double once = error_after(1.0 + increment, {1e-8, reduction});
     TEST_COMPARE(once, >, 1e-6);
-    TEST_COMPARE(once, <, reduction * increment);
+    TEST_COMPARE(once, <, 0.1 * increment);
     double last = once;
     for (int k = 0; k < 5; ++k) last = error_after(1.0 + increment, {1e-8, reduction});
     TEST_COMPARE(last, <, 2e-8);

@@ -200,7 +200,8 @@ struct SplitMatrix {
     K->fillComplete();
     hosts = Teuchos::rcp(new Vector(map_of(nodes, test::alone())));
     for (std::size_t k = 0; k < nodes.size(); ++k)
-      hosts->replaceLocalValue(static_cast<int>(k), static_cast<double>(nodes[k] % apart));
+      hosts->replaceLocalValue(static_cast<int>(k),
+                               nodes[k] < apart ? -1.0 : static_cast<double>(nodes[k] - apart));
   }
 
   /// Entries of the rows that the wall has, too; others from their numbers.
@@ -240,6 +241,9 @@ TEUCHOS_UNIT_TEST(vanka_kinds, nodes_may_have_two_pressures) {
   const VankaPatches pairs = patches_of(*split.K, "node pair", split.hosts);
   TEST_COMPARE(pairs.largest(), >, 8);
   TEST_COMPARE(pairs.largest(), <=, 10);
+  TEST_EQUALITY(pairs.n_patches(), patches_of(*wall.K(), "node pair").n_patches());
+  TEST_EQUALITY(patches_of(*split.K, "diagonal", split.hosts).n_patches(),
+                static_cast<int>(split.hosts->getLocalLength()));
   for (const std::string kind : {"diagonal", "node pair"}) {
     const VankaPatches patches = patches_of(*split.K, kind, split.hosts);
     const Vector expected = dense_sweep(*split.K, kind, patches, b, Vector(start, Teuchos::Copy));
@@ -268,8 +272,10 @@ TEUCHOS_UNIT_TEST(vanka_kinds, patches_of_nodes_need_the_nodes) {
   const auto refuses = [&](const std::string& kind) {
     TEST_THROW(smoothers::make_vanka(*wall.K(), mixed, of_kind(kind)), std::invalid_argument);
   };
-  mixed.place.clear();
+  if (test::world()->getRank() == 0) mixed.place.clear();
   for (const std::string kind : {"diagonal", "node pair"}) refuses(kind);
+  if (test::world()->getRank() == 0) mixed.place.assign(mixed.is_pressure.size(), -1);
+  refuses("node pair");
 }
 
 /// The rows of the matrix itself serve where they are not those of whole nodes.

@@ -14,7 +14,7 @@ template <class Real>
 class DiagonalSolver final : public PatchSolver {
 public:
   DiagonalSolver(const CrsMatrix& K, const VankaPatches& patches, const MixedRows& mixed)
-      : K_(&K), patches_(&patches), place_(mixed.place), places_(rows_of_places(mixed)),
+      : K_(&K), patches_(&patches), mixed_(&mixed), places_(rows_of_places(mixed)),
         slot_(n_local_rows(K), -1), local_(2 * patches.rows.size()),
         row_of_column_(n_local(*K.getColMap()), -1), is_uncovered_(n_local_rows(K), 0),
         B1T_(n_local_rows(K)), B2_(n_local_rows(K)) {
@@ -49,9 +49,9 @@ public:
     for (int a = 0; a < n; ++a) rest -= s[a] * r[a];
     const double p = correction[n] = t[n] * rest;  // (r_p − B2 D⁻¹ r_u) / S
     for (int first = 0, end; first < n; first = end) {
-      const int place = place_[rows[first]], m = places_.n_velocities[place];
+      const int place = mixed_->place[rows[first]], m = places_.n_velocities[place];
       const Real* const inverse = inverses_.data() + inverse_at_[place];
-      for (end = first; end < n && place_[rows[end]] == place;) ++end;
+      for (end = first; end < n && mixed_->place[rows[end]] == place;) ++end;
       for (int a = first; a < end; ++a) {  // u = D⁻¹ r_u − D⁻¹ B1ᵀ p
         const Real* const row = inverse + slot_[rows[a]] * m;
         correction[a] = -t[a] * p;
@@ -68,7 +68,7 @@ public:
   double bytes() const override {
     return static_cast<double>(sizeof(Real) * (inverses_.size() + local_.size()) +
                                sizeof(std::size_t) * (inverse_at_.size() + places_.start.size()) +
-                               sizeof(int) * (row_of_column_.size() + place_.size() + slot_.size() +
+                               sizeof(int) * (row_of_column_.size() + slot_.size() +
                                               places_.rows.size() + places_.n_velocities.size()) +
                                is_uncovered_.size() + sizeof(double) * (B1T_.size() + B2_.size()));
   }
@@ -90,7 +90,7 @@ private:
         const auto row = K.rowConst(rows[i]);
         for (int k = 0; k < row.length; ++k) {
           const int j = row_of_column_[row.colidx(k)];
-          if (j >= 0 && place_[j] == place && slot_[j] >= 0 && !is_uncovered_[rows[i]] &&
+          if (j >= 0 && mixed_->place[j] == place && slot_[j] >= 0 && !is_uncovered_[rows[i]] &&
               !is_uncovered_[j])
             D[i * m + slot_[j]] = row.value(k);
         }
@@ -108,7 +108,7 @@ private:
   int patch_that_reaches(int place) const {
     for (int p = 0; p < patches_->n_patches(); ++p)
       for (std::size_t k = patches_->start[p]; k < patches_->start[p + 1]; ++k)
-        if (place_[patches_->rows[k]] == place) return p;
+        if (mixed_->place[patches_->rows[k]] == place) return p;
     return 0;
   }
 
@@ -121,7 +121,7 @@ private:
     const double mc = read_coupling(rows, n);
     double S = mc;
     for (int a = 0; a < n; ++a) {
-      const int place = place_[rows[a]], m = places_.n_velocities[place], i = slot_[rows[a]];
+      const int place = mixed_->place[rows[a]], m = places_.n_velocities[place], i = slot_[rows[a]];
       const Real* const inverse = inverses_.data() + inverse_at_[place];
       double left = 0.0, right = 0.0;
       for (int j = 0; j < m; ++j) {
@@ -159,7 +159,7 @@ private:
 
   const CrsMatrix* K_;
   const VankaPatches* patches_;
-  std::vector<int> place_;  ///< of rows
+  const MixedRows* mixed_;
   RowsOfPlaces places_;
   std::vector<int> slot_;                ///< of a velocity among those of its place; else -1
   std::vector<std::size_t> inverse_at_;  ///< of each place

@@ -29,7 +29,7 @@ std::unique_ptr<PatchSolver> make_dense_solver(const CrsMatrix& K, const VankaPa
 ///
 ///   [D B1ᵀ; B2 −c] [u; p] = [r_u; r_p],  D the node blocks of A
 ///
-/// patches: make_nodal_patches().
+/// patches: make_nodal_patches() of the same. All must outlive it.
 template <class Real>
 std::unique_ptr<PatchSolver> make_diagonal_solver(const CrsMatrix& K, const VankaPatches& patches,
                                                   const MixedRows& mixed);

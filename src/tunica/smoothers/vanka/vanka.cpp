@@ -45,11 +45,12 @@ public:
   }
 
   double bytes() const override {
-    const double numbers =
-        static_cast<double>(patches_.rows.size() + patches_.column_of_row.size());
+    const double numbers = static_cast<double>(patches_.rows.size() +
+                                               patches_.column_of_row.size() + mixed_.place.size());
     return rows_->bytes() + solver_->bytes() + sizeof(int) * numbers +
            static_cast<double>(sizeof(std::size_t) * patches_.start.size() +
-                               sizeof(double) * share_.size() + reaches_.size());
+                               sizeof(double) * share_.size() + reaches_.size() +
+                               mixed_.is_pressure.size());
   }
 
 private:

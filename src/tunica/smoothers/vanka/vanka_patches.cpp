@@ -26,6 +26,11 @@ VankaPatches without_patches(const VankaPatches& from) {
   return patches;
 }
 
+void sort_once(std::vector<int>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
 /// Appends the first n rows of a place, or all, but the uncovered ones.
 void append(VankaPatches& patches, const RowsOfPlaces& places, int place, int n = -1) {
   const std::size_t first = places.start[place];
@@ -76,12 +81,11 @@ VankaPatches make_nodal_patches(const CrsMatrix& K, const MixedRows& mixed) {
   const VankaPatches reached = make_vanka_patches(K, mixed.is_pressure);
   VankaPatches patches = without_patches(reached);
   for (int p = 0; p < reached.n_patches(); ++p) {
-    int last = -1;
-    for (std::size_t k = reached.start[p]; k + 1 < reached.start[p + 1]; ++k) {
-      const int place = mixed.place[reached.rows[k]];
-      if (place != last) append(patches, places, place, places.n_velocities[place]);
-      last = place;
-    }
+    std::vector<int> near;
+    for (std::size_t k = reached.start[p]; k + 1 < reached.start[p + 1]; ++k)
+      near.push_back(mixed.place[reached.rows[k]]);
+    sort_once(near);
+    for (const int place : near) append(patches, places, place, places.n_velocities[place]);
     patches.rows.push_back(reached.rows[reached.start[p + 1] - 1]);
     patches.start.push_back(patches.rows.size());
   }
@@ -93,30 +97,32 @@ VankaPatches make_pair_patches(const CrsMatrix& K, const MixedRows& mixed) {
   VankaPatches patches = without_patches(make_vanka_patches(K, mixed.is_pressure));
   const std::vector<int> row_of_column = rows_of_columns(K, patches.column_of_row);
   const auto local = K.getLocalMatrixHost();
+  const auto add_patch = [&](int first, int last) {
+    if (first != last) append(patches, places, first);
+    append(patches, places, last);
+    patches.start.push_back(patches.rows.size());
+  };
   for (int here = 0; here < places.n_places(); ++here) {
-    if (!places.has_pressure(here)) continue;
-    std::vector<int> others;
+    std::vector<int> with_pressure, without;
     for (std::size_t r = places.start[here] + places.n_velocities[here]; r < places.start[here + 1];
          ++r) {
       const auto row = local.rowConst(places.rows[r]);
       for (int k = 0; k < row.length; ++k) {
         const int j = row_of_column[row.colidx(k)];
-        const int other = j < 0 ? here : mixed.place[j];
-        if (other != here && (mixed.is_pressure[j] || !places.has_pressure(other)))
-          others.push_back(other);
+        if (j < 0 || mixed.place[j] == here) continue;
+        if (mixed.is_pressure[j])
+          with_pressure.push_back(mixed.place[j]);
+        else if (row.value(k) != 0.0 && !places.has_pressure(mixed.place[j]))
+          without.push_back(mixed.place[j]);
       }
     }
-    std::sort(others.begin(), others.end());
-    others.erase(std::unique(others.begin(), others.end()), others.end());
-    if (others.empty()) others.push_back(here);
-    for (const int other : others) {
-      const bool both_have_pressures = places.has_pressure(other);
-      if (both_have_pressures && other < here) continue;  // has had its turn
-      if (!both_have_pressures) append(patches, places, other);
-      append(patches, places, here);
-      if (both_have_pressures && other != here) append(patches, places, other);
-      patches.start.push_back(patches.rows.size());
-    }
+    sort_once(with_pressure);
+    sort_once(without);
+    for (const int other : with_pressure)
+      if (other > here) add_patch(here, other);
+    for (const int other : without) add_patch(other, here);
+    if (with_pressure.empty() && without.empty() && places.has_pressure(here))
+      add_patch(here, here);
   }
   return patches;
 }
@@ -143,13 +149,11 @@ MixedRows mixed_rows(const CrsMatrix& K, const algebra::DofLayout& numbering,
                      const Teuchos::RCP<const Vector>& hosts) {
   MixedRows mixed;
   std::unordered_map<GlobalOrdinal, int> places;
+  const auto host = hosts.is_null() ? Teuchos::ArrayRCP<const Scalar>() : hosts->getData();
   for (const GlobalOrdinal number : global_numbers(*K.getRowMap())) {
     GlobalOrdinal node = number / numbering.dofs();
-    if (!hosts.is_null()) {
-      const auto host = hosts->getLocalViewHost(read_only);
-      const int local = hosts->getMap()->getLocalElement(node);
-      if (local >= 0 && host(local, 0) >= 0.0) node = static_cast<GlobalOrdinal>(host(local, 0));
-    }
+    const int local = hosts.is_null() ? -1 : hosts->getMap()->getLocalElement(node);
+    if (local >= 0 && host[local] >= 0.0) node = static_cast<GlobalOrdinal>(host[local]);
     mixed.is_pressure.push_back(numbering.is_scalar(number));
     mixed.place.push_back(places.emplace(node, static_cast<int>(places.size())).first->second);
   }
@@ -157,7 +161,9 @@ MixedRows mixed_rows(const CrsMatrix& K, const algebra::DofLayout& numbering,
 }
 
 RowsOfPlaces rows_of_places(const MixedRows& mixed) {
-  if (mixed.place.size() != mixed.is_pressure.size())
+  const auto& place_of = mixed.place;
+  if (place_of.size() != mixed.is_pressure.size() ||
+      std::any_of(place_of.begin(), place_of.end(), [](int place) { return place < 0; }))
     throw std::invalid_argument("Vanka: patches of nodes need the place of each row.");
   RowsOfPlaces places;
   std::vector<int> count;

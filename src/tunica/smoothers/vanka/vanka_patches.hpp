@@ -26,7 +26,8 @@ struct MixedRows {
   std::vector<int> place;
 };
 
-/// Which rows of K are what. Nodes with a host (NodeIluOptions) stand where it does.
+/// Which rows of K are what. Nodes with a host on the same rank (NodeIluOptions) stand where it
+/// does.
 MixedRows mixed_rows(const CrsMatrix& K, const algebra::DofLayout& numbering,
                      const Teuchos::RCP<const Vector>& hosts = Teuchos::null);
 
@@ -53,7 +54,8 @@ VankaPatches make_nodal_patches(const CrsMatrix& K, const MixedRows& mixed);
 
 /// One patch per pair of places of which pressures are neighbours in the graph of K, with the
 /// unknowns of both but the uncovered rows of make_vanka_patches(). A place without pressure is
-/// paired with those whose pressures reach its velocities.
+/// paired with those whose pressures reach its velocities. Two places without velocities make a
+/// patch of pressures alone, which is singular where C is zero.
 VankaPatches make_pair_patches(const CrsMatrix& K, const MixedRows& mixed);
 
 /// Notes which entries of the pressure rows are not zero: with the graph, all that the patches
