@@ -59,7 +59,7 @@ class Slurm:
         path = os.environ["PATH"] + ":/usr/sbin"
         self.programs = {name: shutil.which(name, path=path) for name in NAMES}
         self.daemons = []
-        self.environment = dict(os.environ, SLURM_CONF=str(folder / "slurm.conf"), PATH=path)
+        self.environment = dict(ENVIRONMENT, SLURM_CONF=str(folder / "slurm.conf"), PATH=path)
 
     def is_there(self):
         return all(self.programs.values()) and os.geteuid() == 0
