@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "tunica/base/sort_once.hpp"
 #include "tunica/mesh/faces.hpp"
 
 namespace tunica::mesh {
@@ -79,8 +80,7 @@ void measure_edges(const Mesh& mesh, Info& info) {
   for (const auto& tet : mesh.tets)
     for (const auto& e : tet_edges)
       edges.push_back({std::min(tet[e[0]], tet[e[1]]), std::max(tet[e[0]], tet[e[1]])});
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_once(edges);
   info.edges = static_cast<int>(edges.size());
   info.shortest_edge = huge;
   info.longest_edge = 0.0;

@@ -8,6 +8,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/exchange.hpp"
 #include "tunica/base/map_of.hpp"
+#include "tunica/base/sort_once.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "tunica/systems/matrix_files.hpp"
 #include "tunica/systems/node_graph.hpp"
@@ -67,8 +68,7 @@ FileMatrix with_diagonal(const FileMatrix& A, double factor) {
 /// The nodes that have unknowns of a kind.
 Rows nodes_of(const std::vector<long long>& node_of_unknown, const std::vector<int>& ranks) {
   std::vector<long long> nodes = node_of_unknown;
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sort_once(nodes);
   Rows rows;
   for (const long long node : nodes) {
     rows.numbers.push_back(node);

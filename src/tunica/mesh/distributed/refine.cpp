@@ -8,6 +8,7 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/base/sort_once.hpp"
 #include "tunica/mesh/distributed/rows.hpp"
 #include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/text.hpp"
@@ -27,11 +28,6 @@ Edge edge_of(int a, int b) {
 }
 int lower_end(Edge edge) { return static_cast<int>(edge >> 32); }
 int upper_end(Edge edge) { return static_cast<int>(edge & 0xffffffffu); }
-
-void sort_once(std::vector<Edge>& edges) {
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-}
 
 struct Middle {
   int number;
@@ -145,8 +141,7 @@ private:
   void fetch_middles() {
     std::vector<int> ends;
     for (const Edge edge : edges_) ends.push_back(upper_end(edge));
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    sort_once(ends);
     const std::vector<Vec3> x = fetch(comm_, ends, old_.rows.vertices, old_.vertices);
     const long long first = old_.place().first_vertex;
     edge_x_.reserve(edges_.size());

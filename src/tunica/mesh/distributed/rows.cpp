@@ -3,6 +3,8 @@
 #include <array>
 #include <iterator>
 
+#include "tunica/base/sort_once.hpp"
+
 namespace tunica::mesh {
 
 std::vector<int> rows_by_rank(const Comm& comm, const std::vector<int>& rows, long long total) {
@@ -25,8 +27,7 @@ std::vector<int> vertices_of(const std::vector<std::array<int, N>>& elements) {
     const std::size_t end = std::min(elements.size(), first + elements_at_once);
     for (std::size_t e = first; e < end; ++e)
       some.insert(some.end(), elements[e].begin(), elements[e].end());
-    std::sort(some.begin(), some.end());
-    some.erase(std::unique(some.begin(), some.end()), some.end());
+    sort_once(some);
     both.clear();
     std::set_union(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(both));
     all.swap(both);

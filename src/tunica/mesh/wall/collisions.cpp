@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tunica/base/sort_once.hpp"
 #include "tunica/mesh/wall/box_tree.hpp"
 
 namespace tunica::mesh::wall {
@@ -139,8 +140,7 @@ std::vector<int> crossing_triangles(const Plan& plan, const std::vector<Corners>
           if (other < outer) crossing.push_back(other);
         });
   }
-  std::sort(crossing.begin(), crossing.end());
-  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  sort_once(crossing);
   return crossing;
 }
 

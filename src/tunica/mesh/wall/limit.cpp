@@ -4,6 +4,7 @@
 #include <queue>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/sort_once.hpp"
 #include "tunica/mesh/text.hpp"
 
 namespace tunica::mesh::wall {
@@ -46,8 +47,7 @@ std::vector<int> vertices_of(const Plan& plan, const std::vector<int>& triangles
   std::vector<int> result;
   for (const int t : triangles)
     for (const int v : plan.surface.triangles[t]) result.push_back(v);
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  sort_once(result);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/sort_once.hpp"
 #include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/text.hpp"
 #include "tunica/mesh/validate.hpp"
@@ -125,8 +126,7 @@ private:
 };
 
 Lists make_lists(int vertices, std::vector<std::array<int, 2>> pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sort_once(pairs);
   Lists lists;
   lists.begin.assign(vertices + 1, 0);
   for (const auto& [v, item] : pairs) {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "tunica/base/sort_once.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::smoothers {
@@ -24,11 +25,6 @@ VankaPatches without_patches(const VankaPatches& from) {
   patches.column_of_row = from.column_of_row;
   patches.start.push_back(0);
   return patches;
-}
-
-void sort_once(std::vector<int>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 /// Appends the first n rows of a place, or all, but the uncovered ones.
