@@ -6,18 +6,23 @@
 ///   tunica-mesh wall lumen.msh vessel.h5 --surfaces lumen_wall --layers media=0.26:2
 ///   tunica-mesh info tube.h5 --interface interface
 ///   tunica-mesh COMMAND --help
+#include <mpi.h>
+
 #include <csignal>
-#include <cstdio>
 #include <exception>
+#include <functional>
 #include <iostream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/session.hpp"
 #include "tunica/base/standard_output.hpp"
 #include "tunica/params/nearest.hpp"
 #include "tunica_mesh/commands.hpp"
-#include "tunica_mesh/parallel_commands.hpp"
 
 namespace {
+
+/// Before what was at fault.
+constexpr const char* fault_of_machine = "tunica-mesh: a fault of this program or of the machine: ";
 
 std::string overview() {
   std::string text = "tunica-mesh COMMAND ...; COMMAND --help says more\n";
@@ -37,6 +42,29 @@ const Subcommand& find(const std::string& name) {
                       tunica::params::did_you_mean(name, names));
 }
 
+/// Errors and faults that ranks agree on are the same on all: one speaks, before the others can
+/// end, for mpirun ends all when one has. A rank that fails alone ends the others, which would wait
+/// for it.
+void on_ranks(const std::function<void(const tunica::CommPtr&)>& work) {
+  const tunica::Session session;
+  const tunica::CommPtr comm = tunica::all_ranks();
+  const bool speaks = comm->getRank() == 0;
+  try {
+    work(comm);
+  } catch (const tunica::Error& error) {
+    if (speaks) std::cerr << error.what() << std::endl;
+    throw tunica::Error("");  // it has been said
+  } catch (const tunica::MachineFault& fault) {
+    if (speaks) std::cerr << fault_of_machine << fault.what() << std::endl;
+    throw tunica::MachineFault("");
+  } catch (const std::exception& fault) {
+    if (comm->getSize() == 1) throw;
+    std::cerr << "tunica-mesh: rank " << comm->getRank() << " failed: " << fault.what()
+              << std::endl;
+    MPI_Abort(MPI_COMM_WORLD, 3);
+  }
+}
+
 void run(const std::vector<std::string>& words) {
   if (words.empty()) throw tunica::Error(overview());
   if (words[0] == "--help" || words[0] == "-h") {  // 1. which command
@@ -48,7 +76,7 @@ void run(const std::vector<std::string>& words) {
   if (arguments.wants_help())
     std::cout << help(chosen.command);
   else
-    chosen.run(arguments);  // 3. do it
+    on_ranks([&](const tunica::CommPtr& comm) { chosen.run(arguments, comm); });  // 3. do it
 }
 
 }  // namespace
@@ -64,7 +92,7 @@ int main(int argc, char** argv) {
     if (*error.what() != '\0') std::cerr << error.what() << "\n";  // else it has been said
     return 1;
   } catch (const std::exception& error) {
-    if (*error.what() != '\0') std::cerr << tunica::fault_of_machine << error.what() << "\n";
+    if (*error.what() != '\0') std::cerr << fault_of_machine << error.what() << "\n";
     return 3;
   }
 }

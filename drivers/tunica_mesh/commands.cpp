@@ -114,27 +114,38 @@ std::vector<Arguments::Option> block_options() {
           overwrite_option()};
 }
 
+/// What one rank does alone: several would write the same file.
+Subcommand alone(const Arguments::Command& command, void (*run)(const Arguments&)) {
+  return {command, [name = command.name, run](const Arguments& arguments, const CommPtr& comm) {
+            TUNICA_CHECK(comm->getSize() == 1,
+                         "tunica-mesh " + name + " runs on one rank, not on " +
+                             std::to_string(comm->getSize()) + "; start it without mpirun.");
+            run(arguments);
+          }};
+}
+
 }  // namespace
 
 const std::vector<Subcommand>& subcommands() {
   static const std::vector<Subcommand> all{
-      {{"tube", {"OUT"}, "Makes a tube of lumen, media and adventitia.", tube_options()},
-       make_tube},
-      {{"block", {"OUT"}, "Makes a block along the axes.", block_options()}, make_block},
-      {wall_command(), make_wall},
-      {{"info",
-        {"MESH"},
-        "Shows counts, volumes, areas and quality of a mesh; checks the interface if it is named.",
-        {{"fluid", "fluid", "regions of the fluid, separated by commas"},
-         {"wall", "", "regions of the wall; all others if it is empty"},
-         {"interface", "", "surfaces between them; empty: no check"}}},
-       show_info},
+      alone({"tube", {"OUT"}, "Makes a tube of lumen, media and adventitia.", tube_options()},
+            make_tube),
+      alone({"block", {"OUT"}, "Makes a block along the axes.", block_options()}, make_block),
+      alone(wall_command(), make_wall),
+      alone({"info",
+             {"MESH"},
+             "Shows counts, volumes, areas and quality of a mesh; checks the interface if it is "
+             "named.",
+             {{"fluid", "fluid", "regions of the fluid, separated by commas"},
+              {"wall", "", "regions of the wall; all others if it is empty"},
+              {"interface", "", "surfaces between them; empty: no check"}}},
+            show_info),
       {refine_command(), refine_mesh},
-      {{"convert",
-        {"MESH", "OUT"},
-        "Reads .msh, .vol or .h5 and writes .msh, .h5 or .vtu.",
-        {{"gmsh", "2.2", "version of a .msh file: 2.2 or 4.1"}, overwrite_option()}},
-       convert},
+      alone({"convert",
+             {"MESH", "OUT"},
+             "Reads .msh, .vol or .h5 and writes .msh, .h5 or .vtu.",
+             {{"gmsh", "2.2", "version of a .msh file: 2.2 or 4.1"}, overwrite_option()}},
+            convert),
       {partition_command(), show_partition}};
   return all;
 }

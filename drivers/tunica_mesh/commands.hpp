@@ -1,13 +1,14 @@
 #pragma once
-#include <string>
+#include <functional>
 #include <vector>
 
+#include "tunica/base/types.hpp"
 #include "tunica_mesh/arguments.hpp"
 
-/// A subcommand: what it takes and what it does.
+/// A subcommand: what it takes, and what it does on the ranks that are there. Throws Error.
 struct Subcommand {
   Arguments::Command command;
-  void (*run)(const Arguments&);
+  std::function<void(const Arguments& arguments, const tunica::CommPtr& comm)> run;
 };
 
 /// tube, block, wall, info, refine, convert, partition.

@@ -1,15 +1,10 @@
 #include "tunica_mesh/parallel_commands.hpp"
 
-#include <mpi.h>
-
 #include <cstdio>
-#include <functional>
-#include <iostream>
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/memory.hpp"
-#include "tunica/base/session.hpp"
 #include "tunica/mesh/distributed/refine.hpp"
 #include "tunica/mesh/distributed/rows.hpp"
 #include "tunica/mesh/distributed/share.hpp"
@@ -20,29 +15,6 @@
 using namespace tunica;
 
 namespace {
-
-/// Errors and faults that ranks agree on are the same on all: one speaks, before the others can
-/// end, for mpirun ends all when one has. A rank that fails alone ends the others, which would wait
-/// for it.
-void on_ranks(const std::function<void(const CommPtr&)>& work) {
-  const Session session;
-  const CommPtr comm = all_ranks();
-  const bool speaks = comm->getRank() == 0;
-  try {
-    work(comm);
-  } catch (const Error& error) {
-    if (speaks) std::cerr << error.what() << std::endl;
-    throw Error("");  // it has been said
-  } catch (const MachineFault& fault) {
-    if (speaks) std::cerr << fault_of_machine << fault.what() << std::endl;
-    throw MachineFault("");
-  } catch (const std::exception& fault) {
-    if (comm->getSize() == 1) throw;
-    std::cerr << "tunica-mesh: rank " << comm->getRank() << " failed: " << fault.what()
-              << std::endl;
-    MPI_Abort(MPI_COMM_WORLD, 3);
-  }
-}
 
 /// What a case would check of it, but for fluid and wall.
 void check(const mesh::Slab& slab, const std::string& path) {
@@ -99,22 +71,20 @@ Arguments::Command refine_command() {
            overwrite_option()}};
 }
 
-void refine_mesh(const Arguments& arguments) {
+void refine_mesh(const Arguments& arguments, const CommPtr& comm) {
   const int times = arguments.integer("times");
   TUNICA_CHECK(times >= 1 && times <= 8,
                "tunica-mesh refine: --times is " + std::to_string(times) + ", expected 1..8");
-  on_ranks([&](const CommPtr& comm) {
-    on_root(*comm, [&] { arguments.new_file(1); });
-    mesh::Slab slab = mesh::read_slab(arguments.file(0), comm);
-    check(slab, arguments.file(0));
-    for (int i = 0; i < times; ++i) slab = mesh::refine(slab, arguments.names("project"));
-    const std::string& path = arguments.file(1);
-    const bool is_own = path.size() > 3 && path.compare(path.size() - 3, 3, ".h5") == 0;
-    if (is_own && comm->getSize() > 1)
-      write_rows(slab, path);
-    else
-      write_whole(slab, path);
-  });
+  on_root(*comm, [&] { arguments.new_file(1); });
+  mesh::Slab slab = mesh::read_slab(arguments.file(0), comm);
+  check(slab, arguments.file(0));
+  for (int i = 0; i < times; ++i) slab = mesh::refine(slab, arguments.names("project"));
+  const std::string& path = arguments.file(1);
+  const bool is_own = path.size() > 3 && path.compare(path.size() - 3, 3, ".h5") == 0;
+  if (is_own && comm->getSize() > 1)
+    write_rows(slab, path);
+  else
+    write_whole(slab, path);
 }
 
 Arguments::Command partition_command() {
@@ -125,28 +95,26 @@ Arguments::Command partition_command() {
            {"by", "automatic", "automatic, metis or geometric, as \"Mesh / partitioner\""}}};
 }
 
-void show_partition(const Arguments& arguments) {
+void show_partition(const Arguments& arguments, const CommPtr& comm) {
   const mesh::Partitioner by = mesh::partitioner_of(arguments.text("by"));
-  on_ranks([&](const CommPtr& comm) {
-    const std::string& path = arguments.file(0);
-    mesh::Slab slab = mesh::read_slab(path, comm);
-    std::vector<bool> is_fluid(slab.rows.regions.size(), false);
-    for (const std::string& name : arguments.names("fluid"))
-      is_fluid[mesh::region_index(slab.rows, name)] = true;
-    const auto fields = mesh::vertex_fields(slab, is_fluid, path);
-    const mesh::SlabPartition partition = mesh::partition(slab, is_fluid, fields, by, path);
-    const mesh::Balance balance = mesh::balance(slab, fields, partition);
-    const mesh::Share share = mesh::distribute(std::move(slab), partition, path);
-    const auto parts = mesh::gather_rows(*comm, std::vector<Part>{part_of(share, is_fluid)});
-    if (comm->getRank() != 0) return;
-    std::printf("%6s %12s %12s %15s %14s %9s\n", "rank", "tetrahedra", "of others",
-                "fluid vertices", "wall vertices", "peak MB");
-    for (std::size_t r = 0; r < parts.size(); ++r)
-      std::printf("%6zu %12lld %12lld %15lld %14lld %9.0f\n", r, parts[r].counted, parts[r].others,
-                  parts[r].fluid_vertices, parts[r].wall_vertices, parts[r].megabytes);
-    std::printf(
-        "most vertices of a rank over the mean: fluid %.3f, wall %.3f; %.2f %% of the tetrahedra "
-        "are cut\n",
-        balance.fluid, balance.wall, 100.0 * balance.cut);
-  });
+  const std::string& path = arguments.file(0);
+  mesh::Slab slab = mesh::read_slab(path, comm);
+  std::vector<bool> is_fluid(slab.rows.regions.size(), false);
+  for (const std::string& name : arguments.names("fluid"))
+    is_fluid[mesh::region_index(slab.rows, name)] = true;
+  const auto fields = mesh::vertex_fields(slab, is_fluid, path);
+  const mesh::SlabPartition partition = mesh::partition(slab, is_fluid, fields, by, path);
+  const mesh::Balance balance = mesh::balance(slab, fields, partition);
+  const mesh::Share share = mesh::distribute(std::move(slab), partition, path);
+  const auto parts = mesh::gather_rows(*comm, std::vector<Part>{part_of(share, is_fluid)});
+  if (comm->getRank() != 0) return;
+  std::printf("%6s %12s %12s %15s %14s %9s\n", "rank", "tetrahedra", "of others", "fluid vertices",
+              "wall vertices", "peak MB");
+  for (std::size_t r = 0; r < parts.size(); ++r)
+    std::printf("%6zu %12lld %12lld %15lld %14lld %9.0f\n", r, parts[r].counted, parts[r].others,
+                parts[r].fluid_vertices, parts[r].wall_vertices, parts[r].megabytes);
+  std::printf(
+      "most vertices of a rank over the mean: fluid %.3f, wall %.3f; %.2f %% of the tetrahedra "
+      "are cut\n",
+      balance.fluid, balance.wall, 100.0 * balance.cut);
 }

@@ -75,6 +75,14 @@ def no_room(verdict, programs, folder):
     verdict.claim(not (folder / "kept.h5.tmp").exists(), "no draft stays behind")
 
 
+def alone(verdict, programs, folder):
+    """What one rank does is refused to several, which would write one file."""
+    run = Run(command(programs / "tunica-mesh", ["convert", COARSE, "twice.msh"], 2), folder)
+    verdict.claim(run.status == 1 and run.err.count("convert runs on one rank, not on 2") == 1,
+                  "two ranks convert nothing: " + (run.err.splitlines() or ["nothing"])[0])
+    verdict.claim(not (folder / "twice.msh").exists(), "and write nothing")
+
+
 def marched(verdict, programs, folder):
     effort = {}
     for ranks in RANKS:
@@ -122,6 +130,7 @@ def main(programs, scratch):
         parts(verdict, programs, folder, mesh, ranks)
     damaged(verdict, programs, folder, mesh)
     no_room(verdict, programs, folder)
+    alone(verdict, programs, folder)
     marched(verdict, programs, folder)
     partitioned(verdict, programs, folder)
     return verdict.status()
