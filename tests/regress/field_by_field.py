@@ -9,6 +9,7 @@ import sys
 from runs import ROOT, Run, Verdict, command, fresh, table, write_case
 
 CASE = ROOT / "xml" / "monolithic" / "solvers.xml"
+TINY = ["--set", f"Mesh/file={ROOT / 'meshes' / 'tube-tiny.h5'}"]
 WHOLE, TURN, BOTH = "nodal ILU 2+2", "fields in turn, a cycle each", "fields that overlap, a cycle each"
 SOLVED, FACSI = "fields that overlap, solved to 0.1", "FaCSI, SIMPLE in the lumen"
 BLOCK, VANKA, PAIRS = "block, two scales", "Vanka 2+2", "node pairs 2+2"
@@ -17,8 +18,7 @@ OTHERS = ["BGS(AMG), RILUK(1)", "BGS(AMG), Chebyshev(3) in the wall", "AMG(BGS),
 
 
 def counts(verdict, programs, folder, ranks):
-    words = ["case.xml", "--output", f"on-{ranks}", "--set",
-             f"Mesh/file={ROOT / 'meshes' / 'tube-tiny.h5'}"]
+    words = ["case.xml", "--output", f"on-{ranks}", *TINY]
     run = Run(command(programs / "tunica-solvers", words, ranks), folder)
     if not verdict.claim(run.status == 0, f"{ranks} ranks: ends with 0 ({run.seconds:.1f} s)"):
         print(run.out + run.err)
@@ -29,10 +29,25 @@ def counts(verdict, programs, folder, ranks):
     return dict(zip(rows["setting"], rows["iterations"]))
 
 
+def lacks_a_part(verdict, programs, folder):
+    """A smoother whose fields leave unknowns as they are is refused, and the part is named."""
+    write_case(CASE, folder / "lacking.xml", {"System": [WHOLE, OTHERS[2]]})
+    text = (folder / "lacking.xml").read_text()
+    whole = '"{wall, interface}"'
+    verdict.claim(text.count(whole) == 1, f"the case has one field with {whole}")
+    (folder / "lacking.xml").write_text(text.replace(whole, '"{wall}"'))
+    run = Run(command(programs / "tunica-solvers", ["lacking.xml", "--output", "lacking", *TINY]), folder)
+    ends = table(folder / "lacking" / "solvers.csv")["verdict"]
+    verdict.claim(run.status == 0 and ends[0] == "converged" and
+                  'no entry of "Fields" has the part "interface"' in ends[1],
+                  f"fields without the interface: {ends[1]}")
+
+
 def main(programs, scratch):
     verdict = Verdict()
     folder = fresh(scratch)
     write_case(CASE, folder / "case.xml", {"System": [WHOLE, TURN, BOTH, SOLVED, FACSI, BLOCK, VANKA, PAIRS] + OTHERS})
+    lacks_a_part(verdict, programs, folder)
     alone = counts(verdict, programs, folder, 1)
     if not alone:
         return verdict.status()

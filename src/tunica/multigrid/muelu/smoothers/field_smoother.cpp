@@ -25,13 +25,29 @@ Teuchos::ParameterList completed(const Teuchos::ParameterList& field) {
   return all;
 }
 
+/// All fields have parts of the system, and it has no part that none of them has: a smoother that
+/// leaves unknowns as they are ends no iteration.
+void check_parts(const Teuchos::ParameterList& fields, const std::vector<std::string>& names) {
+  const auto is_in = [](const auto& all, const std::string& name) {
+    return std::find(all.begin(), all.end(), name) != all.end();
+  };
+  std::vector<std::string> covered;
+  for (const auto& entry : fields)
+    for (const std::string& part : parts_of(fields.sublist(entry.first))) {
+      if (!is_in(names, part))
+        throw std::runtime_error("FieldSmoother: the system has no part \"" + part + "\"; it has " +
+                                 params::quoted(names) + ".");
+      covered.push_back(part);
+    }
+  for (const std::string& name : names)
+    if (!is_in(covered, name))
+      throw std::runtime_error("FieldSmoother: no entry of \"Fields\" has the part \"" + name +
+                               "\".");
+}
+
 /// 1 where the part of the row is one of the field's.
 ::tunica::Vector flags_of(const ::tunica::Vector& parts, const std::vector<std::string>& names,
                           const Teuchos::Array<std::string>& wanted) {
-  for (const std::string& name : wanted)
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      throw std::runtime_error("FieldSmoother: the system has no part \"" + name + "\"; it has " +
-                               params::quoted(names) + ".");
   ::tunica::Vector flags(parts.getMap());
   const auto part = parts.getLocalViewHost(read_only);
   const auto flag = flags.getLocalViewHost(overwrite_all);
@@ -87,6 +103,7 @@ void FieldSmoother::check(const Teuchos::ParameterList& list) const {
 void FieldSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout&) {
   K_ = &K;
   const Teuchos::ParameterList& fields = GetParameterList().sublist("Fields");
+  check_parts(fields, coarsening().part_names());
   const ::tunica::Vector of_rows = parts(K);
   fields_ = std::make_shared<std::vector<Field>>();
   fields_->reserve(fields.numParams());
