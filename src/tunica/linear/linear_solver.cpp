@@ -53,6 +53,8 @@ public:
     is_stale_ = false;
   }
 
+  void forget() override {}  // a matrix's own factors are all that there is
+
   SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                     double tolerance) override {
     SolveReport report;
@@ -159,6 +161,12 @@ public:
     refresh(unused);
   }
 
+  void forget() override {
+    rule_.renew();
+    is_behind_ = true;
+    if (recycles()) options_.recycled->clear();
+  }
+
   SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                     double tolerance) override {
     SolveReport report;
@@ -216,7 +224,7 @@ private:
   void refresh_sum_inverse() {
     const KrylovOptions gcr{"GCR", options_.max_iterations, options_.max_iterations};
     sum_inverse_->refresh(system_->preconditioner(), [&](const Vector& w, Vector& z) {
-      solve_krylov(gcr, system_->matrix(), system_->preconditioner(), w, z, 1e-4);
+      solve_krylov(gcr, system_->matrix(), system_->preconditioner(), w, z, 1e-2);
     });
   }
 
@@ -298,9 +306,9 @@ params::Table krylov_table(const SolverDefaults& defaults, bool has_restart,
   table.integer("max iterations", 200, params::between(1, 1e6), "cap on the iterations")
       .number(
           "refresh factor", 1.0, params::non_negative(), "1",
-          "set up a new preconditioner when the iterations lost by keeping the old one are this "
-          "times what a set-up costs, and at once where a solve with an old one gets nowhere; 0: "
-          "a new one for each matrix");
+          "within a time step, set up a new preconditioner when the iterations lost by keeping the "
+          "old one are this times what a set-up costs, and at once where a solve with an old one "
+          "gets nowhere; 0: a new one for each matrix");
   if (has_recycling)
     table.integer("recycle", defaults.recycled, params::between(0, 1000),
                   "search directions kept from one right side to the next of the same matrix; they "

@@ -37,6 +37,9 @@ public:
   /// Sets everything up for the present values, though what is there might do. Collective.
   virtual void prepare() = 0;
 
+  /// Lets nothing that earlier solves have left, a preconditioner or directions, serve a later one.
+  virtual void forget() = 0;
+
   /// Solves from a zero start. Collective.
   virtual SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                             double tolerance) = 0;

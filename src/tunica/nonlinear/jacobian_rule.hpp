@@ -12,7 +12,7 @@ struct NewtonStep;
 ///
 /// the smaller number wins. ρ is what the last step has shown, ρ₀ what the first two steps with a
 /// new Jacobian have, and c what a new one costs in steps. The rule outlives the solves of one
-/// problem.
+/// time step.
 class JacobianRule {
 public:
   /// cost: c; 0 takes a new one in each step.

@@ -37,9 +37,10 @@ params::Table newton_table(const NewtonDefaults& defaults) {
                "what those two look at: the increment made, as in the paper; the one that would "
                "follow, predicted from the residual, which saves the last step; or the error that "
                "is left where increments go on falling as the last two")
-      .number("jacobian cost", defaults.jacobian_cost, params::non_negative(), "1",
-              "of a new Jacobian, in Newton steps: the last one serves as long as it takes fewer "
-              "steps than a new one would and cost; 0: a new one in each step")
+      .number(
+          "jacobian cost", defaults.jacobian_cost, params::non_negative(), "1",
+          "of a new Jacobian, in Newton steps: within a time step the last one serves as long as "
+          "it takes fewer steps than a new one would and cost; 0: a new one in each step")
       .number("growth limit", 1e4, params::positive(), "1",
               "give up when the increment has grown to this multiple of the first one")
       .choice("line search", "guarded",

@@ -144,9 +144,9 @@ Outcome CoupledProblem::begin_step(const stepping::Clock& clock) {
   fluid_->begin_step(clock);
   wall_->begin_step(clock);
   wall_->set_nodal_force(std::vector<Vec3>(wall_->mesh().n_owned));
-  const double dt = 1.0 / fluid_->time_scheme().rate();
-  if (dt != dt_) rule_.forget();  // the last Jacobian is that of other steps
-  dt_ = dt;
+  rule_ = nonlinear::JacobianRule(newton_.jacobian_cost);  // as the fields' begin_step()
+  solver_->forget();
+  dt_ = 1.0 / fluid_->time_scheme().rate();
   wall_part_->set_units({dt_, 1.0}, {1.0, 1.0 / dt_});
   set_reference();
   seconds_ = {};

@@ -58,11 +58,12 @@ std::map<std::string, fields::Restartable*> FieldProblem::inner_parts() {
   return field_->element_histories();
 }
 
+void FieldProblem::forget_solves() {
+  rule_ = nonlinear::JacobianRule(newton_.jacobian_cost);
+  if (solver_) solver_->forget();
+}
+
 nonlinear::NewtonReport FieldProblem::find_state() {
-  if (const double rate = time_scheme().rate(); rate != rate_) {
-    rule_.forget();  // the last Jacobian is that of other steps
-    rate_ = rate;
-  }
   algebra::BlockVector x(space());
   x.assign(x_);
   nonlinear::NewtonReport report = solve_newton(*this, newton_, x, &rule_);

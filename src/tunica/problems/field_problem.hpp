@@ -73,6 +73,9 @@ public:
   double increment_norm(const algebra::BlockVector& dx) override { return field_->mass_norm(dx); }
 
 protected:
+  /// Where a step begins. Jacobians and preconditioners are kept within steps alone: a run that
+  /// goes on from a checkpoint does what it would have done, to the last digit.
+  void forget_solves();
   /// Newton's method from the present state, to which it goes back where it fails. What a step or
   /// an iteration prescribes stays.
   nonlinear::NewtonReport find_state();
@@ -90,7 +93,6 @@ private:
   std::unique_ptr<discretisation::MixedField> field_;
   nonlinear::NewtonOptions newton_;
   nonlinear::JacobianRule rule_;
-  double rate_ = -1.0;  ///< of the time scheme, when the Jacobian was made
   Teuchos::ParameterList solver_list_;
   std::unique_ptr<linear::LinearSolver> solver_;  ///< null before it is asked for
 };

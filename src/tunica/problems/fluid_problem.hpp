@@ -10,7 +10,10 @@ public:
   /// list: the resolved "Fluid" list. mesh must outlive the problem. Collective.
   FluidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
 
-  void begin_step(const stepping::Clock& clock) { fluid_->begin_step(clock); }
+  void begin_step(const stepping::Clock& clock) {
+    forget_solves();
+    fluid_->begin_step(clock);
+  }
   /// discretisation::Fluid::set_domain().
   Outcome set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_past) {
     return fluid_->set_domain(d, d_past);

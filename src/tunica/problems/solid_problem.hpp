@@ -22,7 +22,10 @@ public:
   const std::vector<Vec3>& from_stress_free() const { return wall_->from_stress_free(); }
   /// discretisation::Solid::set_stress_free(), on owned nodes. Collective.
   Outcome set_stress_free(const std::vector<Vec3>& from_stress_free);
-  void begin_step(const stepping::Clock& clock) { wall_->begin_step(clock); }
+  void begin_step(const stepping::Clock& clock) {
+    forget_solves();
+    wall_->begin_step(clock);
+  }
   /// Nodal forces [mN] on the owned nodes, which stay until the next call.
   void set_nodal_force(const std::vector<Vec3>& force) { wall_->set_nodal_force(force); }
   /// Solves the step for the present loads, started from the present state.

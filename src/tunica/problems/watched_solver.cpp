@@ -11,6 +11,7 @@ public:
 
   void matrix_changed() override { solver_->matrix_changed(); }
   void prepare() override { solver_->prepare(); }
+  void forget() override { solver_->forget(); }
   linear::SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                             double tolerance) override {
     watch_(b);

@@ -55,6 +55,7 @@ public:
 
   void matrix_changed() override {}
   void prepare() override {}
+  void forget() override {}
   linear::SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                             double tolerance) override {
     tolerances_.push_back(tolerance);

@@ -47,6 +47,7 @@ public:
 
   void matrix_changed() override {}
   void prepare() override {}
+  void forget() override {}
   linear::SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                             double tolerance) override {
     for (int k = 0; k < b.n_blocks(); ++k) {
