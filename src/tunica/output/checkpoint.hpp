@@ -23,7 +23,7 @@ struct CheckpointHead {
   std::map<std::string, std::string> files{};
 };
 
-constexpr const char* checkpoint_format = "tunica-checkpoint 2";
+constexpr const char* checkpoint_format = "tunica-checkpoint 3";
 
 /// Under which the hashes of files stand among the texts of the part "run", and
 /// under which the numbers of the control stand among those of the part "run".
@@ -36,7 +36,7 @@ using StateSources = std::vector<std::pair<std::string, std::function<fields::St
 
 /// Writes a checkpoint file, HDF5:
 ///
-///   attribute "format" of the root = "tunica-checkpoint 2"; 1 knew meshes by another fingerprint
+///   attribute "format" of the root = "tunica-checkpoint 3"; earlier: other fingerprints of meshes
 ///   /text_names  /texts                                         strings
 ///   /number_names  /number_counts  /numbers
 ///   /array_names  /array_columns  /array_checksums

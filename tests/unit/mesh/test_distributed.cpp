@@ -113,7 +113,10 @@ TEUCHOS_UNIT_TEST(slab, fingerprint_is_that_of_the_mesh_whatever_the_ranks) {
     change(other);
     return fingerprint(slab_of(other, world())) != print;
   };
-  TEST_ASSERT(!changes([](Mesh& m) { m.surfaces.front().name = "another"; }));
+  // A case would mean another surface by its name.
+  TEST_ASSERT(changes([](Mesh& m) { std::swap(m.surfaces[0].name, m.surfaces[1].name); }));
+  TEST_ASSERT(changes([](Mesh& m) { m.regions.front().name = "another"; }));
+  TEST_ASSERT(!changes([](Mesh& m) { m.surfaces.front().id += 1000; }));
   TEST_ASSERT(
       changes([](Mesh& m) { m.vertices.back()[2] = std::nextafter(m.vertices.back()[2], 1e9); }));
   TEST_ASSERT(changes([](Mesh& m) { std::swap(m.tets[0], m.tets[1]); }));

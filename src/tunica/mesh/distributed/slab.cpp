@@ -64,6 +64,14 @@ void add_rows(std::uint64_t& sum, char kind, long long first, const std::vector<
   }
 }
 
+/// Regions and surfaces, by what cases call them.
+void add_names(std::uint64_t& sum, char kind, const std::vector<Tag>& tags) {
+  for (std::size_t k = 0; k < tags.size(); ++k) {
+    const std::uint64_t hash = hash_bytes(&k, sizeof k, hash_bytes(&kind, 1));
+    sum += hash_bytes(tags[k].name.data(), tags[k].name.size(), hash);
+  }
+}
+
 }  // namespace
 
 Place Slab::place() const {
@@ -219,6 +227,10 @@ std::string fingerprint(const Slab& slab) {
   add_rows(mine, 'r', place.first_tet, slab.rows.tet_region);
   add_rows(mine, 'f', place.first_triangle, slab.rows.triangles);
   add_rows(mine, 's', place.first_triangle, slab.rows.triangle_surface);
+  if (slab.comm->getRank() == 0) {
+    add_names(mine, 'R', slab.rows.regions);
+    add_names(mine, 'S', slab.rows.surfaces);
+  }
   for (const TetVectors& vectors : slab.rows.tet_vectors) {
     const std::uint64_t name = hash_bytes(vectors.name.data(), vectors.name.size());
     std::uint64_t values = 0;

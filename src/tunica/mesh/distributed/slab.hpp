@@ -34,8 +34,8 @@ void write_slab(const Slab& slab, const std::string& path);
 /// The lengths of the box around it. Collective.
 Vec3 extent(const Slab& slab);
 
-/// Digits that change with positions, elements, tags' places and vectors, and not with the number
-/// of ranks. Collective.
+/// Digits that change with positions, elements, tags' places and names, and vectors, and not with
+/// the number of ranks. Collective.
 std::string fingerprint(const Slab& slab);
 
 /// Which fields each vertex of the rank's rows belongs to.
