@@ -58,8 +58,9 @@ def coupling_counts(runs):
                                   layout="constrained")
     for (mesh, material, accelerator), run in found.items():
         is_first = material == next(iter(MATERIALS))
+        steps = rows_where(run.steps, converged=1.0)
         panels[0, meshes.index(mesh)].plot(
-            run.steps["step"], run.steps["coupling_iterations"], ("+" if is_first else "x") + "-", markersize=4,
+            steps["step"], steps["coupling_iterations"], ("+" if is_first else "x") + "-", markersize=4,
             linewidth=0.8, color=plt.get_cmap("tab10")(list(ACCELERATORS).index(accelerator)),
             alpha=0.9 if is_first else 0.6, label=f"{MATERIALS[material]}, {ACCELERATORS[accelerator]}")
     for axes, mesh in zip(panels[0], meshes):

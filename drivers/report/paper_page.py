@@ -80,7 +80,9 @@ def _coupling(runs, figures, prefix):
 
 
 def _count_cells(run):
-    n = np.array(run.steps["coupling_iterations"])
+    n = np.array(rows_where(run.steps, converged=1.0)["coupling_iterations"])
+    if len(n) == 0:
+        return ["0 of 72"] + 8 * ["–"]
     second = rows_where(run.coupling, step=2.0)
     factors = [f for f in second.get("relaxation", []) if f > 0]
     is_relaxed = not any(c > 0 for c in second.get("columns", []))
