@@ -114,7 +114,7 @@ std::vector<Arguments::Option> block_options() {
           overwrite_option()};
 }
 
-/// What one rank does alone: several would write the same file.
+/// What one rank does alone. Several would write one file, or say the same.
 Subcommand alone(const Arguments::Command& command, void (*run)(const Arguments&)) {
   return {command, [name = command.name, run](const Arguments& arguments, const CommPtr& comm) {
             TUNICA_CHECK(comm->getSize() == 1,

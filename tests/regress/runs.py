@@ -77,7 +77,7 @@ def checkpoints(folder):
 
 EFFORT = ("seconds", "converged", "interface_residual", "coupling_iterations", "fluid_newton",
           "wall_newton", "fluid_linear", "wall_linear", "system_newton",
-          "system_linear")  # depends on what solvers remember
+          "system_linear")  # how it was found, which depends on ranks
 
 
 def same_steps(verdict, name, results, expected, tolerance=1e-6):

@@ -207,8 +207,10 @@ std::string DirichletNeumann::remark_on(double time) {
 Report DirichletNeumann::solve_step(const stepping::Clock& clock, const Watch& watch) {
   Report report;
   TUNICA_ASSERT(preconditioner_ || !added_mass_, "prepare() comes before each step");
-  fluid_->begin_step(clock);
-  wall_->begin_step(clock);
+  if (!added_mass_) {  // else prepare() has, and has set up the wall's solver
+    fluid_->begin_step(clock);
+    wall_->begin_step(clock);
+  }
   // The answer of fluid and wall depends on the step; much more on one of another size.
   const stepping::StepSizes& sizes = clock.step_sizes();
   const bool is_of_other_size = sizes.now > 3.0 * sizes.last || 3.0 * sizes.now < sizes.last;

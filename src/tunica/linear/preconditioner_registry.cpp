@@ -43,7 +43,7 @@ void add_preconditioner_keys(params::Table& table, const SolverDefaults& default
       "right preconditioner: incomplete LU with additive Schwarz between ranks, a "
       "block preconditioner, a multigrid cycle for the whole system, " +
           std::string(defaults.has_fields ? "the parts of a coupled system in turn, " : "") +
-          "sparse LU factors (worth it where they are kept), or none");
+          "sparse LU factors (for small systems), or none");
 }
 
 }  // namespace tunica::linear

@@ -3,9 +3,9 @@
 namespace tunica::linear {
 
 /// When to set up a preconditioner anew, as far as the iterations tell: when those lost by keeping
-/// the old one sum up to what a new one costs. Whatever comes, that is at most twice the least
-/// possible effort. The measure is iterations per decade of the residual, for the tolerances of
-/// Newton's method change from solve to solve.
+/// the old one sum up to what a new one costs. Whatever comes within a time step, that is at most
+/// twice the least possible effort. The measure is iterations per decade of the residual, for the
+/// tolerances of Newton's method change from solve to solve.
 class RefreshRule {
 public:
   /// factor: of the cost; 0 always wants a new one. cost: of a set-up, in iterations.

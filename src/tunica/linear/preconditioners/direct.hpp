@@ -3,7 +3,7 @@
 
 namespace tunica::linear {
 
-/// "direct": sparse LU factors of the merged matrix, worth it where they are kept.
+/// "direct": sparse LU factors of the merged matrix, kept over the Newton steps of a time step.
 PreconditionerEntry direct_preconditioner();
 
 }  // namespace tunica::linear

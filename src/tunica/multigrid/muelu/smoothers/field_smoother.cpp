@@ -103,8 +103,8 @@ void FieldSmoother::check(const Teuchos::ParameterList& list) const {
 void FieldSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout&) {
   K_ = &K;
   const Teuchos::ParameterList& fields = GetParameterList().sublist("Fields");
-  check_parts(fields, coarsening().part_names());
   const ::tunica::Vector of_rows = parts(K);
+  check_parts(fields, coarsening().part_names());
   fields_ = std::make_shared<std::vector<Field>>();
   fields_->reserve(fields.numParams());
   for (const auto& entry : fields) {

@@ -13,7 +13,7 @@ namespace tunica::multigrid {
 ///   x ← x + ω R_fᵀ M_f⁻¹ R_f (b − K x)      for each field f in turn
 ///
 /// Keys: "sweeps" (1), "damping" (1.0), and "Fields": a list per field, in their order, with
-/// "parts" (Array(string)) and the keys of "Ifpack2Smoother".
+/// "parts" (Array(string)) and the keys of "Ifpack2Smoother". Together they have all parts.
 class FieldSmoother : public MixedSmoother {
 public:
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
