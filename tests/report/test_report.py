@@ -308,7 +308,8 @@ class Report(unittest.TestCase):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         with open(os.path.join(paper, "report", "RESULTS.md"), encoding="utf-8") as file:
             page = file.read()
-        for text in ("| 2 | 6.2e-03 | 1.8e-03 | 1 | 1.8e-04 | 8.1e-07 | 13 |", "| artery | Aitken | coarse | 23 of 72 |",  # one did not converge
+        # One of the 24 steps did not converge.
+        for text in ("| 2 | 6.2e-03 | 1.8e-03 | 1 | 1.8e-04 | 8.1e-07 | 13 |", "| artery | Aitken | coarse | 23 of 72 |",
                      "| artery | IQN-ILS | fine |", "paper P_L, BiCGStab", "0123456789 | A Processor"):
             self.assertIn(text, page)
         images = re.findall(r"!\[[^]]*\]\(([^)]+)\)", page)
