@@ -10,9 +10,10 @@ import sys
 from runs import ROOT, TIGHT, Run, Verdict, command, fresh, table, two_at_a_time
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
-# The solvers of other cases, in place of this one's direct ones; solved further, for two ranks to agree.
+# Multigrid's factors keep, for a while, the fill that a step asked for that was given up; the case's direct solvers
+# take four times as long.
 ITERATIVE = ["Output/fields every=0"] + [f"{field}/{key}" for field in ("Fluid", "Wall") for key in (
-    "Linear Solver/preconditioner=multigrid", "Newton/linear tolerance=1e-10")]
+    "Linear Solver/preconditioner=ilu", "Newton/linear tolerance=1e-10")]
 # The second step of this size takes 26 iterations, halves of it 14.
 HARD = ["Time/step size=0.5", "Fluid/Surfaces/inlet/traction={0, 0, 4}",
         "Coupling/max iterations=20"]

@@ -9,7 +9,8 @@ namespace tunica::multigrid {
 
 namespace {
 
-constexpr int power_iterations = 8;
+// Of the power method: at first, and where matrix and direction are near to the last ones.
+constexpr int first_iterations = 8, later_iterations = 2;
 constexpr int first_patience = 32, longest_patience = 1024;  ///< refreshes
 
 // Eigenvalues of (L U)⁻¹ K that sweeps are to damp. Tried on coupled systems of tubes and vessels:
@@ -70,6 +71,7 @@ void NodalIluSmoother::make_factors() {
   factors_ = smoothers::make_node_ilu(
       *K_, numbering_,
       {fill_, GetParameterList().get<std::string>("precision") == "single", hosts()});
+  direction_ = nullptr;
 }
 
 void NodalIluSmoother::refresh() {
@@ -84,31 +86,33 @@ void NodalIluSmoother::refresh() {
   factors_->refresh();
   damping_ = list.get<double>("damping");
   if (bound == 0.0) return;
-  double radius = spectral_radius();
+  double radius = spectral_radius(direction_ ? later_iterations : first_iterations);
   while (radius > bound && fill_ < list.get<int>("most fill")) {
     ++fill_;
     make_factors();
     factors_->refresh();
-    radius = spectral_radius();
+    radius = spectral_radius(first_iterations);
   }
-  if (std::isfinite(radius) && radius > 0.0) damping_ = std::min(damping_, bound / radius);
+  if (std::isfinite(radius) && radius > 0.0)
+    damping_ = std::min(damping_, bound / radius);
+  else
+    direction_ = nullptr;
 }
 
-// From the same start each time: an estimate that went on from the last one would be another after
-// a restart.
-double NodalIluSmoother::spectral_radius() {
-  ::tunica::MultiVector v(K_->getRowMap(), 1), zero(v.getMap(), 1), next(v.getMap(), 1);
-  {
-    const auto start = v.getLocalViewHost(overwrite_all);
+double NodalIluSmoother::spectral_radius(int iterations) {
+  if (!direction_) {
+    direction_ = std::make_shared<::tunica::MultiVector>(K_->getRowMap(), 1);
+    const auto start = direction_->getLocalViewHost(overwrite_all);
     for (std::size_t i = 0; i < start.extent(0); ++i)  // no pattern that a mesh could have
       start(i, 0) = std::sin(
           78.233 * static_cast<double>(K_->getRowMap()->getGlobalElement(static_cast<int>(i))) +
           1.0);
   }
+  ::tunica::MultiVector &v = *direction_, zero(v.getMap(), 1), next(v.getMap(), 1);
   double size = 0.0;
   const Teuchos::ArrayView<double> norm(&size, 1);
   v.norm2(norm);
-  for (int k = 0; k < power_iterations && size > 0.0; ++k) {
+  for (int k = 0; k < iterations && size > 0.0; ++k) {
     v.scale(1.0 / size);
     next.assign(v);
     factors_->smooth(1.0, zero, next);  // v − (L U)⁻¹ K v

@@ -38,16 +38,17 @@ private:
   void smooth_from_zero(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const override;
 
   void make_factors();
-  /// Of (L U)⁻¹ K.
-  double spectral_radius();
+  /// Of (L U)⁻¹ K; begins where the last estimate ended.
+  double spectral_radius(int iterations);
 
   const ::tunica::CrsMatrix* K_ = nullptr;
   algebra::DofLayout numbering_;
   int fill_ = 0;
   int refreshes_ = 0, patience_ = 0;  ///< since there is more fill than asked for, and its length
   std::shared_ptr<smoothers::NodeIlu> factors_;
-  double damping_ = 1.0;         ///< ω
-  std::vector<double> weights_;  ///< w_k
+  std::shared_ptr<::tunica::MultiVector> direction_;  ///< of the largest eigenvalue
+  double damping_ = 1.0;                              ///< ω
+  std::vector<double> weights_;                       ///< w_k
 };
 
 }  // namespace tunica::multigrid
