@@ -162,9 +162,8 @@ public:
   }
 
   void forget() override {
-    rule_.renew();
+    rule_.renew();  // so that the next solve sets up, which drops the directions, too
     is_behind_ = true;
-    if (recycles()) options_.recycled->clear();
   }
 
   SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,

@@ -16,7 +16,7 @@ public:
   /// Iterations after which an old preconditioner has failed in a solve to that tolerance.
   double cap(double tolerance) const;
 
-  /// The preconditioner is new, or could not be made.
+  /// The preconditioner is new, could not be made, or is not to serve any more.
   void renew();
   /// What it did in a solve; reduction: |b − Kx|/|b| reached.
   void note(int iterations, double reduction, bool is_converged);

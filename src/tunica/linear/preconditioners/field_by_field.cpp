@@ -9,7 +9,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/linear/concatenated_system.hpp"
 #include "tunica/linear/linear_solver.hpp"
-#include "tunica/params/nearest.hpp"
+#include "tunica/params/known_keys.hpp"
 
 namespace tunica::linear {
 
@@ -98,31 +98,18 @@ public:
   Teuchos::RCP<const Map> getRangeMap() const override { return blocks_.map(); }
 
 private:
-  static bool has(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  }
-
   static void check_parts(const Teuchos::ParameterList& fields,
                           const std::vector<std::string>& known,
                           const std::vector<std::string>& operators) {
     const std::string where = "the preconditioner \"field by field\": ";
-    std::vector<std::string> covered;
+    const std::string complaint = params::complaint_about_parts(fields, known);
+    TUNICA_CHECK(complaint.empty(), where + complaint);
     for (const auto& entry : fields) {
-      const Teuchos::ParameterList& field = fields.sublist(entry.first);
-      const auto names = strings(field, "parts");
-      covered.insert(covered.end(), names.begin(), names.end());
-      for (const std::string& name : names)
-        TUNICA_CHECK(has(known, name), where + "Fields / " + entry.first +
-                                           ": the system has no part \"" + name + "\"; it has " +
-                                           params::quoted(known) + ".");
-      const auto& own = field.get<std::string>("own block of");
+      const auto& own = fields.sublist(entry.first).get<std::string>("own block of");
       TUNICA_CHECK(
-          own.empty() || has(operators, own_block_of(own)),
+          own.empty() || std::count(operators.begin(), operators.end(), own_block_of(own)) > 0,
           where + "Fields / " + entry.first + ": the system has no own block of \"" + own + "\".");
     }
-    for (const std::string& part : known)
-      TUNICA_CHECK(has(covered, part),
-                   where + "no entry of \"Fields\" has the part \"" + part + "\".");
   }
 
   void sweep(const algebra::BlockVector& b, algebra::BlockVector& y) const {

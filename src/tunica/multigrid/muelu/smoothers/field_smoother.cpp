@@ -7,7 +7,6 @@
 #include "tunica/algebra/columns.hpp"
 #include "tunica/algebra/picked_matrix.hpp"
 #include "tunica/params/known_keys.hpp"
-#include "tunica/params/nearest.hpp"
 
 namespace tunica::multigrid {
 
@@ -23,26 +22,6 @@ Teuchos::ParameterList completed(const Teuchos::ParameterList& field) {
   Ifpack2Sweeps::declare(known);
   all.setParametersNotAlreadySet(known);
   return all;
-}
-
-/// All fields have parts of the system, and it has no part that none of them has: a smoother that
-/// leaves unknowns as they are ends no iteration.
-void check_parts(const Teuchos::ParameterList& fields, const std::vector<std::string>& names) {
-  const auto is_in = [](const auto& all, const std::string& name) {
-    return std::find(all.begin(), all.end(), name) != all.end();
-  };
-  std::vector<std::string> covered;
-  for (const auto& entry : fields)
-    for (const std::string& part : parts_of(fields.sublist(entry.first))) {
-      if (!is_in(names, part))
-        throw std::runtime_error("FieldSmoother: the system has no part \"" + part + "\"; it has " +
-                                 params::quoted(names) + ".");
-      covered.push_back(part);
-    }
-  for (const std::string& name : names)
-    if (!is_in(covered, name))
-      throw std::runtime_error("FieldSmoother: no entry of \"Fields\" has the part \"" + name +
-                               "\".");
 }
 
 /// 1 where the part of the row is one of the field's.
@@ -104,7 +83,8 @@ void FieldSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayou
   K_ = &K;
   const Teuchos::ParameterList& fields = GetParameterList().sublist("Fields");
   const ::tunica::Vector of_rows = parts(K);
-  check_parts(fields, coarsening().part_names());
+  const std::string complaint = params::complaint_about_parts(fields, coarsening().part_names());
+  if (!complaint.empty()) throw std::runtime_error("FieldSmoother: " + complaint);
   fields_ = std::make_shared<std::vector<Field>>();
   fields_->reserve(fields.numParams());
   for (const auto& entry : fields) {
