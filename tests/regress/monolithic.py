@@ -6,7 +6,7 @@ Usage: monolithic.py FOLDER_OF_PROGRAMS SCRATCH
 import pathlib
 import sys
 
-from runs import ROOT, Run, Verdict, command, fresh, table
+from runs import ROOT, Run, Verdict, command, exactly_same_steps, fresh, table
 
 STEPS = 4
 # Both solved further than the difference that is permitted.
@@ -89,9 +89,7 @@ def main(programs, scratch):
         straight = run(verdict, programs, folder, case, scheme, ["--steps", STEPS], name)
         for more in words:
             broken = run(verdict, programs, folder, case, scheme, more, f"{name}-broken")
-        one, other = table(straight / "steps.csv"), table(broken / "steps.csv")
-        differing = [name for name in one if name != "seconds" and one[name] != other.get(name)]
-        verdict.claim(not differing, f"{name}: in two parts the same to the last digit {differing[:5]}")
+        exactly_same_steps(verdict, f"{name}, in two parts", broken, straight)
     return verdict.status()
 
 

@@ -11,7 +11,8 @@ import sys
 import time
 import xml.etree.ElementTree as xml
 
-from runs import ENVIRONMENT, ROOT, Run, Verdict, checkpoints, command, fresh, same_steps, table
+from runs import (ENVIRONMENT, ROOT, Run, Verdict, checkpoints, command, exactly_same_steps, fresh, same_steps,
+                  table)
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
 
@@ -113,10 +114,7 @@ def main(programs, scratch, accelerator="iqn-ils", steps="5"):
         results = folder / name
         run, name = go_on(verdict, programs, folder, results, words(name, steps, accelerator), ranks)
         if ranks == 1:  # whatever saves work begins anew with each step
-            one, other = table(results / "steps.csv"), table(straight / "steps.csv")
-            differing = [column for column in other
-                         if column != "seconds" and one.get(column) != other[column]]
-            verdict.claim(not differing, f"{name}: the same to the last digit {differing[:5]}")
+            exactly_same_steps(verdict, name, results, straight)
         else:
             same_steps(verdict, name, results, straight)
         check_tables(verdict, name, results, steps)

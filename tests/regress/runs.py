@@ -100,6 +100,14 @@ def same_steps(verdict, name, results, expected, tolerance=1e-6):
     verdict.claim(worst < tolerance, f"{name}: steps.csv differs by {worst:.1e}, in {where}")
 
 
+def exactly_same_steps(verdict, name, results, expected, but=("seconds",)):
+    """Both folders have the same steps.csv, to the last digit, but for those columns."""
+    one, other = table(results / "steps.csv"), table(expected / "steps.csv")
+    differing = [column for column in one if column not in but and one[column] != other.get(column)]
+    verdict.claim(one.keys() == other.keys() and not differing,
+                  f"{name}: {len(one['step'])} steps agree to the last digit {differing[:5]}")
+
+
 def entry(parent, name):
     found = [child for child in parent if child.get("name") == name]
     assert len(found) == 1, name

@@ -7,7 +7,7 @@ import json
 import pathlib
 import sys
 
-from runs import ROOT, TIGHT, Run, Verdict, command, fresh, table, two_at_a_time
+from runs import ROOT, TIGHT, Run, Verdict, command, exactly_same_steps, fresh, table, two_at_a_time
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
 # Multigrid's factors keep, for a while, the fill that a step asked for that was given up; the case's direct solvers
@@ -26,15 +26,6 @@ def run_case(programs, folder, output, settings, more=(), ranks=1):
     for setting in ITERATIVE + settings:
         words += ["--set", setting]
     return Run(command(programs / "tunica-fsi", words, ranks), folder), folder / output
-
-
-def same(verdict, name, one, other, but=("seconds",)):
-    """Two histories agree to the last digit."""
-    one, other = table(one / "steps.csv"), table(other / "steps.csv")
-    differing = [column for column in one
-                 if column not in but and one[column] != other.get(column)]
-    verdict.claim(one.keys() == other.keys() and not differing,
-                  f"{name}: {len(one['step'])} steps agree to the last digit {differing[:5]}")
 
 
 def alike(verdict, name, one, other, tolerance, rejected=None):
@@ -68,7 +59,7 @@ def cuts(verdict, programs, folder):
     attempts = {(step, attempt) for step, attempt in zip(coupling["step"], coupling["attempt"])}
     verdict.claim(attempts == {(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (3.0, 1.0)},
                   "cut: coupling.csv has both attempts")
-    same(verdict, "cut", results, chosen, ("seconds", "rejected"))
+    exactly_same_steps(verdict, "cut", results, chosen, ("seconds", "rejected"))
     run, both = run_case(programs, folder, "cut-2", HARD + ["Time/cuts=2"], ["--steps", 2], 2)
     verdict.claim(run.status == 0, f"cut on two ranks: exit status {run.status} is 0")
     alike(verdict, "cut on two ranks", results, both, 1e-9)
@@ -91,7 +82,7 @@ def goes_on(verdict, programs, folder):
     run, broken = run_case(programs, folder, "broken", ADAPTIVE, ["--steps", 9, "--restart"])
     verdict.claim(run.status == 0 and "restart after step 5" in run.out,
                   "broken: goes on after its fifth step")
-    same(verdict, "broken", broken, straight)
+    exactly_same_steps(verdict, "broken", broken, straight)
     run, _ = run_case(programs, folder, "broken", [], ["--steps", 20, "--restart"])
     verdict.claim(run.status == 1 and 'was made with "step control" = "adaptive"' in run.err,
                   "broken: does not go on with fixed steps")
@@ -117,7 +108,7 @@ def one_newton_for_all(verdict, programs, folder):
     alike(verdict, "monolithic on two ranks", straight, both, 1e-9)
     run, broken = run_whole("whole-broken", 8, more=["--restart"])
     verdict.claim(run.status == 0, "monolithic: goes on after its fourth step")
-    same(verdict, "monolithic, broken", straight, broken)
+    exactly_same_steps(verdict, "monolithic, broken", straight, broken)
 
 
 def main(programs, scratch):
