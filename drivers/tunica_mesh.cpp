@@ -1,5 +1,5 @@
-/// tunica-mesh: make, inspect, refine, convert and partition meshes. refine and partition also run
-/// with mpirun.
+/// tunica-mesh: make, inspect, refine, convert and partition meshes. refine, convert and partition
+/// also run with mpirun.
 ///
 ///   tunica-mesh tube tube.h5 --around 20 --axial 62
 ///   tunica-mesh block block.h5 --patch-x 4 --patch-y 4

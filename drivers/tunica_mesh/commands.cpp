@@ -6,7 +6,6 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/mesh/block.hpp"
-#include "tunica/mesh/gmsh.hpp"
 #include "tunica/mesh/info.hpp"
 #include "tunica/mesh/read.hpp"
 #include "tunica/mesh/tube.hpp"
@@ -70,20 +69,6 @@ void show_info(const Arguments& arguments) {
   std::cout << "the interface conforms\n";
 }
 
-void convert(const Arguments& arguments) {
-  const std::string gmsh = arguments.text("gmsh");
-  TUNICA_CHECK(gmsh == "2.2" || gmsh == "4.1",
-               "tunica-mesh convert: --gmsh is \"" + gmsh + "\", expected 2.2 or 4.1");
-  const std::string& path = arguments.new_file(1);
-  const Mesh subject = mesh::read(arguments.file(0));
-  const bool is_msh = path.size() > 4 && path.compare(path.size() - 4, 4, ".msh") == 0;
-  if (is_msh && gmsh == "4.1")
-    mesh::write_gmsh(subject, path, mesh::GmshVersion::v41);
-  else
-    mesh::write(subject, path);
-  report(subject, path);
-}
-
 std::vector<Arguments::Option> tube_options() {
   return {{"radius", "1.43", "inner radius, mm"},
           {"media", "0.26", "thickness of the media, mm"},
@@ -141,11 +126,7 @@ const std::vector<Subcommand>& subcommands() {
               {"interface", "", "surfaces between them; empty: no check"}}},
             show_info),
       {refine_command(), refine_mesh},
-      alone({"convert",
-             {"MESH", "OUT"},
-             "Reads .msh, .vol or .h5 and writes .msh, .h5 or .vtu.",
-             {{"gmsh", "2.2", "version of a .msh file: 2.2 or 4.1"}, overwrite_option()}},
-            convert),
+      {convert_command(), convert_mesh},
       {partition_command(), show_partition}};
   return all;
 }

@@ -8,6 +8,7 @@
 #include "tunica/mesh/distributed/refine.hpp"
 #include "tunica/mesh/distributed/rows.hpp"
 #include "tunica/mesh/distributed/share.hpp"
+#include "tunica/mesh/gmsh.hpp"
 #include "tunica/mesh/validate.hpp"
 #include "tunica/mesh/write.hpp"
 #include "tunica_mesh/report.hpp"
@@ -22,10 +23,17 @@ void check(const mesh::Slab& slab, const std::string& path) {
   mesh::share_of(slab, is_fluid, mesh::Partitioner::automatic, path);
 }
 
-void write_whole(const mesh::Slab& slab, const std::string& path) {
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void write_whole(const mesh::Slab& slab, const std::string& path, mesh::GmshVersion version) {
   const mesh::Mesh whole = mesh::gathered(slab);
   on_root(*slab.comm, [&] {
-    mesh::write(whole, path);
+    if (ends_with(path, ".msh"))
+      mesh::write_gmsh(whole, path, version);
+    else
+      mesh::write(whole, path);
     report(whole, path);
   });
 }
@@ -35,6 +43,15 @@ void write_rows(const mesh::Slab& slab, const std::string& path) {
   if (slab.comm->getRank() == 0)
     std::printf("%s: %lld vertices, %lld tetrahedra, %lld triangles\n", path.c_str(), slab.vertices,
                 slab.tets, slab.triangles);
+}
+
+/// Several ranks write our own format together; the others are text, and one writes them.
+void save(const mesh::Slab& slab, const std::string& path,
+          mesh::GmshVersion version = mesh::GmshVersion::v22) {
+  if (ends_with(path, ".h5") && slab.comm->getSize() > 1)
+    write_rows(slab, path);
+  else
+    write_whole(slab, path, version);
 }
 
 /// What a rank gets.
@@ -79,12 +96,25 @@ void refine_mesh(const Arguments& arguments, const CommPtr& comm) {
   mesh::Slab slab = mesh::read_slab(arguments.file(0), comm);
   check(slab, arguments.file(0));
   for (int i = 0; i < times; ++i) slab = mesh::refine(slab, arguments.names("project"));
-  const std::string& path = arguments.file(1);
-  const bool is_own = path.size() > 3 && path.compare(path.size() - 3, 3, ".h5") == 0;
-  if (is_own && comm->getSize() > 1)
-    write_rows(slab, path);
-  else
-    write_whole(slab, path);
+  save(slab, arguments.file(1));
+}
+
+Arguments::Command convert_command() {
+  return {"convert",
+          {"MESH", "OUT"},
+          "Reads .msh, .vol or .h5 and writes .msh, .h5 or .vtu; on several ranks also to .h5 what "
+          "none can hold.",
+          {{"gmsh", "2.2", "version of a .msh file: 2.2 or 4.1"}, overwrite_option()}};
+}
+
+void convert_mesh(const Arguments& arguments, const CommPtr& comm) {
+  const std::string gmsh = arguments.text("gmsh");
+  TUNICA_CHECK(gmsh == "2.2" || gmsh == "4.1",
+               "tunica-mesh convert: --gmsh is \"" + gmsh + "\", expected 2.2 or 4.1");
+  on_root(*comm, [&] { arguments.new_file(1); });
+  const mesh::Slab slab = mesh::read_slab(arguments.file(0), comm);
+  check(slab, arguments.file(0));
+  save(slab, arguments.file(1), gmsh == "4.1" ? mesh::GmshVersion::v41 : mesh::GmshVersion::v22);
 }
 
 Arguments::Command partition_command() {

@@ -8,6 +8,10 @@
 Arguments::Command refine_command();
 void refine_mesh(const Arguments& arguments, const tunica::CommPtr& comm);
 
+/// convert: from one format to another.
+Arguments::Command convert_command();
+void convert_mesh(const Arguments& arguments, const tunica::CommPtr& comm);
+
 /// partition: how a mesh is cut for the ranks that are there.
 Arguments::Command partition_command();
 void show_partition(const Arguments& arguments, const tunica::CommPtr& comm);

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "tunica/mesh/distributed/row_stream.hpp"
 #include "tunica/mesh/mesh.hpp"
 
 namespace tunica::mesh {
@@ -8,7 +9,7 @@ namespace tunica::mesh {
 /// Reads Gmsh MSH 2.2 or 4.1, ASCII. Points and lines are skipped; elements other than
 /// 4-node tetrahedra and 3-node triangles are an Error. Negative physical numbers, by which
 /// Gmsh reverses an orientation, count as positive.
-Mesh read_gmsh(const std::string& path);
+void read_gmsh(const std::string& path, RowStream& rows);
 
 enum class GmshVersion { v22, v41 };
 

@@ -12,9 +12,9 @@ constexpr int line_type = 1, triangle_type = 2, tet_type = 4, point_type = 15;
 
 }  // namespace
 
-GmshReader::GmshReader(const std::string& path) : in_(path) { mesh_.path = path; }
+GmshReader::GmshReader(const std::string& path, RowStream& rows) : in_(path), rows_(rows) {}
 
-RawMesh GmshReader::read() {
+void GmshReader::read() {
   read_format();
   while (!in_.is_at_end()) {
     const std::string section(in_.word("a section"));
@@ -24,7 +24,6 @@ RawMesh GmshReader::read() {
   }
   if (!has_nodes_ || !has_elements_)
     in_.fail("the file ends without $Nodes or without $Elements. Is it truncated?");
-  return std::move(mesh_);
 }
 
 void GmshReader::read_format() {
@@ -73,53 +72,57 @@ void GmshReader::skip_section(const std::string& name) {
 }
 
 void GmshReader::read_names() {
-  const std::size_t n = in_.count("the number of physical names", 7);
-  for (std::size_t i = 0; i < n; ++i) {
+  const long long n = in_.count("the number of physical names", 7);
+  for (long long i = 0; i < n; ++i) {
     const int dimension = in_.integer("the dimension of a physical group", 0, 3);
     const int id = in_.integer("the number of a physical group", 1, largest_int);
     const std::string name = in_.quoted("the name of a physical group");
-    if (dimension == 3) mesh_.region_names[id] = name;
-    if (dimension == 2) mesh_.surface_names[id] = name;
+    if (dimension == 3) rows_.region_names[id] = name;
+    if (dimension == 2) rows_.surface_names[id] = name;
   }
 }
 
 void GmshReader::read_element_data() {
   std::string name;
-  const std::size_t strings = in_.count("the number of string tags", 2);
-  for (std::size_t i = 0; i < strings; ++i) {
+  const long long strings = in_.count("the number of string tags", 2);
+  for (long long i = 0; i < strings; ++i) {
     const std::string text = in_.quoted("a string tag");
     if (i == 0) name = text;
   }
-  const std::size_t reals = in_.count("the number of real tags", 2);
-  for (std::size_t i = 0; i < reals; ++i) in_.real("a real tag");
-  const std::size_t integers = in_.count("the number of integer tags", 2);
+  const long long reals = in_.count("the number of real tags", 2);
+  for (long long i = 0; i < reals; ++i) in_.real("a real tag");
+  const long long integers = in_.count("the number of integer tags", 2);
   if (integers < 3) in_.fail("$ElementData with fewer than 3 integer tags");
   in_.integer("a time step");
   const int components = in_.integer("the number of components", 1, 9);
-  const std::size_t rows = in_.count("the number of elements with data", 4);
-  for (std::size_t i = 3; i < integers; ++i) in_.integer("an integer tag");
-  TetVectors vectors{name, std::vector<Vec3>(mesh_.tets.size(), Vec3{})};
-  std::unordered_map<long long, std::size_t> tet_of_number;
-  for (std::size_t t = 0; t < mesh_.tets.size(); ++t) tet_of_number[mesh_.tet_number[t]] = t;
-  for (std::size_t row = 0; row < rows; ++row) {
-    const auto tet = tet_of_number.find(in_.integer("the number of an element"));
+  const long long rows = in_.count("the number of elements with data", 4);
+  for (long long i = 3; i < integers; ++i) in_.integer("an integer tag");
+  const bool is_kept = components == 3;
+  if (is_kept) begin_vectors(name);
+  for (long long row = 0; row < rows; ++row) {
+    VectorRow found{tets_.find(in_.integer("the number of an element")),
+                    static_cast<int>(rows_.vector_names.size()) - 1,
+                    {}};
     for (int i = 0; i < components; ++i) {
       const double value = in_.real("a value on an element");
-      if (components == 3 && tet != tet_of_number.end()) vectors.values[tet->second][i] = value;
+      if (is_kept) found.value[i] = value;
     }
+    if (is_kept && found.tet >= 0) rows_.vectors.put(found);
   }
-  if (components != 3) return;
-  const auto& all = mesh_.tet_vectors;
-  if (std::any_of(all.begin(), all.end(), [&](const auto& v) { return v.name == name; }))
+}
+
+void GmshReader::begin_vectors(const std::string& name) {
+  std::vector<std::string>& names = rows_.vector_names;
+  if (std::find(names.begin(), names.end(), name) != names.end())
     in_.fail("a second $ElementData \"" + name + "\", expected one time step of each");
-  mesh_.tet_vectors.push_back(std::move(vectors));
+  if (has_repeated_numbers_)
+    in_.fail("$ElementData \"" + name + "\", but several elements have the same number");
+  names.push_back(name);
 }
 
 void GmshReader::add_node(long long number, const Vec3& x) {
-  const int index = static_cast<int>(mesh_.vertices.size());
-  if (!index_of_node_.emplace(number, index).second)
-    in_.fail("a second node with the number " + std::to_string(number));
-  mesh_.vertices.push_back(x);
+  if (!nodes_.add(number)) in_.fail("a second node with the number " + std::to_string(number));
+  rows_.vertices.put(x);
 }
 
 Vec3 GmshReader::read_point() {
@@ -133,22 +136,19 @@ std::array<int, N> GmshReader::read_corners() {
   std::array<int, N> corners;
   for (int& corner : corners) {
     const long long number = in_.integer("the number of a node");
-    const auto found = index_of_node_.find(number);
-    if (found == index_of_node_.end())
-      in_.fail("node " + std::to_string(number) + " is not in $Nodes");
-    corner = found->second;
+    const long long place = nodes_.find(number);
+    if (place < 0) in_.fail("node " + std::to_string(number) + " is not in $Nodes");
+    corner = static_cast<int>(place);
   }
   return corners;
 }
 
 void GmshReader::read_element(long long number, int type, int physical) {
   if (type == tet_type) {
-    mesh_.tets.push_back(read_corners<4>());
-    mesh_.tet_tag.push_back(physical);
-    mesh_.tet_number.push_back(number);
+    rows_.tets.put({read_corners<4>(), physical, number});
+    has_repeated_numbers_ |= !tets_.add(number);
   } else if (type == triangle_type) {
-    mesh_.triangles.push_back(read_corners<3>());
-    mesh_.triangle_tag.push_back(physical);
+    rows_.triangles.put({read_corners<3>(), physical});
   } else if (type == line_type) {
     read_corners<2>();
   } else if (type == point_type) {
@@ -161,17 +161,16 @@ void GmshReader::read_element(long long number, int type, int physical) {
 }
 
 void GmshReader::read_nodes_22() {
-  const std::size_t n = in_.count("the number of nodes", 8);
-  mesh_.vertices.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
+  const long long n = in_.count("the number of nodes", 8);
+  for (long long i = 0; i < n; ++i) {
     const long long number = in_.integer("the number of a node");
     add_node(number, read_point());
   }
 }
 
 void GmshReader::read_elements_22() {
-  const std::size_t n = in_.count("the number of elements", 8);
-  for (std::size_t i = 0; i < n; ++i) {
+  const long long n = in_.count("the number of elements", 8);
+  for (long long i = 0; i < n; ++i) {
     const long long number = in_.integer("the number of an element");
     const int type = in_.integer("the type of an element", 1, largest_int);
     const std::size_t tags = in_.count("the number of an element's tags", 2);
@@ -184,6 +183,6 @@ void GmshReader::read_elements_22() {
   }
 }
 
-Mesh read_gmsh(const std::string& path) { return finish(GmshReader(path).read()); }
+void read_gmsh(const std::string& path, RowStream& rows) { GmshReader(path, rows).read(); }
 
 }  // namespace tunica::mesh

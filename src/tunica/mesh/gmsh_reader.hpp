@@ -1,10 +1,10 @@
 #pragma once
 #include <map>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
-#include "tunica/mesh/raw_mesh.hpp"
+#include "tunica/mesh/distributed/row_stream.hpp"
+#include "tunica/mesh/number_runs.hpp"
 #include "tunica/mesh/text_scanner.hpp"
 
 namespace tunica::mesh {
@@ -13,14 +13,15 @@ namespace tunica::mesh {
 /// nodes and the elements' kinds; they differ in the order of the numbers.
 class GmshReader {
 public:
-  explicit GmshReader(const std::string& path);
-  RawMesh read();
+  GmshReader(const std::string& path, RowStream& rows);
+  void read();
 
 private:
   void read_format();
   void read_names();
   /// Keeps vectors on tetrahedra; passes over scalars, tensors and other elements.
   void read_element_data();
+  void begin_vectors(const std::string& name);
   void skip_section(const std::string& name);
   void read_section(const std::string& name);
 
@@ -40,11 +41,12 @@ private:
   std::array<int, N> read_corners();
 
   TextScanner in_;
-  RawMesh mesh_;
+  RowStream& rows_;
   bool is_41_ = false;
   bool has_nodes_ = false;
   bool has_elements_ = false;
-  std::unordered_map<long long, int> index_of_node_;
+  NumberRuns nodes_, tets_;
+  bool has_repeated_numbers_ = false;                            ///< among those of tetrahedra
   std::map<std::pair<int, long long>, int> physical_of_entity_;  ///< by dimension and number
 };
 

@@ -6,9 +6,9 @@
 namespace tunica::mesh {
 
 int GmshReader::read_physical() {
-  const std::size_t n = in_.count("the number of an entity's physical groups", 2);
+  const long long n = in_.count("the number of an entity's physical groups", 2);
   int physical = 0;
-  for (std::size_t i = 0; i < n; ++i)
+  for (long long i = 0; i < n; ++i)
     physical = std::abs(in_.integer("the number of a physical group", -largest_int, largest_int));
   if (n > 1)
     in_.fail("the entity belongs to " + std::to_string(n) +
@@ -17,10 +17,10 @@ int GmshReader::read_physical() {
 }
 
 void GmshReader::read_entities_41() {
-  std::array<std::size_t, 4> counts;
-  for (std::size_t& count : counts) count = in_.count("the number of entities", 8);
+  std::array<long long, 4> counts{};
+  for (long long& count : counts) count = in_.count("the number of entities", 8);
   for (int dimension = 0; dimension < 4; ++dimension) {
-    for (std::size_t i = 0; i < counts[dimension]; ++i) {
+    for (long long i = 0; i < counts[dimension]; ++i) {
       const long long number = in_.integer("the number of an entity");
       const int coordinates = dimension == 0 ? 3 : 6;
       for (int c = 0; c < coordinates; ++c) in_.real("the bounds of an entity");
@@ -28,53 +28,52 @@ void GmshReader::read_entities_41() {
       if (dimension >= 2) {
         physical_of_entity_[{dimension, number}] = read_physical();
       } else {
-        const std::size_t groups = in_.count("the number of an entity's physical groups", 2);
-        for (std::size_t g = 0; g < groups; ++g) in_.integer("the number of a physical group");
+        const long long groups = in_.count("the number of an entity's physical groups", 2);
+        for (long long g = 0; g < groups; ++g) in_.integer("the number of a physical group");
       }
       if (dimension == 0) continue;
-      const std::size_t bounds = in_.count("the number of an entity's bounding entities", 2);
-      for (std::size_t b = 0; b < bounds; ++b) in_.integer("the number of a bounding entity");
+      const long long bounds = in_.count("the number of an entity's bounding entities", 2);
+      for (long long b = 0; b < bounds; ++b) in_.integer("the number of a bounding entity");
     }
   }
 }
 
 void GmshReader::read_nodes_41() {
-  const std::size_t blocks = in_.count("the number of entity blocks", 8);
-  const std::size_t total = in_.count("the number of nodes", 8);
+  const long long blocks = in_.count("the number of entity blocks", 8);
+  const long long total = in_.count("the number of nodes", 8);
   in_.integer("the smallest node number");
   in_.integer("the largest node number");
-  mesh_.vertices.reserve(total);
-  for (std::size_t block = 0; block < blocks; ++block) {
+  for (long long block = 0; block < blocks; ++block) {
     const int dimension = in_.integer("the dimension of an entity", 0, 3);
     in_.integer("the number of an entity");
     const int parameters = in_.integer("\"parametric\"", 0, 1) == 1 ? dimension : 0;
-    const std::size_t n = in_.count("the number of nodes in a block", 8);
-    std::vector<long long> numbers(n);
+    const long long n = in_.count("the number of nodes in a block", 8);
+    std::vector<long long> numbers(static_cast<std::size_t>(n));
     for (long long& number : numbers) number = in_.integer("the number of a node");
     for (const long long number : numbers) {
       add_node(number, read_point());
       for (int p = 0; p < parameters; ++p) in_.real("a parameter of a node");
     }
   }
-  if (mesh_.vertices.size() != total)
-    in_.fail("the blocks hold " + std::to_string(mesh_.vertices.size()) + " nodes, expected " +
+  if (rows_.vertices.count() != total)
+    in_.fail("the blocks hold " + std::to_string(rows_.vertices.count()) + " nodes, expected " +
              std::to_string(total));
 }
 
 void GmshReader::read_elements_41() {
-  const std::size_t blocks = in_.count("the number of entity blocks", 8);
-  const std::size_t total = in_.count("the number of elements", 4);
+  const long long blocks = in_.count("the number of entity blocks", 8);
+  const long long total = in_.count("the number of elements", 4);
   in_.integer("the smallest element number");
   in_.integer("the largest element number");
-  std::size_t found = 0;
-  for (std::size_t block = 0; block < blocks; ++block) {
+  long long found = 0;
+  for (long long block = 0; block < blocks; ++block) {
     const int dimension = in_.integer("the dimension of an entity", 0, 3);
     const long long entity = in_.integer("the number of an entity");
     const int type = in_.integer("the type of an element", 1, largest_int);
-    const std::size_t n = in_.count("the number of elements in a block", 4);
+    const long long n = in_.count("the number of elements in a block", 4);
     const auto group = physical_of_entity_.find({dimension, entity});
     const int physical = group == physical_of_entity_.end() ? 0 : group->second;
-    for (std::size_t i = 0; i < n; ++i)
+    for (long long i = 0; i < n; ++i)
       read_element(in_.integer("the number of an element"), type, physical);
     found += n;
   }

@@ -2,7 +2,6 @@
 
 #include <cctype>
 
-#include "tunica/mesh/raw_mesh.hpp"
 #include "tunica/mesh/text_scanner.hpp"
 
 namespace tunica::mesh {
@@ -10,15 +9,12 @@ namespace {
 
 class NetgenReader {
 public:
-  explicit NetgenReader(const std::string& path) : in_(path, '#') { mesh_.path = path; }
+  NetgenReader(const std::string& path, RowStream& rows) : in_(path, '#'), rows_(rows) {}
 
-  RawMesh read() {
+  void read() {
     in_.expect("mesh3d");
     std::string section;
     while ((section = std::string(in_.word("endmesh"))) != "endmesh") read_section(section);
-    check_corners(mesh_.tets, "volume");
-    check_corners(mesh_.triangles, "surface");
-    return std::move(mesh_);
   }
 
 private:
@@ -33,9 +29,9 @@ private:
     } else if (section == "points") {
       read_points();
     } else if (section == "materials") {
-      read_names(mesh_.region_names);
+      read_names(rows_.region_names);
     } else if (section == "bcnames") {
-      read_names(mesh_.surface_names);
+      read_names(rows_.surface_names);
     } else {
       skip_section(section);
     }
@@ -63,60 +59,49 @@ private:
   }
 
   void read_triangles() {
-    const std::size_t n = in_.count("the number of surface elements", 16);
-    mesh_.triangles.clear();
-    mesh_.triangle_tag.clear();
-    for (std::size_t i = 0; i < n; ++i) {
+    const long long n = in_.count("the number of surface elements", 16);
+    if (rows_.triangles.count() > 0) in_.fail("a second section of surface elements");
+    for (long long i = 0; i < n; ++i) {
       in_.integer("the number of a surface");
-      mesh_.triangle_tag.push_back(
-          in_.integer("the number of a boundary condition", 0, largest_int));
+      const int tag = in_.integer("the number of a boundary condition", 0, largest_int);
       in_.integer("the domain inside");
       in_.integer("the domain outside");
-      mesh_.triangles.push_back(read_corners<3>("surface"));
+      rows_.triangles.put({read_corners<3>("surface"), tag});
     }
   }
 
   void read_tets() {
-    const std::size_t n = in_.count("the number of volume elements", 12);
-    for (std::size_t i = 0; i < n; ++i) {
-      mesh_.tet_tag.push_back(in_.integer("the number of a material", 0, largest_int));
-      mesh_.tets.push_back(read_corners<4>("volume"));
-      mesh_.tet_number.push_back(static_cast<long long>(mesh_.tets.size()));
+    const long long n = in_.count("the number of volume elements", 12);
+    for (long long i = 0; i < n; ++i) {
+      const int tag = in_.integer("the number of a material", 0, largest_int);
+      rows_.tets.put({read_corners<4>("volume"), tag, rows_.tets.count() + 1});
     }
   }
 
   void read_points() {
-    const std::size_t n = in_.count("the number of points", 6);
-    if (!mesh_.vertices.empty()) in_.fail("a second section points");
-    mesh_.vertices.resize(n);
-    for (Vec3& x : mesh_.vertices)
+    const long long n = in_.count("the number of points", 6);
+    if (rows_.vertices.count() > 0) in_.fail("a second section points");
+    for (long long i = 0; i < n; ++i) {
+      Vec3 x;
       for (double& value : x) value = in_.real("a coordinate");
+      rows_.vertices.put(x);
+    }
   }
 
   void read_names(std::map<int, std::string>& names) {
-    const std::size_t n = in_.count("the number of names", 3);
-    for (std::size_t i = 0; i < n; ++i) {
+    const long long n = in_.count("the number of names", 3);
+    for (long long i = 0; i < n; ++i) {
       const int id = in_.integer("the number of a name", 0, largest_int);
       names[id] = in_.rest_of_line();
     }
   }
 
-  template <std::size_t N>
-  void check_corners(const std::vector<std::array<int, N>>& elements, const std::string& kind) {
-    for (std::size_t e = 0; e < elements.size(); ++e)
-      for (const int v : elements[e])
-        if (v >= static_cast<int>(mesh_.vertices.size()))
-          in_.fail(kind + " element " + std::to_string(e + 1) + " has point " +
-                   std::to_string(v + 1) + ", but the file has " +
-                   std::to_string(mesh_.vertices.size()) + " points");
-  }
-
   TextScanner in_;
-  RawMesh mesh_;
+  RowStream& rows_;
 };
 
 }  // namespace
 
-Mesh read_netgen(const std::string& path) { return finish(NetgenReader(path).read()); }
+void read_netgen(const std::string& path, RowStream& rows) { NetgenReader(path, rows).read(); }
 
 }  // namespace tunica::mesh

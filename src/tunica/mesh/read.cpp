@@ -1,12 +1,15 @@
 #include "tunica/mesh/read.hpp"
 
+#include <Teuchos_DefaultSerialComm.hpp>
 #include <filesystem>
 #include <fstream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/mesh/distributed/text_mesh.hpp"
 #include "tunica/mesh/gmsh.hpp"
 #include "tunica/mesh/hdf5.hpp"
 #include "tunica/mesh/netgen.hpp"
+#include "tunica/mesh/validate.hpp"
 
 namespace tunica::mesh {
 namespace {
@@ -38,17 +41,24 @@ bool is_hdf5(const std::string& path) {
          std::filesystem::path(path).extension() == ".h5";
 }
 
-Mesh read(const std::string& path) {
+std::function<void(RowStream&)> text_reader(const std::string& path) {
   const std::string head = first_line(path);
-  if (is_hdf5(path)) return read_hdf5(path);
-  if (starts_with(head, "$MeshFormat") || std::filesystem::path(path).extension() == ".msh")
-    return read_gmsh(path);
-  if (starts_with(head, "mesh3d") || std::filesystem::path(path).extension() == ".vol")
-    return read_netgen(path);
+  const auto extension = std::filesystem::path(path).extension();
+  if (starts_with(head, "$MeshFormat") || extension == ".msh")
+    return [path](RowStream& rows) { read_gmsh(path, rows); };
+  if (starts_with(head, "mesh3d") || extension == ".vol")
+    return [path](RowStream& rows) { read_netgen(path, rows); };
   TUNICA_CHECK(std::ifstream(path), path + ": cannot be opened for reading");
   throw Error(path +
               ": not a mesh this program knows. Expected Gmsh (.msh, ASCII 2.2 or 4.1), "
               "Netgen (.vol) or tunica's own (.h5). tunica-import makes that of others.");
+}
+
+Mesh read(const std::string& path) {
+  if (is_hdf5(path)) return read_hdf5(path);
+  Slab all = read_text_mesh(path, Teuchos::rcp(new Teuchos::SerialComm<int>));
+  validate(all.rows, path);
+  return std::move(all.rows);
 }
 
 }  // namespace tunica::mesh

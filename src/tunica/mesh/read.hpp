@@ -1,6 +1,8 @@
 #pragma once
+#include <functional>
 #include <string>
 
+#include "tunica/mesh/distributed/row_stream.hpp"
 #include "tunica/mesh/mesh.hpp"
 
 namespace tunica::mesh {
@@ -9,6 +11,9 @@ namespace tunica::mesh {
 /// content decides, not the file's name. The result has passed validate(); everything else
 /// is an Error that names the file and the line (text) or the dataset (HDF5).
 Mesh read(const std::string& path);
+
+/// Who reads a mesh of another program, by the file's content. Throws Error if it is none.
+std::function<void(RowStream&)> text_reader(const std::string& path);
 
 /// Whether read() takes it for tunica's own file.
 bool is_hdf5(const std::string& path);

@@ -1,11 +1,11 @@
 #include "tunica/mesh/text_scanner.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 
 #include "tunica/base/error.hpp"
 
@@ -22,39 +22,59 @@ std::string shown(std::string_view word) {
   return text + (word.size() > 40 ? "…\"" : "\"");
 }
 
+constexpr std::size_t longest_word = 1 << 16;
+
 }  // namespace
 
-std::string read_text(const std::string& path) {
+TextScanner::TextScanner(const std::string& path, char comment, std::size_t piece)
+    : path_(path), comment_(comment), piece_(piece) {
   std::error_code code;
   TUNICA_CHECK(std::filesystem::exists(path, code), path + ": no such file");
   TUNICA_CHECK(std::filesystem::is_regular_file(path, code), path + ": not a regular file");
-  std::ifstream in(path, std::ios::binary);
-  TUNICA_CHECK(in, path + ": cannot be opened for reading");
-  const auto size = std::filesystem::file_size(path, code);
+  file_.open(path, std::ios::binary);
+  TUNICA_CHECK(file_, path + ": cannot be opened for reading");
+  left_ = static_cast<long long>(std::filesystem::file_size(path, code));
   TUNICA_CHECK(!code, path + ": its size cannot be read: " + code.message());
-  std::string text(size, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(size));
-  TUNICA_CHECK(static_cast<std::size_t>(in.gcount()) == size, path + ": reading failed");
-  return text;
 }
 
-TextScanner::TextScanner(const std::string& path, char comment)
-    : path_(path), text_(read_text(path)), comment_(comment) {}
+bool TextScanner::refill() {
+  if (at_ > 0) before_ = text_[at_ - 1];
+  text_.erase(0, at_);
+  at_ = 0;
+  const std::size_t kept = text_.size();
+  const auto wanted = std::min(static_cast<long long>(piece_), left_);
+  text_.resize(kept + static_cast<std::size_t>(wanted));
+  file_.read(text_.data() + kept, wanted);
+  TUNICA_CHECK(file_.gcount() == wanted, path_ + ": reading failed");
+  left_ -= wanted;
+  return wanted > 0;
+}
 
 void TextScanner::fail(const std::string& message) const {
   throw Error(path_ + ":" + std::to_string(line_) + ": " + message);
 }
 
 void TextScanner::skip_space() {
-  while (at_ < text_.size()) {
-    const bool starts_line = at_ == 0 || text_[at_ - 1] == '\n';
-    if (comment_ != 0 && starts_line && text_[at_] == comment_) {
-      while (at_ < text_.size() && text_[at_] != '\n') ++at_;
-    } else if (is_space(text_[at_])) {
-      if (text_[at_++] == '\n') ++line_;
-    } else {
+  bool is_comment = false;
+  for (;; ++at_) {
+    if (at_ == text_.size() && !refill()) return;
+    const char c = text_[at_], before = at_ > 0 ? text_[at_ - 1] : before_;
+    if (comment_ != 0 && before == '\n' && c == comment_) is_comment = true;
+    if (c == '\n') {
+      is_comment = false;
+      ++line_;
+    } else if (!is_comment && !is_space(c)) {
       return;
     }
+  }
+}
+
+std::size_t TextScanner::find(const char* characters, std::size_t from) {
+  for (;;) {
+    const std::size_t found = text_.find_first_of(characters, from);
+    if (found != std::string::npos) return found;
+    from = text_.size() - at_;  // where the new piece begins
+    if (!refill()) return text_.size();
   }
 }
 
@@ -65,9 +85,13 @@ bool TextScanner::is_at_end() {
 
 std::string_view TextScanner::peek() {
   skip_space();
-  std::size_t end = at_;
-  while (end < text_.size() && !is_space(text_[end])) ++end;
-  return std::string_view(text_).substr(at_, end - at_);
+  std::size_t length = 0;
+  while (length < longest_word) {
+    if (at_ + length == text_.size() && !refill()) break;
+    if (is_space(text_[at_ + length])) break;
+    ++length;
+  }
+  return std::string_view(text_).substr(at_, length);
 }
 
 std::string_view TextScanner::word(const std::string& expected) {
@@ -108,29 +132,29 @@ double TextScanner::real(const std::string& expected) {
   return code == std::errc() ? value : 0.0;
 }
 
-std::size_t TextScanner::count(const std::string& expected, std::size_t least_bytes) {
+long long TextScanner::count(const std::string& expected, int least_bytes) {
   const long long value = integer(expected);
   if (value < 0) fail(expected + " is " + std::to_string(value) + ", expected 0 or more");
-  const std::size_t most = (text_.size() - at_) / least_bytes;
-  if (static_cast<unsigned long long>(value) > most || value > std::numeric_limits<int>::max() / 8)
+  const long long most = (left_ + static_cast<long long>(text_.size() - at_)) / least_bytes;
+  if (value > most)
     fail(expected + " is " + std::to_string(value) + ", but the rest of the file can hold only " +
          std::to_string(most) + ". Is it truncated?");
-  return static_cast<std::size_t>(value);
+  return value;
 }
 
 std::string TextScanner::quoted(const std::string& expected) {
   if (is_at_end() || text_[at_] != '"') fail("expected " + expected + " in double quotes");
-  const std::size_t end = text_.find_first_of("\"\n", at_ + 1);
-  if (end == std::string::npos || text_[end] != '"')
+  ++at_;
+  const std::size_t end = find("\"\n", at_);
+  if (end == text_.size() || text_[end] != '"')
     fail("expected " + expected + " in double quotes, the second is missing");
-  std::string found = text_.substr(at_ + 1, end - at_ - 1);
+  std::string found = text_.substr(at_, end - at_);
   at_ = end + 1;
   return found;
 }
 
 std::string TextScanner::rest_of_line() {
-  std::size_t end = text_.find('\n', at_);
-  if (end == std::string::npos) end = text_.size();
+  const std::size_t end = find("\n", at_);
   while (at_ < end && is_space(text_[at_])) ++at_;
   std::size_t last = end;
   while (last > at_ && is_space(text_[last - 1])) --last;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -8,16 +9,20 @@ namespace tunica::mesh {
 
 constexpr int largest_int = std::numeric_limits<int>::max();
 
-/// Reads a text file word by word. Every mistake of the file becomes an Error that begins
-/// with "path:line:". Words are separated by white space.
+/// Reads a text file word by word, and never has more of it than a piece. Every mistake of the
+/// file becomes an Error that begins with "path:line:". Words are separated by white space; what
+/// is longer than any number or name comes as several.
 class TextScanner {
 public:
-  /// Reads the whole file. Lines whose first character is comment are skipped (0: none are).
-  explicit TextScanner(const std::string& path, char comment = 0);
+  /// Lines whose first character is comment are skipped (0: none are). Throws Error if it is not
+  /// a file that can be read. piece: bytes that are read at once.
+  explicit TextScanner(const std::string& path, char comment = 0,
+                       std::size_t piece = std::size_t{1} << 20);
 
   /// True if only white space and comments are left.
   bool is_at_end();
-  /// The next word; expected is for the message if the file ends here.
+  /// The next word, which is there until the next call; expected is for the message if the file
+  /// ends here.
   std::string_view word(const std::string& expected);
   /// The next word, left where it is; empty at the end of the file.
   std::string_view peek();
@@ -26,7 +31,7 @@ public:
   int integer(const std::string& expected, int low, int high);
   double real(const std::string& expected);
   /// A number of entries that the rest of the file can hold, at least least_bytes each.
-  std::size_t count(const std::string& expected, std::size_t least_bytes);
+  long long count(const std::string& expected, int least_bytes);
   /// A word in double quotes, which may hold blanks.
   std::string quoted(const std::string& expected);
   /// What is left of this line, without white space at its ends.
@@ -40,15 +45,20 @@ public:
 
 private:
   void skip_space();
+  /// Drops what was taken and reads the next piece behind the rest; false at the end of the file.
+  bool refill();
+  /// Where the first of these characters stands; the end of the text if there is none.
+  std::size_t find(const char* characters, std::size_t from);
 
   std::string path_;
+  std::ifstream file_;
+  long long left_ = 0;  ///< bytes that were not read yet
   std::string text_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0;  ///< in the text
+  char before_ = '\n';  ///< the character before the text
   int line_ = 1;
   char comment_;
+  std::size_t piece_;
 };
-
-/// The whole content of a regular file; throws Error if it cannot be read.
-std::string read_text(const std::string& path);
 
 }  // namespace tunica::mesh

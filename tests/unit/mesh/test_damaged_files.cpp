@@ -4,7 +4,6 @@
 #include "tunica/mesh/gmsh.hpp"
 #include "tunica/mesh/hdf5.hpp"
 #include "tunica/mesh/read.hpp"
-#include "tunica/mesh/text_scanner.hpp"
 #include "tunica/mesh/write.hpp"
 
 using namespace tunica::mesh;

@@ -1,4 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <climits>
 #include <iterator>
 #include <sstream>
 
@@ -6,6 +7,7 @@
 #include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/gmsh.hpp"
 #include "tunica/mesh/hdf5.hpp"
+#include "tunica/mesh/number_runs.hpp"
 #include "tunica/mesh/read.hpp"
 #include "tunica/mesh/text_scanner.hpp"
 #include "tunica/mesh/write.hpp"
@@ -206,6 +208,60 @@ TEUCHOS_UNIT_TEST(mesh_formats, unsupported_files_say_what_to_do) {
   TEST_ASSERT(fails_with("no such file", out, [] { read("/nowhere/tube.msh"); }));
   TEST_ASSERT(fails_with("not a mesh", out, [] { read(data_folder); }));
   TEST_ASSERT(fails_with("not a mesh", out, [&] { read_text_as("odd.txt", "hello"); }));
+}
+
+TEUCHOS_UNIT_TEST(text_scanner, pieces_of_any_size_give_the_same_words) {
+  const std::string text =
+      "# head\n  12 -3.5e-2\n# 7 7\n#\nname \"two words\" behind it \n\n\tlast";
+  const TemporaryFile file("scanned.txt");
+  file.fill(text);
+  for (std::size_t piece = 1; piece <= text.size() + 1; ++piece) {
+    TextScanner in(file.path, '#', piece);  // the tests below look at what they get twice
+    const long long number = in.integer("a");
+    const double real = in.real("b");
+    const std::string next(in.peek());
+    const int line = in.line();
+    const std::string word(in.word("c")), quoted = in.quoted("d"), rest = in.rest_of_line();
+    TEST_EQUALITY(number, 12);
+    TEST_EQUALITY(real, -0.035);
+    TEST_EQUALITY(next, "name");
+    TEST_EQUALITY(line, 5);
+    TEST_EQUALITY(word, "name");
+    TEST_EQUALITY(quoted, "two words");
+    TEST_EQUALITY(rest, "behind it");
+    TEST_ASSERT(!in.is_at_end());
+    TEST_EQUALITY(in.line(), 7);
+    const std::string last(in.word("e"));
+    TEST_EQUALITY(last, "last");
+    TEST_ASSERT(in.is_at_end());
+    TEST_ASSERT(
+        fails_with("scanned.txt:7: the file ends here, expected f", out, [&] { in.word("f"); }));
+  }
+}
+
+TEUCHOS_UNIT_TEST(text_scanner, a_count_is_what_the_rest_of_the_file_can_hold) {
+  const TemporaryFile file("counted.txt");
+  file.fill("3 1 2 3");
+  for (const std::size_t piece : {1, 3, 100}) {
+    TextScanner in(file.path, 0, piece);
+    const long long three = in.count("entries", 2), one = in.count("entries", 2);
+    TEST_EQUALITY(three, 3);
+    TEST_EQUALITY(one, 1);
+    TEST_ASSERT(fails_with("can hold only 1", out, [&] { in.count("entries", 2); }));
+  }
+}
+
+TEUCHOS_UNIT_TEST(number_runs, find_the_places_of_numbers_in_any_order) {
+  const std::vector<long long> numbers{5, 6, 7, 1, 2, 8, 100, 3, 4, -1, 0, LLONG_MAX, LLONG_MIN};
+  NumberRuns runs;
+  for (const long long number : numbers) TEST_ASSERT(runs.add(number));
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    TEST_EQUALITY(runs.find(numbers[k]), static_cast<long long>(k));
+  for (const long long none : {-2LL, 9LL, 99LL, 101LL, LLONG_MAX - 1, LLONG_MIN + 1})
+    TEST_EQUALITY(runs.find(none), -1);
+  for (const long long number : numbers) TEST_ASSERT(!runs.add(number));
+  TEST_ASSERT(runs.add(50));  // those refused have taken places
+  TEST_EQUALITY(runs.find(50), 2 * static_cast<long long>(numbers.size()));
 }
 
 TEUCHOS_UNIT_TEST(mesh_formats, failed_write_leaves_nothing) {

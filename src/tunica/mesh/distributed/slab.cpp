@@ -12,7 +12,9 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/io/parallel_hdf5.hpp"
+#include "tunica/mesh/distributed/broadcast.hpp"
 #include "tunica/mesh/distributed/rows.hpp"
+#include "tunica/mesh/distributed/text_mesh.hpp"
 #include "tunica/mesh/hdf5.hpp"
 #include "tunica/mesh/read.hpp"
 
@@ -20,38 +22,10 @@ namespace tunica::mesh {
 
 namespace {
 
-void broadcast_tags(const Comm& comm, std::vector<Tag>& tags) {
-  int count = static_cast<int>(tags.size());
-  Teuchos::broadcast(comm, 0, 1, &count);
-  tags.resize(count);
-  for (Tag& tag : tags) {
-    Teuchos::broadcast(comm, 0, 1, &tag.id);
-    broadcast(comm, tag.name);
-  }
-}
-
-/// The names on rank 0, on all.
-std::vector<std::string> vector_names(const Comm& comm, const Mesh& root) {
-  int count = static_cast<int>(root.tet_vectors.size());
-  Teuchos::broadcast(comm, 0, 1, &count);
-  std::vector<std::string> names(count);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    if (comm.getRank() == 0) names[k] = root.tet_vectors[k].name;
-    broadcast(comm, names[k]);
-  }
-  return names;
-}
-
 Slab read_own(const std::string& path, const CommPtr& comm) {
   Hdf5Rows found;
   on_all(*comm, [&] { found = read_hdf5_rows(path, comm->getRank(), comm->getSize()); });
   return {comm, std::move(found.rows), found.vertices, found.tets, found.triangles};
-}
-
-Slab read_foreign(const std::string& path, const CommPtr& comm) {
-  Mesh whole;
-  on_root(*comm, [&] { whole = read(path); });
-  return slab_of(whole, comm);
 }
 
 template <class Item>
@@ -96,7 +70,9 @@ Slab slab_of(const Mesh& whole, const CommPtr& comm) {
   slab.rows.tet_region = rows_of(whole.tet_region, tets);
   slab.rows.triangles = rows_of(whole.triangles, triangles);
   slab.rows.triangle_surface = rows_of(whole.triangle_surface, triangles);
-  const std::vector<std::string> names = vector_names(*comm, whole);
+  std::vector<std::string> names;
+  for (const TetVectors& vectors : whole.tet_vectors) names.push_back(vectors.name);
+  broadcast(*comm, names);
   for (std::size_t k = 0; k < names.size(); ++k) {
     static const std::vector<Vec3> none;
     const auto& values = is_root ? whole.tet_vectors[k].values : none;
@@ -106,8 +82,8 @@ Slab slab_of(const Mesh& whole, const CommPtr& comm) {
     slab.rows.regions = whole.regions;
     slab.rows.surfaces = whole.surfaces;
   }
-  broadcast_tags(*comm, slab.rows.regions);
-  broadcast_tags(*comm, slab.rows.surfaces);
+  broadcast(*comm, slab.rows.regions);
+  broadcast(*comm, slab.rows.surfaces);
   return slab;
 }
 
@@ -131,7 +107,7 @@ Slab read_slab(const std::string& path, const CommPtr& comm) {
   on_root(*comm, [&] { is_own = is_hdf5(path); });
   int answer = is_own ? 1 : 0;
   Teuchos::broadcast(*comm, 0, 1, &answer);
-  Slab slab = answer == 1 ? read_own(path, comm) : read_foreign(path, comm);
+  Slab slab = answer == 1 ? read_own(path, comm) : read_text_mesh(path, comm);
   on_all(*comm, [&] {
     TUNICA_CHECK(slab.tets > 0, path + ": the mesh has no tetrahedra");
     TUNICA_CHECK(slab.vertices > 0, path + ": the mesh has no vertices");

@@ -7,7 +7,8 @@
 namespace tunica::mesh {
 
 /// A mesh of which each rank holds an equal portion of rows, in the order of the file: vertices,
-/// tetrahedra and triangles, each for itself. Vertices and tetrahedra are at most 2³¹ − 1.
+/// tetrahedra and triangles, each for itself. Vertices are at most 2³¹ − 1, which is
+/// some 12·10⁹ tetrahedra: their numbers, most of what a mesh takes, are short.
 struct Slab {
   CommPtr comm;
   Mesh rows;  ///< elements have numbers of the whole; all tags
@@ -17,8 +18,8 @@ struct Slab {
 };
 
 /// Reads a mesh as mesh::read() does. Of tunica's own files each rank reads its rows; others are
-/// read by rank 0 and handed on. Checks all that rows show by themselves: numbers in range, finite,
-/// tags. Throws Error on all ranks alike. Collective.
+/// read by rank 0 in pieces, which are handed on. Checks all that rows show by themselves: numbers
+/// in range, finite, tags. Throws Error on all ranks alike. Collective.
 Slab read_slab(const std::string& path, const CommPtr& comm);
 
 /// Hands out a mesh that rank 0 has. Collective.
