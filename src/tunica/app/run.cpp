@@ -199,8 +199,8 @@ int solve(const Program& program, const CommandLine& command, const March& march
   on_root(*comm, [&] { output.files = hashes_of_files(list); });
   record_sizes(domain, output.record);
   record_shares(domain, *comm, output.record);
-  for (const auto& [phase, peak] : domain.memory.phases())
-    output.record.set(output::memory_section, phase, peak);
+  for (const auto& [phase, peaks] : domain.memory.phases())
+    output.record.set(output::memory_section, phase, peaks);
   output.record.add_time("set-up", set_up.seconds());
   return conclude(program, output, *comm, [&] { return march(list, domain, output); });
 }

@@ -2,7 +2,7 @@
 
 #include <sys/resource.h>
 
-#include "tunica/base/reduce.hpp"
+#include <Teuchos_CommHelpers.hpp>
 
 namespace tunica {
 
@@ -12,10 +12,15 @@ double peak_memory() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;  // KB
 }
 
-double peak_memory(const Comm& comm) { return global_max(comm, peak_memory()); }
+std::vector<double> peaks_of_memory(const Comm& comm) {
+  const double mine = peak_memory();
+  std::vector<double> all(static_cast<std::size_t>(comm.getSize()));
+  Teuchos::gatherAll(comm, 1, &mine, static_cast<int>(all.size()), all.data());
+  return all;
+}
 
 void MemoryByPhase::end(const std::string& phase, const Comm& comm) {
-  phases_.emplace_back(phase, peak_memory(comm));
+  phases_.emplace_back(phase, peaks_of_memory(comm));
 }
 
 }  // namespace tunica

@@ -9,19 +9,21 @@ namespace tunica {
 
 /// The most memory that the process has had at any moment so far [MB].
 double peak_memory();
-/// The same of the rank that has most. Collective.
-double peak_memory(const Comm& comm);
+/// The same of each rank. Collective.
+std::vector<double> peaks_of_memory(const Comm& comm);
 
-/// What the phases of a program need: peaks of the rank that has the largest.
+/// What the phases of a program need: peaks of the ranks.
 class MemoryByPhase {
 public:
   /// Collective.
   void end(const std::string& phase, const Comm& comm);
-  /// In the order they ended: the peak up to there [MB].
-  const std::vector<std::pair<std::string, double>>& phases() const { return phases_; }
+  /// In the order they ended: the peaks up to there [MB].
+  const std::vector<std::pair<std::string, std::vector<double>>>& phases() const {
+    return phases_;
+  }
 
 private:
-  std::vector<std::pair<std::string, double>> phases_;
+  std::vector<std::pair<std::string, std::vector<double>>> phases_;
 };
 
 }  // namespace tunica

@@ -23,7 +23,7 @@ Outcome check_inversion(const fields::FieldMesh& mesh, double smallest, int elem
   if (rank == static_cast<int>(speaker)) {
     for (const int a : mesh.tets[element]) centre += 0.25 * mesh.x[a];
     value = smallest;
-    number = mesh.tet_number[element];
+    number = static_cast<double>(mesh.tet_number[element]);
   }
   for (double& c : centre) c = global_sum(*mesh.comm, c);
   value = global_sum(*mesh.comm, value);

@@ -200,7 +200,7 @@ FieldMesh make_field_mesh(const mesh::Share& share, const std::vector<int>& regi
     const auto& t = mesh.tets[e];
     field.tets.push_back({local[t[0]], local[t[1]], local[t[2]], local[t[3]]});
     field.region.push_back(mesh.tet_region[e]);
-    field.tet_number.push_back(static_cast<int>(share.numbers.tets[e]) + 1);
+    field.tet_number.push_back(share.numbers.tets[e] + 1);
     field.is_owned.push_back(share.counts(e));
   }
   for (const mesh::TetVectors& all : mesh.tet_vectors) {

@@ -61,9 +61,9 @@ struct FieldMesh {
   NodeSurfaces node_surfaces;  ///< of owned and ghost nodes
 
   std::vector<std::array<int, 4>> tets;
-  std::vector<int> region;      ///< per tet: index into regions
-  std::vector<int> tet_number;  ///< per tet: its place among those of the mesh, from 1
-  std::vector<char> is_owned;   ///< per tet: true on exactly one rank
+  std::vector<int> region;                ///< per tet: index into regions
+  std::vector<GlobalOrdinal> tet_number;  ///< per tet: its place among those of the mesh, from 1
+  std::vector<char> is_owned;             ///< per tet: true on exactly one rank
   std::vector<mesh::TetVectors> tet_vectors;  ///< those of the mesh, per tet of this rank
   std::vector<Face> faces;
 

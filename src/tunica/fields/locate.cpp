@@ -97,7 +97,7 @@ double place_inside(const FieldMesh& mesh, const Vec3& point, Place& place) {
     const std::array<double, 4> weights = weights_in(x, point);
     if (!(*std::min_element(weights.begin(), weights.end()) >= -round_off)) continue;
     place = {true, mesh.tets[e], weights, 0.0, point, longest_edge(x)};
-    return mesh.tet_number[e];  // they ascend
+    return static_cast<double>(mesh.tet_number[e]);  // they ascend
   }
   return 1e300;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/map_of.hpp"
 #include "tunica/fields/split_mesh.hpp"
 
 namespace tunica::fields {
@@ -95,12 +96,7 @@ State::Array element_rows_of(const std::vector<Vec3>& values, const FieldMesh& m
 
 std::vector<Vec3> all_element_rows(const State::Array& rows, const FieldMesh& mesh) {
   const State owned = element_state_on(mesh);
-  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  const auto map_of = [&](const std::vector<int>& numbers) {
-    const std::vector<GlobalOrdinal> global(numbers.begin(), numbers.end());
-    return Teuchos::rcp(new Map(unknown, Teuchos::arrayViewFromVector(global), 0, mesh.comm));
-  };
-  MultiVector from(map_of(owned.vertices), 3), to(map_of(mesh.tet_number), 3);
+  MultiVector from(map_of(owned.vertices, mesh.comm), 3), to(map_of(mesh.tet_number, mesh.comm), 3);
   {
     const auto view = from.getLocalViewHost(overwrite_all);
     for (std::size_t k = 0; k < owned.vertices.size(); ++k)

@@ -22,7 +22,7 @@ struct State {
   };
 
   /// Of the rows: vertices, or elements from 1; each on exactly one rank.
-  std::vector<int> vertices;
+  std::vector<GlobalOrdinal> vertices;
   std::map<std::string, std::string> texts;
   std::map<std::string, std::vector<double>> numbers;
   std::map<std::string, Array> arrays;

@@ -149,12 +149,22 @@ void Hdf5Reader::read_any(hid_t id, hid_t type, const std::string& dataset, hsiz
     fail(dataset, "cannot be read. Is it damaged?");
 }
 
+void Hdf5Reader::read_integers(const std::string& dataset, hid_t type, hsize_t columns,
+                               hsize_t first, hsize_t count, void* to) const {
+  const Hdf5Handle handle = open(dataset);
+  const Hdf5Handle on_disk(H5Dget_type(handle), H5Tclose);
+  if (H5Tget_class(on_disk) != H5T_INTEGER) fail(dataset, "does not hold integers");
+  read_any(handle, type, dataset, columns, first, count, to);
+}
+
 void Hdf5Reader::read(const std::string& dataset, hsize_t columns, hsize_t first, hsize_t count,
                       int* to) const {
-  const Hdf5Handle handle = open(dataset);
-  const Hdf5Handle type(H5Dget_type(handle), H5Tclose);
-  if (H5Tget_class(type) != H5T_INTEGER) fail(dataset, "does not hold integers");
-  read_any(handle, H5T_NATIVE_INT, dataset, columns, first, count, to);
+  read_integers(dataset, H5T_NATIVE_INT, columns, first, count, to);
+}
+
+void Hdf5Reader::read(const std::string& dataset, hsize_t columns, hsize_t first, hsize_t count,
+                      long long* to) const {
+  read_integers(dataset, H5T_NATIVE_LLONG, columns, first, count, to);
 }
 
 void Hdf5Reader::read(const std::string& dataset, hsize_t columns, hsize_t first, hsize_t count,

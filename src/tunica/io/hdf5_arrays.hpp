@@ -29,6 +29,8 @@ public:
   void read(const std::string& dataset, hsize_t columns, hsize_t first, hsize_t count,
             int* to) const;
   void read(const std::string& dataset, hsize_t columns, hsize_t first, hsize_t count,
+            long long* to) const;
+  void read(const std::string& dataset, hsize_t columns, hsize_t first, hsize_t count,
             double* to) const;
   std::vector<std::string> strings(const std::string& dataset) const;
 
@@ -38,6 +40,8 @@ private:
   Hdf5Handle open_attribute(const std::string& name, const std::string& object) const;
   /// Number of rows; the size must fit the columns and what is stored.
   std::size_t rows_of(hid_t id, const std::string& dataset, hsize_t columns) const;
+  void read_integers(const std::string& dataset, hid_t type, hsize_t columns, hsize_t first,
+                     hsize_t count, void* to) const;
   void read_any(hid_t id, hid_t type, const std::string& dataset, hsize_t columns, hsize_t first,
                 hsize_t count, void* to) const;
 

@@ -30,20 +30,20 @@ fields::State::Array read_rows(const io::Hdf5Reader& in, const std::string& name
   return array;
 }
 
-std::vector<int> read_vertices(const io::Hdf5Reader& in, const std::string& part,
-                               const Portion& rows) {
-  std::vector<int> vertices(rows.count);
+std::vector<GlobalOrdinal> read_vertices(const io::Hdf5Reader& in, const std::string& part,
+                                         const Portion& rows) {
+  std::vector<GlobalOrdinal> vertices(rows.count);
   in.read(part + "/vertices", 1, rows.first, rows.count, vertices.data());
   return vertices;
 }
 
 /// That some rank has a row for each of the vertices.
-void check_presence(const std::vector<int>& in_file, const std::vector<int>& vertices,
-                    const std::string& where, const CommPtr& comm) {
-  const auto there = map_of({in_file.begin(), in_file.end()}, comm);
-  const std::vector<GlobalOrdinal> wanted(vertices.begin(), vertices.end());
-  std::vector<int> ranks(wanted.size());
-  there->getRemoteIndexList(Teuchos::arrayViewFromVector(wanted),
+void check_presence(const std::vector<GlobalOrdinal>& in_file,
+                    const std::vector<GlobalOrdinal>& vertices, const std::string& where,
+                    const CommPtr& comm) {
+  const auto there = map_of(in_file, comm);
+  std::vector<int> ranks(vertices.size());
+  there->getRemoteIndexList(Teuchos::arrayViewFromVector(vertices),
                             Teuchos::arrayViewFromVector(ranks));
   on_all(*comm, [&] {
     const auto lost = std::find(ranks.begin(), ranks.end(), -1) - ranks.begin();
@@ -132,7 +132,8 @@ void CheckpointFile::verify() const {
   }
 }
 
-fields::State CheckpointFile::read(const std::string& part, const std::vector<int>& vertices,
+fields::State CheckpointFile::read(const std::string& part,
+                                   const std::vector<GlobalOrdinal>& vertices,
                                    const CommPtr& comm) const {
   fields::State state;
   state.vertices = vertices;
@@ -145,14 +146,14 @@ fields::State CheckpointFile::read(const std::string& part, const std::vector<in
   // Each rank reads its portion, whoever wants the rows.
   std::optional<io::Hdf5Reader> in;
   Portion rows{};
-  std::vector<int> in_file;
+  std::vector<GlobalOrdinal> in_file;
   on_all(*comm, [&] {
     in.emplace(path_);
     rows = portion_of(static_cast<long long>(in->rows(part + "/vertices")), *comm);
     in_file = read_vertices(*in, part, rows);
   });
   check_presence(in_file, vertices, path_ + ": /" + part, comm);
-  const RowOrder order({in_file.begin(), in_file.end()}, {vertices.begin(), vertices.end()}, comm);
+  const RowOrder order(in_file, vertices, comm);
   for (const auto& [name, entry] : arrays_) {
     if (!is_of(part, name)) continue;
     fields::State::Array mine;

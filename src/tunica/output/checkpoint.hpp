@@ -23,7 +23,7 @@ struct CheckpointHead {
   std::map<std::string, std::string> files{};
 };
 
-constexpr const char* checkpoint_format = "tunica-checkpoint 3";
+constexpr const char* checkpoint_format = "tunica-checkpoint 4";
 
 /// Under which the hashes of files stand among the texts of the part "run", and
 /// under which the numbers of the control stand among those of the part "run".
@@ -36,13 +36,13 @@ using StateSources = std::vector<std::pair<std::string, std::function<fields::St
 
 /// Writes a checkpoint file, HDF5:
 ///
-///   attribute "format" of the root = "tunica-checkpoint 3"; earlier: other fingerprints of meshes
+///   attribute "format" of the root = "tunica-checkpoint 4"; earlier ones are refused
 ///   /text_names  /texts                                         strings
 ///   /number_names  /number_counts  /numbers
 ///   /array_names  /array_columns  /array_checksums
 ///   /parameters                                                 XML, in pieces
 ///   /head_checksum                                              of all above
-///   `/<part>/vertices`                                            int32, vertex of each row
+///   `/<part>/vertices`                                            int64, vertex of each row
 ///   `/<part>/<array>`                                             float64, rows × columns
 ///
 /// Names are "`<part>/<name>`"; what the head has is of the part "run". The rows stand in any
@@ -67,7 +67,7 @@ public:
   /// The state of a part with the rows of these vertices, in this order, on every rank. No rank
   /// takes in more than its portion of the file and its rows. Throws on all ranks alike.
   /// Collective.
-  fields::State read(const std::string& part, const std::vector<int>& vertices,
+  fields::State read(const std::string& part, const std::vector<GlobalOrdinal>& vertices,
                      const CommPtr& comm) const;
 
 private:

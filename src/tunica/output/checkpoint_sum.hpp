@@ -9,7 +9,8 @@ namespace tunica::output {
 
 /// Sum of the hashes of all rows with their vertices, modulo 2^64: the same in whatever order and
 /// on whatever ranks the rows stand.
-inline std::uint64_t checksum(const std::vector<int>& vertices, const fields::State::Array& rows) {
+inline std::uint64_t checksum(const std::vector<GlobalOrdinal>& vertices,
+                              const fields::State::Array& rows) {
   std::uint64_t sum = 0;
   for (std::size_t r = 0; r < vertices.size(); ++r) {
     const std::uint64_t start = hash_bytes(&vertices[r], sizeof vertices[r]);

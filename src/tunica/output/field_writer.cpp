@@ -116,15 +116,16 @@ bool FieldWriter::can_go_on(int kept_step) {
 void FieldWriter::go_on(const std::vector<Grid>& grids) {
   for (std::size_t g = 0; g < grids.size(); ++g) {
     Shape& s = shapes_[g];
-    s.point_order = take_share(s.name + "/vertices", grids[g].vertex, s.first_point, s.points);
+    const std::vector<GlobalOrdinal> vertices(grids[g].vertex.begin(), grids[g].vertex.end());
+    s.point_order = take_share(s.name + "/vertices", vertices, s.first_point, s.points);
     s.cell_order = take_share(s.name + "/tet_numbers", grids[g].tet_number, s.first_cell, s.cells);
   }
 }
 
 std::shared_ptr<const RowOrder> FieldWriter::take_share(const std::string& dataset,
-                                                        const std::vector<int>& given,
+                                                        const std::vector<GlobalOrdinal>& given,
                                                         long long& first, long long& count) const {
-  std::vector<int> numbers;
+  std::vector<GlobalOrdinal> numbers;
   on_all(*comm_, [&] {
     const io::Hdf5Reader in(folder_ + "/" + hdf5_name);
     const Portion mine = portion_of(static_cast<long long>(in.rows(dataset)), *comm_);
@@ -133,9 +134,7 @@ std::shared_ptr<const RowOrder> FieldWriter::take_share(const std::string& datas
     numbers.resize(count);
     in.read(dataset, 1, first, count, numbers.data());
   });
-  return std::make_shared<RowOrder>(std::vector<GlobalOrdinal>(given.begin(), given.end()),
-                                    std::vector<GlobalOrdinal>(numbers.begin(), numbers.end()),
-                                    comm_);
+  return std::make_shared<RowOrder>(given, numbers, comm_);
 }
 
 void FieldWriter::begin_anew(const std::vector<Grid>& grids) {

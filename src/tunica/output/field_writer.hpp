@@ -20,7 +20,7 @@ struct Grid {
   std::vector<Vec3> points;                    ///< owned points [mm]
   std::vector<int> vertex;                     ///< per owned point: vertex of the mesh
   std::vector<std::array<long long, 4>> tets;  ///< written by this rank; global point ids
-  std::vector<int> tet_number;                 ///< per tet of this rank: that of the mesh
+  std::vector<GlobalOrdinal> tet_number;       ///< per tet of this rank: that of the mesh
   std::vector<int> region;                     ///< per tet of this rank: index into regions
   std::vector<int> partition;                  ///< per tet of this rank
   std::vector<std::string> regions{};          ///< names, of the whole mesh
@@ -97,8 +97,8 @@ private:
   void go_on(const std::vector<Grid>& grids);
   /// Sets which rows of the file this rank writes; returns how they come from those given.
   std::shared_ptr<const RowOrder> take_share(const std::string& dataset,
-                                             const std::vector<int>& given, long long& first,
-                                             long long& count) const;
+                                             const std::vector<GlobalOrdinal>& given,
+                                             long long& first, long long& count) const;
   void begin_anew(const std::vector<Grid>& grids);
   void write_geometry(const std::vector<Grid>& grids) const;
   std::string complaint(int step, double time, const Block& block) const;

@@ -4,12 +4,12 @@
 #include <hdf5.h>
 #include <mpi.h>
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <array>
 #include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <stdexcept>
 
 #include "tunica/base/agreement.hpp"
@@ -180,13 +180,13 @@ void RunRecord::finish(RunStatus status, const std::string& message) {
 }
 
 void RunRecord::note_memory(const std::string& phase) {
-  set(memory_section, phase, peak_memory(*comm_));
+  set(memory_section, phase, peaks_of_memory(*comm_));
 }
 
 void RunRecord::measure_memory() {
-  const double mine = peak_memory();
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, 1, &mine, &memory_of_one_);
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, 1, &mine, &memory_of_all_);
+  const std::vector<double> peaks = peaks_of_memory(*comm_);
+  memory_of_one_ = *std::max_element(peaks.begin(), peaks.end());
+  memory_of_all_ = std::accumulate(peaks.begin(), peaks.end(), 0.0);
 }
 
 std::string RunRecord::text() const {

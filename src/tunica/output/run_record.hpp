@@ -29,7 +29,7 @@ std::vector<Leg> read_history(const std::string& path);
 /// The one that made the checkpoint of a step, which is not empty.
 const Leg& leg_of_step(const std::vector<Leg>& history, int step);
 
-/// The section with the peaks of memory at the ends of phases.
+/// The section with the peaks of memory of each rank at the ends of phases.
 constexpr const char* memory_section = "memory by phase [MB]";
 
 /// What a run was and how it went: "run.json".
@@ -43,7 +43,7 @@ constexpr const char* memory_section = "memory by phase [MB]";
 class RunRecord {
 public:
   /// int and bool stay what they are; string literals become string.
-  using Value = std::variant<bool, int, long long, double, std::string>;
+  using Value = std::variant<bool, int, long long, double, std::string, std::vector<double>>;
 
   RunRecord(const std::string& path, const std::string& program, const std::string& version,
             const CommPtr& comm);
@@ -54,8 +54,8 @@ public:
 
   /// Sets an entry of a section: set("sizes", "fluid points", 12345).
   void set(const std::string& section, const std::string& key, Value value);
-  /// Notes the peak of memory up to here, of the rank that has most, in the section "memory by
-  /// phase [MB]". Collective.
+  /// Notes the peaks of memory up to here, of each rank, in the section "memory by phase [MB]".
+  /// Collective.
   void note_memory(const std::string& phase);
   /// Adds seconds to an entry of "timings".
   void add_time(const std::string& name, double seconds);

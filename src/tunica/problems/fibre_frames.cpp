@@ -127,7 +127,7 @@ double largest_norm(const fields::FieldMesh& mesh, const std::vector<Vec3>& vect
 /// The wrong element of the smallest number speaks, whoever holds it.
 void agree(const fields::FieldMesh& mesh, int element, const std::string& what) {
   constexpr double none = std::numeric_limits<double>::infinity();
-  const double mine = element < 0 ? none : mesh.tet_number[element];
+  const double mine = element < 0 ? none : static_cast<double>(mesh.tet_number[element]);
   const double first = global_min(*mesh.comm, mine);
   if (first == none) return;
   std::string message;

@@ -12,7 +12,9 @@ namespace tunica::output::test {
 
 namespace {
 
-double value(int vertex, int column) { return vertex + 1.0 / (column + 3.0); }
+double value(GlobalOrdinal vertex, int column) {
+  return static_cast<double>(vertex) + 1.0 / (column + 3.0);
+}
 
 /// Vertices 0, 3, 6, … of some twenty, dealt out in turn, with arrays of one and of five columns.
 fields::State some_state(int count = 20) {
@@ -22,7 +24,7 @@ fields::State some_state(int count = 20) {
   for (const auto& [name, columns] : {std::pair("one", 1), std::pair("five", 5)}) {
     fields::State::Array& rows = state.arrays[name];
     rows.columns = columns;
-    for (const int vertex : state.vertices)
+    for (const GlobalOrdinal vertex : state.vertices)
       for (int c = 0; c < columns; ++c) rows.values.push_back(value(vertex, c));
   }
   state.arrays["none"];
@@ -75,7 +77,7 @@ TEUCHOS_UNIT_TEST(checkpoint, comes_back_on_other_ranks_in_another_order) {
   TEST_EQUALITY(file.head().parameters, head.parameters);
   TEST_ASSERT(file.has("part") && file.has("part two") && !file.has("par"));
 
-  const std::vector<int> wanted{57, 0, 30};
+  const std::vector<GlobalOrdinal> wanted{57, 0, 30};
   const fields::State state = file.read("part", wanted, world());
   TEST_EQUALITY(state.text("kind"), "a word");
   TEST_ASSERT(state.number_list("counts") == std::vector<double>({3.0, 1.0 / 3.0}));

@@ -51,9 +51,14 @@ TEUCHOS_UNIT_TEST(run_record, tells_how_the_run_ended) {
   const std::string path = record_file("ended");
   RunRecord record(path, "tunica-fsi", "0.1.0", world());
   record.save();
+  record.note_memory("early");
   record.finish(RunStatus::not_converged, "step 3: 40 coupling iterations");
 
   const auto json = parse(path);
+  const std::vector<double> early = json["memory by phase [MB]"]["early"];
+  TEST_EQUALITY(early.size(), static_cast<std::size_t>(world()->getSize()));
+  for (const double peak : early)
+    TEST_COMPARE(peak, <=, json["memory"]["peak of one rank [MB]"].get<double>());
   TEST_EQUALITY(json["status"].get<std::string>(), "not converged");
   TEST_EQUALITY(json["message"].get<std::string>(), "step 3: 40 coupling iterations");
   TEST_ASSERT(json["ended"].get<std::string>() >= json["started"].get<std::string>());

@@ -130,9 +130,9 @@ private:
     const long long edges = global_sum(comm_, mine);
     new_ = {old_.comm, {}, old_.vertices + edges, 8 * old_.tets, 4 * old_.triangles};
     constexpr long long most = std::numeric_limits<int>::max();
-    TUNICA_CHECK(new_.vertices <= most && new_.tets < most,
-                 "refinement: the result would have " + std::to_string(new_.tets) +
-                     " tetrahedra, more than can be numbered");
+    TUNICA_CHECK(new_.vertices <= most, "refinement: the result would have " +
+                                            std::to_string(new_.vertices) +
+                                            " vertices, more than can be numbered");
     new_.rows.regions = old_.rows.regions;
     new_.rows.surfaces = old_.rows.surfaces;
   }
