@@ -12,6 +12,10 @@ struct Portion {
 /// The first row of a rank; that of the rank behind the last is the total.
 inline long long first_row(long long total, int rank, int ranks) { return total * rank / ranks; }
 
+inline int rank_of_row(long long row, long long total, const Comm& comm) {
+  return static_cast<int>(((row + 1) * comm.getSize() - 1) / total);
+}
+
 inline Portion portion_of(long long total, int rank, int ranks) {
   const long long first = first_row(total, rank, ranks);
   return {first, first_row(total, rank + 1, ranks) - first};
