@@ -13,6 +13,10 @@ DIVISIONS = 12
 CASE = ROOT / "xml" / "system.xml"
 CONVERGE = ["direct", "block LU, GCR", "Vanka 2+2, GCR", "Braess-Sarazin 2+2, GCR", "Braess-Sarazin 8+8"]
 
+# Runs a command and says how much the largest process had [KB].
+PEAK = ("import resource, subprocess, sys; status = subprocess.call(sys.argv[1:]); "
+        "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss); sys.exit(status)")
+
 
 def solve(programs, scratch, name, files, ranks=1, settings=()):
     words = [CASE, "--output", scratch / name]
@@ -115,7 +119,7 @@ def check_refusals(verdict, programs, scratch):
     junk = scratch / "junk.txt"
     junk.write_text("0 0\n0.7\n")
     cases = {
-        "junk in the map": (files, [("System/node map", junk)], "junk.txt, line 2"),
+        "junk in the map": (files, [("System/node map", junk)], "junk.txt, line 2: found \".7\" after"),
         "missing file": ({**files, "System/A": good / "AA.mtx"}, [], "AA.mtx"),
         "entry outside": ({**files, "System/A": broken}, [], "broken.mtx"),
         "A not square": ({**files, "System/A": good / "B2.mtx"}, [], "A is"),
@@ -136,12 +140,49 @@ def check_refusals(verdict, programs, scratch):
                           f"{name} is refused: {run.status} {run.err.strip()[:160]}")
 
 
+def write_wide(folder, nodes=6000, reach=10):
+    """A chain of nodes of three components and a scalar, each coupled to many on both sides."""
+    folder.mkdir()
+
+    def write(name, rows, columns):
+        near = [(i, j) for i in range(nodes) for j in range(max(0, i - reach), min(nodes, i + reach + 1))]
+        with open(folder / f"{name}.mtx", "w") as file:
+            file.write("%%MatrixMarket matrix coordinate real general\n"
+                       f"{rows * nodes} {columns * nodes} {len(near) * rows * columns}\n")
+            for i, j in near:
+                file.writelines(f"{rows * i + a + 1} {columns * j + b + 1} {99 if i == j and a == b else 1}\n"
+                                for a in range(rows) for b in range(columns))
+
+    write("A", 3, 3)
+    write("B2", 1, 3)
+    (folder / "rhs.mtx").write_text(f"%%MatrixMarket matrix array real general\n{4 * nodes} 1\n" + "1\n" * 4 * nodes)
+
+
+def check_memory(verdict, programs, scratch):
+    """No rank has more than its rows of what is read."""
+    write_wide(scratch / "wide")
+
+    def peak(folder, ranks, components, order):
+        words = [CASE, "--dry-run", "--set", f"System/components={components}", "--set", f"System/order={order}"]
+        for key, value in files_in(folder, "A", "B2", "rhs").items():
+            words += ["--set", f"{key}={value}"]
+        run = Run([sys.executable, "-c", PEAK] + command(programs / "tunica-solvers", words, ranks), scratch)
+        verdict.claim(run.status == 0, f"{folder.name} is read on {ranks} ranks {run.err}")
+        return int(run.out.split()[-1]) / 1024
+
+    program = peak(scratch / "by-component", 4, 2, "by component")
+    one, four = (peak(scratch / "wide", ranks, 3, "by node") - program for ranks in (1, 4))
+    verdict.claim(four < 0.5 * one, f"beside the {program:.0f} MB of the program a system takes {one:.0f} MB on one "
+                                    f"rank, {four:.0f} MB on each of four")
+
+
 def main():
     programs, scratch = pathlib.Path(sys.argv[1]).resolve(), fresh(sys.argv[2])
     verdict = Verdict()
     check_orders(verdict, programs, scratch)
     check_numbers(verdict, programs, scratch)
     check_own_export(verdict, programs, scratch)
+    check_memory(verdict, programs, scratch)
     check_refusals(verdict, programs, scratch)
     sys.exit(verdict.status())
 

@@ -18,9 +18,7 @@ public:
   /// Collective.
   void end(const std::string& phase, const Comm& comm);
   /// In the order they ended: the peaks up to there [MB].
-  const std::vector<std::pair<std::string, std::vector<double>>>& phases() const {
-    return phases_;
-  }
+  const std::vector<std::pair<std::string, std::vector<double>>>& phases() const { return phases_; }
 
 private:
   std::vector<std::pair<std::string, std::vector<double>>> phases_;

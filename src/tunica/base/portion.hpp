@@ -12,6 +12,7 @@ struct Portion {
 /// The first row of a rank; that of the rank behind the last is the total.
 inline long long first_row(long long total, int rank, int ranks) { return total * rank / ranks; }
 
+/// The rank that has a row.
 inline int rank_of_row(long long row, long long total, const Comm& comm) {
   return static_cast<int>(((row + 1) * comm.getSize() - 1) / total);
 }

@@ -1,22 +1,20 @@
 #include "tunica/systems/matrix_files.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <optional>
 
+#include "tunica/base/agreement.hpp"
 #include "tunica/systems/matrix_market_reader.hpp"
 
 namespace tunica::systems {
 
 namespace {
 
-struct Entry {
-  long long row, column;
-  double value;
-};
+using Sizes = std::vector<long long>;
 
-/// The entries that a file of coordinates lists, and their mirror images where it is symmetric.
-std::vector<Entry> read_entries(MatrixMarketReader& reader, const std::vector<long long>& sizes) {
-  const std::string promise = std::to_string(sizes[2]) + " entries, as the line of sizes says";
+/// What the next lines of a file of coordinates say, and their mirror images where it is symmetric.
+std::vector<Entry> next_entries(MatrixMarketReader& reader, const Sizes& sizes, long long count,
+                                const std::string& promise) {
   const auto index = [&reader](const char* what, long long most) {
     const long long i = reader.integer(what);
     if (i < 1 || i > most)
@@ -25,7 +23,7 @@ std::vector<Entry> read_entries(MatrixMarketReader& reader, const std::vector<lo
     return i - 1;
   };
   std::vector<Entry> entries;
-  for (long long k = 0; k < sizes[2]; ++k) {
+  for (long long k = 0; k < count; ++k) {
     reader.next_line(promise);
     const long long row = index("the row", sizes[0]), column = index("the column", sizes[1]);
     const double value = reader.number("the value");
@@ -33,76 +31,76 @@ std::vector<Entry> read_entries(MatrixMarketReader& reader, const std::vector<lo
     entries.push_back({row, column, value});
     if (reader.is_symmetric() && row != column) entries.push_back({column, row, value});
   }
-  reader.end_file("expected " + promise);
   return entries;
+}
+
+std::vector<double> next_numbers(MatrixMarketReader& reader, long long count,
+                                 const std::string& promise) {
+  std::vector<double> numbers;
+  for (long long i = 0; i < count; ++i) {
+    reader.next_line(promise);
+    numbers.push_back(reader.number("a number"));
+    reader.end_line();
+  }
+  return numbers;
+}
+
+/// Hands on the lines of a file. read(count): what so many of them say, on rank 0.
+/// take(items, first): all ranks take that, of which rank 0 has all and the others nothing.
+template <class Read, class Take>
+void read_lines(const Comm& comm, long long lines, std::size_t at_once, const Read& read,
+                const Take& take) {
+  const auto most = static_cast<long long>(at_once);
+  for (long long first = 0; first < lines; first += most) {
+    decltype(read(0LL)) items;
+    on_root(comm, [&] { items = read(std::min(most, lines - first)); });
+    take(items, first);
+  }
 }
 
 }  // namespace
 
-FileMatrix read_matrix(const std::string& path) {
-  MatrixMarketReader reader(path, "coordinate");
-  const std::vector<long long> sizes = reader.sizes(3);
-  if (reader.is_symmetric() && sizes[0] != sizes[1])
-    reader.refuse("a symmetric matrix has as many rows as columns");
-  std::vector<Entry> entries = read_entries(reader, sizes);
-  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return std::pair(a.row, a.column) < std::pair(b.row, b.column);
+MatrixRows read_matrix(const std::string& path, const CommPtr& comm, std::size_t lines_at_once) {
+  std::optional<MatrixMarketReader> reader;  // on rank 0
+  Sizes sizes(3);
+  on_root(*comm, [&] {
+    reader.emplace(path, "coordinate");
+    sizes = reader->sizes(3);
+    if (reader->is_symmetric() && sizes[0] != sizes[1])
+      reader->refuse("a symmetric matrix has as many rows as columns");
   });
-  FileMatrix A = empty_matrix(sizes[0], sizes[1]);
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    const Entry& entry = entries[k];
-    const bool is_again =
-        k > 0 && entries[k - 1].row == entry.row && entries[k - 1].column == entry.column;
-    if (is_again) {  // what is listed twice is a sum, as in element matrices
-      A.values.back() += entry.value;
-      continue;
-    }
-    A.columns.push_back(entry.column);
-    A.values.push_back(entry.value);
-    ++A.start[entry.row + 1];
-  }
-  for (std::size_t i = 0; i + 1 < A.start.size(); ++i) A.start[i + 1] += A.start[i];
-  return A;
+  Teuchos::broadcast(*comm, 0, 3, sizes.data());
+  const std::string promise = std::to_string(sizes[2]) + " entries, as the line of sizes says";
+  RowCollector collector(sizes[0], sizes[1], comm);
+  read_lines(
+      *comm, sizes[2], lines_at_once,
+      [&](long long count) { return next_entries(*reader, sizes, count, promise); },
+      [&](const std::vector<Entry>& entries, long long) { collector.add(entries); });
+  on_root(*comm, [&] { reader->end_file("expected " + promise); });
+  return collector.take();
 }
 
-std::vector<double> read_column(const std::string& path) {
-  MatrixMarketReader reader(path, "array");
-  const std::vector<long long> sizes = reader.sizes(2);
-  if (sizes[1] != 1)
-    reader.refuse("there are " + std::to_string(sizes[1]) + " columns, expected one");
-  const std::string promise = std::to_string(sizes[0]) + " numbers, as the line of sizes says";
-  std::vector<double> column;
-  for (long long i = 0; i < sizes[0]; ++i) {
-    reader.next_line(promise);
-    column.push_back(reader.number("a number"));
-    reader.end_line();
-  }
-  reader.end_file("expected " + promise);
+ColumnRows read_column(const std::string& path, const CommPtr& comm, std::size_t lines_at_once) {
+  std::optional<MatrixMarketReader> reader;  // on rank 0
+  ColumnRows column;
+  on_root(*comm, [&] {
+    reader.emplace(path, "array");
+    const Sizes sizes = reader->sizes(2);
+    if (sizes[1] != 1)
+      reader->refuse("there are " + std::to_string(sizes[1]) + " columns, expected one");
+    column.n_rows = sizes[0];
+  });
+  Teuchos::broadcast(*comm, 0, 1, &column.n_rows);
+  const std::string promise = std::to_string(column.n_rows) + " numbers, as the line of sizes says";
+  read_lines(
+      *comm, column.n_rows, lines_at_once,
+      [&](long long count) { return next_numbers(*reader, count, promise); },
+      [&](const std::vector<double>& numbers, long long first) {
+        const std::vector<double> mine = spread(*comm, numbers, first, column.n_rows);
+        column.values.insert(column.values.end(), mine.begin(), mine.end());
+      });
+  on_root(*comm, [&] { reader->end_file("expected " + promise); });
   return column;
-}
-
-FileMatrix empty_matrix(long long n_rows, long long n_columns) {
-  FileMatrix A;
-  A.n_rows = n_rows;
-  A.n_columns = n_columns;
-  A.start.assign(static_cast<std::size_t>(n_rows) + 1, 0);
-  return A;
-}
-
-FileMatrix transposed(const FileMatrix& A) {
-  FileMatrix T = empty_matrix(A.n_columns, A.n_rows);
-  for (const long long column : A.columns) ++T.start[column + 1];
-  for (std::size_t i = 0; i + 1 < T.start.size(); ++i) T.start[i + 1] += T.start[i];
-  std::vector<std::size_t> next(T.start.begin(), T.start.end() - 1);
-  T.columns.resize(A.columns.size());
-  T.values.resize(A.values.size());
-  for (long long i = 0; i < A.n_rows; ++i)
-    for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k) {
-      const std::size_t place = next[A.columns[k]]++;
-      T.columns[place] = i;
-      T.values[place] = A.values[k];
-    }
-  return T;
 }
 
 }  // namespace tunica::systems

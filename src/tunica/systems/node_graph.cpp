@@ -1,8 +1,12 @@
 #include "tunica/systems/node_graph.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+
+#include "tunica/base/exchange.hpp"
+#include "tunica/base/sort_once.hpp"
 
 namespace tunica::systems {
 
@@ -10,72 +14,120 @@ namespace {
 
 constexpr double strong = 0.1;  ///< of the geometric mean of the diagonals
 
-void sort_out(NodeGraph& graph) {
-  for (auto& neighbours : graph) {
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-  }
-}
+/// Takes pairs of nodes, found on any rank again and again, to the ranks that have the first.
+class EdgeCollector {
+public:
+  EdgeCollector(long long n_nodes, const CommPtr& comm) : comm_(comm), n_nodes_(n_nodes) {}
 
-std::vector<double> inverse_diagonal(const FileMatrix& A) {
-  std::vector<double> inverse(A.n_rows, 0.0);
-  for (long long i = 0; i < A.n_rows; ++i)
-    for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
-      if (A.columns[k] == i && A.values[k] != 0.0) inverse[i] = 1.0 / A.values[k];
+  /// Both ways: neighbours are mutual.
+  void couple(long long a, long long b) {
+    found_.add({a, b});
+    if (a != b) found_.add({b, a});
+  }
+  /// Sends what was found since the last time. Collective.
+  void deliver() {
+    const std::vector<Edge> edges = found_.take();
+    std::vector<int> ranks;
+    ranks.reserve(edges.size());
+    for (const Edge& edge : edges) ranks.push_back(rank_of_row(edge[0], n_nodes_, *comm_));
+    for (const Edge& edge : exchange_to(*comm_, edges, ranks).items) delivered_.add(edge);
+  }
+  /// Leaves none.
+  NodeGraph take() {
+    NodeGraph graph = empty_matrix(n_nodes_, n_nodes_, comm_);
+    const long long first = graph.first_row();
+    for (const auto& [node, neighbour] : delivered_.take()) {
+      ++graph.start[node - first + 1];
+      graph.columns.push_back(neighbour);
+    }
+    for (std::size_t i = 0; i < graph.n_local_rows(); ++i) graph.start[i + 1] += graph.start[i];
+    return graph;
+  }
+
+private:
+  using Edge = std::array<long long, 2>;
+
+  CommPtr comm_;
+  long long n_nodes_;
+  Once<Edge> found_, delivered_;
+};
+
+std::vector<double> inverse_diagonal(const MatrixRows& A) {
+  std::vector<double> inverse = diagonal(A);
+  for (double& value : inverse) value = value != 0.0 ? 1.0 / value : 0.0;
   return inverse;
 }
 
-using SparseRows = std::vector<std::map<long long, double>>;
-
-SparseRows schur_rows(const FileMatrix& A, const FileMatrix& B1T, const FileMatrix& B2,
-                      const FileMatrix& mC) {
-  const std::vector<double> inverse = inverse_diagonal(A);
-  SparseRows S(B2.n_rows);
-  for (long long i = 0; i < B2.n_rows; ++i) {
-    for (std::size_t k = B2.start[i]; k < B2.start[i + 1]; ++k) {
-      const long long u = B2.columns[k];
-      const double factor = B2.values[k] * inverse[u];
-      for (std::size_t m = B1T.start[u]; m < B1T.start[u + 1]; ++m)
-        S[i][B1T.columns[m]] += factor * B1T.values[m];
+/// Rows of C + B2 diag(A)⁻¹ B1ᵀ. Terms are added in the order of B2's row, whatever the ranks.
+MatrixRows schur_rows(const MatrixRows& A, const MatrixRows& B1T, const MatrixRows& B2,
+                      const MatrixRows& mC) {
+  const Fetched<double> inverse(*A.comm, columns_of(B2), inverse_diagonal(A), A.n_rows);
+  MatrixRows S = empty_matrix(B2.n_rows, B2.n_rows, B2.comm);
+  in_batches(B2, [&](std::size_t first, std::size_t last) {
+    const std::vector<Entry> right = fetch_rows(B1T, columns_of(B2, first, last));
+    for (std::size_t i = first; i < last; ++i) {
+      std::map<long long, double> row;
+      for (std::size_t k = B2.start[i]; k < B2.start[i + 1]; ++k) {
+        const long long u = B2.columns[k];
+        const double factor = B2.values[k] * inverse(u);
+        auto entry = std::partition_point(right.begin(), right.end(),
+                                          [u](const Entry& e) { return e.row < u; });
+        for (; entry != right.end() && entry->row == u; ++entry)
+          row[entry->column] += factor * entry->value;
+      }
+      for (std::size_t k = mC.start[i]; k < mC.start[i + 1]; ++k)
+        row[mC.columns[k]] -= mC.values[k];
+      for (const auto& [column, value] : row) {
+        S.columns.push_back(column);
+        S.values.push_back(value);
+      }
+      S.start[i + 1] = S.columns.size();
     }
-    for (std::size_t k = mC.start[i]; k < mC.start[i + 1]; ++k) S[i][mC.columns[k]] -= mC.values[k];
-  }
+  });
   return S;
 }
 
 }  // namespace
 
-NodeGraph vector_graph(const FileMatrix& A, const NodeTable& table) {
-  NodeGraph graph(table.n_nodes);
-  const auto couple = [&](long long a, long long b) {  // both ways: neighbours are mutual
-    graph[a].push_back(b);
-    graph[b].push_back(a);
-  };
-  for (long long i = 0; i < A.n_rows; ++i) {
-    const long long node = table.vector_node[i];
-    couple(node, node);
-    for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
-      if (table.vector_node[A.columns[k]] != node) couple(node, table.vector_node[A.columns[k]]);
-  }
-  sort_out(graph);
-  return graph;
+NodeGraph vector_graph(const MatrixRows& A, const NodeTable& table) {
+  const Fetched<long long> node_of(*A.comm, columns_of(A), table.vector_node, A.n_columns);
+  EdgeCollector edges(table.n_nodes, A.comm);
+  in_batches(A, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      long long before = -1;  // unknowns of a node often stand side by side
+      for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k) {
+        const long long node = node_of(A.columns[k]);
+        if (node != before) edges.couple(table.vector_node[i], node);
+        before = node;
+      }
+    }
+    edges.deliver();
+  });
+  return edges.take();
 }
 
-NodeGraph scalar_graph(const FileMatrix& A, const FileMatrix& B1T, const FileMatrix& B2,
-                       const FileMatrix& mC, const NodeTable& table) {
-  SparseRows S = schur_rows(A, B1T, B2, mC);
-  NodeGraph graph(table.n_nodes);
-  for (long long i = 0; i < B2.n_rows; ++i) {
-    const long long node = table.scalar_node[i];
-    graph[node].push_back(node);
-    for (const auto& [j, value] : S[i]) {
-      if (value * value < strong * strong * std::abs(S[i][i] * S[j][j])) continue;
-      graph[node].push_back(table.scalar_node[j]);
-      graph[table.scalar_node[j]].push_back(node);
-    }
-  }
-  sort_out(graph);
-  return graph;
+NodeGraph scalar_graph(const MatrixRows& A, const MatrixRows& B1T, const MatrixRows& B2,
+                       const MatrixRows& mC, const NodeTable& table) {
+  struct OfScalar {
+    long long node;
+    double diagonal;
+  };
+  const MatrixRows S = schur_rows(A, B1T, B2, mC);
+  std::vector<OfScalar> mine;
+  for (const double value : diagonal(S)) mine.push_back({table.scalar_node[mine.size()], value});
+  const Fetched<OfScalar> scalar(*S.comm, columns_of(S), mine, S.n_rows);
+  EdgeCollector edges(table.n_nodes, S.comm);
+  in_batches(S, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      for (std::size_t k = S.start[i]; k < S.start[i + 1]; ++k) {
+        const auto& [node, other_diagonal] = scalar(S.columns[k]);
+        const double value = S.values[k];
+        if (value * value < strong * strong * std::abs(mine[i].diagonal * other_diagonal)) continue;
+        edges.couple(mine[i].node, node);
+      }
+    edges.deliver();
+  });
+  return edges.take();
 }
 
 }  // namespace tunica::systems

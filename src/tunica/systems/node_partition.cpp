@@ -1,57 +1,73 @@
 #include "tunica/systems/node_partition.hpp"
 
-#include <metis.h>
-
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
-#include "tunica/base/error.hpp"
+#include "tunica/base/sort_once.hpp"
+#include "tunica/systems/graph_partition.hpp"
 
 namespace tunica::systems {
 
 namespace {
 
-std::vector<int> run_metis(const NodeGraph& graph, int ranks) {
-  std::vector<idx_t> start{0}, neighbours, parts(graph.size());
-  for (std::size_t i = 0; i < graph.size(); ++i) {
-    for (const long long j : graph[i])
-      if (j != static_cast<long long>(i)) neighbours.push_back(static_cast<idx_t>(j));
-    start.push_back(static_cast<idx_t>(neighbours.size()));
-  }
-  idx_t options[METIS_NOPTIONS];
-  METIS_SetDefaultOptions(options);
-  options[METIS_OPTION_SEED] = 1;
-  options[METIS_OPTION_NUMBERING] = 0;
-  idx_t n = static_cast<idx_t>(graph.size()), constraints = 1, k = ranks, cut = 0;
-  const int status =
-      METIS_PartGraphKway(&n, &constraints, start.data(), neighbours.data(), nullptr, nullptr,
-                          nullptr, &k, nullptr, nullptr, options, &cut, parts.data());
-  if (status != METIS_OK)
-    throw std::runtime_error("METIS failed with status " + std::to_string(status));
-  return {parts.begin(), parts.end()};
-}
-
 int most_frequent(const std::vector<int>& counts) {
   return static_cast<int>(std::max_element(counts.begin(), counts.end()) - counts.begin());
 }
 
+/// Of unknowns that go with their nodes.
+std::vector<int> ranks_of(const std::vector<long long>& node_of_unknown,
+                          const std::vector<int>& rank_of_node, const NodeGraph& graph) {
+  std::vector<long long> nodes = node_of_unknown;
+  sort_once(nodes);
+  const Fetched<int> rank_of(*graph.comm, std::move(nodes), rank_of_node, graph.n_rows);
+  std::vector<int> ranks;
+  for (const long long node : node_of_unknown) ranks.push_back(rank_of(node));
+  return ranks;
+}
+
+/// Where most of their rows of B2 are.
+std::vector<int> ranks_by_rows(const MatrixRows& B2, const std::vector<int>& rank_of_vectors) {
+  const Fetched<int> rank_of(*B2.comm, columns_of(B2), rank_of_vectors, B2.n_columns);
+  std::vector<int> ranks;
+  for (std::size_t i = 0; i < B2.n_local_rows(); ++i) {
+    std::vector<int> counts(B2.comm->getSize(), 0);
+    for (std::size_t k = B2.start[i]; k < B2.start[i + 1]; ++k) ++counts[rank_of(B2.columns[k])];
+    ranks.push_back(most_frequent(counts));
+  }
+  return ranks;
+}
+
+/// Of nodes that go with their one unknown; 0 of those without.
+std::vector<int> ranks_of_nodes(const std::vector<long long>& node_of_unknown,
+                                const std::vector<int>& rank_of_unknown, const NodeGraph& graph) {
+  struct Node {
+    long long number;
+    int rank;
+  };
+  std::vector<Node> nodes;
+  std::vector<int> to;
+  for (std::size_t i = 0; i < node_of_unknown.size(); ++i) {
+    nodes.push_back({node_of_unknown[i], rank_of_unknown[i]});
+    to.push_back(rank_of_row(node_of_unknown[i], graph.n_rows, *graph.comm));
+  }
+  std::vector<int> ranks(graph.n_local_rows(), 0);
+  for (const Node& node : exchange_to(*graph.comm, nodes, to).items)
+    ranks[node.number - graph.first_row()] = node.rank;
+  return ranks;
+}
+
 }  // namespace
 
-NodePartition partition_nodes(const NodeGraph& vectors, const FileMatrix& B2,
-                              const NodeTable& table, int ranks) {
-  TUNICA_CHECK(static_cast<std::size_t>(ranks) <= vectors.size(),
-               "System: " + std::to_string(ranks) + " ranks for " + std::to_string(vectors.size()) +
-                   " nodes. Use fewer ranks.");
+NodePartition partition_nodes(const NodeGraph& vectors, const MatrixRows& B2,
+                              const NodeTable& table) {
   NodePartition partition;
-  partition.vectors = ranks == 1 ? std::vector<int>(vectors.size(), 0) : run_metis(vectors, ranks);
-  partition.scalars = partition.vectors;
-  if (table.is_shared) return partition;
-  for (long long i = 0; i < B2.n_rows; ++i) {
-    std::vector<int> counts(ranks, 0);
-    for (std::size_t k = B2.start[i]; k < B2.start[i + 1]; ++k)
-      ++counts[partition.vectors[table.vector_node[B2.columns[k]]]];
-    partition.scalars[table.scalar_node[i]] = most_frequent(counts);
+  partition.vector_nodes = partition_graph(vectors);
+  partition.vectors = ranks_of(table.vector_node, partition.vector_nodes, vectors);
+  if (table.is_shared) {
+    partition.scalar_nodes = partition.vector_nodes;
+    partition.scalars = ranks_of(table.scalar_node, partition.vector_nodes, vectors);
+  } else {
+    partition.scalars = ranks_by_rows(B2, partition.vectors);
+    partition.scalar_nodes = ranks_of_nodes(table.scalar_node, partition.scalars, vectors);
   }
   return partition;
 }

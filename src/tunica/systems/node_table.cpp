@@ -1,129 +1,171 @@
 #include "tunica/systems/node_table.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <map>
-#include <set>
-#include <sstream>
 #include <string>
 
+#include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/sort_once.hpp"
+#include "tunica/systems/node_map_file.hpp"
 
 namespace tunica::systems {
 
 namespace {
 
-void find_shared(NodeTable& table) {
-  std::vector<char> has(table.n_nodes, 0);
-  for (const long long node : table.vector_node) has[node] |= 1;
-  for (const long long node : table.scalar_node) has[node] |= 2;
-  table.is_shared = std::none_of(has.begin(), has.end(), [](char h) { return h == 1 || h == 2; });
-}
-
-/// Nodes get the numbers 0, 1, … in the order of those of the file.
-void close_gaps(NodeTable& table) {
-  std::vector<long long> nodes = table.vector_node;
-  nodes.insert(nodes.end(), table.scalar_node.begin(), table.scalar_node.end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  for (auto* const list : {&table.vector_node, &table.scalar_node})
-    for (long long& node : *list)
-      node = std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin();
-  table.n_nodes = static_cast<long long>(nodes.size());
-}
-
-NodeTable regular(int components, bool is_by_node, long long n_vector, long long n_scalar) {
+Unknowns regular(int components, bool is_by_node, long long n_vector, long long n_scalar,
+                 const Comm& comm) {
   TUNICA_CHECK(n_vector % components == 0,
                "System: A has " + std::to_string(n_vector) +
                    " rows, which \"components\" = " + std::to_string(components) +
                    " does not divide. A \"node map\" says what belongs together.");
-  NodeTable table;
-  table.components = components;
+  Unknowns mine;
+  mine.total = n_vector + n_scalar;
   const long long n = n_vector / components;
-  for (long long k = 0; k < n_vector; ++k) {
-    table.vector_node.push_back(is_by_node ? k / components : k % n);
-    table.component.push_back(static_cast<int>(is_by_node ? k % components : k / n));
-  }
-  for (long long k = 0; k < n_scalar; ++k) table.scalar_node.push_back(k);
-  return table;
+  const Portion vectors = portion_of(n_vector, comm), scalars = portion_of(n_scalar, comm);
+  for (long long k = vectors.first; k < vectors.first + vectors.count; ++k)
+    mine.vectors.push_back({is_by_node ? k / components : k % n,
+                            static_cast<int>(is_by_node ? k % components : k / n), 0});
+  for (long long k = scalars.first; k < scalars.first + scalars.count; ++k)
+    mine.scalars.push_back({k, 0, 0});
+  return mine;
 }
 
-/// Lines of "node" or "node component".
-class MapFile {
+/// Unknowns on the ranks that keep their nodes, and the way back.
+class Kept {
 public:
-  MapFile(const std::string& path, int components) : path_(path), components_(components) {}
+  Kept(const Comm& comm, const std::vector<Unknown>& unknowns, long long nodes_of_rank)
+      : comm_(comm) {
+    for (const Unknown& unknown : unknowns)
+      ranks_.push_back(static_cast<int>(unknown.node / nodes_of_rank));
+    received_ = exchange_to(comm, unknowns, ranks_);
+  }
+  std::vector<Unknown>& items() { return received_.items; }
 
-  NodeTable read(long long n_vector, long long n_scalar) {
-    std::ifstream file(path_);
+  /// What has been made of them, in the order in which they were. Collective.
+  std::vector<Unknown> sent_back() const {
+    const Received<Unknown> back = exchange(comm_, received_.items, received_.counts);
+    std::vector<std::size_t> next(back.counts.size(), 0);
+    for (std::size_t r = 1; r < next.size(); ++r)
+      next[r] = next[r - 1] + static_cast<std::size_t>(back.counts[r - 1]);
+    std::vector<Unknown> ordered;
+    for (const int rank : ranks_) ordered.push_back(back.items[next[rank]++]);
+    return ordered;
+  }
+
+private:
+  const Comm& comm_;
+  std::vector<int> ranks_;
+  Received<Unknown> received_;
+};
+
+/// Each rank keeps the nodes of an equal part of their numbers, which may have gaps, and sees all
+/// unknowns of a node, in the order of the file.
+class NodeKeeper {
+public:
+  NodeKeeper(const Comm& comm, int components, std::string path, const Unknowns& unknowns)
+      : comm_(comm), components_(components), path_(std::move(path)),
+        nodes_of_rank_(largest_node(unknowns) / comm.getSize() + 1),
+        vectors_(comm, unknowns.vectors, nodes_of_rank_),
+        scalars_(comm, unknowns.scalars, nodes_of_rank_) {
+    for (auto* const kept : {&vectors_, &scalars_})
+      for (const Unknown& unknown : kept->items()) nodes_.push_back(unknown.node);
+    sort_once(nodes_);
+    taken_.assign(nodes_.size(), 0);
+  }
+
+  /// Nodes get the numbers 0, 1, … in the order of those of the file.
+  NodeTable table() {
+    take_components();
+    throw_first_fault();
+    const auto mine = static_cast<long long>(nodes_.size());
+    const long long first = sum_before(comm_, mine);
+    for (auto* const kept : {&vectors_, &scalars_})
+      for (Unknown& unknown : kept->items()) unknown.node = first + place_of(unknown.node, nodes_);
     NodeTable table;
     table.components = components_;
-    for (std::string line; std::getline(file, line);) {
-      ++line_;
-      if (line.empty() || line[0] == '%' || line[0] == '#') continue;
-      std::istringstream words(line);
-      long long node = -1;
-      int component = -1;
-      const bool is_number = static_cast<bool>(words >> node);
-      check(is_number && node >= 0,
-            "expected the number of a node, from 0 on, found \"" + line + "\"");
-      const bool is_vector = static_cast<long long>(table.vector_node.size()) < n_vector;
-      const bool has_component = is_vector && static_cast<bool>(words >> component);
-      words.clear();
-      std::string rest;
-      check(!(words >> rest), "found \"" + rest + "\" after the numbers");
-      if (is_vector)
-        add_vector(table, node, has_component ? component : n_on_node_[node]);
-      else
-        add_scalar(table, node);
+    table.n_nodes = global_sum(comm_, mine);
+    table.is_shared = all_agree(comm_, std::all_of(taken_.begin(), taken_.end(), [&](unsigned has) {
+                                  return (has & scalar_bit()) != 0 && (has & ~scalar_bit()) != 0;
+                                }));
+    for (const Unknown& unknown : vectors_.sent_back()) {
+      table.vector_node.push_back(unknown.node);
+      table.component.push_back(unknown.component);
     }
-    const auto n_lines = static_cast<long long>(table.vector_node.size()) +
-                         static_cast<long long>(table.scalar_node.size());
-    TUNICA_CHECK(n_lines == n_vector + n_scalar, path_ + ": " + std::to_string(n_lines) +
-                                                     " unknowns, expected " +
-                                                     std::to_string(n_vector) + " of A and " +
-                                                     std::to_string(n_scalar) + " of B2.");
+    for (const Unknown& unknown : scalars_.sent_back()) table.scalar_node.push_back(unknown.node);
     return table;
   }
 
 private:
-  void check(bool is_good, const std::string& problem) const {
-    TUNICA_CHECK(is_good, path_ + ", line " + std::to_string(line_) + ": " + problem + ".");
+  long long largest_node(const Unknowns& unknowns) const {
+    long long mine = 0, largest = 0;
+    for (const auto* const list : {&unknowns.vectors, &unknowns.scalars})
+      for (const Unknown& unknown : *list) mine = std::max(mine, unknown.node);
+    Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, 1, &mine, &largest);
+    return largest;
   }
-  void add_vector(NodeTable& table, long long node, int component) {
-    check(component >= 0 && component < components_,
-          "component " + std::to_string(component) + " of node " + std::to_string(node) +
-              ", but \"components\" is " + std::to_string(components_));
-    check(taken_.emplace(node, component).second, "node " + std::to_string(node) +
-                                                      " has two unknowns of component " +
-                                                      std::to_string(component));
-    ++n_on_node_[node];
-    table.vector_node.push_back(node);
-    table.component.push_back(component);
+  unsigned scalar_bit() const { return 1U << components_; }
+
+  void take_components() {
+    for (Unknown& unknown : vectors_.items()) {
+      unsigned& taken = taken_[place_of(unknown.node, nodes_)];
+      if (unknown.component == next_component) unknown.component = count(taken);
+      const std::string component = std::to_string(unknown.component);
+      if (unknown.component < 0 || unknown.component >= components_)
+        return fail(unknown, "component " + component + " of node " + std::to_string(unknown.node) +
+                                 ", but \"components\" is " + std::to_string(components_));
+      if ((taken >> unknown.component & 1U) != 0)
+        return fail(unknown, "node " + std::to_string(unknown.node) +
+                                 " has two unknowns of component " + component);
+      taken |= 1U << unknown.component;
+    }
+    for (const Unknown& unknown : scalars_.items()) {
+      unsigned& taken = taken_[place_of(unknown.node, nodes_)];
+      if ((taken & scalar_bit()) != 0)
+        return fail(unknown, "node " + std::to_string(unknown.node) + " has two scalar unknowns");
+      taken |= scalar_bit();
+    }
   }
-  void add_scalar(NodeTable& table, long long node) {
-    check(taken_.emplace(node, components_).second,
-          "node " + std::to_string(node) + " has two scalar unknowns");
-    table.scalar_node.push_back(node);
+  static int count(unsigned bits) {
+    int n = 0;
+    for (; bits != 0; bits &= bits - 1) ++n;
+    return n;
+  }
+  void fail(const Unknown& unknown, const std::string& problem) {
+    fault_ = complaint(path_, unknown.line, problem);
+    line_of_fault_ = unknown.line;
+  }
+  /// That of the first line, of all ranks.
+  void throw_first_fault() const {
+    int first = 0;
+    Teuchos::reduceAll(comm_, Teuchos::REDUCE_MIN, 1, &line_of_fault_, &first);
+    throw_if_any<Error>(comm_, line_of_fault_ == first ? fault_ : "");
   }
 
+  const Comm& comm_;
+  int components_;
   std::string path_;
-  int components_, line_ = 0;
-  std::map<long long, int> n_on_node_;
-  std::set<std::pair<long long, int>> taken_;
+  long long nodes_of_rank_;
+  Kept vectors_, scalars_;
+  std::vector<long long> nodes_;
+  std::vector<unsigned> taken_;  ///< of each node: a bit of each component, one of the scalar
+  std::string fault_;
+  int line_of_fault_ = std::numeric_limits<int>::max();
 };
 
 }  // namespace
 
 NodeTable make_node_table(const Teuchos::ParameterList& options, long long n_vector,
-                          long long n_scalar) {
+                          long long n_scalar, const CommPtr& comm, std::size_t lines_at_once) {
   const int components = options.get<int>("components");
   const auto& file = options.get<std::string>("node map");
-  NodeTable table =
-      file.empty()
-          ? regular(components, options.get<std::string>("order") == "by node", n_vector, n_scalar)
-          : MapFile(file, components).read(n_vector, n_scalar);
-  close_gaps(table);
-  find_shared(table);
+  const Unknowns unknowns =
+      file.empty() ? regular(components, options.get<std::string>("order") == "by node", n_vector,
+                             n_scalar, *comm)
+                   : read_node_map(file, n_vector, n_scalar, comm, lines_at_once);
+  const NodeTable table = NodeKeeper(*comm, components, file, unknowns).table();
+  TUNICA_CHECK(unknowns.total == n_vector + n_scalar,
+               file + ": " + std::to_string(unknowns.total) + " unknowns, expected " +
+                   std::to_string(n_vector) + " of A and " + std::to_string(n_scalar) + " of B2.");
   return table;
 }
 

@@ -2,21 +2,25 @@
 #include <Teuchos_ParameterList.hpp>
 #include <vector>
 
+#include "tunica/systems/matrix_rows.hpp"
+
 namespace tunica::systems {
 
-/// Which node and component each unknown of a file belongs to.
+/// Which node and component each unknown of a file belongs to: the portions of the vector and of
+/// the scalar unknowns that a rank has.
 struct NodeTable {
   int components = 0;
   std::vector<long long> vector_node, scalar_node;  ///< of each unknown
   std::vector<int> component;                       ///< of each vector unknown
-  long long n_nodes = 0;                            ///< numbered without gaps
+  long long n_nodes = 0;                            ///< of all ranks, numbered without gaps
   /// Every node has a scalar and at least one vector unknown: both blocks share the nodes.
   bool is_shared = false;
 };
 
-/// From the options of read_system(). Throws tunica::Error where they do not fit the numbers of
-/// unknowns.
+/// From the options of read_system(), of which rank 0 reads the file, some lines at once. Throws
+/// tunica::Error on all ranks where they do not fit the numbers of unknowns. Collective.
 NodeTable make_node_table(const Teuchos::ParameterList& options, long long n_vector,
-                          long long n_scalar);
+                          long long n_scalar, const CommPtr& comm,
+                          std::size_t lines_at_once = entries_at_once);
 
 }  // namespace tunica::systems

@@ -1,15 +1,12 @@
 #include "tunica/systems/read_system.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <string>
 
-#include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
-#include "tunica/base/exchange.hpp"
 #include "tunica/base/map_of.hpp"
-#include "tunica/base/sort_once.hpp"
 #include "tunica/base/trilinos.hpp"
+#include "tunica/systems/dealt_rows.hpp"
 #include "tunica/systems/matrix_files.hpp"
 #include "tunica/systems/node_graph.hpp"
 #include "tunica/systems/node_partition.hpp"
@@ -18,164 +15,55 @@ namespace tunica::systems {
 
 namespace {
 
-/// The unknowns of a block or the nodes of a kind: their numbers, in the order of the file, and
-/// the rank of each.
-struct Rows {
-  std::vector<GlobalOrdinal> numbers;
-  std::vector<int> ranks;
+/// What stands in the files: the rank's portion of the rows of each block.
+struct Blocks {
+  MatrixRows A, B1T, B2, mC;
+  ColumnRows b;
 };
 
-/// All that rank 0 reads.
-struct Files {
-  FileMatrix A, B1T, B2, mC;
-  std::vector<double> b;
-  NodeGraph vector_graph, scalar_graph;
-  Rows vectors, scalars, vector_nodes, scalar_nodes;
-  bool is_shared = false;
-};
-
-std::string size_of(const FileMatrix& A) {
-  return std::to_string(A.n_rows) + " x " + std::to_string(A.n_columns);
-}
-
-void check_size(const std::string& name, const FileMatrix& block, long long n_rows,
+void check_size(const std::string& name, const SparseRows& block, long long n_rows,
                 long long n_columns) {
+  const auto size = [](long long rows, long long columns) {
+    return std::to_string(rows) + " x " + std::to_string(columns);
+  };
   TUNICA_CHECK(block.n_rows == n_rows && block.n_columns == n_columns,
-               "System: " + name + " is " + size_of(block) + ", expected " +
-                   std::to_string(n_rows) + " x " + std::to_string(n_columns) + ".");
+               "System: " + name + " is " + size(block.n_rows, block.n_columns) + ", expected " +
+                   size(n_rows, n_columns) + ".");
 }
 
-/// Factors need a diagonal even where it is zero.
-FileMatrix with_diagonal(const FileMatrix& A, double factor) {
-  FileMatrix result = empty_matrix(A.n_rows, A.n_columns);
-  for (long long i = 0; i < A.n_rows; ++i) {
-    const auto first = A.columns.begin() + static_cast<std::ptrdiff_t>(A.start[i]);
-    const auto last = A.columns.begin() + static_cast<std::ptrdiff_t>(A.start[i + 1]);
-    const bool is_missing = std::find(first, last, i) == last;
-    for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k) {
-      result.columns.push_back(A.columns[k]);
-      result.values.push_back(factor * A.values[k]);
-    }
-    if (is_missing) {
-      result.columns.push_back(i);
-      result.values.push_back(0.0);
-    }
-    result.start[i + 1] = result.columns.size();
-  }
-  return result;
-}
-
-/// The nodes that have unknowns of a kind.
-Rows nodes_of(const std::vector<long long>& node_of_unknown, const std::vector<int>& ranks) {
-  std::vector<long long> nodes = node_of_unknown;
-  sort_once(nodes);
-  Rows rows;
-  for (const long long node : nodes) {
-    rows.numbers.push_back(node);
-    rows.ranks.push_back(ranks[node]);
-  }
-  return rows;
-}
-
-Files read_files(const Teuchos::ParameterList& options, int ranks) {
+Blocks read_blocks(const Teuchos::ParameterList& options, const CommPtr& comm,
+                   std::size_t lines_at_once) {
   const auto path = [&](const char* key) { return options.get<std::string>(key); };
-  Files files;
-  files.A = with_diagonal(read_matrix(path("A")), 1.0);
-  check_size("A", files.A, files.A.n_rows, files.A.n_rows);
-  files.B2 = read_matrix(path("B2"));
-  const long long n = files.A.n_rows, m = files.B2.n_rows;
-  check_size("B2", files.B2, m, n);
-  files.B1T = path("B1T").empty() ? transposed(files.B2) : read_matrix(path("B1T"));
-  check_size("B1T", files.B1T, n, m);
-  const FileMatrix C = path("C").empty() ? empty_matrix(m, m) : read_matrix(path("C"));
+  const auto read = [&](const char* key) { return read_matrix(path(key), comm, lines_at_once); };
+  Blocks blocks;
+  blocks.A = read("A");
+  check_size("A", blocks.A, blocks.A.n_rows, blocks.A.n_rows);
+  blocks.A = with_diagonal(blocks.A);
+  blocks.B2 = read("B2");
+  const long long n = blocks.A.n_rows, m = blocks.B2.n_rows;
+  check_size("B2", blocks.B2, m, n);
+  blocks.B1T = path("B1T").empty() ? transposed(blocks.B2) : read("B1T");
+  check_size("B1T", blocks.B1T, n, m);
+  const MatrixRows C = path("C").empty() ? empty_matrix(m, m, comm) : read("C");
   check_size("C", C, m, m);
-  files.mC = with_diagonal(C, -options.get<double>("C factor"));
-  files.b = read_column(path("rhs"));
-  TUNICA_CHECK(static_cast<long long>(files.b.size()) == n + m,
-               "System: rhs has " + std::to_string(files.b.size()) + " rows, expected " +
-                   std::to_string(n + m) + ": those of A, then those of B2.");
-
-  const NodeTable table = make_node_table(options, n, m);
-  files.is_shared = table.is_shared;
-  files.vector_graph = vector_graph(files.A, table);
-  files.scalar_graph = table.is_shared
-                           ? files.vector_graph
-                           : scalar_graph(files.A, files.B1T, files.B2, files.mC, table);
-  const NodePartition parts = partition_nodes(files.vector_graph, files.B2, table, ranks);
-  files.vector_nodes = nodes_of(table.vector_node, parts.vectors);
-  files.scalar_nodes = nodes_of(table.scalar_node, parts.scalars);
-  for (long long k = 0; k < n; ++k) {
-    files.vectors.numbers.push_back(table.components * table.vector_node[k] + table.component[k]);
-    files.vectors.ranks.push_back(parts.vectors[table.vector_node[k]]);
-  }
-  for (const long long node : table.scalar_node) {
-    files.scalars.numbers.push_back(node);
-    files.scalars.ranks.push_back(parts.scalars[node]);
-  }
-  return files;
+  blocks.mC = with_diagonal(C);
+  for (double& value : blocks.mC.values) value *= -options.get<double>("C factor");
+  blocks.b = read_column(path("rhs"), comm, lines_at_once);
+  TUNICA_CHECK(blocks.b.n_rows == n + m, "System: rhs has " + std::to_string(blocks.b.n_rows) +
+                                             " rows, expected " + std::to_string(n + m) +
+                                             ": those of A, then those of B2.");
+  return blocks;
 }
 
-/// Where rows stand in the file, all on rank 0, and where they go.
-struct Move {
-  Teuchos::RCP<const Map> root, spread;
-
-  /// rows: none but on rank 0.
-  Move(const Rows& rows, const CommPtr& comm) : root(map_of(rows.numbers, comm)) {
-    std::vector<GlobalOrdinal> mine = exchange_to(*comm, rows.numbers, rows.ranks).items;
-    std::sort(mine.begin(), mine.end());
-    spread = map_of(mine, comm);
-  }
-};
-
-/// Of a matrix or a graph.
-template <class Sparse>
-Teuchos::RCP<Sparse> spread(const Teuchos::RCP<Sparse>& on_root, const Move& rows,
-                            const Move& columns) {
-  on_root->fillComplete(columns.root, rows.root);
-  const auto result = Teuchos::rcp(new Sparse(rows.spread, on_root->getGlobalMaxNumRowEntries()));
-  result->doImport(*on_root, Import(rows.root, rows.spread), insert);
-  result->fillComplete(columns.spread, rows.spread);
-  return result;
-}
-
-Teuchos::RCP<CrsMatrix> spread(const FileMatrix& A, const Move& rows, const Move& columns) {
-  std::size_t longest = 0;
-  for (std::size_t i = 0; i + 1 < A.start.size(); ++i)
-    longest = std::max(longest, A.start[i + 1] - A.start[i]);
-  const auto on_root = Teuchos::rcp(new CrsMatrix(rows.root, longest));
-  std::vector<GlobalOrdinal> numbers;
-  for (std::size_t i = 0; i + 1 < A.start.size(); ++i) {
-    numbers.clear();
-    for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
-      numbers.push_back(columns.root->getGlobalElement(static_cast<int>(A.columns[k])));
-    on_root->insertGlobalValues(
-        rows.root->getGlobalElement(static_cast<int>(i)), Teuchos::arrayViewFromVector(numbers),
-        Teuchos::arrayView(A.values.data() + A.start[i], static_cast<int>(numbers.size())));
-  }
-  return spread(on_root, rows, columns);
-}
-
-algebra::Nodes spread(const NodeGraph& graph, const Move& nodes) {
-  std::size_t longest = 0;
-  for (const auto& neighbours : graph) longest = std::max(longest, neighbours.size());
-  const auto on_root = Teuchos::rcp(new CrsGraph(nodes.root, longest));
-  for (const GlobalOrdinal node : global_numbers(*nodes.root))
-    on_root->insertGlobalIndices(node, Teuchos::arrayViewFromVector(graph[node]));
-  const auto order = Teuchos::rcp(new Vector(nodes.spread));
-  for (const GlobalOrdinal node : global_numbers(*nodes.spread))
-    order->replaceGlobalValue(node, static_cast<Scalar>(node));
-  return {spread(on_root, nodes, nodes), order};
-}
-
-Teuchos::RCP<Vector> spread(const double* values, const Move& rows) {
-  Vector on_root(rows.root);
-  {
-    const auto to = on_root.getLocalViewHost(overwrite_all);
-    for (std::size_t i = 0; i < to.extent(0); ++i) to(i, 0) = values[i];
-  }
-  const auto result = Teuchos::rcp(new Vector(rows.spread));
-  result->doImport(on_root, Import(rows.root, rows.spread), insert);
-  return result;
+/// Rows of b, of which the rank has a portion, to the portions of a block whose rows begin there.
+std::vector<double> rows_of_block(const ColumnRows& b, long long begin, long long count,
+                                  const Comm& comm) {
+  const Portion mine = portion_of(b.n_rows, comm);
+  const auto place = [&](long long row) {
+    return b.values.begin() + (std::clamp(row, mine.first, mine.first + mine.count) - mine.first);
+  };
+  return spread(comm, std::vector<double>(place(begin), place(begin + count)),
+                std::max(mine.first - begin, 0LL), count);
 }
 
 }  // namespace
@@ -200,37 +88,50 @@ params::Table system_table() {
   return table;
 }
 
-System read_system(const Teuchos::ParameterList& options, const CommPtr& comm) {
-  Files files;
-  on_root(*comm, [&] { files = read_files(options, comm->getSize()); });
-  int is_shared = files.is_shared ? 1 : 0;
-  Teuchos::broadcast(*comm, 0, &is_shared);
-  const Move vectors(files.vectors, comm), scalars(files.scalars, comm);
-  const Move vector_nodes(files.vector_nodes, comm), scalar_nodes(files.scalar_nodes, comm);
-  const algebra::Nodes at_vectors = spread(files.vector_graph, vector_nodes);
+System read_system(const Teuchos::ParameterList& options, const CommPtr& comm,
+                   std::size_t lines_at_once) {
+  Blocks blocks = read_blocks(options, comm, lines_at_once);
+  const long long n = blocks.A.n_rows, m = blocks.B2.n_rows;
+  const NodeTable table = make_node_table(options, n, m, comm, lines_at_once);
+  const NodeGraph graph = vector_graph(blocks.A, table);
+  const NodePartition parts = partition_nodes(graph, blocks.B2, table);
+  const algebra::Nodes at_vectors = dealt(graph, parts.vector_nodes);
   const algebra::Nodes at_scalars =
-      is_shared != 0 ? at_vectors : spread(files.scalar_graph, scalar_nodes);
-  const int components = options.get<int>("components");
-  const auto space = [&](auto map_of_move) {
+      table.is_shared ? at_vectors
+                      : dealt(scalar_graph(blocks.A, blocks.B1T, blocks.B2, blocks.mC, table),
+                              parts.scalar_nodes);
+  std::vector<GlobalOrdinal> numbers;
+  for (std::size_t k = 0; k < table.vector_node.size(); ++k)
+    numbers.push_back(table.components * table.vector_node[k] + table.component[k]);
+  const Deal vectors(numbers, parts.vectors, comm), scalars(table.scalar_node, parts.scalars, comm);
+  const auto space = [&](const auto& vector_map, const auto& scalar_map) {
     return std::make_shared<const algebra::BlockSpace>(
-        std::vector<algebra::Block>{{"vector", map_of_move(vectors), components, at_vectors},
-                                    {"scalar", map_of_move(scalars), 1, at_scalars}});
+        std::vector<algebra::Block>{{"vector", vector_map, table.components, at_vectors},
+                                    {"scalar", scalar_map, 1, at_scalars}});
   };
   System system;
-  system.K = algebra::BlockMatrix(space([](const Move& move) { return move.spread; }));
-  system.K.set(0, 0, spread(files.A, vectors, vectors));
-  system.K.set(0, 1, spread(files.B1T, vectors, scalars));
-  system.K.set(1, 0, spread(files.B2, scalars, vectors));
-  system.K.set(1, 1, spread(files.mC, scalars, scalars));
-  system.b = algebra::BlockVector(
-      system.K.space(),
-      {spread(files.b.data(), vectors), spread(files.b.data() + files.A.n_rows, scalars)});
-  system.file_space = space([](const Move& move) { return move.root; });
+  system.K = algebra::BlockMatrix(space(vectors.dealt, scalars.dealt));
+  system.K.set(0, 0, dealt(std::move(blocks.A), vectors, vectors));
+  system.K.set(0, 1, dealt(std::move(blocks.B1T), vectors, scalars));
+  system.K.set(1, 0, dealt(std::move(blocks.B2), scalars, vectors));
+  system.K.set(1, 1, dealt(std::move(blocks.mC), scalars, scalars));
+  system.b = algebra::BlockVector(system.K.space(),
+                                  {dealt(rows_of_block(blocks.b, 0, n, *comm), vectors),
+                                   dealt(rows_of_block(blocks.b, n, m, *comm), scalars)});
+  system.file_space = space(vectors.portions, scalars.portions);
   return system;
 }
 
 algebra::BlockVector in_file_order(const System& system, const algebra::BlockVector& x) {
-  algebra::BlockVector in_order(system.file_space);
+  std::vector<algebra::Block> blocks;
+  for (int b = 0; b < x.n_blocks(); ++b) {
+    const algebra::Block& block = (*system.file_space)[b];
+    const auto numbers = global_numbers(*block.map);
+    const CommPtr comm = block.map->getComm();
+    const auto all = gather_rows(*comm, std::vector<GlobalOrdinal>(numbers.begin(), numbers.end()));
+    blocks.push_back({block.name, map_of(all, comm), block.components});
+  }
+  algebra::BlockVector in_order(std::make_shared<const algebra::BlockSpace>(blocks));
   for (int b = 0; b < x.n_blocks(); ++b)
     in_order[b].doImport(x[b], Import(x[b].getMap(), in_order[b].getMap()), insert);
   return in_order;

@@ -10,7 +10,7 @@
 #include "tunica/app/sanity/global_median.hpp"
 #include "tunica/app/sanity/place_of_least.hpp"
 #include "tunica/base/reduce.hpp"
-#include "tunica/mesh/distributed/rows.hpp"
+#include "tunica/base/rows.hpp"
 #include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/info.hpp"
 #include "tunica/mesh/validate.hpp"
@@ -113,10 +113,9 @@ std::vector<long long> pieces_of(const Part& part) {
   std::vector<Pair> mine;
   for (const auto& [root, count] : counts) mine.push_back({root, count});
   Sets sets;
-  for (const Pair& joint : mesh::gather_rows(part.comm, joints)) sets.join(joint.a, joint.b);
+  for (const Pair& joint : gather_rows(part.comm, joints)) sets.join(joint.a, joint.b);
   std::map<long long, long long> sums;
-  for (const Pair& counted : mesh::gather_rows(part.comm, mine))
-    sums[sets.root(counted.a)] += counted.b;
+  for (const Pair& counted : gather_rows(part.comm, mine)) sums[sets.root(counted.a)] += counted.b;
   std::vector<long long> pieces;
   for (const auto& [root, count] : sums) pieces.push_back(count);
   std::sort(pieces.rbegin(), pieces.rend());

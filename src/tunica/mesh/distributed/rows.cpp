@@ -1,22 +1,11 @@
 #include "tunica/mesh/distributed/rows.hpp"
 
-#include <array>
+#include <algorithm>
 #include <iterator>
 
 #include "tunica/base/sort_once.hpp"
 
 namespace tunica::mesh {
-
-std::vector<int> rows_by_rank(const Comm& comm, const std::vector<int>& rows, long long total) {
-  std::vector<int> counts;
-  auto from = rows.begin();
-  for (int r = 0; r < comm.getSize(); ++r) {
-    const auto to = std::lower_bound(from, rows.end(), first_row(total, r + 1, comm.getSize()));
-    counts.push_back(static_cast<int>(to - from));
-    from = to;
-  }
-  return counts;
-}
 
 template <std::size_t N>
 std::vector<int> vertices_of(const std::vector<std::array<int, N>>& elements) {
