@@ -40,23 +40,27 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     log.newton({clock.step(), clock.time(), 0, attempt}, "fluid", report);
     return app::summary_of(report, "fluid", clock);
   };
-  while (!march.is_done()) {
-    const app::StepSummary step = march.make_step(solve, log);
-    const stepping::Clock& clock = march.clock();
-    if (step.is_accepted) shear.accept(clock);
-    const discretisation::Observables observed =
-        app::joined({fluid.observe(), shear.observe(), domain.probes.observe(&fluid, nullptr),
-                     surfaces.observe(&fluid, nullptr)});
-    log.step(clock, step, observed);
-    watch.tell(log, clock, step, observed);
-    if (!step.is_accepted) return checkpoints.give_up(step.reason);
-    checkpoints.end_step([&] {
-      if (!fields.is_due(clock)) return;
-      std::vector<output::Array> arrays = app::fluid_arrays(fluid, {});
-      for (output::Array& array : shear.arrays()) arrays.push_back(std::move(array));
-      fields.write(clock, {{"fluid", arrays, {}}});
-    });
-  }
+  const Outcome marched = checkpoints.guard([&] {
+    while (!march.is_done()) {
+      const app::StepSummary step = march.make_step(solve, log);
+      const stepping::Clock& clock = march.clock();
+      if (step.is_accepted) shear.accept(clock);
+      const discretisation::Observables observed =
+          app::joined({fluid.observe(), shear.observe(), domain.probes.observe(&fluid, nullptr),
+                       surfaces.observe(&fluid, nullptr)});
+      log.step(clock, step, observed);
+      watch.tell(log, clock, step, observed);
+      if (!step.is_accepted) return checkpoints.give_up(step.reason);
+      checkpoints.end_step([&] {
+        if (!fields.is_due(clock)) return;
+        std::vector<output::Array> arrays = app::fluid_arrays(fluid, {});
+        for (output::Array& array : shear.arrays()) arrays.push_back(std::move(array));
+        fields.write(clock, {{"fluid", arrays, {}}});
+      });
+    }
+    return Outcome::success();
+  });
+  if (marched.is_failure()) return marched;
   fields.finish();
   app::record_assembly(output.record, "fluid", fluid.jacobian_throughput(), *comm);
   return march.outcome();

@@ -4,8 +4,10 @@
 #include <optional>
 #include <sstream>
 
+#include "tunica/app/fatal_signals.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/failed_ranks.hpp"
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/stop_signals.hpp"
@@ -13,6 +15,13 @@
 #include "tunica/output/checkpoint_series.hpp"
 
 namespace tunica::app {
+
+namespace {
+
+/// Seconds: more than a checkpoint takes, less than a job may wait for nothing.
+constexpr unsigned patience_with_checkpoint = 900;
+
+}  // namespace
 
 Checkpoints::Checkpoints(RunOutput& output, TimeMarch& march, double limit, const CommPtr& comm)
     : output_(&output), march_(&march), limit_(limit), comm_(comm), written_(output.steps_done()) {}
@@ -52,38 +61,43 @@ std::string Checkpoints::why_to_stop() {
   return text.str();
 }
 
-TimeMarch::Place Checkpoints::here() const {
-  return {march_->clock().step(), march_->clock().time(), march_->save()};
+Outcome Checkpoints::guard(const std::function<Outcome()>& steps) {
+  try {
+    return steps();
+  } catch (...) {
+    if (has_news())
+      do_if_all_fail_alike(*comm_, [this] {
+        const Deadline deadline(patience_with_checkpoint, words_of_exception());
+        write_last_ended();
+      });
+    throw;
+  }
 }
 
 void Checkpoints::end_step(const std::function<void()>& write_fields) {
+  march_->end_step();
+  write_fields();
   const stepping::Clock& clock = march_->clock();
   const int every = output_->checkpoint_every;
-  try {
-    write_fields();
-  } catch (const MachineFault&) {
-    try {
-      if (every > 0) write(here());  // which is smaller
-    } catch (const MachineFault&) {
-    }
-    throw;
-  }
   output_->stopped = why_to_stop();
   const bool is_stopped = !output_->stopped.empty();
   if (is_stopped) march_->stop();
-  if (every > 0 && (clock.is_every(every) || clock.is_last() || is_stopped)) write(here());
+  if (every > 0 && (clock.is_every(every) || clock.is_last() || is_stopped)) write_last_ended();
 }
 
 Outcome Checkpoints::give_up(const std::string& reason) {
-  if (output_->checkpoint_every > 1) {  // else there is none, or that of each step
-    const TimeMarch::Place place = march_->undo();
-    if (place.step > written_) write(place);
-  }
+  if (has_news()) write_last_ended();
   return Outcome::failure(reason);
 }
 
-void Checkpoints::write(const TimeMarch::Place& place) {
+bool Checkpoints::has_news() const {
+  return output_->checkpoint_every > 0 && march_->last_ended() > written_;
+}
+
+void Checkpoints::write_last_ended() {
   const Stopwatch writing;
+  written_ = march_->last_ended();  // a disk that refuses is not asked again
+  const TimeMarch::Place place = march_->undo();
   fault_point("checkpoint");
   const double before = output_->restart ? output_->restart->head.seconds : 0.0;
   const output::CheckpointHead head{
@@ -96,7 +110,6 @@ void Checkpoints::write(const TimeMarch::Place& place) {
   output::write_checkpoint(output::checkpoint_path(folder, place.step), head, states, comm_);
   if (comm_->getRank() == 0)
     output::prune_checkpoints(folder, place.step, output::kept_checkpoints);
-  written_ = place.step;
   output_->record.add_time("checkpoints", writing.seconds());
 }
 

@@ -20,9 +20,14 @@ public:
   /// signals stop the run. Throws Error if the checkpoint lacks something. Collective.
   void begin();
 
-  /// Ends a step that was accepted: lets it write its fields, and then a checkpoint if one is due,
-  /// or if a signal to any rank or the clock on the wall stops the march here, or if the fields
-  /// could not be written. run.json tells how long it took. Collective.
+  /// Makes steps, as their outcome. Where an exception that all ranks meet alike ends them, leaves
+  /// a checkpoint of the last step that came to end_step(), and lets the exception go on.
+  /// Collective.
+  Outcome guard(const std::function<Outcome()>& steps);
+
+  /// Ends a step that was accepted and is in the tables: lets it write its fields, and then a
+  /// checkpoint if one is due, or if a signal to any rank or the clock on the wall stops the march
+  /// here. run.json tells how long it took. Collective.
   /// Throws MachineFault on all ranks if the disk refuses; the checkpoints before remain.
   void end_step(const std::function<void()>& write_fields);
 
@@ -34,8 +39,9 @@ private:
   void restore(const std::string& path) const;
   /// Why the march ends here, agreed by all ranks; empty where it does not.
   std::string why_to_stop();
-  void write(const TimeMarch::Place& place);
-  TimeMarch::Place here() const;
+  /// A checkpoint is wanted and would be newer than the newest.
+  bool has_news() const;
+  void write_last_ended();
 
   RunOutput* output_;
   TimeMarch* march_;
@@ -43,7 +49,7 @@ private:
   CommPtr comm_;
   Stopwatch run_;
   double last_ = 0.0;  ///< seconds of the run at the end of the last step
-  int written_ = 0;    ///< step of the newest checkpoint
+  int written_ = 0;    ///< step of the newest checkpoint, or of one that could not be written
 };
 
 }  // namespace tunica::app

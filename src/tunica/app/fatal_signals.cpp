@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <string>
 
 #include "tunica/app/guard.hpp"
 #include "tunica/base/fault_point.hpp"
@@ -22,6 +23,7 @@ struct Prepared {
   std::array<char, 80> beginning{};
   std::array<struct sigaction, fatal.size()> before{};
   std::array<char, 65536> stack{};  ///< the other one may be at its end
+  std::string words;                ///< of a Deadline
 };
 
 Prepared& prepared() {
@@ -34,6 +36,13 @@ void print(const char* text) {
 }
 
 void give_up(int) { ::_exit(exit_fault); }
+
+void end_late(int) {
+  print(prepared().beginning.data());
+  print(prepared().words.c_str());
+  print("\n");
+  ::_exit(exit_fault);
+}
 
 void handle(int signal, siginfo_t* info, void* context) {
   print(prepared().beginning.data());
@@ -72,5 +81,13 @@ void catch_fatal_signals(const std::string& program, int rank) {
   for (std::size_t k = 0; k < fatal.size(); ++k) ::sigaction(fatal[k], &action, &mine.before[k]);
 #endif
 }
+
+Deadline::Deadline(unsigned seconds, const std::string& words) {
+  prepared().words = words;
+  std::signal(SIGALRM, end_late);
+  ::alarm(seconds);
+}
+
+Deadline::~Deadline() { ::alarm(0); }
 
 }  // namespace tunica::app

@@ -8,4 +8,14 @@ namespace tunica::app {
 /// The launcher of MPI programs then ends the other ranks.
 void catch_fatal_signals(const std::string& program, int rank);
 
+/// Where it lives longer than so many seconds each rank that waits says these words and ends the
+/// program, as with a fatal signal.
+class Deadline {
+public:
+  Deadline(unsigned seconds, const std::string& words);
+  ~Deadline();
+  Deadline(const Deadline&) = delete;
+  Deadline& operator=(const Deadline&) = delete;
+};
+
 }  // namespace tunica::app

@@ -8,12 +8,11 @@
 #include <exception>
 #include <iostream>
 #include <thread>
-#include <vector>
 
 #include "tunica/app/fatal_signals.hpp"
 #include "tunica/base/attempt.hpp"
 #include "tunica/base/error.hpp"
-#include "tunica/base/exception_summary.hpp"
+#include "tunica/base/failed_ranks.hpp"
 #include "tunica/base/out_of_memory.hpp"
 #include "tunica/base/standard_output.hpp"
 
@@ -23,7 +22,6 @@ namespace {
 
 /// How long a failed rank waits to hear of others.
 constexpr std::chrono::seconds patience(2);
-constexpr int tag = 1;
 
 struct Ending {
   int status;
@@ -37,45 +35,17 @@ struct Ending {
   std::_Exit(exit_fault);
 }
 
-/// Tells all ranks of the own status and returns theirs; 0 of those that are not heard of in time.
-std::vector<int> statuses(MPI_Comm channel, int rank, int size, int status) {
-  static int own = 0;  // sent to ranks that may never take it
-  own = status;
-  std::vector<int> all(size, 0);
-  all[rank] = status;
-  for (int to = 0; to < size; ++to) {
-    MPI_Request unused = MPI_REQUEST_NULL;
-    if (to != rank) MPI_Isend(&own, 1, MPI_INT, to, tag, channel, &unused);
-  }
-  const auto end = std::chrono::steady_clock::now() + patience;
-  for (int heard = 1; heard < size && std::chrono::steady_clock::now() < end;) {
-    int is_there = 0;
-    MPI_Status envelope;
-    MPI_Iprobe(MPI_ANY_SOURCE, tag, channel, &is_there, &envelope);
-    if (is_there != 0) {
-      MPI_Recv(&all[envelope.MPI_SOURCE], 1, MPI_INT, envelope.MPI_SOURCE, tag, channel,
-               MPI_STATUS_IGNORE);
-      ++heard;
-    } else {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-  return all;
-}
-
 int end(const Comm& comm, const Ending& ending) {
-  const MPI_Comm channel = side_channel(comm);
   const int rank = comm.getRank(), size = comm.getSize();
-  const std::vector<int> all = channel == MPI_COMM_NULL
-                                   ? std::vector<int>{ending.status}
-                                   : statuses(channel, rank, size, ending.status);
+  const auto all = told_by_failed_ranks(comm, Tidings::ending, ending.status, patience);
   const bool have_all_failed = std::count(all.begin(), all.end(), 0) == 0;
   const auto speaker = std::max_element(all.begin(), all.end()) - all.begin();
   const std::string mine = "rank " + std::to_string(rank);
   const bool is_named = have_all_failed || ending.message.find(mine) != std::string::npos;
   if (speaker == rank)
     std::cerr << ending.message << (is_named ? "" : " (on " + mine + " alone)") << std::endl;
-  if (have_all_failed && all[speaker] != exit_fault) return all[speaker];
+  const int worst = static_cast<int>(all[speaker]);
+  if (have_all_failed && worst != exit_fault) return worst;
   if (size == 1) return exit_fault;
   if (speaker != rank) std::this_thread::sleep_for(patience);  // it speaks before all end
   abort_all();
@@ -90,12 +60,9 @@ Ending ending_of() {
   } catch (const MachineFault& fault) {
     return {exit_fault, fault.what()};
   } catch (const std::exception& error) {
-    return {exit_fault,
-            is_out_of_memory(error) ? out_of_memory_text() : exception_summary(error.what())};
-  } catch (const char* message) {  // NOX throws plain strings
-    return {exit_fault, message};
+    return {exit_fault, is_out_of_memory(error) ? out_of_memory_text() : words_of_exception()};
   } catch (...) {
-    return {exit_fault, "an exception without a message"};
+    return {exit_fault, words_of_exception()};
   }
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "tunica/base/fault_point.hpp"
 #include "tunica/base/reduce.hpp"
 
 namespace tunica::app {
@@ -102,6 +103,7 @@ void RunLog::warn(const std::string& text) const {
 
 void RunLog::step(const stepping::Clock& clock, const StepSummary& s,
                   const discretisation::Observables& observables) {
+  fault_point("steps table");
   if (!steps_table_) open_steps(s, observables);
   const double now = run_.seconds();
   std::vector<io::Cell> row{

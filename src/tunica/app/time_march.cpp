@@ -102,21 +102,27 @@ void TimeMarch::restore(const Numbers& numbers) {
 
 std::vector<fields::State> TimeMarch::save_parts() const {
   std::vector<fields::State> states;
-  // With a checkpoint after each step the last good one is on the disk.
-  if (control_.may_repeat() || output_->checkpoint_every > 1)
-    for (const auto& [name, part] : parts_) states.push_back(part->save());
+  const int every = output_->checkpoint_every;
+  const bool may_be_written = every > 0 && !made_.is_every(every);  // otherwise it is, or unwanted
+  if (control_.may_repeat() || may_be_written)
+    for (const auto& [name, part] : parts()) states.push_back(part->save());
   return states;
 }
 
+int TimeMarch::last_ended() const {
+  return is_in_step_ ? static_cast<int>(numbers_before_.at("steps").at(0))
+                     : control_.clock().step() - 1;
+}
+
 TimeMarch::Place TimeMarch::undo() {
-  restore_parts();
-  return {static_cast<int>(numbers_before_.at("steps").at(0)), numbers_before_.at("start").at(0),
-          numbers_before_};
+  if (is_in_step_) restore_parts();
+  const Numbers numbers = is_in_step_ ? numbers_before_ : save();
+  return {last_ended(), numbers.at("start").at(0), numbers};
 }
 
 void TimeMarch::restore_parts() const {
   auto state = before_.begin();
-  for (const auto& [name, part] : parts_) part->restore(*state++);
+  for (const auto& [name, part] : parts()) part->restore(*state++);
 }
 
 void TimeMarch::tell_repeat(const RunLog& log, const std::string& reason) const {
@@ -172,6 +178,7 @@ StepSummary TimeMarch::make_step(const Solve& solve, RunLog& log) {
   if (is_first) output_->record.note_memory("solvers");
   before_ = save_parts();
   numbers_before_ = save();
+  is_in_step_ = true;
   StepSummary step;
   for (int attempt = 1;; ++attempt) {
     made_ = control_.clock();

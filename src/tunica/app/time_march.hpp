@@ -68,7 +68,12 @@ public:
     double time;
     Numbers numbers;
   };
-  /// Gives up the step made last, which was not accepted, as for a repeat. Collective.
+  /// All is done with the step made last, which was accepted: it stays.
+  void end_step() { is_in_step_ = false; }
+  /// The last step that was ended; that before the first of this program.
+  int last_ended() const;
+  /// Goes back to the end of that step, as for a repeat, however far the next one has come. Not
+  /// where that step has a checkpoint. Collective.
   Place undo();
 
 private:
@@ -91,10 +96,11 @@ private:
   stepping::Clock made_;
   std::optional<problems::StepTolerance> tolerance_;  ///< of steps of any size
   std::vector<std::pair<std::string, std::unique_ptr<problems::StepError>>> errors_;
-  std::vector<fields::State> before_;  ///< of the parts, at the start of the step made last
+  std::vector<fields::State> before_;  ///< of parts(), at the start of the step made last
   Numbers numbers_before_;
   bool is_stopped_ = false, has_made_step_ = false;
-  double eta_ = 0.0;  ///< of the present step, see stepping::StepControl
+  bool is_in_step_ = false;  ///< one has begun that has not ended
+  double eta_ = 0.0;         ///< of the present step, see stepping::StepControl
   Counts counts_;
 };
 

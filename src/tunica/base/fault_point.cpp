@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -20,28 +21,27 @@ const char*& last() {
 
 /// What a test asks for.
 struct Wish {
-  std::string place, kind;
-  int rank = -1;
+  std::string place, rank, kind = "bad_alloc";
+  int passes = 1;  ///< to come, with the one that fails
 };
 
 Wish read_wish() {
   const char* const text = std::getenv("TUNICA_FAULT");
   if (text == nullptr) return {};
-  const std::string words = text;
-  const auto first = words.find(':'), second = words.find(':', first + 1);
-  if (first == std::string::npos) return {};
+  std::istringstream words(text);
   Wish wish;
-  wish.place = words.substr(0, first);
-  wish.rank = std::atoi(words.c_str() + first + 1);
-  wish.kind = second == std::string::npos ? "bad_alloc" : words.substr(second + 1);
+  std::getline(words, wish.place, ':');
+  std::getline(words, wish.rank, ':');
+  if (std::string kind; std::getline(words, kind, ':')) wish.kind = kind;
+  words >> wish.passes;
   return wish;
 }
 
-bool is_on(int rank) {
+bool is_on(const std::string& rank) {
   int is_running = 0, mine = 0;
   MPI_Initialized(&is_running);
   if (is_running != 0) MPI_Comm_rank(MPI_COMM_WORLD, &mine);
-  return mine == rank;
+  return rank == "all" || rank == std::to_string(mine);
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ bool is_on(int rank) {
 void fault_point(const char* place) {
   static Wish wish = read_wish();
   last() = place;
-  if (wish.place != place || !is_on(wish.rank)) return;
+  if (wish.place != place || --wish.passes > 0 || !is_on(wish.rank)) return;
   wish.place.clear();  // once
   const std::string message = std::string("fault wanted at: ") + place;
   if (wish.kind == "error") throw Error(message);
@@ -58,5 +58,7 @@ void fault_point(const char* place) {
 }
 
 const char* last_fault_point() { return last(); }
+
+KeepsLastFaultPoint::~KeepsLastFaultPoint() { last() = place_; }
 
 }  // namespace tunica

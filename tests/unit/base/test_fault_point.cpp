@@ -17,8 +17,9 @@ namespace {
 TEUCHOS_UNIT_TEST(fault_point, fails_once_where_a_test_wants_it_and_is_remembered) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  setenv("TUNICA_FAULT", "the middle:0:error", 1);  // before the first one: it is read once
+  setenv("TUNICA_FAULT", "the middle:0:error:2", 1);  // before the first one: it is read once
   fault_point("the start");
+  fault_point("the middle");
   if (rank == 0)
     TEST_THROW(fault_point("the middle"), Error)
   else
@@ -26,6 +27,10 @@ TEUCHOS_UNIT_TEST(fault_point, fails_once_where_a_test_wants_it_and_is_remembere
   TEST_EQUALITY(std::string(last_fault_point()), "the middle");
   fault_point("the middle");
   fault_point("the end");
+  {
+    const KeepsLastFaultPoint kept;
+    fault_point("behind the end");
+  }
   TEST_EQUALITY(out_of_memory_text(),
                 "out of memory on rank " + std::to_string(rank) + " (the end)");
 }
