@@ -5,8 +5,8 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/memory.hpp"
+#include "tunica/base/rows.hpp"
 #include "tunica/mesh/distributed/refine.hpp"
-#include "tunica/mesh/distributed/rows.hpp"
 #include "tunica/mesh/distributed/share.hpp"
 #include "tunica/mesh/gmsh.hpp"
 #include "tunica/mesh/validate.hpp"
@@ -136,7 +136,7 @@ void show_partition(const Arguments& arguments, const CommPtr& comm) {
   const mesh::SlabPartition partition = mesh::partition(slab, is_fluid, fields, by, path);
   const mesh::Balance balance = mesh::balance(slab, fields, partition);
   const mesh::Share share = mesh::distribute(std::move(slab), partition, path);
-  const auto parts = mesh::gather_rows(*comm, std::vector<Part>{part_of(share, is_fluid)});
+  const auto parts = gather_rows(*comm, std::vector<Part>{part_of(share, is_fluid)});
   if (comm->getRank() != 0) return;
   std::printf("%6s %12s %12s %15s %14s %9s\n", "rank", "tetrahedra", "of others", "fluid vertices",
               "wall vertices", "peak MB");
