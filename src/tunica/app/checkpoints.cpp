@@ -66,7 +66,7 @@ Outcome Checkpoints::guard(const std::function<Outcome()>& steps) {
     return steps();
   } catch (...) {
     if (has_news())
-      do_if_all_fail_alike(*comm_, [this] {
+      do_if_all_fail_alike(*comm_, march_->last_ended(), [this] {
         const Deadline deadline(patience_with_checkpoint, words_of_exception());
         write_last_ended();
       });

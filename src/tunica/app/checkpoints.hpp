@@ -31,7 +31,7 @@ public:
   /// Throws MachineFault on all ranks if the disk refuses; the checkpoints before remain.
   void end_step(const std::function<void()>& write_fields);
 
-  /// Leaves a checkpoint of the last step that was accepted, where the next one was not. The
+  /// Leaves a checkpoint of the last step that was ended, where the next one was not accepted. The
   /// failure of the run. Collective, throws as end_step().
   Outcome give_up(const std::string& reason);
 

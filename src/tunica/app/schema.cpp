@@ -31,7 +31,7 @@ params::Table mesh_table() {
       .number("scale", 1.0, params::positive(), "",
               "the vertices are multiplied by it; 1000 for a mesh in m, 10 for one in cm")
       .choice("partitioner", "automatic", mesh::partitioner_names(),
-              "who cuts the mesh for several ranks: metis, for which one rank reads all of it; "
+              "who cuts the mesh for several ranks: metis, for which one rank has all of it; "
               "geometric, by planes and without; automatic, the first up to 100,000 tetrahedra");
   return table;
 }

@@ -18,13 +18,14 @@ namespace {
 constexpr std::chrono::seconds patience_with_slow_ranks(10);
 
 /// Of what is being handled, and where.
-std::uint64_t hash_of_exception() {
-  const std::string text = words_of_exception() + " (" + last_fault_point() + ")";
+std::uint64_t hash_of_exception(int stage) {
+  const std::string text =
+      words_of_exception() + " (" + last_fault_point() + ", " + std::to_string(stage) + ")";
   return hash_bytes(text.data(), text.size());
 }
 
-bool do_all_fail_alike(const Comm& comm) {
-  const std::uint64_t mine = hash_of_exception();
+bool do_all_fail_alike(const Comm& comm, int stage) {
+  const std::uint64_t mine = hash_of_exception(stage);
   const auto all = told_by_failed_ranks(comm, Tidings::exception, mine, patience_with_slow_ranks);
   return std::all_of(all.begin(), all.end(), [mine](std::uint64_t one) { return one == mine; });
 }
@@ -72,10 +73,10 @@ std::string words_of_exception() {
   }
 }
 
-void do_if_all_fail_alike(const Comm& comm, const std::function<void()>& work) {
+void do_if_all_fail_alike(const Comm& comm, int stage, const std::function<void()>& work) {
   const KeepsLastFaultPoint place;
   try {
-    if (!do_all_fail_alike(comm)) return;
+    if (!do_all_fail_alike(comm, stage)) return;
     work();
     comm.barrier();  // what comes next has less patience
   } catch (...) {    // what happened first is what counts

@@ -22,8 +22,9 @@ std::vector<std::uint64_t> told_by_failed_ranks(const Comm& comm, Tidings what, 
 std::string words_of_exception();
 
 /// While an exception is handled: does collective work if all ranks handle the same one, behind the
-/// same fault_point(); otherwise some may never come to it. What the work throws is lost. The
-/// exception may have left messages on their way, so that even then the work may wait for good.
-void do_if_all_fail_alike(const Comm& comm, const std::function<void()>& work);
+/// same fault_point() and at the same stage, a number of the caller; otherwise some may never come
+/// to it. What the work throws is lost. The exception may have left messages on their way, so that
+/// even then the work may wait for good.
+void do_if_all_fail_alike(const Comm& comm, int stage, const std::function<void()>& work);
 
 }  // namespace tunica

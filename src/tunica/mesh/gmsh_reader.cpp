@@ -173,9 +173,9 @@ void GmshReader::read_elements_22() {
   for (long long i = 0; i < n; ++i) {
     const long long number = in_.integer("the number of an element");
     const int type = in_.integer("the type of an element", 1, largest_int);
-    const std::size_t tags = in_.count("the number of an element's tags", 2);
+    const long long tags = in_.count("the number of an element's tags", 2);
     int physical = 0;
-    for (std::size_t tag = 0; tag < tags; ++tag) {
+    for (long long tag = 0; tag < tags; ++tag) {
       const int value = in_.integer("a tag of an element", -largest_int, largest_int);
       if (tag == 0) physical = std::abs(value);
     }

@@ -2,6 +2,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tunica/mesh/distributed/row_stream.hpp"
 #include "tunica/mesh/number_runs.hpp"
@@ -28,6 +29,11 @@ private:
   void read_nodes_22();
   void read_elements_22();
   void read_entities_41();
+  /// So many numbers of nodes that come one after the other.
+  struct Run {
+    long long first, count;
+  };
+  std::vector<Run> read_runs(long long n);
   void read_nodes_41();
   void read_elements_41();
   /// The one physical number of an entity, 0 for none.

@@ -38,6 +38,19 @@ void GmshReader::read_entities_41() {
   }
 }
 
+std::vector<GmshReader::Run> GmshReader::read_runs(long long n) {
+  std::vector<Run> runs;
+  for (long long i = 0; i < n; ++i) {
+    const long long number = in_.integer("the number of a node");
+    if (!runs.empty() && number > runs.back().first &&
+        number - 1 == runs.back().first + (runs.back().count - 1))
+      ++runs.back().count;
+    else
+      runs.push_back({number, 1});
+  }
+  return runs;
+}
+
 void GmshReader::read_nodes_41() {
   const long long blocks = in_.count("the number of entity blocks", 8);
   const long long total = in_.count("the number of nodes", 8);
@@ -48,12 +61,11 @@ void GmshReader::read_nodes_41() {
     in_.integer("the number of an entity");
     const int parameters = in_.integer("\"parametric\"", 0, 1) == 1 ? dimension : 0;
     const long long n = in_.count("the number of nodes in a block", 8);
-    std::vector<long long> numbers(static_cast<std::size_t>(n));
-    for (long long& number : numbers) number = in_.integer("the number of a node");
-    for (const long long number : numbers) {
-      add_node(number, read_point());
-      for (int p = 0; p < parameters; ++p) in_.real("a parameter of a node");
-    }
+    for (const auto& [first, count] : read_runs(n))
+      for (long long i = 0; i < count; ++i) {
+        add_node(first + i, read_point());
+        for (int p = 0; p < parameters; ++p) in_.real("a parameter of a node");
+      }
   }
   if (rows_.vertices.count() != total)
     in_.fail("the blocks hold " + std::to_string(rows_.vertices.count()) + " nodes, expected " +

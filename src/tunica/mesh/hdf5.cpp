@@ -107,6 +107,8 @@ Hdf5Rows read_hdf5_rows(const std::string& path, int rank, int ranks) {
   constexpr int most = std::numeric_limits<int>::max();
   TUNICA_CHECK(vertices.total <= most, path + ": has " + std::to_string(vertices.total) +
                                            " vertices, more than can be numbered");
+  TUNICA_CHECK(tets.count < most, path + ": " + std::to_string(tets.count) +
+                                      " tetrahedra on a rank, more than can be numbered");
   Hdf5Rows found{{}, vertices.total, tets.total, triangles.total};
   Mesh& mesh = found.rows;
   read_rows(in, "vertices", vertices, mesh.vertices);

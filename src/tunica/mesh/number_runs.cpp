@@ -33,7 +33,8 @@ bool NumberRuns::add(long long number) {
     return false;
   }
   if (last_ != runs_.end() && number > last_->first &&
-      behind_first(number, last_->first) == last_->second.count)
+      behind_first(number, last_->first) == last_->second.count &&
+      last_->second.place + last_->second.count == places_)
     ++last_->second.count;
   else
     last_ = runs_.emplace(number, Run{places_, 1}).first;

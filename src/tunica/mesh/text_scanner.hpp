@@ -9,9 +9,9 @@ namespace tunica::mesh {
 
 constexpr int largest_int = std::numeric_limits<int>::max();
 
-/// Reads a text file word by word, and never has more of it than a piece. Every mistake of the
-/// file becomes an Error that begins with "path:line:". Words are separated by white space; what
-/// is longer than any number or name comes as several.
+/// Reads a text file word by word, and never has more of it than a piece or a line. Every mistake
+/// of the file becomes an Error that begins with "path:line:". Words are separated by white space;
+/// what is longer than any number or name comes as several.
 class TextScanner {
 public:
   /// Lines whose first character is comment are skipped (0: none are). Throws Error if it is not
@@ -39,7 +39,7 @@ public:
   /// Fails unless the next word is this one.
   void expect(const std::string& expected);
 
-  int line() const { return line_; }
+  long long line() const { return line_; }
   const std::string& path() const { return path_; }
   [[noreturn]] void fail(const std::string& message) const;
 
@@ -56,7 +56,7 @@ private:
   std::string text_;
   std::size_t at_ = 0;  ///< in the text
   char before_ = '\n';  ///< the character before the text
-  int line_ = 1;
+  long long line_ = 1;
   char comment_;
   std::size_t piece_;
 };

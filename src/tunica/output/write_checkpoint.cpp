@@ -100,7 +100,7 @@ io::Hdf5File::Rows rows_of_rank(const fields::State& state, const Comm& comm) {
 
 /// An upper bound of what the arrays of a part take in the file.
 long long room_for(const fields::State& state, const io::Hdf5File::Rows& rows) {
-  long long bytes = 4 * rows.total + 8192;
+  long long bytes = 8 * rows.total + 8192;
   for (const auto& [name, array] : state.arrays) bytes += 8 * rows.total * array.columns + 4096;
   return bytes;
 }

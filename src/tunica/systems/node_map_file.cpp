@@ -34,7 +34,8 @@ private:
     std::istringstream words(line);
     Unknown unknown{-1, 0, line_};
     const bool is_number = static_cast<bool>(words >> unknown.node);
-    check(is_number && unknown.node >= 0,
+    constexpr long long most = 1LL << 62;
+    check(is_number && unknown.node >= 0 && unknown.node < most,
           "expected the number of a node, from 0 on, found \"" + line + "\"");
     const bool is_vector = n_read_++ < n_vector_;
     if (is_vector && !(words >> unknown.component)) unknown.component = next_component;
@@ -51,7 +52,7 @@ private:
   std::string path_;
   std::ifstream file_;
   long long n_vector_, n_read_ = 0;
-  int line_ = 0;
+  long long line_ = 0;
 };
 
 void append(std::vector<Unknown>& all, const std::vector<Unknown>& more) {
@@ -81,7 +82,7 @@ Unknowns read_node_map(const std::string& path, long long n_vector, long long n_
   return mine;
 }
 
-std::string complaint(const std::string& path, int line, const std::string& problem) {
+std::string complaint(const std::string& path, long long line, const std::string& problem) {
   return path + ", line " + std::to_string(line) + ": " + problem + ".";
 }
 

@@ -12,8 +12,8 @@ constexpr int next_component = std::numeric_limits<int>::min();
 
 struct Unknown {
   long long node;
-  int component;  ///< 0 of a scalar
-  int line;       ///< of the file; 0 without a file
+  int component;   ///< 0 of a scalar
+  long long line;  ///< of the file; 0 without a file
 };
 
 /// The portions of the vector and of the scalar unknowns that a rank has.
@@ -28,6 +28,6 @@ Unknowns read_node_map(const std::string& path, long long n_vector, long long n_
                        const CommPtr& comm, std::size_t lines_at_once);
 
 /// Says that something is wrong in a line of the file.
-std::string complaint(const std::string& path, int line, const std::string& problem);
+std::string complaint(const std::string& path, long long line, const std::string& problem);
 
 }  // namespace tunica::systems

@@ -136,7 +136,7 @@ private:
   }
   /// That of the first line, of all ranks.
   void throw_first_fault() const {
-    int first = 0;
+    long long first = 0;
     Teuchos::reduceAll(comm_, Teuchos::REDUCE_MIN, 1, &line_of_fault_, &first);
     throw_if_any<Error>(comm_, line_of_fault_ == first ? fault_ : "");
   }
@@ -149,7 +149,7 @@ private:
   std::vector<long long> nodes_;
   std::vector<unsigned> taken_;  ///< of each node: a bit of each component, one of the scalar
   std::string fault_;
-  int line_of_fault_ = std::numeric_limits<int>::max();
+  long long line_of_fault_ = std::numeric_limits<long long>::max();
 };
 
 }  // namespace

@@ -220,7 +220,7 @@ TEUCHOS_UNIT_TEST(text_scanner, pieces_of_any_size_give_the_same_words) {
     const long long number = in.integer("a");
     const double real = in.real("b");
     const std::string next(in.peek());
-    const int line = in.line();
+    const long long line = in.line();
     const std::string word(in.word("c")), quoted = in.quoted("d"), rest = in.rest_of_line();
     TEST_EQUALITY(number, 12);
     TEST_EQUALITY(real, -0.035);
@@ -262,6 +262,9 @@ TEUCHOS_UNIT_TEST(number_runs, find_the_places_of_numbers_in_any_order) {
   for (const long long number : numbers) TEST_ASSERT(!runs.add(number));
   TEST_ASSERT(runs.add(50));  // those refused have taken places
   TEST_EQUALITY(runs.find(50), 2 * static_cast<long long>(numbers.size()));
+  TEST_ASSERT(!runs.add(50));
+  TEST_ASSERT(runs.add(51));
+  TEST_EQUALITY(runs.find(51), runs.find(50) + 2);
 }
 
 TEUCHOS_UNIT_TEST(mesh_formats, failed_write_leaves_nothing) {

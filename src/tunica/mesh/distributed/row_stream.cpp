@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/exchange.hpp"
@@ -49,8 +50,7 @@ void RowChannel<Row>::take(const std::vector<char>& message, int bytes) {
 template <class Row>
 std::vector<Row> RowChannel<Row>::take_portions() {
   const int rank = comm_->getRank(), ranks = comm_->getSize();
-  filling_ = {};
-  if (ranks == 1) return std::move(mine_);
+  if (ranks == 1) return std::exchange(mine_, {});
   Teuchos::broadcast(*comm_, 0, 1, &count_);
   // 1. The k-th of a rank's pieces is the (k ranks + rank)-th of all: to whose portions it belongs.
   std::vector<int> counts(ranks, 0);
@@ -61,8 +61,7 @@ std::vector<Row> RowChannel<Row>::take_portions() {
     while (first_row(count_, owner + 1, ranks) <= row) ++owner;
     ++counts[owner];
   }
-  const Received<Row> received = exchange(*comm_, mine_, counts);
-  mine_ = {};
+  const Received<Row> received = exchange(*comm_, std::exchange(mine_, {}), counts);
   // 2. What came from one rank is in order; from which rank the next row came follows from its
   // number.
   std::vector<std::size_t> next(ranks, 0);
@@ -87,23 +86,34 @@ RowStream::RowStream(const CommPtr& comm, int rows_at_once)
       comm_(comm), piece_(rows_at_once) {}
 
 void RowStream::run(const std::function<void(RowStream&)>& reader) {
+  const bool is_root = comm_->getRank() == 0;
+  constexpr std::size_t longest =
+      std::max({sizeof(Vec3), sizeof(TetRow), sizeof(TriangleRow), sizeof(VectorRow)});
+  std::vector<char> message;
+  on_all(*comm_, [&] {  // before rank 0 waits for the others to receive
+    if (!is_root) message.resize(longest * static_cast<std::size_t>(piece_));
+  });
   on_all(*comm_, [&] {
-    if (comm_->getRank() > 0) return receive_all();
+    if (!is_root) return receive_all(message);
     try {
       reader(*this);
+      flush();
     } catch (...) {
-      send_rest();  // nobody must wait for what does not come
+      send_end();  // nobody must wait for what does not come
       throw;
     }
-    send_rest();
+    send_end();
   });
 }
 
-void RowStream::send_rest() {
+void RowStream::flush() {
   vertices.flush();
   tets.flush();
   triangles.flush();
   vectors.flush();
+}
+
+void RowStream::send_end() const {
   for (int r = 1; r < comm_->getSize(); ++r)
     MPI_Send(nullptr, 0, MPI_BYTE, r, end_of_rows, mpi_comm(*comm_));
 }
@@ -121,10 +131,7 @@ void RowStream::take(int tag, const std::vector<char>& message, int bytes) {
   }
 }
 
-void RowStream::receive_all() {
-  constexpr std::size_t longest =
-      std::max({sizeof(Vec3), sizeof(TetRow), sizeof(TriangleRow), sizeof(VectorRow)});
-  std::vector<char> message(longest * static_cast<std::size_t>(piece_));
+void RowStream::receive_all(std::vector<char>& message) {
   std::exception_ptr failure;  // what is sent must be received all the same
   for (;;) {
     MPI_Status envelope;

@@ -73,8 +73,9 @@ public:
   void run(const std::function<void(RowStream&)>& reader);
 
 private:
-  void send_rest();
-  void receive_all();
+  void flush();
+  void send_end() const;
+  void receive_all(std::vector<char>& message);
   void take(int tag, const std::vector<char>& message, int bytes);
 
   CommPtr comm_;

@@ -89,6 +89,8 @@ Slab slab_of(const Mesh& whole, const CommPtr& comm) {
 
 Mesh gathered(const Slab& slab) {
   const Comm& comm = *slab.comm;
+  TUNICA_CHECK(slab.tets < std::numeric_limits<int>::max(),
+               "a mesh of " + std::to_string(slab.tets) + " tetrahedra, more than a rank can have");
   Mesh whole;
   whole.regions = slab.rows.regions;
   whole.surfaces = slab.rows.surfaces;

@@ -39,7 +39,11 @@ public:
   TextMesh(const std::string& path, const CommPtr& comm, int rows_at_once)
       : path_(path), comm_(*comm), rows_(comm, rows_at_once) {
     slab_.comm = comm;
-    rows_.run([&](RowStream& rows) { text_reader(path)(rows); });
+    rows_.run([&](RowStream& rows) {
+      text_reader(path)(rows);
+      check_number("vertices", rows.vertices.count(), 1);
+      check_number("tetrahedra on a rank", rows.tets.count(), comm->getSize());
+    });
     take_vertices();
     take_tets();
     take_triangles();
@@ -58,12 +62,15 @@ public:
   }
 
 private:
+  void check_number(const std::string& what, long long count, int ranks) const {
+    TUNICA_CHECK(
+        count / ranks < std::numeric_limits<int>::max(),
+        path_ + ": " + std::to_string(count / ranks) + " " + what + ", more than can be numbered");
+  }
+
   void take_vertices() {
     mesh_.vertices = rows_.vertices.take_portions();
     slab_.vertices = rows_.vertices.count();
-    TUNICA_CHECK(
-        slab_.vertices <= std::numeric_limits<int>::max(),
-        path_ + ": has " + std::to_string(slab_.vertices) + " vertices, more than can be numbered");
   }
 
   void take_tets() {
@@ -155,7 +162,7 @@ private:
                                   ", expected a positive one");
       }
     });
-    tet_number_ = {};
+    std::vector<long long>().swap(tet_number_);
   }
 
   /// Which of these faces, ascending, have one tetrahedron only: asked where the lowest vertex is.
