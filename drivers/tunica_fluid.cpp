@@ -40,25 +40,22 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     log.newton({clock.step(), clock.time(), 0, attempt}, "fluid", report);
     return app::summary_of(report, "fluid", clock);
   };
-  const Outcome marched = checkpoints.guard([&] {
-    while (!march.is_done()) {
-      const app::StepSummary step = march.make_step(solve, log);
-      const stepping::Clock& clock = march.clock();
-      if (step.is_accepted) shear.accept(clock);
-      const discretisation::Observables observed =
-          app::joined({fluid.observe(), shear.observe(), domain.probes.observe(&fluid, nullptr),
-                       surfaces.observe(&fluid, nullptr)});
-      log.step(clock, step, observed);
-      watch.tell(log, clock, step, observed);
-      if (!step.is_accepted) return checkpoints.give_up(step.reason);
-      checkpoints.end_step([&] {
-        if (!fields.is_due(clock)) return;
-        std::vector<output::Array> arrays = app::fluid_arrays(fluid, {});
-        for (output::Array& array : shear.arrays()) arrays.push_back(std::move(array));
-        fields.write(clock, {{"fluid", arrays, {}}});
-      });
-    }
-    return Outcome::success();
+  const auto make_step = [&] {
+    app::StepSummary step = march.make_step(solve, log);
+    const stepping::Clock& clock = march.clock();
+    if (step.is_accepted) shear.accept(clock);
+    const discretisation::Observables observed =
+        app::joined({fluid.observe(), shear.observe(), domain.probes.observe(&fluid, nullptr),
+                     surfaces.observe(&fluid, nullptr)});
+    log.step(clock, step, observed);
+    watch.tell(log, clock, step, observed);
+    return step;
+  };
+  const Outcome marched = checkpoints.march(make_step, [&] {
+    if (!fields.is_due(march.clock())) return;
+    std::vector<output::Array> arrays = app::fluid_arrays(fluid, {});
+    for (output::Array& array : shear.arrays()) arrays.push_back(std::move(array));
+    fields.write(march.clock(), {{"fluid", arrays, {}}});
   });
   if (marched.is_failure()) return marched;
   fields.finish();

@@ -80,24 +80,21 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     if (!report.remark.empty()) log.warn(report.remark);
     return app::summary_of(report, scheme->fields());
   };
-  const Outcome marched = checkpoints.guard([&] {
-    while (!march.is_done()) {
-      const app::StepSummary step = march.make_step(solve, log);
-      const stepping::Clock& clock = march.clock();
-      if (step.is_accepted) shear.accept(clock);
-      const discretisation::Observables observed =
-          app::joined({wall.observe(), fluid.observe(), shear.observe(),
-                       domain.probes.observe(&fluid, &wall), surfaces.observe(&fluid, &wall)});
-      log.step(clock, step, observed);
-      watch.tell(log, clock, step, observed, &fluid.mesh(), motion.displacement(),
-                 [&] { return app::volume_change(wall); });
-      if (!step.is_accepted) return checkpoints.give_up(step.reason);
-      checkpoints.end_step([&] {
-        if (fields.is_due(clock))
-          fields.write(clock, both_fields(list.sublist("Output"), fluid, motion, shear, wall));
-      });
-    }
-    return Outcome::success();
+  const auto make_step = [&] {
+    app::StepSummary step = march.make_step(solve, log);
+    const stepping::Clock& clock = march.clock();
+    if (step.is_accepted) shear.accept(clock);
+    const discretisation::Observables observed =
+        app::joined({wall.observe(), fluid.observe(), shear.observe(),
+                     domain.probes.observe(&fluid, &wall), surfaces.observe(&fluid, &wall)});
+    log.step(clock, step, observed);
+    watch.tell(log, clock, step, observed, &fluid.mesh(), motion.displacement(),
+               [&] { return app::volume_change(wall); });
+    return step;
+  };
+  const Outcome marched = checkpoints.march(make_step, [&] {
+    if (fields.is_due(march.clock()))
+      fields.write(march.clock(), both_fields(list.sublist("Output"), fluid, motion, shear, wall));
   });
   if (marched.is_failure()) return marched;
 

@@ -41,23 +41,19 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     log.newton({clock.step(), clock.time(), 0, attempt}, "wall", report);
     return app::summary_of(report, "wall", clock);
   };
-  const Outcome marched = checkpoints.guard([&] {
-    while (!march.is_done()) {
-      const app::StepSummary step = march.make_step(solve, log);
-      const stepping::Clock& clock = march.clock();
-      const discretisation::Observables observed =
-          app::joined({wall.observe(), domain.probes.observe(nullptr, &wall),
-                       surfaces.observe(nullptr, &wall)});
-      log.step(clock, step, observed);
-      watch.tell(log, clock, step, observed, nullptr, {}, [&] { return app::volume_change(wall); });
-      if (!step.is_accepted) return checkpoints.give_up(step.reason);
-      checkpoints.end_step([&] {
-        if (fields.is_due(clock))
-          fields.write(clock, {{"wall", app::wall_arrays(wall),
-                                app::wall_cell_arrays(wall, list.sublist("Output"))}});
-      });
-    }
-    return Outcome::success();
+  const auto make_step = [&] {
+    app::StepSummary step = march.make_step(solve, log);
+    const stepping::Clock& clock = march.clock();
+    const discretisation::Observables observed = app::joined(
+        {wall.observe(), domain.probes.observe(nullptr, &wall), surfaces.observe(nullptr, &wall)});
+    log.step(clock, step, observed);
+    watch.tell(log, clock, step, observed, nullptr, {}, [&] { return app::volume_change(wall); });
+    return step;
+  };
+  const Outcome marched = checkpoints.march(make_step, [&] {
+    if (fields.is_due(march.clock()))
+      fields.write(march.clock(), {{"wall", app::wall_arrays(wall),
+                                    app::wall_cell_arrays(wall, list.sublist("Output"))}});
   });
   if (marched.is_failure()) return marched;
   fields.finish();

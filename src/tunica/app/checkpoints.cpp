@@ -61,9 +61,15 @@ std::string Checkpoints::why_to_stop() {
   return text.str();
 }
 
-Outcome Checkpoints::guard(const std::function<Outcome()>& steps) {
+Outcome Checkpoints::march(const std::function<StepSummary()>& make_step,
+                           const std::function<void()>& write_fields) {
   try {
-    return steps();
+    while (!march_->is_done()) {
+      const StepSummary step = make_step();
+      if (!step.is_accepted) return give_up(step.reason);
+      end_step(write_fields);
+    }
+    return Outcome::success();
   } catch (...) {
     if (has_news())
       do_if_all_fail_alike(*comm_, march_->last_ended(), [this] {

@@ -20,11 +20,14 @@ public:
   /// signals stop the run. Throws Error if the checkpoint lacks something. Collective.
   void begin();
 
-  /// Makes steps, as their outcome. Where an exception that all ranks meet alike ends them, leaves
-  /// a checkpoint of the last step that came to end_step(), and lets the exception go on.
-  /// Collective.
-  Outcome guard(const std::function<Outcome()>& steps);
+  /// Makes the steps of the march to its end, or to one that is not accepted: make_step puts them
+  /// into the tables, write_fields what they leave of fields. Where one is not accepted, or an
+  /// exception that all ranks meet alike ends them, leaves a checkpoint of the last step that was
+  /// ended; the exception goes on. Collective, throws as end_step().
+  Outcome march(const std::function<StepSummary()>& make_step,
+                const std::function<void()>& write_fields);
 
+private:
   /// Ends a step that was accepted and is in the tables: lets it write its fields, and then a
   /// checkpoint if one is due, or if a signal to any rank or the clock on the wall stops the march
   /// here. run.json tells how long it took. Collective.
@@ -34,8 +37,6 @@ public:
   /// Leaves a checkpoint of the last step that was ended, where the next one was not accepted. The
   /// failure of the run. Collective, throws as end_step().
   Outcome give_up(const std::string& reason);
-
-private:
   void restore(const std::string& path) const;
   /// Why the march ends here, agreed by all ranks; empty where it does not.
   std::string why_to_stop();
