@@ -7,6 +7,13 @@
 
 namespace tunica::algebra {
 
+/// Where nodes are, for coarse levels that interpolate the rotations of solids. Both null where
+/// that is not known.
+struct NodePlaces {
+  Teuchos::RCP<const MultiVector> coordinates;  ///< three columns [mm]
+  Teuchos::RCP<const Vector> in_solid;          ///< 1 where vectors move a solid, 0 elsewhere
+};
+
 /// Nodes as multigrid sees them.
 struct Nodes {
   Teuchos::RCP<const CrsGraph> graph;  ///< a row per node, its neighbours and itself
@@ -16,6 +23,7 @@ struct Nodes {
   Teuchos::RCP<const Vector> hosts{};
   /// Of each node, which of the parts that the space names it stands in. Null where it names none.
   Teuchos::RCP<const Vector> parts{};
+  NodePlaces places{};
 };
 
 /// Unknowns of one kind: velocities, pressures.

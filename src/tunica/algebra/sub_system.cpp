@@ -35,6 +35,13 @@ Teuchos::RCP<const Vector> picked_values(const Vector& all, const Vector& flags)
   return some;
 }
 
+NodePlaces picked_places(const NodePlaces& all, const Vector& flags) {
+  if (all.coordinates.is_null()) return {};
+  const auto some = Teuchos::rcp(new MultiVector(flagged_map(flags), 3));
+  pick_rows(flagged_rows(flags), *all.coordinates, *some);
+  return {some, picked_values(*all.in_solid, flags)};
+}
+
 /// -1 for hosts that are not among the nodes.
 void drop_missing_hosts(const Map& nodes, Vector& hosts) {
   const auto host = hosts.getLocalViewHost(read_write);
@@ -45,6 +52,7 @@ void drop_missing_hosts(const Map& nodes, Vector& hosts) {
 /// leaders: where the hosts are; null for the first block.
 Nodes picked_nodes(const Nodes& all, const Vector& flags, const Map* leaders) {
   Nodes nodes{picked_graph(*all.graph, flags, flags), picked_values(*all.order, flags)};
+  nodes.places = picked_places(all.places, flags);
   if (all.hosts.is_null()) return nodes;
   const auto hosts = Teuchos::rcp_const_cast<Vector>(picked_values(*all.hosts, flags));
   drop_missing_hosts(*leaders, *hosts);

@@ -10,7 +10,7 @@ MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
     : mesh_(&mesh), split_(std::move(parts.split)), scheme_(std::move(parts.scheme)),
       history_(scheme_->remembers(), mesh.n_nodes()),
       surfaces_(parts.conditions, parts.registry, mesh), fixed_(surfaces_.constraints()),
-      R_(mesh, split_.get()), blocks_(parts.blocks),
+      R_(mesh, split_.get()), blocks_(parts.blocks), is_solid_(parts.is_solid),
       space_(fields::nodal_space(mesh, blocks_, split_.get())),
       common_motions_(mesh, split_.get()) {
   surfaces_.follow(*scheme_);
@@ -21,7 +21,9 @@ MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
 
 fields::BlockOperator& MixedField::matrix() const {
   if (!K_) {
-    K_ = std::make_unique<fields::BlockOperator>(*mesh_, blocks_, split_.get());
+    fields::MeshParts parts;
+    parts.is_solid.assign(mesh_->regions.size(), is_solid_ ? 1 : 0);
+    K_ = std::make_unique<fields::BlockOperator>(*mesh_, blocks_, split_.get(), parts);
     K_->share_low_rank(products_);
   }
   return *K_;

@@ -65,6 +65,7 @@ protected:
     const std::vector<boundary::ConditionEntry>& registry;
     std::unique_ptr<stepping::TimeScheme> scheme;
     std::unique_ptr<fields::SplitMesh> split = nullptr;  ///< where scalars jump
+    bool is_solid = false;                               ///< vectors are displacements
   };
   /// mesh must outlive the object. Collective.
   MixedField(const fields::FieldMesh& mesh, Parts parts);
@@ -108,6 +109,7 @@ private:
   std::vector<double> motion_values() const;
 
   fields::NodalBlocks blocks_;
+  bool is_solid_;
   algebra::BlockSpacePtr space_;
   mutable std::unique_ptr<fields::BlockOperator> K_;  ///< null before it is asked for
   mutable std::unique_ptr<fields::NodeGraph> scalar_graph_;

@@ -28,7 +28,8 @@ Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
                         boundary::conditions_of(list.sublist("Surfaces")),
                         boundary::wall_conditions(),
                         stepping::make_wall_scheme(list),
-                        mesh_of_pressures(solid_options(list), mesh)}),
+                        mesh_of_pressures(solid_options(list), mesh),
+                        true}),
       options_(solid_options(list)), nodal_force_(mesh.n_owned) {
   local_.r.assign(mesh.n_nodes(), Vec3{});
   local_.d.resize(mesh.n_nodes());

@@ -116,6 +116,24 @@ Teuchos::RCP<const Vector> parts_of(const FieldMesh& mesh, const MeshParts& part
   return result;
 }
 
+/// Nodes of a solid's elements, and where all nodes are; nothing without solids.
+algebra::NodePlaces places_of(const FieldMesh& mesh, const std::vector<char>& is_solid) {
+  if (std::find(is_solid.begin(), is_solid.end(), 1) == is_solid.end()) return {};
+  std::vector<char> in_solid(mesh.n_nodes(), 0);
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
+    if (is_solid[mesh.region[e]])
+      for (const int a : mesh.tets[e]) in_solid[a] = 1;
+  const auto x = Teuchos::rcp(new MultiVector(mesh.node_map, 3));
+  const auto flags = Teuchos::rcp(new Vector(mesh.node_map));
+  const auto coordinates = x->getLocalViewHost(overwrite_all);
+  const auto flag = flags->getLocalViewHost(overwrite_all);
+  for (int a = 0; a < mesh.n_owned; ++a) {
+    for (int i = 0; i < 3; ++i) coordinates(a, i) = mesh.x[a][i];
+    flag(a, 0) = in_solid[a];
+  }
+  return {x, flags};
+}
+
 }  // namespace
 
 Teuchos::RCP<CrsGraph> make_graph(const NodeGraph& graph, const FieldMesh& mesh, int dofs_row,
@@ -205,6 +223,7 @@ BlockOperator::BlockOperator(const FieldMesh& mesh, const NodalBlocks& blocks,
   const Graphs graphs(mesh, split);
   algebra::Nodes nodes{make_graph(*graphs.graphs[0], mesh), vertex_order(mesh)};
   nodes.parts = parts_of(mesh, parts);
+  nodes.places = places_of(mesh, parts.is_solid);
   algebra::Nodes copies = nodes;
   if (split != nullptr)
     copies = {make_graph(*graphs.graphs[3], *split), vertex_order(*split), hosts_of(mesh, *split),

@@ -46,6 +46,7 @@ inline algebra::BlockVector zero_vector(const FieldMesh& mesh) {
 struct MeshParts {
   std::vector<std::string> names;  ///< the last is that of the nodes between other parts
   std::vector<int> of_region;      ///< index into names
+  std::vector<char> is_solid{};    ///< by region: its vectors move a solid; empty: none does
 };
 
 /// The Jacobian of a field or of several: all unknowns of a node side by side in one matrix on a

@@ -25,6 +25,7 @@ constexpr const char* name_of_wall = "wall";
 fields::MeshParts parts_of_mesh(const CoupledProblem::Parts& parts) {
   fields::MeshParts named{{name_of_fluid, name_of_wall, "interface"}, parts.wall.pressure_parts()};
   for (int& part : named.of_region) part = part < 0 ? 0 : 1;
+  named.is_solid.assign(named.of_region.begin(), named.of_region.end());
   return named;
 }
 

@@ -78,7 +78,7 @@ TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number
 }
 
 TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
-  for (const auto& [nodes, order, hosts, parts] : graphs()) {
+  for (const auto& [nodes, order, hosts, parts, places] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
     long long n_neighbours_in_the_set = 0, n_without_a_neighbour = 0;
     for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap())) {
@@ -96,7 +96,7 @@ TEUCHOS_UNIT_TEST(independent_set, is_independent_and_maximal) {
 }
 
 TEUCHOS_UNIT_TEST(independent_set, ghosts_are_in_it_where_their_owner_says_so) {
-  for (const auto& [nodes, order, hosts, parts] : graphs()) {
+  for (const auto& [nodes, order, hosts, parts, places] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
     Vector own(nodes->getRowMap());
     for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap()))
@@ -131,7 +131,7 @@ bool takes_means(const CrsGraph& nodes, const CrsMatrix& P, const std::vector<ch
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_in_the_set) {
-  for (const auto& [nodes, order, hosts, parts] : graphs()) {
+  for (const auto& [nodes, order, hosts, parts, places] : graphs()) {
     const auto is_coarse = algebra::independent_set(*nodes, *order);
     const auto P = NodalCoarsening(nodes, *order).prolongator(0);
     TEST_ASSERT(takes_means(*nodes, *P, is_coarse, [](auto, auto) { return true; }));
@@ -139,7 +139,7 @@ TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_i
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, levels_shrink_and_keep_constants_down_to_one_node) {
-  for (const auto& [nodes, order, hosts, parts] : graphs()) {
+  for (const auto& [nodes, order, hosts, parts, places] : graphs()) {
     NodalCoarsening coarsening(nodes, *order);
     TEST_EQUALITY(n_nodes(coarsening, 0), static_cast<long long>(nodes->getGlobalNumRows()));
     int level = 0;

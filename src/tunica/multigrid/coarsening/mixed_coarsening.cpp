@@ -7,6 +7,7 @@
 #include "tunica/algebra/picked_matrix.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/map_of.hpp"
+#include "tunica/base/reduce.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::multigrid {
@@ -26,6 +27,7 @@ public:
         if (fine.isNodeGlobalElement(number(P_->getRowMap()->getGlobalElement(a), i)))
           has(a, 0) += 1 << i;
     const std::vector<int>& rows = nodes.coarse_rows(level);
+    rigid_ = nodes.rigid(level);
     const auto coarse_has = coarse_owns.getLocalViewHost(overwrite_all);
     for (std::size_t c = 0; c < rows.size(); ++c) coarse_has(c, 0) = has(rows[c], 0);
     fine_ = flags(owns);
@@ -33,7 +35,19 @@ public:
     columns_ = flags(algebra::on_columns(*P_, coarse_owns));
   }
 
-  int most_parents() const { return static_cast<int>(longest_local_row(*P_)); }
+  /// For vectors of three components at all coarse nodes. Collective.
+  void use_rotations() {
+    const bool are_whole =
+        std::all_of(coarse_.begin(), coarse_.end(), [](int has) { return has == 7; });
+    turns_ = rigid_ != nullptr && count_ == 3 && all_agree(*P_->getComm(), are_whole);
+  }
+
+  int most_entries() const {
+    std::size_t most = longest_local_row(*P_);
+    for (std::size_t a = 0; turns_ && a + 1 < rigid_->start.size(); ++a)
+      most = std::max(most, 3 * (rigid_->start[a + 1] - rigid_->start[a]));
+    return static_cast<int>(most);
+  }
 
   void append_coarse(std::vector<GlobalOrdinal>& numbers) const {
     for (std::size_t c = 0; c < coarse_.size(); ++c)
@@ -45,7 +59,11 @@ public:
   void insert_into(CrsMatrix& result) const {
     const auto local = P_->getLocalMatrixHost();
     std::vector<GlobalOrdinal> parents;
-    for (int a = 0; a < local.numRows(); ++a)
+    for (int a = 0; a < local.numRows(); ++a) {
+      if (turns_ && fine_[a] == 7 && rigid_->has(a)) {
+        insert_rigid(a, result);
+        continue;
+      }
       for (int i = 0; i < count_; ++i) {
         if (!(fine_[a] >> i & 1)) continue;
         parents.clear();
@@ -59,9 +77,24 @@ public:
                                   Teuchos::arrayViewFromVector(parents),
                                   Teuchos::arrayViewFromVector(weights));
       }
+    }
   }
 
 private:
+  void insert_rigid(int a, CrsMatrix& result) const {
+    const GlobalOrdinal node = P_->getRowMap()->getGlobalElement(a);
+    std::vector<GlobalOrdinal> columns;
+    for (std::size_t k = rigid_->start[a]; k < rigid_->start[a + 1]; ++k)
+      for (int j = 0; j < 3; ++j) columns.push_back(number(rigid_->nodes[k], j));
+    std::vector<Scalar> weights(columns.size());
+    for (int i = 0; i < 3; ++i) {
+      for (std::size_t k = rigid_->start[a], n = 0; k < rigid_->start[a + 1]; ++k)
+        for (int j = 0; j < 3; ++j) weights[n++] = rigid_->blocks[k][i][j];
+      result.insertGlobalValues(number(node, i), Teuchos::arrayViewFromVector(columns),
+                                Teuchos::arrayViewFromVector(weights));
+    }
+  }
+
   GlobalOrdinal number(GlobalOrdinal node, int i) const { return stride_ * node + first_ + i; }
 
   static std::vector<int> flags(const Vector& v) {
@@ -73,6 +106,8 @@ private:
 
   Teuchos::RCP<const CrsMatrix> P_;
   int stride_, first_, count_;
+  std::shared_ptr<const RigidInterpolation> rigid_;
+  bool turns_ = false;
   std::vector<int> fine_, coarse_, columns_;  ///< bit i: the node has unknown i
 };
 
@@ -99,7 +134,8 @@ MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space)
     if (static_cast<int>(nodes_.size()) == b)
       nodes_.push_back(nodes.hosts.is_null()
                            ? std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order,
-                                                               between(nodes, part_names_))
+                                                               between(nodes, part_names_),
+                                                               nodes.places)
                            : std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order,
                                                                *nodes.hosts, nodes_.front()));
     maps_[{0, b}] = space[b].map;
@@ -108,8 +144,9 @@ MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space)
   maps_[{0, all}] = numbering_.merged_map(space);
 }
 
-Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, const Map& rows) {
-  return prolongator(level, block_of(level, rows));
+Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, const Map& rows,
+                                                           bool has_rotations) {
+  return prolongator(level, block_of(level, rows), has_rotations);
 }
 
 int MixedCoarsening::block_of(int level, const Map& rows) {
@@ -180,8 +217,9 @@ const Teuchos::RCP<const Map>& MixedCoarsening::map(int level, int block) {
   return maps_.at({level, block});
 }
 
-Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, int block) {
-  const auto found = prolongators_.find({level, block});
+Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, int block,
+                                                           bool has_rotations) {
+  const auto found = prolongators_.find({level, block, has_rotations});
   if (found != prolongators_.end()) return found->second;
   const Teuchos::RCP<const Map> fine = map(level, block);
   std::vector<Expansion> expansions;
@@ -194,11 +232,13 @@ Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, int block)
     const int components = numbering_.components(block);
     expansions.emplace_back(*nodes_[block], level, components, 0, components, *fine);
   }
+  if (has_rotations)
+    for (Expansion& expansion : expansions) expansion.use_rotations();
   std::vector<GlobalOrdinal> numbers;
   int most_parents = 0;
   for (const Expansion& expansion : expansions) {
     expansion.append_coarse(numbers);
-    most_parents = std::max(most_parents, expansion.most_parents());
+    most_parents = std::max(most_parents, expansion.most_entries());
   }
   std::sort(numbers.begin(), numbers.end());
   const Teuchos::RCP<const Map> coarse = map_of(numbers, fine->getComm());
@@ -206,7 +246,7 @@ Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, int block)
   for (const Expansion& expansion : expansions) expansion.insert_into(*P);
   P->fillComplete(coarse, fine);
   maps_[{level + 1, block}] = coarse;
-  return prolongators_[{level, block}] = P;
+  return prolongators_[{level, block, has_rotations}] = P;
 }
 
 }  // namespace tunica::multigrid

@@ -2,6 +2,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tunica/algebra/dof_layout.hpp"
@@ -24,7 +25,9 @@ public:
   /// has these rows on this level. Its rows sum to one, but for unknowns none of whose coarse
   /// nodes has their component: those are left to the smoother. Throws std::runtime_error where
   /// none has as many. Collective where it is asked for the first time.
-  Teuchos::RCP<const CrsMatrix> prolongator(int level, const Map& rows);
+  /// has_rotations: displacements of solids are interpolated so that rigid motions are exact
+  /// (RigidInterpolation), where places of the nodes are known.
+  Teuchos::RCP<const CrsMatrix> prolongator(int level, const Map& rows, bool has_rotations = false);
 
   /// By node of scalars of K, the mixed matrix on this level: the number of the node whose vector
   /// stands in the same place, -1 for none. Null where all blocks stand on the same nodes, or
@@ -46,14 +49,14 @@ private:
 
   int block_of(int level, const Map& rows);
   const Teuchos::RCP<const Map>& map(int level, int block);
-  Teuchos::RCP<const CrsMatrix> prolongator(int level, int block);
+  Teuchos::RCP<const CrsMatrix> prolongator(int level, int block, bool has_rotations = false);
 
   algebra::DofLayout numbering_;
   std::vector<std::string> part_names_;
   std::vector<std::vector<Teuchos::RCP<const Vector>>> parts_;   ///< by level and block
   std::vector<std::shared_ptr<NodalCoarsening>> nodes_;          ///< per block
   std::map<std::pair<int, int>, Teuchos::RCP<const Map>> maps_;  ///< by level and block
-  std::map<std::pair<int, int>, Teuchos::RCP<const CrsMatrix>> prolongators_;
+  std::map<std::tuple<int, int, bool>, Teuchos::RCP<const CrsMatrix>> prolongators_;
 };
 
 }  // namespace tunica::multigrid

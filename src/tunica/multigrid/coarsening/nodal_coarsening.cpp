@@ -3,6 +3,7 @@
 #include <TpetraExt_MatrixMatrix.hpp>
 
 #include "tunica/algebra/independent_set.hpp"
+#include "tunica/algebra/picked_matrix.hpp"
 #include "tunica/algebra/sparse_product.hpp"
 #include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/map_of.hpp"
@@ -131,31 +132,34 @@ Teuchos::RCP<const CrsMatrix> averaging(const CrsGraph& nodes, const CoarseNumbe
   return P;
 }
 
-/// Coarse nodes are neighbours where any of their children are.
-Teuchos::RCP<const CrsGraph> coarse_graph(const Teuchos::RCP<const CrsGraph>& nodes,
-                                          const CrsMatrix& P) {
+/// Coarse nodes are neighbours where any of their children are. GP: by fine node, the coarse nodes
+/// that are parents of any of its neighbours.
+Teuchos::RCP<const CrsGraph> coarse_graph(const CrsMatrix& P, const CrsMatrix& GP) {
   CrsMatrix PtGP(P.getDomainMap(), 0);
-  {
-    CrsMatrix GP(nodes->getRowMap(), 0);
-    algebra::multiply_graphs(*algebra::matrix_on(nodes, 1.0), P, GP);
-    Tpetra::MatrixMatrix::Multiply(P, true, GP, false, PtGP);
-  }
+  Tpetra::MatrixMatrix::Multiply(P, true, GP, false, PtGP);
   return PtGP.getCrsGraph();
 }
 
 Teuchos::RCP<const Vector> at_rows(const Vector& values, const CoarseNumbers& coarse) {
   const auto result = Teuchos::rcp(new Vector(coarse.map));
-  const auto from = values.getLocalViewHost(read_only);
-  const auto to = result->getLocalViewHost(overwrite_all);
-  for (std::size_t c = 0; c < coarse.rows.size(); ++c) to(c, 0) = from(coarse.rows[c], 0);
+  algebra::pick_rows(coarse.rows, values, *result);
   return result;
+}
+
+algebra::NodePlaces at_rows(const algebra::NodePlaces& all, const CoarseNumbers& coarse) {
+  if (all.coordinates.is_null()) return {};
+  const auto coordinates = Teuchos::rcp(new MultiVector(coarse.map, 3));
+  algebra::pick_rows(coarse.rows, *all.coordinates, *coordinates);
+  return {coordinates, at_rows(*all.in_solid, coarse)};
 }
 
 }  // namespace
 
 NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
-                                 const Teuchos::RCP<const Vector>& between)
-    : levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)), Teuchos::null, between}} {}
+                                 const Teuchos::RCP<const Vector>& between,
+                                 const algebra::NodePlaces& places)
+    : levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)), Teuchos::null, between,
+               places}} {}
 
 NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
                                  const Vector& hosts, std::shared_ptr<NodalCoarsening> leader)
@@ -196,10 +200,17 @@ void NodalCoarsening::coarsen() {
   level.P = averaging(*level.nodes, coarse, flags_between(*level.nodes, level.between));
   level.numbers = coarse.of_row;
   level.coarse_rows = coarse.rows;
-  const auto graph = coarse_graph(level.nodes, *level.P);
-  levels_.push_back({graph, at_rows(*level.order, coarse),
-                     leader_ ? at_rows(*hosts.coarse, coarse) : Teuchos::null,
-                     level.between.is_null() ? Teuchos::null : at_rows(*level.between, coarse)});
+  CrsMatrix GP(level.nodes->getRowMap(), 0);
+  algebra::multiply_graphs(*algebra::matrix_on(level.nodes, 1.0), *level.P, GP);
+  Level next{coarse_graph(*level.P, GP), at_rows(*level.order, coarse),
+             leader_ ? at_rows(*hosts.coarse, coarse) : Teuchos::null,
+             level.between.is_null() ? Teuchos::null : at_rows(*level.between, coarse),
+             at_rows(level.places, coarse)};
+  if (!level.places.coordinates.is_null())
+    level.rigid = std::make_shared<const RigidInterpolation>(
+        rigid_interpolation({*level.P, *GP.getCrsGraph(), level.places, next.places, coarse.rows,
+                             level.between, next.between}));
+  levels_.push_back(std::move(next));
   level.nodes = Teuchos::null;
 }
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "tunica/base/types.hpp"
+#include "tunica/multigrid/coarsening/rigid_interpolation.hpp"
 
 namespace tunica::multigrid {
 
@@ -24,8 +24,10 @@ public:
   /// between: 1 at nodes where fields of different stiffness meet, 0 elsewhere; null: nowhere. They
   /// are picked first, and those that are left have their parents among themselves: one with a
   /// parent in the softer field would bend the stiffer with it.
+  /// places: of nodes of solids, whose rotations rigid() interpolates.
   NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
-                  const Teuchos::RCP<const Vector>& between = Teuchos::null);
+                  const Teuchos::RCP<const Vector>& between = Teuchos::null,
+                  const algebra::NodePlaces& places = {});
   /// hosts: for each node the number of its host on the same rank, or -1. No two nodes with the
   /// same host may be neighbours, and nodes only where their hosts are.
   NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
@@ -34,6 +36,10 @@ public:
   /// Interpolation from level + 1 to level (0 the finest). Its rows sum to one, but for
   /// nodes left out. Collective where it is asked for the first time.
   Teuchos::RCP<const CrsMatrix> prolongator(int level) { return at(level).P; }
+
+  /// Interpolation of displacements that is exact for rigid motions; null where no places are
+  /// known. Collective as prolongator() is.
+  std::shared_ptr<const RigidInterpolation> rigid(int level) { return at(level).rigid; }
 
   /// The numbers of the hosts on this level, -1 for none; null without leader. Collective as
   /// prolongator() is.
@@ -46,8 +52,10 @@ private:
   struct Level {
     Teuchos::RCP<const CrsGraph> nodes;  ///< null once the next level is made
     Teuchos::RCP<const Vector> order;
-    Teuchos::RCP<const Vector> hosts;      ///< numbers on this level; null without leader
-    Teuchos::RCP<const Vector> between;    ///< null: no nodes
+    Teuchos::RCP<const Vector> hosts;    ///< numbers on this level; null without leader
+    Teuchos::RCP<const Vector> between;  ///< null: no nodes
+    algebra::NodePlaces places{};
+    std::shared_ptr<const RigidInterpolation> rigid{};
     Teuchos::RCP<const CrsMatrix> P{};     ///< from the next level; null where it is not made yet
     Teuchos::RCP<const Vector> numbers{};  ///< on the next level, -1 where it lacks the node
     std::vector<int> coarse_rows{};

@@ -16,6 +16,7 @@
 #include "tunica/multigrid/muelu/galerkin_factory.hpp"
 #include "tunica/multigrid/muelu/matrix_kind.hpp"
 #include "tunica/multigrid/muelu/nodal_p_factory.hpp"
+#include "tunica/multigrid/muelu/smoothers/nodal_ilu_smoother.hpp"
 #include "tunica/multigrid/muelu/xpetra.hpp"
 #include "tunica/params/nearest.hpp"
 
@@ -117,6 +118,7 @@ void Cycle::iterate(const MultiVector& b, MultiVector& x) const {
 void Cycle::refresh() {
   if (!keeps_graphs()) return set_up();
   for (algebra::Refreshable* part : parts_->refreshable) part->refresh();
+  parts_->levels.smoothers = smoother_states();
 }
 
 bool Cycle::keeps_graphs() const { return !parts_->refreshable.empty(); }
@@ -138,6 +140,18 @@ Teuchos::RCP<const CrsMatrix> Cycle::matrix(int level) const {
   return unwrapped(is_blocked_ ? Teuchos::rcp_dynamic_cast<XBlockedMatrix>(A, true)->Merge() : A);
 }
 
+std::vector<SmootherState> Cycle::smoother_states() const {
+  std::vector<SmootherState> states;
+  for (int l = 0; l < parts_->hierarchy->GetNumLevels(); ++l) {
+    MueLu::Level& level = *parts_->hierarchy->GetLevel(l);
+    if (!level.IsAvailable("PreSmoother")) continue;
+    const auto smoother = level.Get<Teuchos::RCP<Smoother>>("PreSmoother");
+    if (const auto* ilu = dynamic_cast<const NodalIluSmoother*>(smoother.get()))
+      states.push_back(ilu->state());
+  }
+  return states;
+}
+
 Levels Cycle::count_levels() const {
   Levels levels;
   double finest = 0.0, all = 0.0;
@@ -148,6 +162,7 @@ Levels Cycle::count_levels() const {
     if (l == 0) finest = all;
   }
   levels.operator_complexity = all / finest;
+  levels.smoothers = smoother_states();
   return levels;
 }
 
@@ -213,7 +228,9 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
 Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial) {
   Teuchos::ParameterList smoother;
   smoother.set("factory", "NodalIluSmoother").set("sweeps", sweeps).set("polynomial", polynomial);
-  return nodal_levels(smoother, coarsest_mixed);
+  Teuchos::ParameterList list = nodal_levels(smoother, coarsest_mixed);
+  list.sublist("Factories").sublist("Nodes").set("rotations", true);
+  return list;
 }
 
 }  // namespace tunica::multigrid

@@ -3,13 +3,15 @@
 #include <memory>
 
 #include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
+#include "tunica/multigrid/muelu/smoothers/smoother_state.hpp"
 
 namespace tunica::multigrid {
 
 /// The matrices of a hierarchy, the finest first.
 struct Levels {
-  std::vector<long long> unknowns;   ///< of all ranks
-  double operator_complexity = 0.0;  ///< entries of all levels to those of the finest
+  std::vector<long long> unknowns;         ///< of all ranks
+  double operator_complexity = 0.0;        ///< entries of all levels to those of the finest
+  std::vector<SmootherState> smoothers{};  ///< of the levels that have a NodalIluSmoother
 };
 
 /// One multigrid cycle as an operator, by a MueLu list in the form of factories and a hierarchy.
@@ -58,6 +60,7 @@ private:
 
   void set_up();
   Levels count_levels() const;
+  std::vector<SmootherState> smoother_states() const;
   void iterate(const MultiVector& b, MultiVector& x) const;
 
   Teuchos::RCP<CrsMatrix> A_;

@@ -15,6 +15,7 @@ constexpr const char* marker = "Nodal Prolongator";
 Teuchos::RCP<const Teuchos::ParameterList> NodalPFactory::GetValidParameterList() const {
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
   list->set<Teuchos::RCP<const MueLu::FactoryBase>>("A", Teuchos::null, "the matrix to coarsen");
+  list->set("rotations", false, "displacements of solids: exact for rigid motions");
   return list;
 }
 
@@ -24,7 +25,8 @@ void NodalPFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   const auto A = Get<Teuchos::RCP<XMatrix>>(fine, "A");
   // Xpetra asks for a matrix it may change; MueLu leaves prolongators alone.
   const auto P = Teuchos::rcp_const_cast<CrsMatrix>(
-      coarsening_->prolongator(fine.GetLevelID(), *Xpetra::toTpetra(A->getRangeMap())));
+      coarsening_->prolongator(fine.GetLevelID(), *Xpetra::toTpetra(A->getRangeMap()),
+                               GetParameterList().get<bool>("rotations")));
   Set(coarse, "P", wrapped(P));
   coarse.Set(marker, true, MueLu::NoFactory::get());
 }

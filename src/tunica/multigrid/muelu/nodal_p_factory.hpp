@@ -6,7 +6,8 @@
 namespace tunica::multigrid {
 
 /// "NodalPFactory" of a MueLu list: the prolongator of a MixedCoarsening for the block, or for
-/// both, that "A" is.
+/// both, that "A" is. Its key: "rotations" (false), by which displacements of solids are
+/// interpolated so that rigid motions are exact (RigidInterpolation).
 class NodalPFactory : public MueLu::TwoLevelFactoryBase {
 public:
   /// Before Build().

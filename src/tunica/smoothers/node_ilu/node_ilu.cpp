@@ -64,7 +64,8 @@ public:
     r_.resize(x_.size());
   }
 
-  void refresh() override {
+  void refresh(double shift) override {
+    shift_ = shift;
     blocks_.refresh();
     int singular = -1;
     for (int node = 0; node < blocks_.n_nodes(); ++node)
@@ -199,7 +200,10 @@ private:
     Real* kept = node < blocks_.n_own_nodes() ? matrix_.data() + matrix_start_[node] : nullptr;
     for_columns(blocks_.graph(), node, [&](int column) {
       if (kept != nullptr) kept = parts_.keep(node, column, block, kept);
-      std::copy_n(block, size(), row_.begin() + size() * slot_of_node_[column]);
+      double* const to = row_.data() + size() * slot_of_node_[column];
+      std::copy_n(block, size(), to);
+      if (column == node)
+        for (std::size_t i = 0; i < size(); ++i) to[i] *= 1.0 + shift_;
       block += size();
     });
   }
@@ -258,6 +262,7 @@ private:
   const CrsMatrix* K_;
   NodeBlocks blocks_;
   Parts parts_;
+  double shift_ = 0.0;
   std::optional<RowGraph> filled_;
   std::vector<std::size_t> diagonal_, lower_start_, upper_start_, matrix_start_;
   std::vector<Real> lower_values_, upper_values_;

@@ -11,9 +11,11 @@ namespace tunica::smoothers {
 class NodeIlu {
 public:
   virtual ~NodeIlu() = default;
-  /// Takes over the present values of the matrix. Throws std::runtime_error on all ranks where one
+  /// Takes over the present values of the matrix. The factors are those of K + s diag(K_ii), K_ii
+  /// the blocks of the nodes: a small shift s keeps factors of indefinite or flat matrices from
+  /// growing along chains of nodes [Sa03, 10.3.5]. Throws std::runtime_error on all ranks where one
   /// has a block that cannot be inverted. Collective.
-  virtual void refresh() = 0;
+  virtual void refresh(double shift = 0.0) = 0;
   /// x += ω (L U)⁻¹ (b − K x); factors include the rows of other ranks that own ones reach, and
   /// each rank moves its own unknowns. Column by column. Throws std::invalid_argument for unlike
   /// numbers of columns. Collective.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "tunica/multigrid/muelu/smoothers/mixed_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/smoother_state.hpp"
 #include "tunica/smoothers/node_ilu/node_ilu.hpp"
 
 namespace tunica::multigrid {
@@ -17,11 +18,12 @@ namespace tunica::multigrid {
 /// where the eigenvalues of errors are that no coarser level sees [Sa03, 12.3]. Three sweeps reach
 /// an absolute value of 1 at 1.8 only, which "spectral bound" keeps away from.
 ///
-/// Where stiffness outweighs inertia and elements are irregular, factors without fill overshoot:
-/// the spectral radius ρ of (L U)⁻¹ K exceeds 2, and sweeps diverge. ρ is estimated by power
-/// iterations at each set-up. As long as it is above "spectral bound" fill is added, up to "most
-/// fill"; ω is the lesser of "damping" and "spectral bound"/ρ. With "spectral bound" 0 nothing is
-/// estimated.
+/// Where stiffness outweighs inertia and elements are flat or irregular, factors without fill
+/// overshoot: the spectral radius ρ of (L U)⁻¹ K exceeds 2, and sweeps diverge. ρ is measured by
+/// power iterations, at the first set-up until it stands still. Where it is above "spectral bound"
+/// the diagonal blocks of what is factorised are enlarged by a few per cent, then fill is added, up
+/// to "most fill"; the first such factors within the bound are kept, or those of the smallest ρ. ω
+/// is the lesser of "damping" and "spectral bound"/ρ. With "spectral bound" 0 nothing is measured.
 class NodalIluSmoother : public MixedSmoother {
 public:
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
@@ -29,6 +31,7 @@ public:
       const override;
   std::size_t getNodeSmootherComplexity() const override;
   void refresh() override;
+  const SmootherState& state() const { return state_; }
 
 private:
   void check(const Teuchos::ParameterList& list) const override;
@@ -37,18 +40,24 @@ private:
   /// Without a product with K in the first sweep.
   void smooth_from_zero(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const override;
 
-  void make_factors();
-  /// Of (L U)⁻¹ K; begins where the last estimate ended.
-  double spectral_radius(int iterations);
+  /// Factors by one of the attempts, for the present values.
+  void factorise(int attempt);
+  /// The further attempts, as long as ρ is above the bound; keeps the best.
+  void search(double bound);
+  /// ρ, from the direction where the last measurement ended.
+  void measure();
+  double power_iteration();
+  std::shared_ptr<::tunica::MultiVector> make_start() const;
 
   const ::tunica::CrsMatrix* K_ = nullptr;
   algebra::DofLayout numbering_;
-  int fill_ = 0;
-  int refreshes_ = 0, patience_ = 0;  ///< since there is more fill than asked for, and its length
+  int attempt_ = 0;
+  int refreshes_ = 0,
+      patience_ = 0;  ///< since the first attempt was left, and until it is taken up
   std::shared_ptr<smoothers::NodeIlu> factors_;
   std::shared_ptr<::tunica::MultiVector> direction_;  ///< of the largest eigenvalue
-  double damping_ = 1.0;                              ///< ω
-  std::vector<double> weights_;                       ///< w_k
+  SmootherState state_;
+  std::vector<double> weights_;  ///< w_k
 };
 
 }  // namespace tunica::multigrid
