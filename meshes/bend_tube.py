@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Bends a tube of tunica-mesh: bend_tube.py TUBE.h5 OUT.h5 [DEGREES]
 
-Its axis, along z, becomes an arc of DEGREES, 120 if not given, towards x. Names and connectivity stay. Wants Debian's
+Its axis, along z, becomes an arc of DEGREES, 120 if not given, towards x. Names and connectivity stay. Needs Debian's
 python3-h5py. What a thin wall does that bends, without Gmsh:
 
   tunica-mesh tube flat.h5 --radius 3.82 --media 0.08 --adventitia 0.04 --length 34 --around 24 --axial 34 \\

@@ -2,7 +2,7 @@
 """Makes a boundary layer of the lumen out of what tunica-mesh wall has grown: join_layer.py GROWN.h5 OUT.h5
 
 All regions become fluid, outer becomes lumen_wall, wall_CAP a part of CAP; interface and what lies between layers are
-dropped. Wants Debian's python3-h5py. Two flat layers of 0.04 mm in a lumen that becomes wider by them:
+dropped. Needs Debian's python3-h5py. Two flat layers of 0.04 mm in a lumen that becomes wider by them:
 
   tunica-mesh wall lumen.msh grown.h5 --layers inner=0.04:1,next=0.04:1
   meshes/join_layer.py grown.h5 layered.h5

@@ -7,7 +7,7 @@
 
 Region fluid; surfaces lumen_wall, inlet, outlet_descending, outlet_brachiocephalic, outlet_carotid and
 outlet_subclavian of the arch, inlet, outlet_internal and outlet_external of the carotid. tunica-mesh wall grows the
-wall. The same options give the same mesh with the same versions of VTK and Gmsh. Wants Debian's python3-vtk9 and, but
+wall. The same options give the same mesh with the same versions of VTK and Gmsh. Needs Debian's python3-vtk9 and, but
 for surfaces, python3-gmsh.
 """
 import argparse
@@ -105,12 +105,13 @@ def main():
     wanted = parser.parse_args()
     shape = segmented.SHAPES[wanted.shape]()
     shape.voxel = wanted.voxel or shape.voxel
+    is_surface = wanted.out.endswith(".stl")
+    gmsh = None if is_surface else gmsh_or_stop()
     points, triangles = segmented.open_surface(shape, shape.voxel, 0 if wanted.raw == "on" else 30)
-    if wanted.out.endswith(".stl"):
+    if is_surface:
         segmented.write_stl(wanted.out, points, triangles)
         print(f"{wanted.out}: {len(triangles)} triangles")
         return
-    gmsh = gmsh_or_stop()
     with tempfile.TemporaryDirectory() as folder:
         surface = os.path.join(folder, "surface.stl")
         segmented.write_stl(surface, points, triangles)

@@ -1,4 +1,4 @@
-"""Vessels as a segmentation gives them: shapes of balls along splines, sampled on voxels. Wants Debian's python3-vtk9.
+"""Vessels as a segmentation gives them: shapes of balls along splines, sampled on voxels. Needs Debian's python3-vtk9.
 
 A shape is a list of branches, and a list of ends. A branch is a Catmull-Rom spline through points (x, y, z, radius) [mm]
 with a ball at each of its points; branches are joined by the smooth union -k log(sum exp(-d/k)) of their signed

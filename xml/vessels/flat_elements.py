@@ -1,4 +1,4 @@
-"""Solvers on flat elements: the meshes, the runs and the table of `reproduce solvers`. Wants python3-h5py, and for the
+"""Solvers on flat elements: the meshes, the runs and the table of `reproduce solvers`. Needs python3-h5py, and for the
 arch and the carotid python3-gmsh."""
 import json
 import os
@@ -72,7 +72,7 @@ def make_vessel(tool, folder, name):
 
 def mesh_of(wanted, name):
     """The file of a mesh, made where it is missing."""
-    folder = os.path.join(wanted.output, "meshes")
+    folder = os.path.join(os.path.abspath(wanted.output), "meshes")  # a case has it in another folder
     path = os.path.join(folder, name + ".h5")
     if os.path.exists(path):
         return path
@@ -185,6 +185,8 @@ def run(wanted, row, ranks):
     with open(folder + ".log", "w", encoding="utf-8") as log:
         status, seconds = timed(words, log, wanted.most_seconds)
     write_commit(folder)
+    if status not in (0, 2, 4, None):  # bad input or a fault: no figures
+        raise SystemExit(f"reproduce: {row} ends with {status}, see {log.name}")
     with open(folder + ".json", "w", encoding="utf-8") as file:
         json.dump({"status": status, "cpu seconds": seconds, **shape}, file)
     print(f"{seconds:.0f} s, {iterations_of(folder)}" + ("" if status == 0 else f"; ends with {status}, see {log.name}"), flush=True)
@@ -211,9 +213,8 @@ def cells_of(folder):
     effort = effort_of(folder)
     if not effort:
         return ["–"] * 3
-    seconds = f"{effort['cpu seconds']:.0f}"
-    return [iterations_of(folder), newton_of(folder), seconds if effort["status"] == 0 else f"ended by limit, {seconds}"
-            if effort["status"] is None else f"fails, {seconds}"]
+    ending = {0: "", 2: "fails, ", 4: "unconverged, ", None: "stopped, "}[effort["status"]]
+    return [iterations_of(folder), newton_of(folder), f"{ending}{effort['cpu seconds']:.0f}"]
 
 
 def labels_in(wanted):
