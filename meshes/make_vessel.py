@@ -11,111 +11,61 @@ wall. The same options give the same mesh with the same versions of VTK and Gmsh
 for surfaces, python3-gmsh.
 """
 import argparse
-import math
+import importlib.util
 import os
+import shutil
+import subprocess
 import sys
 import tempfile
 
-import numpy as np
-
 import segmented
+from vessel_shapes import SHAPES
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+KEPT = ("PYTHONPATH", "LD_LIBRARY_PATH")  # where Gmsh may be
 
 
-def gmsh_or_stop():
-    try:
-        import gmsh
-    except ImportError:
+def check_gmsh():
+    if importlib.util.find_spec("gmsh") is None:
         sys.exit("make_vessel.py: filling a lumen needs Gmsh's module for Python, on Debian in the package python3-gmsh: "
                  "apt install python3-gmsh; an .stl needs none.")
-    return gmsh
 
 
-def openings(gmsh, curves):
-    """The loops of curves that bound a surface on one side only, as lists of tags."""
-    ends = {}
-    for curve in curves:
-        points = [tag for _, tag in gmsh.model.getBoundary([(1, curve)], oriented=False)]
-        ends[curve] = (points[0], points[-1]) if points else (None, None)
-    loops = []
-    while ends:
-        curve = min(ends)
-        first, last = ends.pop(curve)
-        loop = [curve]
-        while first != last:
-            following = min(other for other, points in ends.items() if last in points)
-            a, b = ends.pop(following)
-            loop.append(following)
-            last = b if a == last else a
-        loops.append(loop)
-    return loops
-
-
-def name_of(gmsh, loop, shape):
-    """Of the end whose plane goes through the loop: the nearest."""
-    x = np.vstack([gmsh.model.mesh.getNodes(1, curve, includeBoundary=True)[1].reshape(-1, 3) for curve in loop])
-    centre = x.mean(axis=0)
-    return min(shape.ends, key=lambda end: np.linalg.norm(segmented.plane_of(shape, end)[0] - centre)).name
-
-
-def cap(gmsh, shape, walls):
-    """Plane surfaces on the openings: tag -> name."""
-    count = {}
-    for wall in walls:
-        for _, curve in gmsh.model.getBoundary([(2, wall)], oriented=False):
-            count[curve] = count.get(curve, 0) + 1
-    caps = {}
-    for loop in openings(gmsh, [curve for curve, n in count.items() if n == 1]):
-        name = name_of(gmsh, loop, shape)
-        caps[gmsh.model.geo.addPlaneSurface([gmsh.model.geo.addCurveLoop(loop, reorient=len(loop) > 1)])] = name
-    if sorted(caps.values()) != sorted(end.name for end in shape.ends):
-        sys.exit(f"make_vessel.py: found the openings {', '.join(sorted(caps.values()))}, expected one for each of "
-                 f"{', '.join(end.name for end in shape.ends)}; --voxel {shape.voxel:g} mm may be too large.")
-    return caps
-
-
-def fill(gmsh, surface, path, shape, size):
-    gmsh.initialize()
-    gmsh.option.setNumber("General.Terminal", 0)
-    gmsh.option.setNumber("Mesh.MeshSizeMax", size)
-    gmsh.option.setNumber("Mesh.MeshSizeMin", 0.5 * size)
-    gmsh.option.setNumber("Mesh.Algorithm3D", 10)  # HXT: fewer flat elements
-    gmsh.option.setNumber("Mesh.MshFileVersion", 2.2)
-    gmsh.merge(surface)
-    gmsh.model.mesh.classifySurfaces(math.pi, True, True, math.pi)
-    gmsh.model.mesh.createGeometry()
-    walls = [tag for _, tag in gmsh.model.getEntities(2)]
-    caps = cap(gmsh, shape, walls)
-    volume = gmsh.model.geo.addVolume([gmsh.model.geo.addSurfaceLoop(walls + list(caps))])
-    gmsh.model.geo.synchronize()
-    gmsh.model.mesh.generate(3)
-    for dimension, tags, name in [(3, [volume], "fluid"), (2, walls, "lumen_wall")] + [(2, [tag], caps[tag]) for tag in caps]:
-        gmsh.model.setPhysicalName(dimension, gmsh.model.addPhysicalGroup(dimension, tags), name)
-    gmsh.write(path)
-    print(f"{path}: {len(gmsh.model.mesh.getElementsByType(4)[0])} tetrahedra")
-    gmsh.finalize()
+def fill(surface, shape, size, out):
+    """By Gmsh, which orders by addresses: in a process of its own, whose names and environment are always the same."""
+    folder, name = os.path.split(surface)
+    for script in ("fill_vessel.py", "vessel_shapes.py"):
+        shutil.copy(os.path.join(HERE, script), folder)
+    words = [sys.executable, "-B", "fill_vessel.py", shape, name, "lumen.msh", f"{size:.6f}"]
+    environment = {"PYTHONHASHSEED": "0", "OMP_NUM_THREADS": "1", **{key: os.environ[key] for key in KEPT if key in os.environ}}
+    done = subprocess.run(words, cwd=folder, env=environment, stdout=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(f"make_vessel.py: Gmsh has not filled the lumen (exit status {done.returncode}); see above.")
+    shutil.move(os.path.join(folder, "lumen.msh"), out)
+    print(f"{out}: {done.stdout.strip()}")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("shape", choices=sorted(segmented.SHAPES))
+    parser.add_argument("shape", choices=sorted(SHAPES))
     parser.add_argument("out", help=".msh or .stl")
     parser.add_argument("--size", type=float, metavar="MM", help="of the elements; 1.7 for the arch, 0.62 for the carotid")
     parser.add_argument("--voxel", type=float, metavar="MM", help="edge of a voxel; 0.8 for the arch, 0.4 for the carotid")
     parser.add_argument("--raw", choices=("on", "off"), default="off", help="the surface is not smoothed")
     wanted = parser.parse_args()
-    shape = segmented.SHAPES[wanted.shape]()
+    shape = SHAPES[wanted.shape]()
     shape.voxel = wanted.voxel or shape.voxel
     is_surface = wanted.out.endswith(".stl")
-    gmsh = None if is_surface else gmsh_or_stop()
-    points, triangles = segmented.open_surface(shape, shape.voxel, 0 if wanted.raw == "on" else 30)
-    if is_surface:
-        segmented.write_stl(wanted.out, points, triangles)
-        print(f"{wanted.out}: {len(triangles)} triangles")
-        return
+    if not is_surface:
+        check_gmsh()
+    points, triangles = segmented.open_surface(shape, shape.voxel, 0 if wanted.raw == "on" else segmented.PASSES)
     with tempfile.TemporaryDirectory() as folder:
-        surface = os.path.join(folder, "surface.stl")
+        surface = wanted.out if is_surface else os.path.join(folder, "surface.stl")
         segmented.write_stl(surface, points, triangles)
-        fill(gmsh, surface, wanted.out, shape, wanted.size or shape.size)
+        if is_surface:
+            print(f"{surface}: {len(triangles)} triangles")
+        else:
+            fill(surface, wanted.shape, wanted.size or shape.size, wanted.out)
 
 
 if __name__ == "__main__":

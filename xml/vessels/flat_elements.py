@@ -22,11 +22,13 @@ TUBES = {ratio: ["--radius", str(RADIUS), "--length", str(LENGTH), "--around", "
                  f"{2 * WIDTH / ratio:.4g}", "--adventitia", f"{WIDTH / ratio:.4g}", "--media-layers", "1", "--adventitia-layers", "1"]
          for ratio in (2, 6, 12, 25)}
 # name -> shape, size [mm], share of the radius, elements through media and adventitia, thickness [mm] of two layers in the lumen
-VESSELS = {"arch": ("arch", 1.7, 0.15, (1, 1), None), "carotid": ("carotid", 0.62, 0.2, (2, 1), None),
+VESSELS = {"arch": ("arch", 1.7, 0.15, (1, 1), None), "arch-thin": ("arch", 1.7, 0.08, (1, 1), None),
+           "carotid": ("carotid", 0.62, 0.2, (2, 1), None),
            "carotid-deep": ("carotid", 1.0, 0.2, (3, 3), None), "carotid-layer": ("carotid", 0.8, 0.2, (1, 1), 0.04)}
 # row -> case, mesh, text
 ROWS = {
     "arch-wall": ("arch-wall", "arch", "arch, wall of 1 + 1 elements"),
+    "arch-thin-wall": ("arch-wall", "arch-thin", "arch, thin wall of 1 + 1 elements"),
     "carotid-wall": ("carotid-wall", "carotid", "carotid, wall of 2 + 1 elements"),
     "carotid-deep-wall": ("carotid-wall", "carotid-deep", "carotid, wall of 3 + 3 elements"),
     **{f"tube-{ratio}-wall": ("tube-wall", f"tube-{ratio}", f"tube of {ratio} : 1, wall") for ratio in TUBES},
@@ -248,11 +250,12 @@ def section(wanted):
         return []
     of_label = [f"{name}, {label}" for label in labels for name in ("iterations", "Newton steps a step", "CPU s")]
     return ["## Solvers on flat elements", "",
-            "Made by `xml/vessels/reproduce solvers` from `xml/vessels/solvers/`, all solvers by default. Walls: one static load of 2.67 kPa. "
-            "Coupled: two steps of 5 ms from rest, with `Coupling / Newton / linear tolerance` = 1e-8 in place of the default, so "
-            "that iterations can be compared; \"as by default\" without it, three steps. Iterations of each Newton step to 1e-8, time "
-            "steps between /, a star where the solver ended above its tolerance. Width over thickness: root of twice a triangle's area over the "
-            "height of the element on it, mean of the flattest layer. CPU seconds: of all ranks, set-up included.", "",
+            "Made by `xml/vessels/reproduce solvers` from `xml/vessels/solvers/`, all solvers by default. Walls: one static load "
+            "of 2.67 kPa. Coupled: two steps of 5 ms from rest, with `Coupling / Newton / linear tolerance` = 1e-8 in place of the "
+            "default, so that iterations can be compared; \"as by default\" without it, three steps. Iterations of each Newton "
+            "step to 1e-8, time steps between /, a star where the solver ended above its tolerance. Width over thickness: root of "
+            "twice a triangle's area over the height of the element on it, mean of the flattest layer. CPU seconds: of all "
+            "ranks, set-up included.", "",
             *table_text(["system", "unknowns", "tetrahedra", "width / thickness", "least angle", "ranks", *of_label], rows).splitlines(), ""]
 
 
