@@ -4,7 +4,7 @@
 Its axis, along z, becomes an arc of DEGREES, 120 if not given, towards x. Names and connectivity stay. Needs Debian's
 python3-h5py. What a thin wall does that bends, without Gmsh:
 
-  tunica-mesh tube flat.h5 --radius 3.82 --media 0.08 --adventitia 0.04 --length 34 --around 24 --axial 34 \\
+  tunica-mesh tube flat.h5 --radius 2.55 --media 0.04 --adventitia 0.02 --length 52 --around 16 --axial 52 \\
       --media-layers 1 --adventitia-layers 1 --lumen off
   meshes/bend_tube.py flat.h5 bent.h5
 """
