@@ -24,7 +24,7 @@ TUBES = {ratio: ["--radius", str(RADIUS), "--length", str(LENGTH), "--around", "
 # name -> shape, size [mm], share of the radius, elements through media and adventitia, thickness [mm] of two layers in the lumen
 VESSELS = {"arch": ("arch", 1.7, 0.15, (1, 1), None), "arch-thin": ("arch", 1.7, 0.08, (1, 1), None),
            "carotid": ("carotid", 0.62, 0.2, (2, 1), None),
-           "carotid-deep": ("carotid", 1.0, 0.2, (3, 3), None), "carotid-layer": ("carotid", 0.8, 0.2, (1, 1), 0.04)}
+           "carotid-deep": ("carotid", 1.0, 0.2, (3, 3), None), "carotid-layer": ("carotid", 0.8, 0.2, (1, 1), 0.03)}
 # row -> case, mesh, text
 ROWS = {
     "arch-wall": ("arch-wall", "arch", "arch, wall of 1 + 1 elements"),
