@@ -24,7 +24,7 @@ rm "$plain"
 
 # Lumens by Gmsh, walls by tunica-mesh. Another version of Gmsh makes other elements.
 if ! python3 -c "import gmsh" 2>/dev/null; then
-  echo "make.sh: without python3-gmsh bend.h5, bulge.h5 and bifurcation.h5 stay as they are"
+  echo "make.sh: without python3-gmsh bend.h5, bulge.h5, bifurcation.h5, arch.h5 and carotid.h5 stay as they are"
   exit 0
 fi
 lumen=$(mktemp --suffix .msh)
@@ -35,3 +35,7 @@ python3 "$folder/make_bulge.py" "$lumen"
 "$tool" wall "$lumen" "$folder/bulge.h5" --layers media=0.3:2,adventitia=0.15:1 --overwrite on
 python3 "$folder/make_bifurcation.py" "$lumen"
 "$tool" wall "$lumen" "$folder/bifurcation.h5" --surfaces interface --layers media=0.3:2,adventitia=0.15:1 --overwrite on
+python3 "$folder/make_vessel.py" arch "$lumen" --size 4
+"$tool" wall "$lumen" "$folder/arch.h5" --layers media=0.66:1,adventitia=0.34:1 --thickness-fraction 0.15 --overwrite on
+python3 "$folder/make_vessel.py" carotid "$lumen" --size 1.5
+"$tool" wall "$lumen" "$folder/carotid.h5" --layers media=0.66:1,adventitia=0.34:1 --thickness-fraction 0.2 --overwrite on
