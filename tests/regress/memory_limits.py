@@ -50,4 +50,4 @@ def main(programs, scratch, n_limits):
 
 if __name__ == "__main__":
     sys.exit(main(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(),
-                  int(sys.argv[3]) if len(sys.argv) > 3 else 10))
+                  int(sys.argv[3]) if len(sys.argv) > 3 else 5))

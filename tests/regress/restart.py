@@ -20,9 +20,8 @@ CASE = ROOT / "xml" / "pulse-tiny.xml"
 def words(output, steps, accelerator):
     arguments = [CASE, "--output", output, "--steps", steps]
     settings = [f"Coupling/accelerator={accelerator}"]
-    if accelerator == "aitken":  # its iterations magnify what the linear solvers leave
-        settings += ["Coupling/first factor of a step=last factor"] + [
-            f"{field}/Newton/linear tolerance=1e-13" for field in ("Fluid", "Wall")]
+    if accelerator == "aitken":  # many iterations, which magnify what the linear solvers leave: exact on as many ranks
+        settings += ["Coupling/first factor of a step=last factor", "Coupling/tolerance=1e-5"]
     for setting in settings:
         arguments += ["--set", setting]
     return arguments
@@ -106,7 +105,7 @@ def main(programs, scratch, accelerator="iqn-ils", steps="5"):
         process = subprocess.Popen(arguments, cwd=folder, env=ENVIRONMENT, stdout=log, stderr=log)
         was_running = kill_behind(min(2, steps - 2), process, folder / "killed")
     verdict.claim(was_running, "the other one was killed before its end")
-    restarts = {"one": 1, "two": 2} if accelerator == "iqn-ils" else {"two": 2}
+    restarts = {"one": 1, "two": 2} if accelerator == "iqn-ils" else {"one": 1}
     for copy in [*restarts, "damaged"]:
         shutil.copytree(folder / "killed", folder / copy)
 

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 
-from runs import ENVIRONMENT, ROOT, Run, Verdict, checkpoints, command, fresh, same_steps, table
+from runs import ENVIRONMENT, MONOLITHIC, ROOT, Run, Verdict, checkpoints, command, fresh, same_steps, table
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
 MESHES = ROOT / "meshes"
@@ -62,7 +62,7 @@ def knows_its_end(verdict, programs, folder):
 def survives_a_full_disk(verdict, programs, folder):
     """From the first checkpoint on no file grows beyond 120 kB; a checkpoint needs more."""
     results = folder / "full"
-    words = [CASE, "--output", "full", "--steps", 6, "--set", "Output/fields every=0"]
+    words = [CASE, "--output", "full", "--steps", 6, *MONOLITHIC, "--set", "Output/fields every=0"]
     process = subprocess.Popen(  # with what the system does where a file may not grow, which is to kill
         command(programs / "tunica-fsi", words), cwd=folder, env=ENVIRONMENT, text=True,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -82,7 +82,7 @@ def survives_a_full_disk(verdict, programs, folder):
 
 
 def tells_of_lost_words(verdict, programs, folder):
-    for name, words in (("tunica-fsi", [CASE, "--output", "unheard", "--steps", 1]), ("tunica-check", [CASE]),
+    for name, words in (("tunica-fsi", [CASE, "--output", "unheard", "--steps", 1, *MONOLITHIC]), ("tunica-check", [CASE]),
                         ("tunica-mesh", ["info", MESHES / "tube-tiny.h5"])):
         with open("/dev/full", "w") as full:
             done = subprocess.run(command(programs / name, words), cwd=folder, env=ENVIRONMENT, text=True,
@@ -132,7 +132,8 @@ def one_result_is_enough(verdict, programs, folder):
 
 def leaves_a_checkpoint_where_fields_have_no_room(verdict, programs, folder):
     def words(output):
-        return [CASE, "--output", output, "--steps", 8, "--set", "Output/fields every=1", "--set", "Output/checkpoint every=100"]
+        return [CASE, "--output", output, "--steps", 8, *MONOLITHIC, "--set", "Output/fields every=1",
+                "--set", "Output/checkpoint every=100"]
     straight = Run(command(programs / "tunica-fsi", words("spacious")), folder)
     verdict.claim(straight.status == 0, "a run with room for its fields is done")
     room = int(0.6 * (folder / "spacious" / "fields.h5").stat().st_size)
@@ -160,7 +161,7 @@ def keeps_its_own_case(verdict, programs, folder):
     (home / "case.xml").write_text(text)
     (folder / "linked.xml").symlink_to(home / "case.xml")
     def run(case, output, *more):
-        words = [case, "--output", output, "--set", "Output/fields every=0", *more]
+        words = [case, "--output", output, *MONOLITHIC, "--set", "Output/fields every=0", *more]
         return Run(command(programs / "tunica-fsi", words), folder)
     other = run(CASE, "home", "--steps", 1)
     verdict.claim(other.status == 1 and "home/case.xml: a case that is not that of this run" in other.err

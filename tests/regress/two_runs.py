@@ -9,10 +9,10 @@ import subprocess
 import sys
 import time
 
-from runs import ENVIRONMENT, ROOT, Run, Verdict, checkpoints, command, fresh, table
+from runs import ENVIRONMENT, MONOLITHIC, ROOT, Run, Verdict, checkpoints, command, fresh, table
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
-WORDS = [CASE, "--output", "results", "--set", "Output/fields every=0"]
+WORDS = [CASE, "--output", "results", "--set", "Output/fields every=0", *MONOLITHIC]
 
 
 def snapshot(folder):

@@ -25,7 +25,7 @@ from runs import ROOT, Run, Verdict, command, fresh, table
 END = 1.0  # ms
 STEPS = (8, 16, 32)
 FIRST_ORDER = ("Fluid/time scheme=implicit euler", "Fluid/stabilisation=inertial",
-               "Wall/time scheme=newmark", "Wall/stabilisation=inertial")
+               "Wall/time scheme=newmark", "Wall/stabilisation=inertial", "Coupling/scheme=monolithic")
 SECOND_ORDER = ("Fluid/stabilisation=dynamic", "Wall/stabilisation=dynamic",
                 "Fluid/stabilisation residual=viscous", "Fluid/stabilisation velocity=predicted",
                 "Coupling/scheme=monolithic")
