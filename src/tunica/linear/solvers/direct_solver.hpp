@@ -1,0 +1,32 @@
+#pragma once
+#include "tunica/algebra/merged_matrix.hpp"
+#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/linear_solver.hpp"
+#include "tunica/linear/solvers/augmented_system.hpp"
+
+namespace tunica::linear {
+
+/// Solves by sparse LU factors of each matrix.
+class DirectSolver final : public LinearSolver {
+public:
+  explicit DirectSolver(const algebra::BlockMatrix& K);
+
+  void matrix_changed() override { is_stale_ = true; }
+  void prepare() override;
+  void forget() override {}  // a matrix's own factors are all that there is
+  SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
+                    double tolerance) override;
+
+private:
+  /// What has no entries is not in the factors. Iterations.
+  int solve_whole(double tolerance);
+  void solve_sum();
+
+  algebra::MergedMatrix K_;
+  DirectFactor factor_;
+  AugmentedSystem augmented_;
+  Vector b_, x_;
+  bool is_stale_ = true;
+};
+
+}  // namespace tunica::linear

@@ -1,0 +1,142 @@
+#include "tunica/linear/solvers/krylov_solver.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "tunica/base/timer.hpp"
+#include "tunica/base/traffic.hpp"
+#include "tunica/linear/counting_operator.hpp"
+#include "tunica/linear/solvers/relative_residual.hpp"
+
+namespace tunica::linear {
+
+namespace {
+
+/// The recurrence of a Krylov method may drift from the truth by round-off, not by more.
+bool is_solved(double true_residual, double tolerance) {
+  return true_residual <= 2.0 * tolerance + 1e-14;
+}
+
+}  // namespace
+
+KrylovSolver::KrylovSolver(const Teuchos::ParameterList& options, const algebra::BlockMatrix& K,
+                           const NamedOperators& operators)
+    : options_{options.get<std::string>("method"), options.get<int>("max iterations"),
+               options.isParameter("restart") ? options.get<int>("restart") : 0},
+      rule_(options.get<double>("refresh factor"), preconditioner_of(options).setup_cost),
+      system_(preconditioner_of(options).make(options, K, operators)),
+      augmented_(
+          K, system_->matrix(),
+          [this](const algebra::BlockVector& x, MultiVector& all) { system_->gather(x, all); },
+          [this](const MultiVector& all, algebra::BlockVector& x) { system_->scatter(all, x); }),
+      b_(system_->map(), 1), x_(system_->map(), 1) {
+  if (options.isParameter("recycle")) options_.most_recycled = options.get<int>("recycle");
+  if (options_.most_recycled > 0) options_.recycled = Teuchos::rcp(new Directions);
+  for (char& c : options_.method) c = static_cast<char>(std::toupper(c));
+}
+
+void KrylovSolver::prepare() {
+  refresh_matrix();
+  SolveReport unused;
+  refresh(unused);
+}
+
+void KrylovSolver::forget() {
+  rule_.renew();  // so that the next solve sets up, which drops the directions, too
+  is_behind_ = true;
+}
+
+SolveReport KrylovSolver::solve(const algebra::BlockVector& b, algebra::BlockVector& x,
+                                double tolerance) {
+  SolveReport report;
+  report.method = options_.method;
+  report.tolerance = tolerance;
+  system_->gather(b, b_);
+  if (is_stale_) refresh_matrix();
+  if (is_behind_ && rule_.wants_new()) refresh(report);
+  int iterations = iterate(report);
+  if (!report.is_converged && is_behind_) {
+    refresh(report);
+    iterations = iterate(report);
+  }
+  rule_.note(iterations, report.true_residual, report.is_converged);
+  system_->scatter(x_, x);
+  report.levels = system_->levels();
+  return report;
+}
+
+void KrylovSolver::refresh_matrix() {
+  system_->refresh_matrix();
+  augmented_.refresh_matrix();
+  if (recycles()) options_.recycled->clear();
+  is_stale_ = false;
+  is_behind_ = true;
+}
+
+void KrylovSolver::refresh(SolveReport& report) {
+  const Stopwatch watch;
+  const TrafficScope scope(Work::preconditioner);
+  rule_.renew();                               // nothing to keep should the set-up fail
+  if (recycles()) options_.recycled->clear();  // it is measured without their help
+  system_->refresh_preconditioner();
+  // With Z this good the iterations are those of the blocks alone; a few make it so.
+  const KrylovOptions gcr{"GCR", options_.max_iterations, options_.max_iterations};
+  const Teuchos::RCP<const Operator> inverse = system_->preconditioner();
+  if (!inverse.is_null())
+    augmented_.refresh_inverse(inverse, [&](const Vector& w, Vector& z) {
+      solve_krylov(gcr, system_->matrix(), inverse, w, z, 1e-2);
+    });
+  is_behind_ = false;
+  report.setup_seconds += watch.seconds();
+}
+
+// Where the part of low rank outweighs the blocks, products are inexact, or images of recycled
+// directions are not what they were, a method may take for solved what is not: what remains is
+// solved for again.
+void KrylovSolver::refine(KrylovOptions options, const Teuchos::RCP<const Operator>& K,
+                          SolveReport& report) {
+  options.recycled = Teuchos::null;
+  MultiVector r(b_.getMap(), 1), dx(b_.getMap(), 1);
+  for (int pass = 0; pass < 2; ++pass) {
+    const double rest = report.true_residual;
+    if (is_solved(rest, report.tolerance) || !std::isfinite(rest)) return;
+    if (!augmented_.has_low_rank() && recycles()) options_.recycled->clear();
+    K->apply(x_, r);
+    r.update(1.0, b_, -1.0);  // r = b − K x
+    dx.putScalar(0.0);
+    report.iterations +=
+        solve_krylov(options, K, preconditioner(), r, dx, report.tolerance / rest).iterations;
+    x_.update(1.0, dx, 1.0);
+    report.true_residual = relative_residual(*K, b_, x_);
+  }
+}
+
+int KrylovSolver::iterate(SolveReport& report) {
+  const Stopwatch watch;
+  const TrafficScope scope(Work::solve);
+  x_.putScalar(0.0);
+  KrylovOptions options = options_;
+  // An old preconditioner that takes so much longer is not worth the cap of a fresh one.
+  if (is_behind_)
+    options.max_iterations =
+        static_cast<int>(std::min<double>(options.max_iterations, rule_.cap(report.tolerance)));
+  const auto K = Teuchos::rcp(new CountingOperator(augmented_.matrix()));
+  const KrylovResult result = solve_krylov(options, K, preconditioner(), b_, x_, report.tolerance);
+  const int before = report.iterations;
+  report.iterations += result.iterations;
+  report.recurrence_residual = result.recurrence_residual;
+  report.true_residual = relative_residual(*augmented_.matrix(), b_, x_);
+  const bool may_drift = augmented_.has_low_rank() || augmented_.has_action() || recycles();
+  if (may_drift && result.recurrence_residual <= report.tolerance) refine(options, K, report);
+  report.operator_applications += K->count();
+  if (!std::isfinite(report.true_residual)) {  // a breakdown: keep the start
+    x_.putScalar(0.0);
+    report.true_residual = 1.0;
+  }
+  report.is_converged = is_solved(report.true_residual, report.tolerance);
+  report.solve_seconds += watch.seconds();
+  return report.iterations - before;
+}
+
+}  // namespace tunica::linear

@@ -1,0 +1,42 @@
+#pragma once
+#include "tunica/linear/krylov.hpp"
+#include "tunica/linear/linear_solver.hpp"
+#include "tunica/linear/refresh_rule.hpp"
+#include "tunica/linear/solvers/augmented_system.hpp"
+
+namespace tunica::linear {
+
+/// Solves by a Krylov method with one preconditioner, which is kept from matrix to matrix as
+/// RefreshRule says.
+class KrylovSolver final : public LinearSolver {
+public:
+  KrylovSolver(const Teuchos::ParameterList& options, const algebra::BlockMatrix& K,
+               const NamedOperators& operators);
+
+  void matrix_changed() override { is_stale_ = true; }
+  void prepare() override;
+  void forget() override;
+  SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
+                    double tolerance) override;
+
+private:
+  void refresh_matrix();
+  void refresh(SolveReport& report);
+  /// Iterations of one attempt.
+  int iterate(SolveReport& report);
+  void refine(KrylovOptions options, const Teuchos::RCP<const Operator>& K, SolveReport& report);
+  bool recycles() const { return !options_.recycled.is_null(); }
+  Teuchos::RCP<const Operator> preconditioner() const {
+    return augmented_.inverse(system_->preconditioner());
+  }
+
+  KrylovOptions options_;
+  RefreshRule rule_;
+  std::unique_ptr<PreconditionedSystem> system_;
+  AugmentedSystem augmented_;
+  MultiVector b_, x_;
+  bool is_stale_ = true;
+  bool is_behind_ = false;  ///< the preconditioner is that of an earlier matrix
+};
+
+}  // namespace tunica::linear
