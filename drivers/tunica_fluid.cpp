@@ -33,11 +33,12 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   app::FieldSeries fields(output, {app::grid_of(*domain.fluid, "fluid")}, comm);
 
   // 2. March; to a steady flow in pseudo-time.
+  fluid.watch_newton([&](const nonlinear::NewtonStep& step) { log.newton("fluid", step); });
   const auto solve = [&](const stepping::Clock& clock, int attempt) {
+    log.begin({clock.step(), clock.time(), 0, attempt});
     fluid.begin_step(clock);
     const nonlinear::NewtonReport report = fluid.solve();
     if (report.is_converged) fluid.end_step();
-    log.newton({clock.step(), clock.time(), 0, attempt}, "fluid", report);
     return app::summary_of(report, "fluid", clock);
   };
   const auto make_step = [&] {

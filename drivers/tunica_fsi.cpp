@@ -70,13 +70,15 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
       comm);
 
   // 4. March.
+  scheme->watch_newton([&](const std::string& field, const nonlinear::NewtonStep& step) {
+    log.newton(field, step);
+  });
   const auto solve = [&](const stepping::Clock& clock, int attempt) {
+    log.begin({clock.step(), clock.time(), 1, attempt});
     const Outcome prepared = scheme->prepare(clock);
     if (prepared.is_failure()) return app::summary_of(prepared, scheme->fields());
-    const coupling::Report report =
-        scheme->solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
-          log.coupling({clock.step(), clock.time(), k, attempt}, iteration);
-        });
+    const coupling::Report report = scheme->solve_step(
+        clock, [&](int, const coupling::Iteration& iteration) { log.coupling(iteration); });
     if (!report.remark.empty()) log.warn(report.remark);
     return app::summary_of(report, scheme->fields());
   };

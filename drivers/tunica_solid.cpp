@@ -34,11 +34,12 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   app::FieldSeries fields(output, {app::grid_of(wall.scalar_mesh(), "wall")}, comm);
 
   // 2. March; in statics each step is an equilibrium.
+  wall.watch_newton([&](const nonlinear::NewtonStep& step) { log.newton("wall", step); });
   const auto solve = [&](const stepping::Clock& clock, int attempt) {
+    log.begin({clock.step(), clock.time(), 0, attempt});
     wall.begin_step(clock);
     const nonlinear::NewtonReport report = wall.solve();
     if (report.is_converged) wall.end_step();
-    log.newton({clock.step(), clock.time(), 0, attempt}, "wall", report);
     return app::summary_of(report, "wall", clock);
   };
   const auto make_step = [&] {

@@ -30,13 +30,17 @@ struct Complete {};
 /// Marches until the wanted coupling iteration is over. Not converging before it is a result.
 Outcome march_to_wanted(compare::SystemCapture& capture, coupling::Scheme& scheme,
                         stepping::Clock clock, app::RunLog& log) {
+  scheme.watch_newton([&](const std::string& field, const nonlinear::NewtonStep& step) {
+    log.newton(field, step);
+  });
   for (; !clock.is_done(); clock.advance()) {
     capture.enter(0, 0);  // what the coupling solves for itself is not asked for
+    log.begin({clock.step(), clock.time(), 1});
     if (const Outcome prepared = scheme.prepare(clock); prepared.is_failure()) return prepared;
     capture.enter(clock.step(), 1);
     const coupling::Report report =
         scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {
-          log.coupling({clock.step(), clock.time(), k}, iteration);
+          log.coupling(iteration);
           const bool is_solved =
               std::all_of(iteration.solves.begin(), iteration.solves.end(),
                           [](const auto& solve) { return solve.report.is_converged; });

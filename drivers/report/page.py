@@ -64,19 +64,20 @@ def _exponent(value):
 
 
 def _solvers(run):
-    """Linear solves summed up by field and method."""
+    """Linear solves summed up by field, method and preconditioner."""
     table = run.linear
     if not table.get("step"):
         return ""
+    keys = [c for c in ("field", "method", "preconditioner") if c in table]  # runs of earlier versions lack one
     rows = []
-    for field, method in dict.fromkeys(zip(table["field"], table["method"])):
-        one = rows_where(table, field=field, method=method)
+    for kind in dict.fromkeys(zip(*(table[key] for key in keys))):
+        one = rows_where(table, **dict(zip(keys, kind)))
         failed = sum(c in (0.0, "false", "False") for c in one["converged"])
-        rows.append([field, method, len(one["step"]), float(np.mean(one["iterations"])),
+        rows.append([*kind, len(one["step"]), float(np.mean(one["iterations"])),
                      float(np.max(one["iterations"])), float(np.sum(one["setup_seconds"])),
                      float(np.sum(one["solve_seconds"])), failed])
     return "<h2>Linear solvers</h2>\n" + _table(
-        ["field", "method", "solves", "mean iterations", "most", "set-up [s]", "solve [s]", "not converged"], rows)
+        [*keys, "solves", "mean iterations", "most", "set-up [s]", "solve [s]", "not converged"], rows)
 
 
 def _status(record):

@@ -1,4 +1,4 @@
-"""A run that is told to stop ends behind a whole step, with a checkpoint and an exit status of its own, whichever
+"""A run that is told to stop ends behind its last whole step, with a checkpoint and an exit status of its own, whichever
 rank has heard of it; told twice, it ends at once. One that fails leaves its last good state.
 
 Usage: stops.py FOLDER_OF_PROGRAMS SCRATCH
@@ -16,6 +16,10 @@ from runs import ENVIRONMENT, MONOLITHIC, ROOT, TIGHT, Run, Verdict, checkpoints
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
 STOPPED = 5
+# Without a preconditioner and with a basis of two vectors no solve of the second step comes to an end.
+STUCK = [word for setting in ("preconditioner=none", "fallbacks={}", "restart=2", "max iterations=1000000")
+         for word in ("--set", f"Coupling/Linear Solver/{setting}")]
+STUCK += ["--set", "Coupling/Newton/linear tolerance=1e-14", "--set", "Output/progress every=0"]
 RARELY = ["--set", "Output/fields every=0", "--set", "Output/checkpoint every=1000"]
 SOON = [*RARELY, *MONOLITHIC]  # a step takes little
 
@@ -101,6 +105,35 @@ def ends_at_once(verdict, programs, folder):
     verdict.claim(status in (-signal.SIGTERM, -signal.SIGINT), f"the second signal ends the run: {status}")
 
 
+def is_stuck(log):
+    """It says that it is in the second step's first solve, and far from its end."""
+    return "step 2: fluid and wall: Newton step 1: GCR iteration 200" in log.read_text()
+
+
+def ends_a_step_that_is_stuck(verdict, programs, folder):
+    """A signal to one rank of two in a linear solve; the step before stays, and the run can go on from there."""
+    good = Run(command(programs / "tunica-fsi", words("stuck", 1, "--set", "Coupling/scheme=monolithic")), folder)
+    verdict.claim(good.status == 0, f"the first step is made: {good.status} {good.err}")
+    checkpoint = folder / "stuck" / "checkpoint-000001.h5"
+    before = checkpoint.read_bytes()
+    log = folder / "stuck.txt"
+    with open(log, "w") as out:
+        process = subprocess.Popen(
+            command(programs / "tunica-fsi", words("stuck", 3, "--set", "Coupling/scheme=monolithic", *STUCK, "--restart"), 2),
+            cwd=folder, env=ENVIRONMENT, stdout=out, stderr=out)
+        while process.poll() is None and not is_stuck(log):
+            time.sleep(0.01)
+        os.kill(ranks_of(process)[-1], signal.SIGTERM)
+        status = process.wait()
+    check_stop(verdict, folder, "stuck", "SIGTERM", status)
+    verdict.claim("within step 2" in log.read_text(), "the screen names the step that has not ended")
+    verdict.claim(checkpoint.read_bytes() == before, "the checkpoint of the step before is untouched")
+    more = Run(command(programs / "tunica-fsi", words("stuck", 2, "--set", "Coupling/scheme=monolithic", "--restart")), folder)
+    straight = Run(command(programs / "tunica-fsi", words("free", 2, "--set", "Coupling/scheme=monolithic")), folder)
+    verdict.claim([more.status, straight.status] == [0, 0], f"with other solvers it goes on: {more.status} {more.err}")
+    same_steps(verdict, "stuck and gone on", folder / "stuck", folder / "free")
+
+
 def keeps_to_the_clock(verdict, programs, folder):
     limited = Run(command(programs / "tunica-fsi", words("clock", 3, "--set", "Time/wall limit=0:00:00.001")), folder)
     (folder / "clock.txt").write_text(limited.err)
@@ -152,7 +185,7 @@ def leaves_its_last_good_state(verdict, programs, folder):
 def main(programs, scratch):
     verdict = Verdict()
     folder = fresh(scratch)
-    for part in (stops, hears_of_its_limit_in_the_set_up, agrees, ends_at_once, keeps_to_the_clock,
+    for part in (stops, hears_of_its_limit_in_the_set_up, agrees, ends_at_once, ends_a_step_that_is_stuck, keeps_to_the_clock,
                  goes_on_on_a_third_number_of_ranks, leaves_its_last_good_state):
         part(verdict, programs, folder)
     for results in [path for path in folder.iterdir() if path.is_dir()]:

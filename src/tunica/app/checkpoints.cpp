@@ -70,6 +70,9 @@ Outcome Checkpoints::march(const std::function<StepSummary()>& make_step,
       end_step(write_fields);
     }
     return Outcome::success();
+  } catch (const StopRequest& request) {
+    give_way(request);
+    return Outcome::success();
   } catch (...) {
     if (has_news())
       do_if_all_fail_alike(*comm_, march_->last_ended(), [this] {
@@ -89,6 +92,22 @@ void Checkpoints::end_step(const std::function<void()>& write_fields) {
   const bool is_stopped = !output_->stopped.empty();
   if (is_stopped) march_->stop();
   if (every > 0 && (clock.is_every(every) || clock.is_last() || is_stopped)) write_last_ended();
+}
+
+void Checkpoints::give_way(const StopRequest& request) {
+  const int begun = march_->last_ended() + 1;
+  std::ostringstream text;
+  text << "stopped by " << signal_name(request.signal) << " after step " << march_->last_ended()
+       << ", within step " << begun;
+  if (output_->checkpoint_every == 0)
+    text << ", without a checkpoint, since \"checkpoint every\" is 0.";
+  else if (march_->last_ended() == 0)
+    text << ", before there was anything to go on from.";
+  else
+    text << ". Go on with --restart.";
+  output_->stopped = text.str();
+  march_->stop();
+  if (has_news()) write_last_ended();
 }
 
 Outcome Checkpoints::give_up(const std::string& reason) {

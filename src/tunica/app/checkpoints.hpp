@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tunica/app/time_march.hpp"
+#include "tunica/base/stop_signals.hpp"
 #include "tunica/base/timer.hpp"
 
 namespace tunica::app {
@@ -23,7 +24,8 @@ public:
   /// Makes the steps of the march to its end, or to one that is not accepted: make_step puts them
   /// into the tables, write_fields what they leave of fields. Where one is not accepted, or an
   /// exception that all ranks meet alike ends them, leaves a checkpoint of the last step that was
-  /// ended; the exception goes on. Collective, throws as end_step().
+  /// ended; the exception goes on. So it does where a signal ends a step in a linear solve, which
+  /// is no failure. Collective, throws as end_step().
   Outcome march(const std::function<StepSummary()>& make_step,
                 const std::function<void()>& write_fields);
 
@@ -37,6 +39,8 @@ private:
   /// Leaves a checkpoint of the last step that was ended, where the next one was not accepted. The
   /// failure of the run. Collective, throws as end_step().
   Outcome give_up(const std::string& reason);
+  /// The same where a signal has ended a step before its end.
+  void give_way(const StopRequest& request);
   void restore(const std::string& path) const;
   /// Why the march ends here, agreed by all ranks; empty where it does not.
   std::string why_to_stop();

@@ -15,6 +15,7 @@
 #include "tunica/base/stop_signals.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/io/atomic_file.hpp"
+#include "tunica/io/progress.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "tunica/output/traffic_report.hpp"
 #include "tunica/params/read_xml.hpp"
@@ -81,12 +82,22 @@ std::string about_unconverged(int steps) {
          " accepted without convergence; steps.csv marks them.";
 }
 
+/// The work, which a signal may end before the first step.
+Outcome until_stopped(RunOutput& output, const std::function<Outcome()>& work) {
+  try {
+    return work();
+  } catch (const StopRequest& request) {
+    output.stopped = "stopped by " + signal_name(request.signal) + " before the first step.";
+    return Outcome::success();
+  }
+}
+
 /// The work and what is written about it.
 int conclude(const Program& program, RunOutput& output, const Comm& comm,
              const std::function<Outcome()>& work) {
   output.record.save();
   const Stopwatch marching;
-  const Outcome outcome = work();
+  const Outcome outcome = until_stopped(output, work);
   output.record.add_time("march", marching.seconds());
   output::record_traffic(output.record, output.steps_of_traffic, comm);
   if (output.restart)
@@ -193,6 +204,7 @@ int solve(const Program& program, const CommandLine& command, const March& march
     return exit_done;
   }
   if (is_root) print_brief(judge(list, domain.vessel));
+  if (is_root) io::show_progress(list.sublist("Output").get<double>("progress every"));
   linear::check_direct_solver(comm);
   RunOutput output({program, command, set_up}, list, comm, lock, restart);
   output.fingerprint = domain.fingerprint;

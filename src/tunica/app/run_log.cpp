@@ -9,6 +9,7 @@
 
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/io/progress.hpp"
 
 namespace tunica::app {
 
@@ -32,9 +33,9 @@ std::vector<std::string> coupling_columns(const std::vector<std::string>& fields
 
 }  // namespace
 
-RunLog::RunLog(const RunOutput& output, bool is_root, const std::vector<std::string>& fields,
+RunLog::RunLog(RunOutput& output, bool is_root, const std::vector<std::string>& fields,
                const std::vector<std::string>& stages)
-    : steps_file_(output.folder.file("steps.csv")), is_root_(is_root),
+    : record_(&output.record), steps_file_(output.folder.file("steps.csv")), is_root_(is_root),
       steps_done_(output.steps_done()),
       coupling_(output.folder.file("coupling.csv"), coupling_columns(fields, stages), is_root,
                 output.steps_done()),
@@ -45,28 +46,35 @@ RunLog::RunLog(const RunOutput& output, bool is_root, const std::vector<std::str
               is_root, output.steps_done()),
       linear_(output.folder.file("linear.csv"),
               {"step", "attempt", "coupling_iteration", "field", "newton_iteration", "method",
-               "iterations", "tolerance", "recurrence_residual", "true_residual", "setup_seconds",
-               "solve_seconds", "converged"},
+               "preconditioner", "iterations", "tolerance", "recurrence_residual", "true_residual",
+               "setup_seconds", "solve_seconds", "converged"},
               is_root, output.steps_done()) {}
 
-void RunLog::newton(const IterationIndex& index, const std::string& field,
-                    const nonlinear::NewtonReport& report) {
-  for (std::size_t k = 0; k < report.steps.size(); ++k) {
-    const nonlinear::NewtonStep& s = report.steps[k];
-    const auto iteration = static_cast<long long>(k) + 1;
-    const linear::SolveReport& l = s.linear;
-    newton_.row({index.step, index.attempt, index.coupling_iteration, field, iteration, s.increment,
-                 s.relative_increment, s.residual, s.exponent, s.step_length, l.tolerance,
-                 l.true_residual, l.iterations});
-    linear_.row({index.step, index.attempt, index.coupling_iteration, field, iteration, l.method,
-                 l.iterations, l.tolerance, l.recurrence_residual, l.true_residual, l.setup_seconds,
-                 l.solve_seconds, l.is_converged});
-  }
+void RunLog::begin(const IterationIndex& index) {
+  index_ = index;
+  newton_steps_.clear();
 }
 
-void RunLog::coupling(const IterationIndex& index, const coupling::Iteration& iteration) {
+void RunLog::newton(const std::string& field, const nonlinear::NewtonStep& s) {
+  const int iteration = ++newton_steps_[field];
+  const linear::SolveReport& l = s.linear;
+  newton_.row({index_.step, index_.attempt, index_.coupling_iteration, field, iteration,
+               s.increment, s.relative_increment, s.residual, s.exponent, s.step_length,
+               l.tolerance, l.true_residual, l.iterations});
+  for (const linear::SolveReport& attempt : l.attempts) linear_row(field, attempt);
+  if (l.attempts.empty()) linear_row(field, l);
+}
+
+void RunLog::linear_row(const std::string& field, const linear::SolveReport& l) {
+  linear_.row({index_.step, index_.attempt, index_.coupling_iteration, field, newton_steps_[field],
+               l.method, l.preconditioner, l.iterations, l.tolerance, l.recurrence_residual,
+               l.true_residual, l.setup_seconds, l.solve_seconds, l.is_converged});
+  ++solves_[{field, l.preconditioner}];
+}
+
+void RunLog::coupling(const coupling::Iteration& iteration) {
   std::vector<io::Cell> row{
-      index.step,         index.time,           index.attempt,    index.coupling_iteration,
+      index_.step,        index_.time,          index_.attempt,   index_.coupling_iteration,
       iteration.residual, iteration.relaxation, iteration.columns};
   for (const coupling::FieldSolve& solve : iteration.solves)
     row.emplace_back(static_cast<long long>(solve.report.steps.size()));
@@ -74,8 +82,8 @@ void RunLog::coupling(const IterationIndex& index, const coupling::Iteration& it
     row.emplace_back(static_cast<long long>(solve.report.linear_iterations()));
   for (const coupling::Stage& stage : iteration.stages) row.emplace_back(stage.seconds);
   coupling_.row(row);
-  for (const coupling::FieldSolve& solve : iteration.solves)
-    newton(index, solve.field, solve.report);
+  ++index_.coupling_iteration;
+  newton_steps_.clear();
 }
 
 void RunLog::open_steps(const StepSummary& summary,
@@ -95,6 +103,7 @@ void RunLog::open_steps(const StepSummary& summary,
 
 void RunLog::note(const std::string& text) const {
   if (is_root_) std::printf("%s\n", text.c_str());
+  io::restart_progress_interval();
 }
 
 void RunLog::warn(const std::string& text) const {
@@ -119,6 +128,8 @@ void RunLog::step(const stepping::Clock& clock, const StepSummary& s,
   if (seconds_.size() > 6) seconds_.pop_back();
   last_ = now;
   print(clock, s);
+  for (const auto& [what, count] : solves_)
+    record_->set("linear solves", what.first + ", " + what.second, count);
   if (s.is_accepted && !s.is_converged) warn(s.reason);
 }
 
@@ -147,6 +158,7 @@ void RunLog::print(const stepping::Clock& clock, const StepSummary& s) const {
               time_left((clock.end() - clock.time()) / clock.step_size()).c_str(),
               s.is_converged ? "" : "  NOT CONVERGED");
   std::fflush(stdout);
+  io::restart_progress_interval();
 }
 
 std::string rough_duration(double seconds) {

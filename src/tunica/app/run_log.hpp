@@ -1,5 +1,7 @@
 #pragma once
 #include <deque>
+#include <map>
+#include <utility>
 
 #include "tunica/app/run.hpp"
 #include "tunica/base/timer.hpp"
@@ -42,12 +44,15 @@ class RunLog {
 public:
   /// fields: those that the run solves for by Newton's method; stages: the parts of a coupling
   /// iteration that are timed. A run that goes on keeps the rows of the steps before.
-  RunLog(const RunOutput& output, bool is_root, const std::vector<std::string>& fields,
+  RunLog(RunOutput& output, bool is_root, const std::vector<std::string>& fields,
          const std::vector<std::string>& stages);
 
-  void newton(const IterationIndex& index, const std::string& field,
-              const nonlinear::NewtonReport& report);
-  void coupling(const IterationIndex& index, const coupling::Iteration& iteration);
+  /// Rows from now on belong there.
+  void begin(const IterationIndex& index);
+  /// The rows of a Newton step of a field and of its linear solves, once it is made.
+  void newton(const std::string& field, const nonlinear::NewtonStep& step);
+  /// A coupling iteration that has ended; what follows belongs to the next one.
+  void coupling(const coupling::Iteration& iteration);
   /// A line on the screen for what the run does, and for what it goes on in spite of.
   void note(const std::string& text) const;
   void warn(const std::string& text) const;
@@ -59,12 +64,18 @@ private:
   /// ", about 12 min left" for so many steps to come, from the mean of the last ones.
   std::string time_left(double steps) const;
   void print(const stepping::Clock& clock, const StepSummary& summary) const;
+  void linear_row(const std::string& field, const linear::SolveReport& solve);
 
+  output::RunRecord* record_;
   std::string steps_file_;
   bool is_root_;
   int steps_done_;
   std::unique_ptr<io::CsvTable> steps_table_;
   io::CsvTable coupling_, newton_, linear_;
+  IterationIndex index_{0, 0.0, 0};
+  std::map<std::string, int> newton_steps_;  ///< of a field since begin(), or since coupling()
+  /// Linear solves of a field with a preconditioner.
+  std::map<std::pair<std::string, std::string>, int> solves_;
   Stopwatch run_;
   double last_ = 0.0;           ///< seconds of the run at the end of the last step
   std::deque<double> seconds_;  ///< of the last steps, newest first

@@ -48,7 +48,10 @@ params::Table output_table(bool has_fluid, bool has_wall) {
       .integer("compression", 0, params::between(0, 9),
                "of the fields in fields.h5, without loss: 1 fast to 9 small; 0 none")
       .integer("checkpoint every", 1, params::non_negative(),
-               "write a checkpoint for --restart after every so many steps; 0 never");
+               "write a checkpoint for --restart after every so many steps; 0 never")
+      .number("progress every", 5.0, params::non_negative(), "s",
+              "on the screen, a line about so often from within a long step: its Newton step, "
+              "iteration and residual; 0: each iteration");
   add_surface_keys(table);
   if (has_wall) add_wall_array_keys(table);
   if (has_fluid) add_wall_shear_keys(table);

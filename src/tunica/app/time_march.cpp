@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/io/progress.hpp"
 #include "tunica/output/traffic_report.hpp"
 #include "tunica/stepping/time_function.hpp"
 #include "tunica/stepping/wall_limit.hpp"
@@ -182,6 +183,7 @@ StepSummary TimeMarch::make_step(const Solve& solve, RunLog& log) {
   StepSummary step;
   for (int attempt = 1;; ++attempt) {
     made_ = control_.clock();
+    const io::ProgressScope scope("step " + std::to_string(made_.step()));
     step = solve(made_, attempt);
     step.rejected = attempt - 1;
     if (!is_to_repeat(step, log)) break;

@@ -3,6 +3,8 @@
 #include <array>
 #include <csignal>
 
+#include "tunica/base/reduce.hpp"
+
 namespace tunica {
 
 namespace {
@@ -38,6 +40,14 @@ void catch_stop_signals() {
 }
 
 int stop_signal() { return wish; }
+
+bool is_stop_urgent() { return urgent_wishes > 0; }
+
+void stop_if_urgent(const Comm& comm) {
+  const double mine = is_stop_urgent() ? stop_signal() : 0;
+  const double any = comm.getSize() == 1 ? mine : global_max(comm, mine);
+  if (any > 0.0) throw StopRequest{static_cast<int>(any)};
+}
 
 std::string signal_name(int number) {
   if (number == SIGTERM) return "SIGTERM";

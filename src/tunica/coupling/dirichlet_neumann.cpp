@@ -54,6 +54,11 @@ Outcome DirichletNeumann::prepare(const stepping::Clock& clock) {
   return Outcome::success();
 }
 
+void DirichletNeumann::watch_newton(const NewtonWatch& watch) {
+  fluid_->watch_newton([watch](const nonlinear::NewtonStep& step) { watch("fluid", step); });
+  wall_->watch_newton([watch](const nonlinear::NewtonStep& step) { watch("wall", step); });
+}
+
 InterfaceVector DirichletNeumann::wall_displacement() const {
   return interface_->from_wall(wall_->displacement());
 }

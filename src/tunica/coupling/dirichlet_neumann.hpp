@@ -41,6 +41,7 @@ public:
   /// Makes the preconditioner from fluid and wall as they lie; with the compliance of an earlier
   /// step where the wall cannot be solved. Fails where there is none.
   Outcome prepare(const stepping::Clock& clock) override;
+  void watch_newton(const NewtonWatch& watch) override;
   Report solve_step(const stepping::Clock& clock, const Watch& watch) override;
 
   // Restartable: what belongs to the coupling alone, without the three problems

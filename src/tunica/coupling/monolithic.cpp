@@ -8,7 +8,8 @@ namespace tunica::coupling {
 
 params::Table monolithic_solver_table() {
   return linear::linear_solver_table({"multigrid", linear::default_block_preconditioner(6, 2),
-                                      multigrid::mixed_cycle_list(3, "chebyshev"), true, 10});
+                                      multigrid::mixed_cycle_list(3, "chebyshev"), true, 10,
+                                      linear::usual_fallbacks()});
 }
 
 params::Table monolithic_table() {
@@ -86,13 +87,19 @@ Outcome Monolithic::attempt(bool is_careful, const stepping::Clock& clock, Itera
   return outcome;
 }
 
+void Monolithic::watch_newton(const NewtonWatch& watch) {
+  problem_.watch_newton([watch](const nonlinear::NewtonStep& step) { watch("system", step); });
+}
+
 fields::State Monolithic::save() const {
   fields::State state;
+  problems::save_solver(problem_.present_solver(), state);
   if (rule_) rule_->save(state);
   return state;
 }
 
 std::string Monolithic::restore(const fields::State& state) {
+  problems::restore_solver(state, problem_.linear_solver());
   // A step that is repeated since it failed keeps what the failure has taught.
   if (rule_ && step_ != failed_step_ && state.numbers.count("geometry") > 0) rule_->restore(state);
   return "";

@@ -29,6 +29,7 @@ public:
   std::vector<std::pair<std::string, problems::SystemSource*>> systems() override {
     return {{"system", &problem_}};
   }
+  void watch_newton(const NewtonWatch& watch) override;
   Report solve_step(const stepping::Clock& clock, const Watch& watch) override;
 
   // Restartable: the states that a step is guessed from belong to its parts

@@ -65,6 +65,10 @@ public:
   /// Whose linear systems it has solved: by the names of fields().
   virtual std::vector<std::pair<std::string, problems::SystemSource*>> systems() = 0;
 
+  /// watch is called with the name of the field and each step of Newton's method once it is made.
+  using NewtonWatch = std::function<void(const std::string& field, const nonlinear::NewtonStep&)>;
+  virtual void watch_newton(const NewtonWatch& watch) = 0;
+
   /// Sets up for the clock's present step, before it is solved. Fails, and says why, where that
   /// cannot be done. Collective.
   virtual Outcome prepare(const stepping::Clock&) { return Outcome::success(); }

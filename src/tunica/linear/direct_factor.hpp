@@ -14,6 +14,9 @@ public:
   /// Factors the present values. Throws SetupFailure where the matrix is singular.
   void refresh();
 
+  /// Of the factors, before they are made. Collective.
+  double expected_bytes() const { return factors_->expected_bytes(); }
+
   /// Y = alpha K⁻¹ X + beta Y.
   void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
              Scalar alpha = 1.0, Scalar beta = 0.0) const override;

@@ -5,8 +5,12 @@
 #include <Teuchos_BLAS.hpp>
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "tunica/base/reduce.hpp"
+#include "tunica/base/stop_signals.hpp"
+#include "tunica/io/progress.hpp"
+#include "tunica/linear/solvers/stagnation.hpp"
 
 namespace tunica::linear {
 
@@ -23,8 +27,10 @@ using Columns = std::vector<Teuchos::RCP<MultiVector>>;
 /// Entries that stay in the nearest cache while all columns pass over them.
 constexpr int piece = 1024;
 
-/// Qᵀ v of the columns from the first on, with one message.
-std::vector<double> products(const Columns& Q, int first, const MultiVector& v) {
+/// Qᵀ v of the columns from the first on, with one message. It takes the votes of all ranks along,
+/// and makes their sum of this one's.
+std::vector<double> products(const Columns& Q, int first, const MultiVector& v,
+                             double* vote = nullptr) {
   if (first == static_cast<int>(Q.size())) return {};
   const Teuchos::BLAS<int, double> blas;
   const int n = static_cast<int>(v.getLocalLength());
@@ -36,7 +42,12 @@ std::vector<double> products(const Columns& Q, int first, const MultiVector& v) 
   for (int a = 0; a < n; a += piece)
     for (std::size_t i = 0; i < columns.size(); ++i)
       mine[i] += blas.DOT(std::min(piece, n - a), columns[i] + a, 1, values + a, 1);
-  return global_sum(*v.getMap()->getComm(), mine);
+  if (vote == nullptr) return global_sum(*v.getMap()->getComm(), mine);
+  mine.push_back(*vote);
+  std::vector<double> sums = global_sum(*v.getMap()->getComm(), mine);
+  *vote = sums.back();
+  sums.pop_back();
+  return sums;
 }
 
 /// v ← v + s Z c, by the columns from the first on.
@@ -84,10 +95,11 @@ bool Directions::add(const Teuchos::RCP<MultiVector>& z, const Teuchos::RCP<Mult
   return true;
 }
 
-void Directions::minimise_from(int first, MultiVector& r, MultiVector& x) const {
-  const std::vector<double> c = products(q_, first, r);  // c = Qᵀ r
-  add_columns(z_, first, 1.0, c, x);                     // x ← x + Z c
-  add_columns(q_, first, -1.0, c, r);                    // r ← r − Q c
+double Directions::minimise_from(int first, MultiVector& r, MultiVector& x, double vote) const {
+  const std::vector<double> c = products(q_, first, r, &vote);  // c = Qᵀ r
+  add_columns(z_, first, 1.0, c, x);                            // x ← x + Z c
+  add_columns(q_, first, -1.0, c, r);                           // r ← r − Q c
+  return vote;
 }
 
 Gcr::Gcr(const Teuchos::RCP<Teuchos::ParameterList>& list) { setParameters(list); }
@@ -103,6 +115,7 @@ Teuchos::RCP<const Teuchos::ParameterList> Gcr::getValidParameters() const {
   valid->set("Num Blocks", 200, "directions kept between restarts");
   valid->set("Recycled Directions", Teuchos::RCP<Directions>(), "of this matrix; null: none");
   valid->set("Num Recycled Blocks", 0, "directions left there");
+  valid->set("Stagnation", Teuchos::RCP<StagnationRule>(), "when it is given up; null: never");
   valid->set("Maximum Restarts", 1000, "not used: the cap on the iterations ends the method");
   return valid;
 }
@@ -133,23 +146,15 @@ Belos::ReturnType Gcr::solve() {
     basis.minimise(r, x);
     relative_residual_ = norm(r) / scale;
   }
-  for (iterations_ = 0; relative_residual_ > tolerance && iterations_ < cap; ++iterations_) {
+  const auto stagnation = list_->get<Teuchos::RCP<StagnationRule>>("Stagnation");
+  std::vector<double> history{relative_residual_};
+  for (iterations_ = 0; relative_residual_ > tolerance && iterations_ < cap;) {
     if (basis.size() >= kept) basis.clear();
-    const auto z = Teuchos::rcp(new MultiVector(b.getMap(), 1));
-    const auto q = Teuchos::rcp(new MultiVector(b.getMap(), 1));
-    if (problem_->getRightPrec().is_null())
-      z->assign(r);
-    else
-      problem_->getRightPrec()->apply(r, *z);  // z = P⁻¹ r
-    problem_->applyOp(*z, *q);                 // q = A z
-    if (!basis.add(z, q)) break;
-    basis.minimise_by_last(r, x);  // x ← x + (qᵀr) z, r ← r − (qᵀr) q
-    const double before = relative_residual_;
-    relative_residual_ = norm(r) / scale;
-    if (!(relative_residual_ < before * (1.0 - 1e-12))) {  // stagnation, or not a number
-      ++iterations_;
-      break;
-    }
+    if (!iterate(basis, r, x, scale)) break;
+    history.push_back(relative_residual_);
+    has_stagnated_ = !stagnation.is_null() && relative_residual_ > tolerance &&
+                     stagnation->gives_up(history, tolerance);
+    if (has_stagnated_) break;
   }
   if (!recycled.is_null()) {
     if (iterations_ < 3) basis.keep_first(n_recycled);
@@ -157,6 +162,30 @@ Belos::ReturnType Gcr::solve() {
     std::swap(basis, *recycled);
   }
   return relative_residual_ <= tolerance ? Belos::Converged : Belos::Unconverged;
+}
+
+bool Gcr::iterate(Directions& basis, MultiVector& r, MultiVector& x, double scale) {
+  const auto z = Teuchos::rcp(new MultiVector(r.getMap(), 1));
+  const auto q = Teuchos::rcp(new MultiVector(r.getMap(), 1));
+  if (problem_->getRightPrec().is_null())
+    z->assign(r);
+  else
+    problem_->getRightPrec()->apply(r, *z);  // z = P⁻¹ r
+  problem_->applyOp(*z, *q);                 // q = A z
+  if (!basis.add(z, q)) return false;
+  // x ← x + (qᵀr) z, r ← r − (qᵀr) q
+  const double wishes = basis.minimise_by_last(r, x, is_stop_urgent() ? 1.0 : 0.0);
+  if (wishes > 0.0) stop_if_urgent(*r.getMap()->getComm());
+  const double before = relative_residual_;
+  relative_residual_ = norm(r) / scale;
+  ++iterations_;
+  io::report_progress([this] {
+    std::ostringstream text;
+    text.precision(2);
+    text << "GCR iteration " << iterations_ << ", relative residual " << relative_residual_;
+    return text.str();
+  });
+  return relative_residual_ < before * (1.0 - 1e-12);  // else stagnation, or not a number
 }
 
 }  // namespace tunica::linear

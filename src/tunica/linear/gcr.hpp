@@ -23,11 +23,14 @@ public:
 
   /// x ← x + Z Qᵀ r, r ← r − Q Qᵀ r: the least |r| that all directions permit. Collective.
   void minimise(MultiVector& r, MultiVector& x) const { minimise_from(0, r, x); }
-  /// The same by the direction added last, where the others have done so.
-  void minimise_by_last(MultiVector& r, MultiVector& x) const { minimise_from(size() - 1, r, x); }
+  /// The same by the direction added last, where the others have done so. The message takes a
+  /// vote of each rank along; returns their sum.
+  double minimise_by_last(MultiVector& r, MultiVector& x, double vote) const {
+    return minimise_from(size() - 1, r, x, vote);
+  }
 
 private:
-  void minimise_from(int first, MultiVector& r, MultiVector& x) const;
+  double minimise_from(int first, MultiVector& r, MultiVector& x, double vote = 0.0) const;
 
   std::vector<Teuchos::RCP<MultiVector>> z_, q_;
 };
@@ -40,7 +43,9 @@ private:
 ///   r  residual   z  search direction   q  its image   P  right preconditioner, may change
 ///
 /// minimises |r| over the kept directions; after "Num Blocks" of them it begins anew. One right
-/// side. Stagnation (q vanishes, or qᵀr no longer changes r) ends it as not converged.
+/// side. Stagnation (q vanishes, or qᵀr no longer changes r) ends it as not converged; so does
+/// what "Stagnation" (solvers/stagnation.hpp) says of the residuals. Each iteration asks all ranks
+/// whether a signal wants to end the program, and throws StopRequest then.
 ///
 /// With "Recycled Directions", of which the caller knows that they are A's, it begins with those,
 /// and leaves there the last "Num Recycled Blocks" of all: a direction in which P is poor is found
@@ -59,16 +64,22 @@ public:
   int getNumIters() const override { return iterations_; }
   bool isLOADetected() const override { return false; }
   Scalar achievedTol() const override { return relative_residual_; }
+  /// It was ended by "Stagnation".
+  bool has_stagnated() const { return has_stagnated_; }
   void setProblem(const Teuchos::RCP<BelosProblem>& problem) override { problem_ = problem; }
   void setParameters(const Teuchos::RCP<Teuchos::ParameterList>& list) override;
   void reset(Belos::ResetType) override {}
   Belos::ReturnType solve() override;
 
 private:
+  /// One iteration; false where nothing more can be gained.
+  bool iterate(Directions& basis, MultiVector& r, MultiVector& x, double scale);
+
   Teuchos::RCP<Teuchos::ParameterList> list_;
   Teuchos::RCP<BelosProblem> problem_;
   int iterations_ = 0;
   double relative_residual_ = 1.0;
+  bool has_stagnated_ = false;
 };
 
 }  // namespace tunica::linear

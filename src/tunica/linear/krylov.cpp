@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "tunica/base/fault_point.hpp"
+#include "tunica/base/stop_signals.hpp"
+#include "tunica/io/progress.hpp"
 
 namespace tunica::linear {
 
@@ -23,6 +25,8 @@ Teuchos::RCP<Teuchos::ParameterList> belos_list(const KrylovOptions& options, do
               std::min(options.restart, options.max_iterations) + options.most_recycled);
     list->set("Maximum Restarts", options.max_iterations / options.restart + 1);
   }
+  if (!options.stagnation.is_null() && options.method == "GCR")
+    list->set("Stagnation", options.stagnation);
   if (!options.recycled.is_null()) {
     list->set("Recycled Directions", options.recycled);
     list->set("Num Recycled Blocks", options.most_recycled);
@@ -38,14 +42,44 @@ Teuchos::RCP<Belos::SolverManager<Scalar, MultiVector, Operator>> make_solver(
   return Belos::SolverFactory<Scalar, MultiVector, Operator>().create(method, list);
 }
 
+/// The matrix, which looks for signals that want to end the program while a method of Belos applies
+/// it; GCR does so by itself. A message in each fourth product is what that costs.
+class WatchfulOperator final : public Operator {
+public:
+  WatchfulOperator(const Teuchos::RCP<const Operator>& A, std::string method)
+      : A_(A), method_(std::move(method)) {}
+
+  void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,
+             Scalar beta) const override {
+    if (++count_ % 4 == 0) stop_if_urgent(*A_->getDomainMap()->getComm());
+    io::report_progress(
+        [this] { return method_ + ", product " + std::to_string(count_) + " with the matrix"; });
+    A_->apply(X, Y, mode, alpha, beta);
+  }
+  Teuchos::RCP<const Map> getDomainMap() const override { return A_->getDomainMap(); }
+  Teuchos::RCP<const Map> getRangeMap() const override { return A_->getRangeMap(); }
+
+private:
+  Teuchos::RCP<const Operator> A_;
+  std::string method_;
+  mutable int count_ = 0;
+};
+
+bool has_stagnated(const Belos::SolverManager<Scalar, MultiVector, Operator>& solver) {
+  const auto* const gcr = dynamic_cast<const Gcr*>(&solver);
+  return gcr != nullptr && gcr->has_stagnated();
+}
+
 }  // namespace
 
 KrylovResult solve_krylov(const KrylovOptions& options, const Teuchos::RCP<const Operator>& A,
                           const Teuchos::RCP<const Operator>& preconditioner, const MultiVector& B,
                           MultiVector& X, double tolerance) {
   const auto x = Teuchos::rcpFromRef(X);
+  Teuchos::RCP<const Operator> K = A;
+  if (options.method != "GCR") K = Teuchos::rcp(new WatchfulOperator(A, options.method));
   const auto problem = Teuchos::rcp(
-      new Belos::LinearProblem<Scalar, MultiVector, Operator>(A, x, Teuchos::rcpFromRef(B)));
+      new Belos::LinearProblem<Scalar, MultiVector, Operator>(K, x, Teuchos::rcpFromRef(B)));
   if (!preconditioner.is_null()) problem->setRightPrec(preconditioner);
   problem->setProblem();
   const auto solver = make_solver(options.method, belos_list(options, tolerance));
@@ -53,7 +87,7 @@ KrylovResult solve_krylov(const KrylovOptions& options, const Teuchos::RCP<const
   fault_point("krylov solve");
   try {
     solver->solve();
-    return {solver->getNumIters(), solver->achievedTol()};
+    return {solver->getNumIters(), solver->achievedTol(), has_stagnated(*solver)};
   } catch (const Belos::BelosError&) {  // breakdown: the caller's true residual tells
     return {solver->getNumIters(), std::numeric_limits<double>::quiet_NaN()};
   }

@@ -3,14 +3,16 @@
 #include <sstream>
 
 #include "tunica/linear/solvers/direct_solver.hpp"
-#include "tunica/linear/solvers/krylov_solver.hpp"
+#include "tunica/linear/solvers/fallbacks.hpp"
+#include "tunica/linear/solvers/solver_chain.hpp"
 
 namespace tunica::linear {
 
 namespace {
 
-params::Table krylov_table(const SolverDefaults& defaults, bool has_restart,
-                           bool has_recycling = false) {
+/// The keys of a Krylov method that may be one within a preconditioner.
+params::Table inner_krylov_table(const SolverDefaults& defaults, bool has_restart,
+                                 bool has_recycling = false) {
   params::Table table;
   add_preconditioner_keys(table, defaults);
   table.integer("max iterations", 200, params::between(1, 1e6), "cap on the iterations")
@@ -25,6 +27,13 @@ params::Table krylov_table(const SolverDefaults& defaults, bool has_restart,
                   "cost as much memory as twice as many vectors");
   if (has_restart)
     table.integer("restart", 200, params::between(1, 1e6), "basis vectors between restarts");
+  return table;
+}
+
+params::Table krylov_table(const SolverDefaults& defaults, bool has_restart,
+                           bool has_recycling = false) {
+  params::Table table = inner_krylov_table(defaults, has_restart, has_recycling);
+  add_fallback_keys(table, defaults.fallbacks);
   return table;
 }
 
@@ -55,8 +64,8 @@ params::Table inner_solver_table(SolverDefaults defaults) {
   table
       .variant("method", "gcr",
                {{"direct", params::Table("sparse LU on rank 0, for small systems")},
-                {"gcr", krylov_table(defaults, true, true)},
-                {"fixed point", krylov_table(defaults, false)}},
+                {"gcr", inner_krylov_table(defaults, true, true)},
+                {"fixed point", inner_krylov_table(defaults, false)}},
                "sparse direct (Amesos2 KLU2), GCR, or the preconditioner alone, as often as "
                "\"max iterations\" says (fixed point)")
       .number("tolerance", 0.1, params::Range{0.0, 1.0, false, true}, "1",
@@ -68,6 +77,8 @@ std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& o
                                                  const algebra::BlockMatrix& K,
                                                  const NamedOperators& operators) {
   if (options.get<std::string>("method") == "direct") return std::make_unique<DirectSolver>(K);
+  const bool may_fall_back = options.isParameter("fallbacks") && !fallbacks_of(options).empty();
+  if (may_fall_back) return std::make_unique<SolverChain>(options, K, operators);
   return std::make_unique<KrylovSolver>(options, K, operators);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "tunica/algebra/block_matrix.hpp"
 #include "tunica/linear/named_operators.hpp"
@@ -12,7 +13,9 @@ namespace tunica::linear {
 /// What became of one linear solve. Not converging is a result, not an error.
 struct SolveReport {
   std::string method;
+  std::string preconditioner;  ///< as XML names it
   bool is_converged = false;
+  bool has_stagnated = false;  ///< given up before its end
   int iterations = 0;
   int operator_applications = 0;     ///< products with K on the way
   double tolerance = 0.0;            ///< asked for: |b − Kx| ≤ tolerance |b|
@@ -20,6 +23,9 @@ struct SolveReport {
   double true_residual = 0.0;        ///< relative, |b − Kx| / |b| computed anew
   double setup_seconds = 0.0;
   double solve_seconds = 0.0;
+  /// Where more than one preconditioner was tried: what each of them did, the last one last. The
+  /// numbers of the whole are their sums, and residuals of the last.
+  std::vector<SolveReport> attempts;
   multigrid::Levels levels;  ///< none where the preconditioner is no multigrid for the whole system
 };
 
@@ -40,7 +46,13 @@ public:
   /// Lets nothing that earlier solves have left, a preconditioner or directions, serve a later one.
   virtual void forget() = 0;
 
-  /// Solves from a zero start. Collective.
+  /// What forget() keeps, for a checkpoint: which of several preconditioners is in use. Nothing
+  /// where it is the first.
+  virtual std::vector<double> save() const { return {}; }
+  virtual void restore(const std::vector<double>& numbers) { static_cast<void>(numbers); }
+
+  /// Solves from a zero start. Throws SetupFailure on all ranks where that cannot be set up, and
+  /// StopRequest where a signal wants to end the program. Collective.
   virtual SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                             double tolerance) = 0;
 };

@@ -17,6 +17,8 @@ public:
   virtual Teuchos::RCP<const Operator> as_operator() const = 0;
   /// Of a multigrid hierarchy. Collective.
   virtual multigrid::Levels levels() const { return {}; }
+  /// Of the factors of a direct solver. Collective.
+  virtual double expected_bytes() const { return 0.0; }
 };
 
 /// One matrix with the unknowns of a node side by side, and a preconditioner of it.
@@ -35,6 +37,7 @@ public:
   }
   void refresh_matrix() override { K_.refresh(); }
   void refresh_preconditioner() override { preconditioner_->refresh(); }
+  double expected_bytes() const override { return preconditioner_->expected_bytes(); }
   multigrid::Levels levels() const override { return preconditioner_->levels(); }
   void gather(const algebra::BlockVector& x, MultiVector& all) const override { K_.merge(x, all); }
   void scatter(const MultiVector& all, algebra::BlockVector& x) const override { K_.split(all, x); }

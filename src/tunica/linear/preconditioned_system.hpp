@@ -22,6 +22,10 @@ public:
   /// Sets the preconditioner up for them.
   virtual void refresh_preconditioner() = 0;
 
+  /// Of the factors that refresh_preconditioner() will make, where they are those of a direct
+  /// solver; else 0. Collective.
+  virtual double expected_bytes() const { return 0.0; }
+
   /// Of the multigrid hierarchy as it was set up last, none by default. Collective.
   virtual multigrid::Levels levels() const { return {}; }
 

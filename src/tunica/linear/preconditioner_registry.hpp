@@ -22,7 +22,12 @@ struct SolverDefaults {
   bool has_fields = false;
   /// Directions that GCR keeps from solve to solve.
   int recycled = 0;
+  /// What takes the place of a preconditioner that stagnates (solvers/fallbacks.hpp).
+  std::vector<std::string> fallbacks{};
 };
+
+/// Of the fields and of the coupled system.
+inline std::vector<std::string> usual_fallbacks() { return {"vanka", "direct"}; }
 
 /// A preconditioner, as XML names it.
 struct PreconditionerEntry {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "tunica/algebra/components.hpp"
+#include "tunica/io/progress.hpp"
 #include "tunica/linear/amg.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "tunica/linear/krylov.hpp"
@@ -62,13 +63,16 @@ private:
   DirectFactor factor_;
 };
 
+/// Conjugate gradients, and complete factors where they do not reach their goal.
 class CgSolver final : public ScalarSolver {
 public:
   /// preconditioner: of K.
   CgSolver(const Teuchos::ParameterList& options, const Teuchos::RCP<CrsMatrix>& K,
            const Teuchos::RCP<Operator>& preconditioner)
       : K_(K), options_{"CG", options.get<int>("max iterations"), 0},
-        tolerance_(options.get<double>("tolerance")), preconditioner_(preconditioner) {}
+        tolerance_(options.get<double>("tolerance")), preconditioner_(preconditioner),
+        may_factor_(K->getGlobalNumRows() <=
+                    static_cast<Tpetra::global_size_t>(options.get<int>("direct unknowns"))) {}
 
   double solve_to(double tolerance, const MultiVector& B, MultiVector& X) override {
     // Columns together share their messages; where there are none, Tpetra is quicker one by one.
@@ -78,7 +82,13 @@ public:
       for (std::size_t j = 0; j < B.getNumVectors(); ++j)
         solve_krylov(options_, K_, preconditioner_, *B.getVector(j), *X.getVectorNonConst(j),
                      tolerance);
-    return largest_residual(*K_, B, X);
+    const double residual = largest_residual(*K_, B, X);
+    if (residual <= 2.0 * tolerance || !may_factor_) return residual;
+    if (!factors_) {
+      io::announce("conjugate gradients do not reach their goal; sparse LU factors do it");
+      factors_ = std::make_unique<DirectScalarSolver>(K_);
+    }
+    return factors_->solve_to(tolerance, B, X);
   }
   double residual(const MultiVector& B, const MultiVector& X) const override {
     return common_residual(*K_, B, X);
@@ -90,6 +100,8 @@ private:
   KrylovOptions options_;
   double tolerance_;
   Teuchos::RCP<Operator> preconditioner_;
+  bool may_factor_;
+  std::unique_ptr<DirectScalarSolver> factors_;  ///< null before they are needed
 };
 
 /// diag(M, M, M) of an operator M for one component.
@@ -154,7 +166,9 @@ params::Table scalar_solver_table() {
       table("Solves symmetric positive definite systems with one unknown per node, or a few.");
   cg.number("tolerance", 1e-12, params::Range{0.0, 1.0, true, true}, "1",
             "reduction of the residual")
-      .integer("max iterations", 200, params::between(1, 1e6), "cap on the iterations");
+      .integer("max iterations", 200, params::between(1, 1e6), "cap on the iterations")
+      .integer("direct unknowns", 300000, params::between(0, 1e9),
+               "largest system that sparse LU solves where that cap is reached");
   table.variant("method", "cg",
                 {{"cg", cg}, {"direct", params::Table("sparse LU on rank 0, for small systems")}},
                 "conjugate gradients with smoothed-aggregation multigrid, or sparse direct");

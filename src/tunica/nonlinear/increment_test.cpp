@@ -45,6 +45,7 @@ void IncrementTest::record(const NOX::Solver::Generic& solver) {
   }
   steps.push_back(step);
   rule_->note(steps);
+  if (options_.watch) options_.watch(step);
 }
 
 NOX::StatusTest::StatusType IncrementTest::judge(const NOX::Solver::Generic& solver) {

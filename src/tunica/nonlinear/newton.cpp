@@ -102,10 +102,12 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(const NewtonOptions& options,
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
   list->set("Nonlinear Solver", "Line Search Based");
   // What goes wrong is in the report.
+  const Teuchos::RCP<std::ostream> nowhere = Teuchos::rcp(new Teuchos::oblackholestream);
   list->sublist("Printing")
       .set("Output Information", 0)
       .set("MyPID", rank)
-      .set<Teuchos::RCP<std::ostream>>("Error Stream", Teuchos::rcp(new Teuchos::oblackholestream));
+      .set("Output Stream", nowhere)
+      .set("Error Stream", nowhere);
   choose_direction(options.forcing, {options.relative_increment, options.absolute_increment},
                    report, *list);
   Teuchos::ParameterList& search = list->sublist("Line Search");

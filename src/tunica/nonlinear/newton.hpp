@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ public:
   virtual double increment_norm(const algebra::BlockVector& dx) = 0;
 };
 
+struct NewtonStep;
+/// Called with each step of Newton's method once it is made, on all ranks.
+using NewtonWatch = std::function<void(const NewtonStep&)>;
+
 enum class StopAt { increment, next_increment, remaining_error };
 
 struct NewtonOptions {
@@ -45,6 +50,7 @@ struct NewtonOptions {
   ForcingOptions forcing;
   /// Where Jacobians that were kept have failed, from the start with a new one in each step.
   bool tries_again = true;
+  NewtonWatch watch{};  ///< may be empty
 };
 /// Of the keys that say where it stops.
 struct NewtonDefaults {

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "tunica/base/fault_point.hpp"
+#include "tunica/base/stop_signals.hpp"
+#include "tunica/io/progress.hpp"
 
 namespace tunica::nonlinear {
 
@@ -94,6 +96,8 @@ NOX::Abstract::Group::ReturnType NoxGroup::computeJacobian() {
 
 NOX::Abstract::Group::ReturnType NoxGroup::computeNewton(Teuchos::ParameterList& list) {
   if (is_newton_) return Ok;
+  const io::ProgressScope scope("Newton step " + std::to_string(choice_->report->steps.size() + 1));
+  stop_if_urgent(*problem_->space()->comm());
   // d = −J⁻¹ F to the tolerance of this step
   algebra::BlockVector direction = blocks(newton_);
   log_->linear.push_back(

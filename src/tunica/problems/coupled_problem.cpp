@@ -7,6 +7,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
+#include "tunica/io/progress.hpp"
 
 namespace tunica::problems {
 
@@ -319,6 +320,7 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
                                                nonlinear::JacobianRule& rule,
                                                const algebra::BlockVector& fluid,
                                                const algebra::BlockVector& wall, bool wants_any) {
+  const io::ProgressScope scope("fluid and wall");
   algebra::BlockVector x(space());
   wall_x_.assign(wall);
   wall_->prescribe(wall_x_);

@@ -52,6 +52,8 @@ public:
     wants_shape_derivatives_ = wanted;
     most_steps_without_ = most_steps_without;
   }
+  /// watch is called with each step of Newton's method.
+  void watch_newton(nonlinear::NewtonWatch watch) { newton_.watch = std::move(watch); }
   /// Newton's method from these states of the fields; on success they are those of the new time,
   /// else they stay what they were, unless wants_any is true and all steps that are permitted have
   /// led to a state that is admissible, though not accurate. Collective.
@@ -84,6 +86,7 @@ public:
     K_->apply(x, y);
   }
   linear::LinearSolver& linear_solver() override { return *solver_; }
+  const linear::LinearSolver& present_solver() const { return *solver_; }
   void hold_prescribed(algebra::BlockVector& dx) const override;
   /// Root mean square of Δt |dy| over the vertices: how far the increment moves them [mm].
   double increment_norm(const algebra::BlockVector& dx) override;

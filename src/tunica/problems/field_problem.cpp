@@ -23,12 +23,14 @@ void FieldProblem::watch_solves(SolveWatch watch) {
 fields::State FieldProblem::save() const {
   fields::State state = fields::state_on(mesh());
   save_blocks(x_, "", state);
+  if (solver_) save_solver(*solver_, state);
   field_->save_history(state);
   return state;
 }
 
 std::string FieldProblem::restore(const fields::State& state) {
   restore_blocks(state, "", x_);
+  if (solver_ || has_solver(state)) restore_solver(state, linear_solver());
   return field_->restore_history(state, x_);
 }
 

@@ -31,6 +31,9 @@ public:
   const assembly::Constraints& constraints() const { return field_->constraints(); }
   const Throughput& jacobian_throughput() const { return field_->throughput(); }
 
+  /// watch is called with each step of Newton's method.
+  void watch_newton(nonlinear::NewtonWatch watch) { newton_.watch = std::move(watch); }
+
   // SystemSource
   void watch_solves(SolveWatch watch) override;
   const fields::BlockOperator& last_jacobian() const override { return field_->jacobian(); }

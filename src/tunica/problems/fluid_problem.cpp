@@ -1,5 +1,7 @@
 #include "tunica/problems/fluid_problem.hpp"
 
+#include "tunica/io/progress.hpp"
+
 namespace tunica::problems {
 
 FluidProblem::FluidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
@@ -11,6 +13,7 @@ FluidProblem::FluidProblem(std::unique_ptr<discretisation::Fluid> fluid,
       fluid_(static_cast<discretisation::Fluid*>(&discretisation())) {}
 
 nonlinear::NewtonReport FluidProblem::solve() {
+  const io::ProgressScope scope("fluid");
   prepare();
   const nonlinear::NewtonReport report = find_state();
   if (report.is_converged) fluid_->fix_pressure_level(x_);
@@ -26,7 +29,11 @@ void FluidProblem::set_initial_velocity(const std::function<Vec3(const Vec3& x)>
 
 void FluidProblem::set_initial_pressure(double p) { x_["pressure"].putScalar(p); }
 
-params::Table fluid_solver_table() { return linear::linear_solver_table({"multigrid"}); }
+params::Table fluid_solver_table() {
+  linear::SolverDefaults defaults{"multigrid"};
+  defaults.fallbacks = linear::usual_fallbacks();
+  return linear::linear_solver_table(defaults);
+}
 
 params::Table fluid_table() {
   params::Table table("The fluid: ALE Navier-Stokes, P1-P1 with SUPG and PSPG.");

@@ -1,6 +1,7 @@
 #include "tunica/problems/solid_problem.hpp"
 
 #include "tunica/base/error.hpp"
+#include "tunica/io/progress.hpp"
 #include "tunica/linear/direct_factor.hpp"
 #include "tunica/problems/fibre_frames.hpp"
 #include "tunica/problems/prestress.hpp"
@@ -26,6 +27,7 @@ SolidProblem::SolidProblem(std::unique_ptr<discretisation::Solid> wall,
       wall_(static_cast<discretisation::Solid*>(&discretisation())) {}
 
 nonlinear::NewtonReport SolidProblem::solve() {
+  const io::ProgressScope scope("wall");
   prescribe(x_);
   return find_state();
 }
@@ -66,8 +68,10 @@ std::vector<Vec3> SolidProblem::velocity() const {
 }
 
 params::Table solid_solver_table() {
-  return linear::linear_solver_table({"multigrid", linear::default_block_preconditioner(6, 2),
-                                      multigrid::mixed_cycle_list(3, "chebyshev")});
+  linear::SolverDefaults defaults{"multigrid", linear::default_block_preconditioner(6, 2),
+                                  multigrid::mixed_cycle_list(3, "chebyshev")};
+  defaults.fallbacks = linear::usual_fallbacks();
+  return linear::linear_solver_table(defaults);
 }
 
 params::Table solid_table() {

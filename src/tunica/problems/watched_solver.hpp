@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "tunica/fields/block_operator.hpp"
+#include "tunica/fields/state.hpp"
 #include "tunica/linear/linear_solver.hpp"
 
 namespace tunica::problems {
@@ -13,6 +14,11 @@ using SolveWatch = std::function<void(const algebra::BlockVector& b)>;
 /// The solver, which shows each right-hand side to watch before it solves.
 std::unique_ptr<linear::LinearSolver> watched(std::unique_ptr<linear::LinearSolver> solver,
                                               SolveWatch watch);
+
+/// What of a solver belongs into a checkpoint, and back.
+void save_solver(const linear::LinearSolver& solver, fields::State& state);
+bool has_solver(const fields::State& state);
+void restore_solver(const fields::State& state, linear::LinearSolver& solver);
 
 /// A problem whose linear systems can be looked at.
 class SystemSource {

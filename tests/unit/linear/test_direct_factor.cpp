@@ -41,6 +41,13 @@ TEUCHOS_UNIT_TEST(direct_factor, apply_is_alpha_inverse_x_plus_beta_y) {
       TEST_FLOATING_EQUALITY(value, 1.5, 1e-12);
 }
 
+TEUCHOS_UNIT_TEST(direct_factor, a_tridiagonal_matrix_has_factors_without_fill) {
+  const auto A = tridiagonal(1.0);
+  const double n = 3.0 * test::world()->getSize();
+  // n and n − 1 entries in each factor, a number and an index each
+  TEST_EQUALITY(linear::DirectFactor(A).expected_bytes(), 2.0 * 12.0 * (2.0 * n - 1.0));
+}
+
 TEUCHOS_UNIT_TEST(direct_factor, new_values_count_after_refresh_only) {
   const auto A = tridiagonal(1.0);
   linear::DirectFactor factor(A);

@@ -89,6 +89,20 @@ TEUCHOS_UNIT_TEST(scalar_solver, a_good_start_is_kept) {
   TEST_COMPARE(X.getVector(0)->normInf(), <, 1e-9);
 }
 
+TEUCHOS_UNIT_TEST(scalar_solver, factors_do_what_conjugate_gradients_do_not) {
+  const SmallTube tube;
+  const auto K = laplacian(tube.wall);
+  MultiVector B(tube.wall.node_map, 2), X(tube.wall.node_map, 2);
+  B.randomize();
+  Teuchos::ParameterList list;
+  list.set("max iterations", 1);
+  linear::scalar_solver_table().resolve(list, "Linear Solver", "");
+  TEST_COMPARE(linear::make_scalar_solver(list, K)->solve(B, X), <, 1e-11);
+  list.set("direct unknowns", 1);
+  X.putScalar(0.0);
+  TEST_COMPARE(linear::make_scalar_solver(list, K)->solve(B, X), >, 1e-6);
+}
+
 TEUCHOS_UNIT_TEST(krylov, conjugate_gradients_measure_the_residual_against_the_right_side) {
   const SmallTube tube;
   const auto K = laplacian(tube.wall);

@@ -14,6 +14,7 @@ public:
 
   void refresh() override { factor_->refresh(); }
   Teuchos::RCP<const Operator> as_operator() const override { return factor_; }
+  double expected_bytes() const override { return factor_->expected_bytes(); }
 
 private:
   Teuchos::RCP<DirectFactor> factor_;

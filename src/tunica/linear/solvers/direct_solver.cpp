@@ -30,7 +30,7 @@ void DirectSolver::prepare() {
 SolveReport DirectSolver::solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                                 double tolerance) {
   SolveReport report;
-  report.method = "direct";
+  report.method = report.preconditioner = "direct";
   report.tolerance = tolerance;
   const Stopwatch set_up;
   if (is_stale_) prepare();

@@ -6,6 +6,7 @@
 
 #include "tunica/base/timer.hpp"
 #include "tunica/base/traffic.hpp"
+#include "tunica/io/progress.hpp"
 #include "tunica/linear/counting_operator.hpp"
 #include "tunica/linear/solvers/relative_residual.hpp"
 
@@ -22,7 +23,8 @@ bool is_solved(double true_residual, double tolerance) {
 
 KrylovSolver::KrylovSolver(const Teuchos::ParameterList& options, const algebra::BlockMatrix& K,
                            const NamedOperators& operators)
-    : options_{options.get<std::string>("method"), options.get<int>("max iterations"),
+    : preconditioner_(options.get<std::string>("preconditioner")),
+      options_{options.get<std::string>("method"), options.get<int>("max iterations"),
                options.isParameter("restart") ? options.get<int>("restart") : 0},
       rule_(options.get<double>("refresh factor"), preconditioner_of(options).setup_cost),
       system_(preconditioner_of(options).make(options, K, operators)),
@@ -51,6 +53,7 @@ SolveReport KrylovSolver::solve(const algebra::BlockVector& b, algebra::BlockVec
                                 double tolerance) {
   SolveReport report;
   report.method = options_.method;
+  report.preconditioner = preconditioner_;
   report.tolerance = tolerance;
   system_->gather(b, b_);
   if (is_stale_) refresh_matrix();
@@ -77,6 +80,7 @@ void KrylovSolver::refresh_matrix() {
 void KrylovSolver::refresh(SolveReport& report) {
   const Stopwatch watch;
   const TrafficScope scope(Work::preconditioner);
+  io::report_progress([this] { return "setting up the preconditioner " + preconditioner_; });
   rule_.renew();                               // nothing to keep should the set-up fail
   if (recycles()) options_.recycled->clear();  // it is measured without their help
   system_->refresh_preconditioner();
@@ -97,6 +101,7 @@ void KrylovSolver::refresh(SolveReport& report) {
 void KrylovSolver::refine(KrylovOptions options, const Teuchos::RCP<const Operator>& K,
                           SolveReport& report) {
   options.recycled = Teuchos::null;
+  options.stagnation = Teuchos::null;
   MultiVector r(b_.getMap(), 1), dx(b_.getMap(), 1);
   for (int pass = 0; pass < 2; ++pass) {
     const double rest = report.true_residual;
@@ -121,11 +126,14 @@ int KrylovSolver::iterate(SolveReport& report) {
   if (is_behind_)
     options.max_iterations =
         static_cast<int>(std::min<double>(options.max_iterations, rule_.cap(report.tolerance)));
+  else
+    options.stagnation = stagnation_;
   const auto K = Teuchos::rcp(new CountingOperator(augmented_.matrix()));
   const KrylovResult result = solve_krylov(options, K, preconditioner(), b_, x_, report.tolerance);
   const int before = report.iterations;
   report.iterations += result.iterations;
   report.recurrence_residual = result.recurrence_residual;
+  report.has_stagnated = result.has_stagnated;
   report.true_residual = relative_residual(*augmented_.matrix(), b_, x_);
   const bool may_drift = augmented_.has_low_rank() || augmented_.has_action() || recycles();
   if (may_drift && result.recurrence_residual <= report.tolerance) refine(options, K, report);

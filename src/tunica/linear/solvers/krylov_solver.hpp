@@ -13,6 +13,11 @@ public:
   KrylovSolver(const Teuchos::ParameterList& options, const algebra::BlockMatrix& K,
                const NamedOperators& operators);
 
+  /// How solves are given up from now on.
+  void give_up_by(const StagnationRule& rule) { *stagnation_ = rule; }
+  /// Of the factors that a direct preconditioner will make; 0 for others. Collective.
+  double expected_bytes() const { return system_->expected_bytes(); }
+
   void matrix_changed() override { is_stale_ = true; }
   void prepare() override;
   void forget() override;
@@ -30,7 +35,9 @@ private:
     return augmented_.inverse(system_->preconditioner());
   }
 
+  std::string preconditioner_;
   KrylovOptions options_;
+  Teuchos::RCP<StagnationRule> stagnation_ = Teuchos::rcp(new StagnationRule);
   RefreshRule rule_;
   std::unique_ptr<PreconditionedSystem> system_;
   AugmentedSystem augmented_;

@@ -233,4 +233,10 @@ Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomia
   return list;
 }
 
+Teuchos::ParameterList vanka_cycle_list(int sweeps) {
+  Teuchos::ParameterList smoother;
+  smoother.set("factory", "VankaSmoother").set("sweeps", sweeps).set("patch", "node pair");
+  return nodal_levels(smoother, coarsest_mixed);
+}
+
 }  // namespace tunica::multigrid

@@ -83,4 +83,8 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
 /// polynomial: as NodalIluSmoother has it.
 Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial = "power");
 
+/// The same smoothed by Vanka's sweeps over pairs of nodes (smoothers/vanka/), which cost more and
+/// ask less of the matrix than incomplete factors.
+Teuchos::ParameterList vanka_cycle_list(int sweeps);
+
 }  // namespace tunica::multigrid

@@ -1,11 +1,13 @@
 #include "tunica/smoothers/direct/sparse_lu.hpp"
 
 #include <mpi.h>
+#include <trilinos_amd.h>
 
 #include <Amesos2.hpp>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <functional>
 #include <new>
@@ -51,6 +53,20 @@ public:
   }
 
   void solve(const MultiVector& B, MultiVector& X) const { klu2_->solve(&X, &B); }
+
+  /// Entries of L, which are those of U, by approximate minimum degrees.
+  double expected_entries() const {
+    const auto K = A_->getLocalMatrixHost();
+    const int n = static_cast<int>(K.numRows());
+    const std::vector<int> starts(K.graph.row_map.data(), K.graph.row_map.data() + n + 1);
+    std::vector<int> columns(K.nnz()), order(n);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      columns[k] =
+          A_->getRowMap()->getLocalElement(A_->getColMap()->getGlobalElement(K.graph.entries(k)));
+    std::array<double, TRILINOS_AMD_INFO> info{};
+    trilinos_amd_order(n, starts.data(), columns.data(), order.data(), nullptr, info.data());
+    return n + info[TRILINOS_AMD_LNZ];
+  }
 
 private:
   /// KLU2 calls a matrix singular also where malloc() fails; it has given back what it took.
@@ -239,6 +255,17 @@ SparseLu::~SparseLu() = default;
 void SparseLu::refactor() {
   if (gathered_) gathered_->refresh(*A_);
   agree(*A_->getComm(), [this] { return factors_->refactor(); });
+}
+
+double SparseLu::expected_bytes() const {
+  constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
+  double bytes = 0.0;
+  agree(*A_->getComm(), [&] {
+    bytes = 2.0 * bytes_per_entry * factors_->expected_entries();
+    return Verdict::good;
+  });
+  Teuchos::broadcast(*A_->getComm(), 0, &bytes);
+  return bytes;
 }
 
 void SparseLu::solve(const MultiVector& B, MultiVector& X) const {

@@ -20,6 +20,10 @@ public:
   /// the matrix is singular. Collective.
   void refactor();
 
+  /// Of the factors, from an order of elimination like that of KLU2, before they are made; as long
+  /// as no pivot is sought off the diagonal. Collective.
+  double expected_bytes() const;
+
   /// X = A⁻¹ B, with any number of columns. Collective.
   void solve(const MultiVector& B, MultiVector& X) const;
 

@@ -1,0 +1,16 @@
+#include "tunica/linear/solvers/stagnation.hpp"
+
+#include <cmath>
+
+namespace tunica::linear {
+
+bool StagnationRule::gives_up(const std::vector<double>& residuals, double goal) const {
+  const auto k = static_cast<int>(residuals.size()) - 1;
+  if (window == 0 || k < window) return false;
+  const double now = residuals[k], before = residuals[k - window];
+  if (now <= factor * before) return false;
+  const double to_come = window * std::log(now / goal) / std::log(before / now);
+  return !(to_come <= allowance);  // nor is it a number where nothing was gained
+}
+
+}  // namespace tunica::linear
