@@ -81,8 +81,7 @@ bool SolverChain::take_next(const std::string& why) {
   for (std::size_t next = present_ + 1; next < links_.size(); ++next) {
     Link& link = links_[next];
     if (link.refusal.empty()) check_size(link);
-    std::string words =
-        "the preconditioner \"" + links_[present_].name + "\" " + why + "; ";
+    std::string words = "the preconditioner \"" + links_[present_].name + "\" " + why + "; ";
     words += link.refusal.empty() ? "\"" + link.name + "\" takes its place"
                                   : "\"" + link.name + "\" cannot take its place: " + link.refusal;
     if (!link.is_told) io::announce(words);
