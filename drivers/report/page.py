@@ -63,7 +63,7 @@ def _exponent(value):
     return f"{value:.2f}" if isinstance(value, float) and np.isfinite(value) and value != 0 else "–"
 
 
-def _solvers(run):
+def linear_solvers(run):
     """Linear solves summed up by field, method and preconditioner."""
     table = run.linear
     if not table.get("step"):
@@ -177,7 +177,7 @@ def write(run, folder, figures, step, viewer=None):
     title = f"{run.record.get('program', 'tunica')}: {os.path.basename(os.path.abspath(run.folder))}"
     link = f"<p><a href=\"{viewer}\">The vessel to be turned, over time</a></p>\n" if viewer else ""
     _save(folder, title, f"{_summary(run)}{link}{_images(figures)}{_flow_split(run, case)}{_periodicity(run, case)}{_effort(run)}"
-                         f"{_exponents(run, step)}{_solvers(run)}{_case(case)}<h2>The run</h2>\n{_sections(run.record)}")
+                         f"{_exponents(run, step)}{linear_solvers(run)}{_case(case)}<h2>The run</h2>\n{_sections(run.record)}")
 
 
 # --- runs of tunica-solvers -----------------------------------------------------------------

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 import unittest
+from types import SimpleNamespace
 
 import h5py
 import numpy as np
@@ -18,6 +19,7 @@ sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from scratch import fresh  # noqa: E402
 sys.path.insert(0, os.path.dirname(os.path.realpath(PROGRAM)))  # as the program does
 from report.case_tables import openings  # noqa: E402
+from report.page import linear_solvers  # noqa: E402
 from report.run_data import Run  # noqa: E402
 from report.section import chosen_plane, fitted_plane, name_of_axis, section_axes  # noqa: E402
 
@@ -105,6 +107,20 @@ class FlowSplit(unittest.TestCase):
         self.assertTrue(np.allclose([row[2] for row in rows[1:]], (0.75, 0.25)))
         self.assertTrue(np.allclose(rows[0][3:], (10, 9, 11)))
         self.assertAlmostEqual(openings(steps, None)[0], 0.0)
+
+
+class LinearSolvers(unittest.TestCase):
+    def test_each_preconditioner_has_a_row(self):
+        table = {"step": [1.0] * 4, "field": ["wall"] * 4, "method": ["GCR"] * 4,
+                 "preconditioner": ["multigrid", "vanka", "vanka", "direct"], "iterations": [30.0, 40.0, 44.0, 1.0],
+                 "setup_seconds": [1.0, 2.0, 0.0, 8.0], "solve_seconds": [1.0] * 4, "converged": [0.0, 1.0, 0.0, 1.0]}
+        rows = linear_solvers(SimpleNamespace(linear=table)).split("<tr>")[2:]
+        cells = [re.findall("<td>(.*?)</td>", row) for row in rows]
+        self.assertEqual([row[2:4] for row in cells], [["multigrid", "1"], ["vanka", "2"], ["direct", "1"]])
+        self.assertEqual([float(row[4]) for row in cells], [30, 42, 1])  # iterations, in the mean
+        self.assertEqual([row[-1] for row in cells], ["1", "1", "0"])  # not converged
+        del table["preconditioner"]  # as runs of earlier versions have it
+        self.assertEqual(linear_solvers(SimpleNamespace(linear=table)).count("<tr>"), 2)
 
 
 class Report(unittest.TestCase):

@@ -95,13 +95,14 @@ void Checkpoints::end_step(const std::function<void()>& write_fields) {
 }
 
 void Checkpoints::give_way(const StopRequest& request) {
-  const int begun = march_->last_ended() + 1;
+  const int ended = march_->last_ended();
   std::ostringstream text;
-  text << "stopped by " << signal_name(request.signal) << " after step " << march_->last_ended()
-       << ", within step " << begun;
+  text << "stopped by " << signal_name(request.signal);
+  if (ended > 0) text << " after step " << ended << ",";
+  text << " within step " << ended + 1;
   if (output_->checkpoint_every == 0)
     text << ", without a checkpoint, since \"checkpoint every\" is 0.";
-  else if (march_->last_ended() == 0)
+  else if (ended == 0)
     text << ", before there was anything to go on from.";
   else
     text << ". Go on with --restart.";

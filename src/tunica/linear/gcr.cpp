@@ -164,14 +164,24 @@ Belos::ReturnType Gcr::solve() {
   return relative_residual_ <= tolerance ? Belos::Converged : Belos::Unconverged;
 }
 
+std::string Gcr::how_far() const {
+  std::ostringstream text;
+  text.precision(2);
+  text << "GCR iteration " << iterations_ << ", relative residual " << relative_residual_;
+  return text.str();
+}
+
 bool Gcr::iterate(Directions& basis, MultiVector& r, MultiVector& x, double scale) {
   const auto z = Teuchos::rcp(new MultiVector(r.getMap(), 1));
   const auto q = Teuchos::rcp(new MultiVector(r.getMap(), 1));
-  if (problem_->getRightPrec().is_null())
-    z->assign(r);
-  else
-    problem_->getRightPrec()->apply(r, *z);  // z = P⁻¹ r
-  problem_->applyOp(*z, *q);                 // q = A z
+  {
+    const io::ProgressScope scope(how_far());  // of solves within P and A
+    if (problem_->getRightPrec().is_null())
+      z->assign(r);
+    else
+      problem_->getRightPrec()->apply(r, *z);  // z = P⁻¹ r
+    problem_->applyOp(*z, *q);                 // q = A z
+  }
   if (!basis.add(z, q)) return false;
   // x ← x + (qᵀr) z, r ← r − (qᵀr) q
   const double wishes = basis.minimise_by_last(r, x, is_stop_urgent() ? 1.0 : 0.0);
@@ -179,12 +189,7 @@ bool Gcr::iterate(Directions& basis, MultiVector& r, MultiVector& x, double scal
   const double before = relative_residual_;
   relative_residual_ = norm(r) / scale;
   ++iterations_;
-  io::report_progress([this] {
-    std::ostringstream text;
-    text.precision(2);
-    text << "GCR iteration " << iterations_ << ", relative residual " << relative_residual_;
-    return text.str();
-  });
+  io::report_progress([this] { return how_far(); });
   return relative_residual_ < before * (1.0 - 1e-12);  // else stagnation, or not a number
 }
 

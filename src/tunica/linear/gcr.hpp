@@ -1,5 +1,6 @@
 #pragma once
 #include <BelosSolverManager.hpp>
+#include <string>
 
 #include "tunica/base/types.hpp"
 
@@ -72,6 +73,7 @@ public:
   Belos::ReturnType solve() override;
 
 private:
+  std::string how_far() const;
   /// One iteration; false where nothing more can be gained.
   bool iterate(Directions& basis, MultiVector& r, MultiVector& x, double scale);
 

@@ -52,8 +52,7 @@ public:
   void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,
              Scalar beta) const override {
     if (++count_ % 4 == 0) stop_if_urgent(*A_->getDomainMap()->getComm());
-    io::report_progress(
-        [this] { return method_ + ", product " + std::to_string(count_) + " with the matrix"; });
+    io::report_progress([this] { return method_ + ", product " + std::to_string(count_); });
     A_->apply(X, Y, mode, alpha, beta);
   }
   Teuchos::RCP<const Map> getDomainMap() const override { return A_->getDomainMap(); }

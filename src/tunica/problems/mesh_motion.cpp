@@ -4,6 +4,7 @@
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/traffic.hpp"
 #include "tunica/discretisation/nodal_history.hpp"
+#include "tunica/io/progress.hpp"
 
 namespace tunica::problems {
 
@@ -39,6 +40,7 @@ MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMe
 Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
                            const ExtensionAccuracy& accuracy) {
   const TrafficScope scope(Work::mesh_motion);
+  const io::ProgressScope progress("mesh motion");
   MultiVector total(mesh_->node_map, 3);
   {
     const auto view = total.getLocalViewHost(overwrite_all);
@@ -59,6 +61,7 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
 
 void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vector& d) {
   const TrafficScope scope(Work::mesh_motion);
+  const io::ProgressScope progress("mesh motion");
   MultiVector total(mesh_->node_map, 3);
   {
     const auto from = interface.getLocalViewHost(read_only);
