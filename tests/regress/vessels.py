@@ -111,7 +111,8 @@ def main(programs, scratch):
         verdict.claim(checked.status == 0, f"tunica-check, {ranks} ranks: {checked.out}{checked.err}")
     # The directions of the fibres are asked for before the first step.
     refused = Run(command(programs / "tunica-fsi", [
-        CASE, "--dry-run", "--set", "Wall/Fibre Frame/Linear Solver/max iterations=1"], 1), folder)
+        CASE, "--dry-run", "--set", "Wall/Fibre Frame/Linear Solver/max iterations=1",
+        "--set", "Wall/Fibre Frame/Linear Solver/direct unknowns=0"], 1), folder)
     verdict.claim(refused.status == 1 and "Fibre Frame" in refused.err,
                   f"--dry-run tries the directions of fibres: {refused.status} {refused.err}")
     bend, bulge = (CASE.with_name(name + ".xml") for name in ("bend", "bulge"))

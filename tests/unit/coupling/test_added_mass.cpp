@@ -1,3 +1,4 @@
+#include <Teuchos_Array.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 #include <functional>
@@ -229,7 +230,10 @@ TEUCHOS_UNIT_TEST(wall_compliance, says_why_the_wall_cannot_be_solved) {
   const fields::InterfaceTransfer interface(tube.fluid, tube.wall, {tube.surface("interface")});
   auto list = clamped_wall("interface");
   list.remove("Linear Solver");
-  list.sublist("Linear Solver").set("preconditioner", std::string("ilu")).set("max iterations", 1);
+  list.sublist("Linear Solver")
+      .set("preconditioner", std::string("ilu"))
+      .set("max iterations", 1)
+      .set("fallbacks", Teuchos::Array<std::string>());
   problems::SolidProblem wall(test::resolved(list, problems::solid_table()), tube.wall);
   const auto c =
       coupling::wall_compliance(stepping::Clock(0.125, 1), interface, areas_of(tube), wall);

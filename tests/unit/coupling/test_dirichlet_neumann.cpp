@@ -14,7 +14,10 @@ Teuchos::ParameterList partitioned() {
 problems::SolidProblem weak_wall(const test::CoupledTube& tube) {
   auto list = test::CoupledTube::wall_list("clamped");
   list.remove("Linear Solver");
-  list.sublist("Linear Solver").set("preconditioner", std::string("none")).set("max iterations", 1);
+  list.sublist("Linear Solver")
+      .set("preconditioner", std::string("none"))
+      .set("max iterations", 1)
+      .set("fallbacks", Teuchos::Array<std::string>());
   return {test::resolved(list, problems::solid_table()), tube.tube.wall};
 }
 
