@@ -40,7 +40,8 @@ private:
   KrylovSolver& present();
   /// Goes over to the next preconditioner that can serve; false where there is none. Collective.
   bool take_next(const std::string& why);
-  bool has_next() const;
+  /// When the present one is given up for the next that may serve.
+  StagnationRule rule() const;
   void check_size(Link& link);
   SolveReport try_present(const algebra::BlockVector& b, algebra::BlockVector& x, double tolerance);
 
