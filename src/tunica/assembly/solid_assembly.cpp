@@ -17,6 +17,14 @@ namespace {
   const auto& pressure_nodes = fields::scalar_mesh(mesh, elements.split).tets[e];
   kernels::SolidState state{gather(s.d, nodes), gather(s.p, pressure_nodes), gather(s.r, nodes)};
   for (Vec3& r : state.r) r = density * r;
+  if (elements.geometry.is_prestretched()) {
+    const std::array<Vec3, 4> from = elements.geometry.from_stress_free(e);
+    const double alpha = elements.layer(e).coefficients.alpha;
+    for (int a = 0; a < 4; ++a) {
+      state.d[a] += from[a];
+      state.r[a] += alpha * from[a];  // inertia is that of d: α d − r = α D − (r + α (x − X))
+    }
+  }
   if (!s.subscale_r.empty()) state.subscale_r = density * s.subscale_r[e];
   return state;
 }
@@ -27,8 +35,8 @@ WorstElement worst_solid_element(const fields::FieldMesh& mesh, const SolidEleme
                                  const std::vector<Vec3>& d) {
   WorstElement worst{1.0, -1};
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    const double J =
-        kernels::solid_jacobian_determinant(elements.geometry[e], gather(d, mesh.tets[e]));
+    const double J = kernels::solid_jacobian_determinant(
+        elements.geometry[e], elements.displacement(e, gather(d, mesh.tets[e])));
     if (worst.element < 0 || !(J >= worst.determinant)) worst = {J, static_cast<int>(e)};
     if (std::isnan(worst.determinant)) break;  // no other element may hide it
   }

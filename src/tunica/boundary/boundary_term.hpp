@@ -57,6 +57,10 @@ public:
   virtual bool keeps_place() const { return false; }
   /// Directions along which the vector unknown stays zero at its nodes, of length 1.
   virtual std::vector<Vec3> held_directions() const { return {}; }
+  /// Directions along which springs of the term resist a displacement of the face.
+  virtual std::vector<Vec3> sprung_directions(const fields::FieldMesh&, const fields::Face&) const {
+    return {};
+  }
   /// Comes before prescribed() of the same surroundings. Collective.
   virtual void prepare(const Surroundings&) {}
   /// Their values; of the others it says nothing.
