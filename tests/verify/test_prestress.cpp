@@ -62,7 +62,7 @@ Found find(const Imaged& imaged, double step, double last, Teuchos::FancyOStream
     found.moved = now.moved;
     found.least_det = now.least;
     found.most_det = now.most;
-    out << "load " << now.load << ": " << now.newton << " Newton, " << now.moved << " mm\n";
+    out << "load " << now.load << ": " << now.residual << " left, " << now.moved << " mm\n";
   };
   const auto prestress = problems::find_prestress(list, wall, watch);
   TUNICA_CHECK(prestress.is_success(), prestress.reason());

@@ -25,17 +25,17 @@ class PrestressLog {
 public:
   /// from: keeps the rows of load steps up to there.
   PrestressLog(const RunOutput& output, bool is_root, const problems::PrestressPoint& from)
-      : is_root_(is_root), table_(output.folder.file("prestress.csv"),
-                                  {"load_step", "iteration", "load", "newton", "linear", "moved_mm",
-                                   "goal_mm", "min_det_G", "max_det_G", "seconds", "given_up"},
-                                  is_root, from.load_step),
+      : is_root_(is_root),
+        table_(output.folder.file("prestress.csv"),
+               {"load_step", "iteration", "load", "linear", "residual_ratio", "moved_mm", "goal_mm",
+                "min_det_G", "max_det_G", "seconds", "given_up"},
+               is_root, from.load_step),
         last_load_(from.load) {}
 
   void tell(const problems::PrestressIteration& now) {
-    table_.row({now.load_step, now.iteration, now.load, now.newton, now.linear, now.moved, now.goal,
-                now.least, now.most, now.seconds, now.reason});
+    table_.row({now.load_step, now.iteration, now.load, now.linear, now.residual, now.moved,
+                now.goal, now.least, now.most, now.seconds, now.reason});
     ++iterations_;
-    newton_ += now.newton;
     linear_ += now.linear;
     print(now);
     last_ = now;
@@ -43,7 +43,6 @@ public:
   void record(output::RunRecord& record, double seconds) const {
     record.add_time("prestress", seconds);
     record.set("prestress", "iterations", iterations_);
-    record.set("prestress", "Newton steps", newton_);
     record.set("prestress", "linear iterations", linear_);
     record.set("prestress", "mm from the mesh", last_.moved);
     record.set("prestress", "least det G", last_.least);
@@ -62,8 +61,8 @@ private:
 
   void print(const problems::PrestressIteration& now) {
     if (!is_root_) return;
-    std::string line = formatted("prestress: load %.4f, iteration %d  %d Newton %d linear  ",
-                                 now.load, now.iteration, now.newton, now.linear);
+    std::string line = formatted("prestress: load %.4f, iteration %d  %d linear  ", now.load,
+                                 now.iteration, now.linear);
     if (now.reason.empty()) {
       line += formatted("%.2e mm off the mesh", now.moved);
       if (now.goal > 0.0) line += formatted(" (goal %.1e)", now.goal);
@@ -83,7 +82,7 @@ private:
   io::CsvTable table_;
   problems::PrestressIteration last_{};
   double last_load_;
-  int iterations_ = 0, newton_ = 0, linear_ = 0;
+  int iterations_ = 0, linear_ = 0;
 };
 
 /// The wall with what is in it, by names as in checkpoints.
@@ -95,6 +94,7 @@ std::vector<std::pair<std::string, fields::Restartable*>> parts_of(problems::Sol
 
 constexpr const char* file_name = "prestress.h5";
 constexpr const char* point_name = "prestress";
+constexpr const char* array_name = "e";
 
 /// Leaves a search that has come so far in the folder of the run. Collective.
 void save(const problems::PrestressPoint& point, problems::SolidProblem& wall,
@@ -111,6 +111,11 @@ void save(const problems::PrestressPoint& point, problems::SolidProblem& wall,
   output::StateSources states;
   for (const auto& [name, part] : parts_of(wall))
     states.emplace_back(name, [part = part] { return part->save(); });
+  states.emplace_back(point_name, [&] {
+    fields::State state = fields::state_on(wall.mesh());
+    state.arrays[array_name] = fields::rows_of(point.e, wall.mesh().n_owned);
+    return state;
+  });
   output::write_checkpoint(output.folder.file(file_name), head, states, wall.mesh().comm);
 }
 
@@ -122,7 +127,11 @@ problems::PrestressPoint restore(const std::string& path, problems::SolidProblem
   for (const auto& [name, part] : parts_of(wall))
     part->restore(file->read(name, part->save().vertices, comm));
   const std::vector<double>& numbers = file->head().control.at(point_name);
-  return {numbers.at(0), numbers.at(1), static_cast<int>(numbers.at(2))};
+  problems::PrestressPoint point{numbers.at(0), numbers.at(1), static_cast<int>(numbers.at(2))};
+  const fields::State state = file->read(point_name, fields::state_on(wall.mesh()).vertices, comm);
+  point.e = fields::ghosted_rows(state.array(array_name, 3), wall.mesh());
+  point.e.resize(wall.mesh().n_owned);
+  return point;
 }
 
 /// Gives the wall what was found.

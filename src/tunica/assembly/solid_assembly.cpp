@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tunica/assembly/gather.hpp"
+#include "tunica/kernels/wall_stress.hpp"
 
 namespace tunica::assembly {
 
@@ -79,6 +80,29 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
       K->add(Ke);
     }
     R.add(mesh, pack, Re);
+  }
+}
+
+void assemble_prestretch(const fields::FieldMesh& mesh, const SolidElements& elements,
+                         const SolidFields& state, BlockAssembler& K) {
+  const ElementGeometry image(mesh, mesh.x);
+  const auto& scalar_mesh = fields::scalar_mesh(mesh, elements.split);
+  kernels::MixedJacobianOf<Pack> Ke{};
+  for (std::size_t first = 0; first < mesh.tets.size(); first += Pack::size) {
+    const PackedElements pack(first, mesh.tets.size());
+    K.begin(pack);
+    for (int lane = 0; lane < Pack::size; ++lane) {
+      const std::size_t e = pack.number[lane];
+      const Sym3 sigma = kernels::cauchy_stress(
+          elements.geometry[e], elements.geometry.from_stress_free(e),
+          gather(state.p, scalar_mesh.tets[e]), *elements.layer(e).law, elements.frame(e));
+      const kernels::VertexPairs A = kernels::prestretch_stiffness(image[e], sigma);
+      for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b)
+          for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) set_lane(Ke.A[a][b][i][j], lane, A[a][b][i][j]);
+    }
+    K.add(Ke);
   }
 }
 

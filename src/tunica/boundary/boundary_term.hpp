@@ -26,6 +26,7 @@ struct Surroundings {
   const VectorField* velocity = nullptr;
   double viscosity = 0.0;  ///< of a fluid [kPa ms]
   double mesh_rate = 0.0;  ///< ∂w/∂x of a mesh that moves [1/ms]
+  bool follows = true;     ///< false: Jacobians take the surface for one that does not move
 };
 
 /// A component of the vector unknown that the nodes of a surface have in common.

@@ -208,6 +208,7 @@ std::map<std::string, fields::Restartable*> Solid::element_histories() {
 void Solid::assemble(assembly::BlockAssembler* K) {
   R_.set_zero();
   assembly::assemble_solid(*mesh_, elements_, local_, R_, K);
+  if (K != nullptr && stays_on_mesh_) assembly::assemble_prestretch(*mesh_, elements_, local_, *K);
   surfaces_.add(surroundings(), R_, K);
   for (int a = 0; a < mesh_->n_owned; ++a) R_.u[a] += -1.0 * nodal_force_[a];
 }

@@ -30,6 +30,8 @@ public:
   Outcome set_prestretch(std::vector<Mat3> G);
   /// Empty where the mesh is free of stress.
   const std::vector<Mat3>& prestretch() const { return prestretch_.values(); }
+  /// From now on Jacobians are those by s in G ← (I + ∇s) G, of a wall that stays on its mesh.
+  void stay_on_mesh() { stays_on_mesh_ = true; }
   /// Of the fibres, in the mesh.
   const std::vector<materials::Frame>& frames() const { return frames_; }
 
@@ -83,7 +85,7 @@ private:
   /// Forces on all surfaces that hold the wall, this rank's part.
   std::vector<Vec3> reaction_forces(const algebra::BlockVector& x);
   boundary::Surroundings surroundings() const override {
-    return {mesh_, &mesh_->x, &mesh_->x, &local_.d, &v_, 0.0, time_};
+    return {mesh_, &mesh_->x, &mesh_->x, &local_.d, &v_, 0.0, time_, nullptr, 0.0, 0.0, !stays_on_mesh_};
   }
   void read(const algebra::BlockVector& x) override;
   Outcome is_admissible() const override;
@@ -107,6 +109,7 @@ private:
   std::vector<Vec3> nodal_force_;
   boundary::VectorField body_force_;
   double time_ = 0.0;
+  bool stays_on_mesh_ = false;
 };
 
 /// True where a layer of the wall has fibres, which need frames.

@@ -29,18 +29,18 @@ params::Table prestress_table() {
       .names("surfaces", std::vector<std::string>{"interface"}, "that bear this pressure")
       .choice("method", "deformation gradient", {"deformation gradient", "stress-free shape"},
               "what is found: a deformation gradient for each element, which need not come from "
-              "any shape; or the shape without stress, which soft forks do not have, and which "
-              "takes long where tissue holds the wall")
+              "any shape; or that of a shape without stress, which soft forks do not have")
       .integer(
           "load steps", 8, params::Range{1.0, 1000.0},
           "in which the loads are raised at first; where one fails it is halved, where it does "
           "not the next is longer")
       .number("tolerance", 1e-3, params::Range{0.0, 0.1, true, false}, "1",
-              "how far the wall may be from the mesh, in parts of the vessel's radius")
-      .number("linear tolerance", 1e-2, params::Range{0.0, 1.0, true, true}, "1",
-              "reduction of the linear residual in the Newton steps of each equilibrium: what is "
-              "left is out of balance in the next one")
-      .integer("max iterations", 100, params::Range{1.0, 10000.0}, "in each load step");
+              "how far the wall may still be off the mesh, in parts of the vessel's radius: the "
+              "largest step of the search")
+      .number("linear tolerance", 1e-3, params::Range{0.0, 1.0, true, true}, "1",
+              "reduction of the linear residual in each step of the search: what is left is out of "
+              "balance in the next one")
+      .integer("max iterations", 100, params::Range{1.0, 10000.0}, "at all of the load");
   return table;
 }
 

@@ -7,23 +7,19 @@
 namespace tunica::problems {
 
 /// A vessel is imaged under pressure, and its mesh is not free of stress. Sought is the prestretch
-/// G of its elements, det G > 0, with which the wall is in equilibrium where it was imaged, under a
-/// pressure p in the lumen and the loads that it has at the start. By one of two methods:
+/// G of its elements, det G > 0, with which the wall is in balance where it was imaged, under a
+/// pressure p in the lumen and the loads that it has at the start:
 ///
-/// "deformation gradient", the incremental one [Ge10]: G need not be that of any shape.
+///   R(G(e), p) = 0,     e ← e + s,     K s = −R,     K the derivative by s in G ← (I + ∇s) G
 ///
-///   u  equilibrium of the wall with G,     G ← (I + ∇s) G,     s = u, accelerated
+/// with a field e on the nodes, of which G is a function that does not invert elements, or does:
 ///
-/// All loads are raised in increments, of one equilibrium each, and at all of them it is repeated
-/// until u, the way that the wall is still off the mesh, is short. Springs and dashpots of the
-/// tissue are at rest there, so that it carries the wall only on the way.
+///   "deformation gradient"   G = exp(∇e), the incremental gradient [Ge10] along e
+///   "stress-free shape"      G = (I − ∇e)⁻¹ = ∂x/∂X of the shape X = x − e without stress [Se11]
 ///
-/// "stress-free shape": that of a shape X without stress which the loads deform to the mesh x,
-///
-///   X + d(X) = x,     X ← X − (X + d(X) − x),     G = ∂x/∂X
-///
-/// accelerated likewise [Se11]. There is no such shape where a soft wall has a sharp fork, and
-/// where tissue holds the wall the iteration creeps.
+/// There is no such shape where a soft wall has a sharp fork. All loads are raised in increments;
+/// at all of them the steps are accelerated, until they are short. Springs of the tissue are at
+/// rest in the mesh, and the wall bears the loads alone.
 struct Prestress {
   std::vector<Mat3> prestretch;  ///< of local elements; empty: the identity
   algebra::BlockVector state;    ///< no displacement, and the pressure that bears the load
@@ -34,15 +30,17 @@ struct PrestressPoint {
   double load = 0.0;  ///< part of the loads that is borne
   double step = 0.0;  ///< by which it is raised next; 0: as the case says
   int load_step = 0;
+  std::vector<Vec3> e{};  ///< on owned nodes [mm]; empty: zero
 };
 
-/// An equilibrium on the way.
+/// A step of Newton's method.
 struct PrestressIteration {
   int load_step, iteration;
   double load;           ///< part of the loads
-  int newton, linear;    ///< Newton steps and iterations of the linear solver
-  double moved;          ///< largest displacement from the mesh [mm]
+  int linear;            ///< iterations of the linear solver
+  double moved;          ///< the largest step [mm]
   double goal;           ///< of it [mm]; 0 where another load follows
+  double residual;       ///< what is out of balance, in parts of what was before
   double least, most;    ///< det G
   double seconds;        ///< it took
   std::string reason{};  ///< why it was given up; empty where it was not
@@ -50,17 +48,17 @@ struct PrestressIteration {
 
 /// What looks on.
 struct PrestressWatch {
-  /// After each equilibrium.
+  /// After each step.
   std::function<void(const PrestressIteration&)> report = [](const auto&) {};
-  /// After each that was accepted, with all that a search needs to go on there. False ends the
-  /// search as a failure with the reason "stopped". Collective.
+  /// After each that was taken, with all that a search needs to go on there. False ends the search
+  /// as a failure with the reason "stopped". Collective.
   std::function<bool(const PrestressPoint&, const Prestress&)> goes_on =
       [](const auto&, const auto&) { return true; };
 };
 
-/// list: the resolved "Wall" list; wall: on the mesh, gives its fibres, and the prestretch and
-/// pressure where an earlier search stood at the point. Fails where an equilibrium is not found, G
-/// is inverted somewhere, or the iteration does not end. Collective.
+/// list: the resolved "Wall" list; wall: on the mesh, gives its fibres, and where an earlier search
+/// stood at the point its pressure. Fails where no step leaves less out of balance, however small
+/// the increment, or the steps do not get short. Collective.
 Result<Prestress> find_prestress(const Teuchos::ParameterList& list, const SolidProblem& wall,
                                  const PrestressWatch& watch, const PrestressPoint& from = {});
 

@@ -74,70 +74,79 @@ std::vector<Vec3> StepAcceleration::step(const Comm& comm, const std::vector<Vec
 
 namespace {
 
-// G ← (J/det G')^⅓ G',   G' = (I + ∇s) G,   J = 1 − p̄/κ of the element
-//
-// The pressures keep the volume of patches, and elements of a patch may trade theirs: in one
-// equilibrium as far as displacements of nodes can, but from step to step without bound, since
-// stress depends on the isochoric part of F. Where each has the volume that belongs to its pressure
-// they have nothing to trade.
-class ByGradient final : public PrestressMethod {
+/// Both methods add their steps to a field e on the nodes, of which G is a function.
+class ByNodes : public PrestressMethod {
 public:
-  ByGradient(const SolidProblem& wall, const Prestress& present)
-      : wall_(&wall), present_(&present) {}
+  explicit ByNodes(const SolidProblem& wall) : wall_(&wall), kept_(wall.mesh().n_owned) {}
 
   std::vector<Mat3> prestretch_after(const std::vector<Vec3>& step) override {
-    const fields::FieldMesh &mesh = wall_->mesh(), &scalar_mesh = wall_->scalar_mesh();
-    const std::vector<Vec3> s = with_ghosts(step, mesh);
-    const auto p = fields::ghosted_scalars(scalar_mesh, wall_->state()["pressure"]);
-    const assembly::ElementGeometry geometry(mesh, mesh.x);
-    std::vector<Mat3> G(mesh.tets.size());
-    for (std::size_t e = 0; e < G.size(); ++e) {
-      G[e] = kernels::deformation_gradient(geometry[e], assembly::gather(s, mesh.tets[e]));
-      if (!present_->prestretch.empty()) G[e] = product(G[e], present_->prestretch[e]);
-      const auto p_e = assembly::gather(p, scalar_mesh.tets[e]);
-      const double inv_kappa = wall_->elements().layer(e).coefficients.inv_kappa;
-      const double J = 1.0 - 0.25 * inv_kappa * (p_e[0] + p_e[1] + p_e[2] + p_e[3]);
-      const double factor = std::cbrt(J / det(G[e]));  // negative where the element is inverted
-      for (Vec3& row : G[e]) row = std::abs(factor) * row;
-    }
-    return G;
-  }
-  bool iterates_all_loads() const override { return false; }
-
-private:
-  const SolidProblem* wall_;  ///< in equilibrium
-  const Prestress* present_;
-};
-
-// X ← X − s,  G⁻¹ = ∂X/∂x = I − ∇(x − X)
-class ByShape final : public PrestressMethod {
-public:
-  explicit ByShape(const fields::FieldMesh& mesh) : mesh_(&mesh), kept_(mesh.n_owned) {}
-
-  std::vector<Mat3> prestretch_after(const std::vector<Vec3>& step) override {
+    const fields::FieldMesh& mesh = wall_->mesh();
     next_ = kept_;
     for (std::size_t a = 0; a < next_.size(); ++a) next_[a] += step[a];
-    const std::vector<Vec3> from_shape = with_ghosts(next_, *mesh_);
-    const assembly::ElementGeometry geometry(*mesh_, mesh_->x);
-    std::vector<Mat3> G(mesh_->tets.size());
-    for (std::size_t e = 0; e < G.size(); ++e) {
-      auto to_shape = assembly::gather(from_shape, mesh_->tets[e]);
-      for (Vec3& d : to_shape) d = -1.0 * d;
-      const Mat3 inverse = kernels::deformation_gradient(geometry[e], to_shape);
-      const Mat3 adj = adjugate(inverse);
-      const double J = det(inverse);  // where it is not positive, det G is not
-      for (int i = 0; i < 3; ++i) G[e][i] = 1.0 / J * adj[i];
-    }
+    const std::vector<Vec3> e = with_ghosts(next_, mesh);
+    const assembly::ElementGeometry geometry(mesh, mesh.x);
+    std::vector<Mat3> G(mesh.tets.size());
+    for (std::size_t t = 0; t < G.size(); ++t)
+      G[t] = prestretch_of(kernels::gradient(geometry[t], assembly::gather(e, mesh.tets[t])));
     return G;
   }
   void keep() override { kept_ = next_; }
+  const std::vector<Vec3>& e() const override { return kept_; }
+  void start_from(const std::vector<Vec3>& e) override { kept_ = e; }
   void begin_load() override { before_ = kept_; }
   void undo_load() override { kept_ = before_; }
-  bool iterates_all_loads() const override { return true; }
+
+protected:
+  virtual Mat3 prestretch_of(const Mat3& gradient) const = 0;
 
 private:
-  const fields::FieldMesh* mesh_;
-  std::vector<Vec3> kept_, next_, before_;  ///< x − X on owned nodes [mm]
+  const SolidProblem* wall_;
+  std::vector<Vec3> kept_, next_, before_;  ///< e on owned nodes [mm]
+};
+
+/// By halves and Taylor's series.
+Mat3 exponential(const Mat3& A) {
+  double size = 0.0;
+  for (const Vec3& row : A) size += dot(row, row);
+  int halves = 0;
+  for (size = std::sqrt(size); size > 0.25; size *= 0.5) ++halves;
+  const double scale = std::ldexp(1.0, -halves);
+  Mat3 sum = identity(), term = identity();
+  for (int k = 1; k <= 10; ++k) {
+    term = product(A, term);
+    for (Vec3& row : term) row = scale / k * row;
+    for (int i = 0; i < 3; ++i) sum[i] += term[i];
+  }
+  for (; halves > 0; --halves) sum = product(sum, sum);
+  return sum;
+}
+
+// G = exp(∇e): what increments G ← (I + ∇Δe) G come to along e. It has no inverse to fail, and is a
+// function of the nodes: where the increments themselves are multiplied, detours leave stress
+// behind that balances itself within elements, and elements of a patch trade their volumes without
+// bound.
+class ByGradient final : public ByNodes {
+public:
+  using ByNodes::ByNodes;
+
+private:
+  Mat3 prestretch_of(const Mat3& gradient) const override { return exponential(gradient); }
+};
+
+// X ← X − s,  G⁻¹ = ∂X/∂x = I − ∇e,  e = x − X
+class ByShape final : public ByNodes {
+public:
+  using ByNodes::ByNodes;
+
+private:
+  Mat3 prestretch_of(const Mat3& gradient) const override {
+    Mat3 inverse = identity();
+    for (int i = 0; i < 3; ++i) inverse[i] += -1.0 * gradient[i];
+    Mat3 G = adjugate(inverse);
+    const double J = det(inverse);  // where it is not positive, det G is not
+    for (Vec3& row : G) row = 1.0 / J * row;
+    return G;
+  }
 };
 
 }  // namespace
@@ -145,15 +154,16 @@ private:
 PrestressSearch::PrestressSearch(const Teuchos::ParameterList& list, const SolidProblem& wall,
                                  const PrestressWatch& watch, const PrestressPoint& from)
     : options_(&list.sublist("Prestress")), wall_(&wall), watch_(&watch),
-      equilibrium_(list, wall), found_{wall.prestretch(), algebra::BlockVector(wall.space())} {
-  if (options_->get<std::string>("method") == "stress-free shape") {
-    method_ = std::make_unique<ByShape>(wall.mesh());
-    found_.prestretch.clear();  // says nothing of the shape
-  } else {
-    method_ = std::make_unique<ByGradient>(equilibrium_.wall(), found_);
+      balance_(list, wall), found_{{}, algebra::BlockVector(wall.space())} {
+  if (options_->get<std::string>("method") == "stress-free shape")
+    method_ = std::make_unique<ByShape>(wall);
+  else
+    method_ = std::make_unique<ByGradient>(wall);
+  if (!from.e.empty()) {
     point_ = from;
+    method_->start_from(from.e);
+    go_back_to({method_->prestretch_after(std::vector<Vec3>(from.e.size())), wall.state()});
   }
-  if (point_.load > 0.0) go_back_to({wall.prestretch(), wall.state()});
   std::vector<int> surfaces;
   for (const std::string& name : prestress_surfaces(list))
     surfaces.push_back(wall.mesh().surface_index(name));
@@ -176,7 +186,7 @@ Result<Prestress> PrestressSearch::run() {
     const Verdict verdict = bear(load);
     if (verdict.cause == Cause::none && load == 1.0) return std::move(found_);
     if (verdict.cause == Cause::none) {
-      point_.step *= newton_ <= 2 ? 1.5 : newton_ <= 4 ? 1.0 : 0.7;
+      point_.step *= iterations_ == 1 ? 1.5 : iterations_ <= 3 ? 1.0 : 0.7;
       continue;
     }
     const bool is_cut = verdict.cause == Cause::nonlinear && point_.step > first / 512.0;
@@ -191,55 +201,44 @@ Result<Prestress> PrestressSearch::run() {
 void PrestressSearch::go_back_to(const Prestress& point) {
   found_.prestretch = point.prestretch;
   found_.state["pressure"].assign(point.state["pressure"]);
-  const Outcome outcome = equilibrium_.wall().set_prestretch(point.prestretch);
+  const Outcome outcome = balance_.wall().set_prestretch(point.prestretch);
   TUNICA_CHECK(outcome.is_success(), outcome.reason());
 }
 
-double PrestressSearch::goal(double load) const {
-  if (load == 1.0) return goal_;
-  return method_->iterates_all_loads() ? 10.0 * goal_ : 0.0;  // only where the next one begins
-}
-
-/// Iterations in which the way from the mesh must have halved.
+/// Iterations in which what is left must have halved.
 constexpr int patience = 10;
+/// At most so many at a load that is not all of it.
+constexpr int most_on_the_way = 4;
 
 PrestressSearch::Verdict PrestressSearch::bear(double load) {
-  const int most = options_->get<int>("max iterations");
+  const int most = load < 1.0 ? most_on_the_way : options_->get<int>("max iterations");
   acceleration_.forget();
-  std::vector<double> history;  // of the way from the mesh
+  std::vector<double> history;  // of what is left
   for (int k = 1; k <= most; ++k) {
     PrestressIteration now{};
     now.load_step = point_.load_step;
-    now.iteration = k;
+    now.iteration = iterations_ = k;
     now.load = load;
-    now.goal = goal(load);
-    Verdict verdict = iterate(now);
+    now.goal = load == 1.0 ? goal_ : 0.0;
+    const Verdict verdict = iterate(now);
     if (verdict.cause != Cause::none) return verdict;
     point_.load = load;
+    point_.e = method_->e();
     if (!watch_->goes_on(point_, found_)) return {Cause::stopped, "stopped"};
-    if (now.goal == 0.0 || now.moved <= now.goal) return {};
     history.push_back(now.moved);
+    const bool is_on_its_way = now.residual < 0.3 || now.moved < 0.2 * history.front();
+    if (load < 1.0 ? is_on_its_way || k == most : now.moved <= now.goal) return {};
     if (k > patience && now.moved > 0.5 * history[k - 1 - patience])
-      return {method_->iterates_all_loads() ? Cause::nonlinear : Cause::creeps,
+      return {Cause::creeps,
               "the wall comes no closer to the mesh than " + std::to_string(now.moved) + " mm"};
   }
-  return {Cause::creeps, "the wall is still off the mesh after " + std::to_string(most) +
-                             " iterations (\"max iterations\")"};
+  return {Cause::creeps,
+          "the wall is still off the mesh after " + std::to_string(most) + " iterations"};
 }
 
 PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
   const Stopwatch watch;
-  const nonlinear::NewtonReport newton = equilibrium_.solve(now.load, found_.state);
-  now.newton = newton_ = static_cast<int>(newton.steps.size());
-  now.linear = newton.linear_iterations();
-  Verdict verdict;
-  if (newton.is_converged) {
-    const std::vector<Vec3> off_mesh = equilibrium_.wall().displacement();
-    now.moved = largest(off_mesh, comm());
-    verdict = take_step(off_mesh);
-  } else {
-    verdict = {newton.is_linear_failure ? Cause::linear_solver : Cause::nonlinear, newton.reason};
-  }
+  const Verdict verdict = improve(now);
   note_prestretch(now);
   now.seconds = watch.seconds();
   now.reason = verdict.reason;
@@ -247,19 +246,57 @@ PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
   return verdict;
 }
 
-PrestressSearch::Verdict PrestressSearch::take_step(const std::vector<Vec3>& off_mesh) {
-  std::vector<Vec3> s = acceleration_.step(comm(), off_mesh);
-  if (largest(s, comm()) > 5.0 * largest(off_mesh, comm())) {
+// Newton's method, with the steps of acceleration where the load is all there.
+
+PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
+  algebra::BlockVector R(wall_->space()), dx(wall_->space());
+  const Outcome begun = balance_.residual(now.load, found_.state, R);
+  if (begun.is_failure()) return {Cause::nonlinear, begun.reason()};
+  const double before = R["displacement"].norm2();
+  const Result<int> solved = balance_.solve(R, dx);
+  if (solved.is_failure()) return {Cause::linear_solver, solved.reason()};
+  now.linear = solved.value();
+  std::vector<Vec3> step = fields::owned_vectors(wall_->mesh(), dx["displacement"]);
+  for (Vec3& s : step) s = -1.0 * s;
+  now.moved = largest(step, comm());
+  if (now.load == 1.0 && now.iteration > 1) {
+    const std::vector<Vec3> better = acceleration_.step(comm(), step);
+    if (largest(better, comm()) < 5.0 * now.moved && try_step(better, dx, 1.0, before, now))
+      return {};
     acceleration_.forget();
-    s = acceleration_.step(comm(), off_mesh);
   }
+  for (double part = 1.0; part > 0.1; part *= 0.5) {
+    std::vector<Vec3> shorter(step);
+    for (Vec3& s : shorter) s = part * s;
+    if (try_step(shorter, dx, part, before, now)) return {};
+  }
+  const Outcome back = balance_.wall().set_prestretch(found_.prestretch);
+  TUNICA_CHECK(back.is_success(), back.reason());
+  return {Cause::nonlinear, refusal_};
+}
+
+bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockVector& dx,
+                               double part, double before, PrestressIteration& now) {
+  algebra::BlockVector state(wall_->space()), R(wall_->space());
+  state.assign(found_.state);
+  state["pressure"].update(-part, dx["pressure"], 1.0);
   std::vector<Mat3> G = method_->prestretch_after(s);
-  const Outcome outcome = equilibrium_.wall().set_prestretch(G);
-  if (outcome.is_failure()) return {Cause::nonlinear, outcome.reason()};
+  Outcome outcome = balance_.wall().set_prestretch(G);
+  if (outcome.is_success()) outcome = balance_.residual(now.load, state, R);
+  if (outcome.is_failure()) {
+    refusal_ = outcome.reason();
+    return false;
+  }
+  now.residual = R["displacement"].norm2() / before;
+  if (!(now.residual < 1.0)) {  // nor where it is not a number
+    refusal_ = std::isfinite(now.residual) ? "no step leaves less out of balance"
+                                           : "stresses are beyond what the law can tell";
+    return false;
+  }
   method_->keep();
   found_.prestretch = std::move(G);
-  found_.state["pressure"].assign(equilibrium_.wall().state()["pressure"]);
-  return {};
+  found_.state.assign(state);
+  return true;
 }
 
 void PrestressSearch::note_prestretch(PrestressIteration& now) const {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "tunica/problems/prestress.hpp"
-#include "tunica/problems/prestress_equilibrium.hpp"
+#include "tunica/problems/prestress_balance.hpp"
 
 namespace tunica::problems {
 
@@ -29,12 +29,12 @@ public:
   /// The prestretch after a step s, on owned nodes, from the present one. Collective.
   virtual std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s) = 0;
   /// The last one stays.
-  virtual void keep() {}
+  virtual void keep() = 0;
+  virtual const std::vector<Vec3>& e() const = 0;
+  virtual void start_from(const std::vector<Vec3>& e) = 0;
   /// A load step begins; or it was given up, and all goes back to where it began.
-  virtual void begin_load() {}
-  virtual void undo_load() {}
-  /// True where each load is to be iterated to some accuracy before the next one.
-  virtual bool iterates_all_loads() const = 0;
+  virtual void begin_load() = 0;
+  virtual void undo_load() = 0;
 };
 
 /// The way from no load to all of it.
@@ -46,7 +46,7 @@ public:
   Result<Prestress> run();
 
 private:
-  /// Why an equilibrium was given up; what the answer depends on.
+  /// Why a load was given up; what the answer depends on.
   enum class Cause { none, linear_solver, nonlinear, creeps, stopped };
   struct Verdict {
     Cause cause = Cause::none;
@@ -54,11 +54,13 @@ private:
   };
 
   Verdict bear(double load);
-  /// One equilibrium and the step that follows from it.
   Verdict iterate(PrestressIteration& now);
-  Verdict take_step(const std::vector<Vec3>& off_mesh);
+  Verdict improve(PrestressIteration& now);
+  /// Takes the step, and that part of the pressure's, where less is out of balance then than
+  /// before.
+  bool try_step(const std::vector<Vec3>& s, const algebra::BlockVector& dx, double part,
+                double before, PrestressIteration& now);
   void go_back_to(const Prestress& point);
-  double goal(double load) const;
   void note_prestretch(PrestressIteration& now) const;
   std::string failure(double load, const Verdict& verdict) const;
   std::string most_stretched() const;
@@ -67,13 +69,14 @@ private:
   const Teuchos::ParameterList* options_;
   const SolidProblem* wall_;
   const PrestressWatch* watch_;
-  PrestressEquilibrium equilibrium_;
+  PrestressBalance balance_;
   std::unique_ptr<PrestressMethod> method_;
   StepAcceleration acceleration_;
   Prestress found_;
   PrestressPoint point_;
-  double goal_;     ///< how far the wall may be off the mesh [mm]
-  int newton_ = 0;  ///< steps of the last equilibrium
+  std::string refusal_;  ///< why the last step was not taken
+  double goal_;          ///< how far the wall may be off the mesh [mm]
+  int iterations_ = 0;   ///< at the last load
 };
 
 }  // namespace tunica::problems

@@ -22,6 +22,8 @@ public:
   const std::vector<Mat3>& prestretch() const { return wall_->prestretch(); }
   /// discretisation::Solid::set_prestretch(). Collective.
   Outcome set_prestretch(std::vector<Mat3> G) { return wall_->set_prestretch(std::move(G)); }
+  /// discretisation::Solid::stay_on_mesh().
+  void stay_on_mesh() { wall_->stay_on_mesh(); }
   void begin_step(const stepping::Clock& clock) {
     forget_solves();
     wall_->begin_step(clock);

@@ -1,9 +1,11 @@
-#include "tunica/problems/prestress_equilibrium.hpp"
+#include "tunica/problems/prestress_balance.hpp"
 
 #include <Teuchos_Array.hpp>
 
 #include "tunica/base/error.hpp"
 #include "tunica/boundary/registry.hpp"
+#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/setup_failure.hpp"
 #include "tunica/problems/prestress.hpp"
 #include "tunica/stepping/time_function.hpp"
 
@@ -23,9 +25,13 @@ ParameterList rising_to(double value) {
   return amplitude;
 }
 
+constexpr double part_of_springs = 0.02;
+
 void raise_loads(ParameterList& surfaces) {
   for (auto it = surfaces.begin(); it != surfaces.end(); ++it) {
     ParameterList& condition = surfaces.sublist(surfaces.name(it));
+    if (condition.isParameter("stiffness"))
+      condition.set("stiffness", part_of_springs * condition.get<double>("stiffness"));
     if (!condition.isSublist("Amplitude")) continue;
     const double at_start = stepping::TimeFunction(condition.sublist("Amplitude"))(0.0);
     const bool is_displaced = condition.isParameter("displacement") && at_start != 0.0;
@@ -51,30 +57,37 @@ ParameterList static_list(const ParameterList& list) {
     boundary::condition_table("", boundary::wall_conditions()).resolve(load, "Prestress", "");
     wall.sublist("Surfaces").sublist("prestress of " + surface) = load;
   }
-  // What an equilibrium lacks is out of balance in the next one, which starts anew from the mesh.
-  wall.sublist("Newton")
-      .set("stop at", "next increment")
-      .set("safety", 1.0)
-      .set("relative increment", 0.1)
-      .set("max iterations", 10)
-      .set("growth limit", 100.0)
-      .set("jacobian cost", 0.0)
-      .set("line search", "guarded")
-      .set("forcing", "constant")
-      .set("linear tolerance", list.sublist("Prestress").get<double>("linear tolerance"));
   return wall;
 }
 
 }  // namespace
 
-PrestressEquilibrium::PrestressEquilibrium(const ParameterList& list, const SolidProblem& wall)
-    : wall_(static_list(list), wall.mesh(), wall.frames()) {}
+PrestressBalance::PrestressBalance(const ParameterList& list, const SolidProblem& wall)
+    : wall_(static_list(list), wall.mesh(), wall.frames()),
+      tolerance_(list.sublist("Prestress").get<double>("linear tolerance")) {
+  wall_.stay_on_mesh();
+}
 
-nonlinear::NewtonReport PrestressEquilibrium::solve(double load,
-                                                    const algebra::BlockVector& start) {
-  wall_.take(start);
+Outcome PrestressBalance::residual(double load, const algebra::BlockVector& state,
+                                   algebra::BlockVector& R) {
+  wall_.take(state);
   wall_.begin_step(stepping::Clock(load, 1));
-  return wall_.solve();
+  return wall_.residual(state, R);
+}
+
+/// A direction that leaves no more of the residual than that will do: the step is judged by R.
+constexpr double direction_residual = 0.5;
+
+Result<int> PrestressBalance::solve(const algebra::BlockVector& R, algebra::BlockVector& dx) {
+  try {
+    wall_.jacobian(wall_.state());
+    const linear::SolveReport report = wall_.linear_solver().solve(R, dx, tolerance_);
+    wall_.hold_prescribed(dx);
+    if (report.is_converged || report.true_residual < direction_residual) return report.iterations;
+    return Result<int>::failure(linear::describe_unconverged(report));
+  } catch (const linear::SetupFailure& error) {
+    return Result<int>::failure(error.what());
+  }
 }
 
 }  // namespace tunica::problems
