@@ -94,7 +94,7 @@ std::vector<std::pair<std::string, fields::Restartable*>> parts_of(problems::Sol
 
 constexpr const char* file_name = "prestress.h5";
 constexpr const char* point_name = "prestress";
-constexpr const char* array_name = "e";
+constexpr const char* shape_name = "shape";
 
 /// Leaves a search that has come so far in the folder of the run. Collective.
 void save(const problems::PrestressPoint& point, problems::SolidProblem& wall,
@@ -113,7 +113,8 @@ void save(const problems::PrestressPoint& point, problems::SolidProblem& wall,
     states.emplace_back(name, [part = part] { return part->save(); });
   states.emplace_back(point_name, [&] {
     fields::State state = fields::state_on(wall.mesh());
-    state.arrays[array_name] = fields::rows_of(point.e, wall.mesh().n_owned);
+    if (!point.shape.empty())
+      state.arrays[shape_name] = fields::rows_of(point.shape, wall.mesh().n_owned);
     return state;
   });
   output::write_checkpoint(output.folder.file(file_name), head, states, wall.mesh().comm);
@@ -129,8 +130,9 @@ problems::PrestressPoint restore(const std::string& path, problems::SolidProblem
   const std::vector<double>& numbers = file->head().control.at(point_name);
   problems::PrestressPoint point{numbers.at(0), numbers.at(1), static_cast<int>(numbers.at(2))};
   const fields::State state = file->read(point_name, fields::state_on(wall.mesh()).vertices, comm);
-  point.e = fields::ghosted_rows(state.array(array_name, 3), wall.mesh());
-  point.e.resize(wall.mesh().n_owned);
+  if (!state.has_array(shape_name)) return point;
+  point.shape = fields::ghosted_rows(state.array(shape_name, 3), wall.mesh());
+  point.shape.resize(wall.mesh().n_owned);
   return point;
 }
 

@@ -10,12 +10,12 @@ namespace tunica::problems {
 /// G of its elements, det G > 0, with which the wall is in balance where it was imaged, under a
 /// pressure p in the lumen and the loads that it has at the start:
 ///
-///   R(G(e), p) = 0,     e ← e + s,     K s = −R,     K the derivative by s in G ← (I + ∇s) G
+///   R(G, p) = 0,     K s = −R,     K the derivative by s in G ← (I + ∇s) G
 ///
-/// with a field e on the nodes, of which G is a function that does not invert elements, or does:
+/// By one of two methods, which differ in what they make of the steps s on the nodes:
 ///
-///   "deformation gradient"   G = exp(∇e), the incremental gradient [Ge10] along e
-///   "stress-free shape"      G = (I − ∇e)⁻¹ = ∂x/∂X of the shape X = x − e without stress [Se11]
+///   "deformation gradient"   G ← exp(∇s) G, increments of a gradient [Ge10]
+///   "stress-free shape"      G = ∂x/∂X, X ← X − s, of the shape X without stress [Se11]
 ///
 /// There is no such shape where a soft wall has a sharp fork. All loads are raised in increments;
 /// at all of them the steps are accelerated, until they are short. Springs of the tissue are at
@@ -30,7 +30,7 @@ struct PrestressPoint {
   double load = 0.0;  ///< part of the loads that is borne
   double step = 0.0;  ///< by which it is raised next; 0: as the case says
   int load_step = 0;
-  std::vector<Vec3> e{};  ///< on owned nodes [mm]; empty: zero
+  std::vector<Vec3> shape{};  ///< x − X on owned nodes [mm], where a shape is sought
 };
 
 /// A step of Newton's method.
@@ -57,8 +57,8 @@ struct PrestressWatch {
 };
 
 /// list: the resolved "Wall" list; wall: on the mesh, gives its fibres, and where an earlier search
-/// stood at the point its pressure. Fails where no step leaves less out of balance, however small
-/// the increment, or the steps do not get short. Collective.
+/// stood at the point its prestretch and pressure. Fails where no step leaves less out of balance,
+/// however small the increment, or the steps do not get short. Collective.
 Result<Prestress> find_prestress(const Teuchos::ParameterList& list, const SolidProblem& wall,
                                  const PrestressWatch& watch, const PrestressPoint& from = {});
 

@@ -74,35 +74,17 @@ std::vector<Vec3> StepAcceleration::step(const Comm& comm, const std::vector<Vec
 
 namespace {
 
-/// Both methods add their steps to a field e on the nodes, of which G is a function.
-class ByNodes : public PrestressMethod {
-public:
-  explicit ByNodes(const SolidProblem& wall) : wall_(&wall), kept_(wall.mesh().n_owned) {}
-
-  std::vector<Mat3> prestretch_after(const std::vector<Vec3>& step) override {
-    const fields::FieldMesh& mesh = wall_->mesh();
-    next_ = kept_;
-    for (std::size_t a = 0; a < next_.size(); ++a) next_[a] += step[a];
-    const std::vector<Vec3> e = with_ghosts(next_, mesh);
-    const assembly::ElementGeometry geometry(mesh, mesh.x);
-    std::vector<Mat3> G(mesh.tets.size());
-    for (std::size_t t = 0; t < G.size(); ++t)
-      G[t] = prestretch_of(kernels::gradient(geometry[t], assembly::gather(e, mesh.tets[t])));
-    return G;
-  }
-  void keep() override { kept_ = next_; }
-  const std::vector<Vec3>& e() const override { return kept_; }
-  void start_from(const std::vector<Vec3>& e) override { kept_ = e; }
-  void begin_load() override { before_ = kept_; }
-  void undo_load() override { kept_ = before_; }
-
-protected:
-  virtual Mat3 prestretch_of(const Mat3& gradient) const = 0;
-
-private:
-  const SolidProblem* wall_;
-  std::vector<Vec3> kept_, next_, before_;  ///< e on owned nodes [mm]
-};
+/// f(∇s) of each element, s on owned nodes.
+template <class Function>
+std::vector<Mat3> of_gradients(const std::vector<Vec3>& s, const fields::FieldMesh& mesh,
+                               const Function& f) {
+  const std::vector<Vec3> all = with_ghosts(s, mesh);
+  const assembly::ElementGeometry geometry(mesh, mesh.x);
+  std::vector<Mat3> values(mesh.tets.size());
+  for (std::size_t e = 0; e < values.size(); ++e)
+    values[e] = f(kernels::gradient(geometry[e], assembly::gather(all, mesh.tets[e])));
+  return values;
+}
 
 /// By halves and Taylor's series.
 Mat3 exponential(const Mat3& A) {
@@ -121,32 +103,49 @@ Mat3 exponential(const Mat3& A) {
   return sum;
 }
 
-// G = exp(∇e): what increments G ← (I + ∇Δe) G come to along e. It has no inverse to fail, and is a
-// function of the nodes: where the increments themselves are multiplied, detours leave stress
-// behind that balances itself within elements, and elements of a patch trade their volumes without
-// bound.
-class ByGradient final : public ByNodes {
+// G ← exp(∇s) G, which is (I + ∇s) G for short steps and inverts no element with long ones.
+class ByGradient final : public PrestressMethod {
 public:
-  using ByNodes::ByNodes;
+  explicit ByGradient(const fields::FieldMesh& mesh) : mesh_(&mesh) {}
+
+  std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s,
+                                     const std::vector<Mat3>& present) override {
+    std::vector<Mat3> G = of_gradients(s, *mesh_, exponential);
+    for (std::size_t e = 0; e < present.size(); ++e) G[e] = product(G[e], present[e]);
+    return G;
+  }
 
 private:
-  Mat3 prestretch_of(const Mat3& gradient) const override { return exponential(gradient); }
+  const fields::FieldMesh* mesh_;
 };
 
 // X ← X − s,  G⁻¹ = ∂X/∂x = I − ∇e,  e = x − X
-class ByShape final : public ByNodes {
+class ByShape final : public PrestressMethod {
 public:
-  using ByNodes::ByNodes;
+  explicit ByShape(const fields::FieldMesh& mesh) : mesh_(&mesh), kept_(mesh.n_owned) {}
+
+  std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s,
+                                     const std::vector<Mat3>& /*present*/) override {
+    next_ = kept_;
+    for (std::size_t a = 0; a < next_.size(); ++a) next_[a] += s[a];
+    return of_gradients(next_, *mesh_, [](const Mat3& gradient) {
+      Mat3 inverse = identity();
+      for (int i = 0; i < 3; ++i) inverse[i] += -1.0 * gradient[i];
+      Mat3 G = adjugate(inverse);
+      const double J = det(inverse);  // where it is not positive, det G is not
+      for (Vec3& row : G) row = 1.0 / J * row;
+      return G;
+    });
+  }
+  void keep() override { kept_ = next_; }
+  void begin_load() override { before_ = kept_; }
+  void undo_load() override { kept_ = before_; }
+  std::vector<Vec3> shape() const override { return kept_; }
+  void start_from(const std::vector<Vec3>& shape) override { kept_ = shape; }
 
 private:
-  Mat3 prestretch_of(const Mat3& gradient) const override {
-    Mat3 inverse = identity();
-    for (int i = 0; i < 3; ++i) inverse[i] += -1.0 * gradient[i];
-    Mat3 G = adjugate(inverse);
-    const double J = det(inverse);  // where it is not positive, det G is not
-    for (Vec3& row : G) row = 1.0 / J * row;
-    return G;
-  }
+  const fields::FieldMesh* mesh_;
+  std::vector<Vec3> kept_, next_, before_;  ///< e on owned nodes [mm]
 };
 
 }  // namespace
@@ -156,13 +155,13 @@ PrestressSearch::PrestressSearch(const Teuchos::ParameterList& list, const Solid
     : options_(&list.sublist("Prestress")), wall_(&wall), watch_(&watch),
       balance_(list, wall), found_{{}, algebra::BlockVector(wall.space())} {
   if (options_->get<std::string>("method") == "stress-free shape")
-    method_ = std::make_unique<ByShape>(wall);
+    method_ = std::make_unique<ByShape>(wall.mesh());
   else
-    method_ = std::make_unique<ByGradient>(wall);
-  if (!from.e.empty()) {
+    method_ = std::make_unique<ByGradient>(wall.mesh());
+  if (from.load > 0.0) {
     point_ = from;
-    method_->start_from(from.e);
-    go_back_to({method_->prestretch_after(std::vector<Vec3>(from.e.size())), wall.state()});
+    method_->start_from(from.shape);
+    go_back_to({wall.prestretch(), wall.state()});
   }
   std::vector<int> surfaces;
   for (const std::string& name : prestress_surfaces(list))
@@ -223,7 +222,7 @@ PrestressSearch::Verdict PrestressSearch::bear(double load) {
     const Verdict verdict = iterate(now);
     if (verdict.cause != Cause::none) return verdict;
     point_.load = load;
-    point_.e = method_->e();
+    point_.shape = method_->shape();
     if (!watch_->goes_on(point_, found_)) return {Cause::stopped, "stopped"};
     history.push_back(now.moved);
     const bool is_on_its_way = now.residual < 0.3 || now.moved < 0.2 * history.front();
@@ -280,7 +279,7 @@ bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockV
   algebra::BlockVector state(wall_->space()), R(wall_->space());
   state.assign(found_.state);
   state["pressure"].update(-part, dx["pressure"], 1.0);
-  std::vector<Mat3> G = method_->prestretch_after(s);
+  std::vector<Mat3> G = method_->prestretch_after(s, found_.prestretch);
   Outcome outcome = balance_.wall().set_prestretch(G);
   if (outcome.is_success()) outcome = balance_.residual(now.load, state, R);
   if (outcome.is_failure()) {

@@ -27,14 +27,16 @@ class PrestressMethod {
 public:
   virtual ~PrestressMethod() = default;
   /// The prestretch after a step s, on owned nodes, from the present one. Collective.
-  virtual std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s) = 0;
+  virtual std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s,
+                                             const std::vector<Mat3>& present) = 0;
   /// The last one stays.
-  virtual void keep() = 0;
-  virtual const std::vector<Vec3>& e() const = 0;
-  virtual void start_from(const std::vector<Vec3>& e) = 0;
+  virtual void keep() {}
   /// A load step begins; or it was given up, and all goes back to where it began.
-  virtual void begin_load() = 0;
-  virtual void undo_load() = 0;
+  virtual void begin_load() {}
+  virtual void undo_load() {}
+  /// PrestressPoint::shape, and back.
+  virtual std::vector<Vec3> shape() const { return {}; }
+  virtual void start_from(const std::vector<Vec3>& /*shape*/) {}
 };
 
 /// The way from no load to all of it.
