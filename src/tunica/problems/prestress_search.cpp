@@ -169,8 +169,8 @@ PrestressSearch::PrestressSearch(const Teuchos::ParameterList& list, const Solid
   goal_ = options_->get<double>("tolerance") * surface_radius(wall.mesh(), surfaces);
 }
 
-// A load that fails, and not for its linear systems, is halved, and raised in longer steps where
-// its equilibria are found at once.
+// An increment that fails, and not for its linear systems, is halved; the next is longer where one
+// step was enough.
 
 Result<Prestress> PrestressSearch::run() {
   const double first = 1.0 / options_->get<int>("load steps");
@@ -204,7 +204,7 @@ void PrestressSearch::go_back_to(const Prestress& point) {
   TUNICA_CHECK(outcome.is_success(), outcome.reason());
 }
 
-/// Iterations in which what is left must have halved.
+/// Steps in which what is left must have halved.
 constexpr int patience = 10;
 /// At most so many at a load that is not all of it.
 constexpr int most_on_the_way = 4;
@@ -228,11 +228,9 @@ PrestressSearch::Verdict PrestressSearch::bear(double load) {
     const bool is_on_its_way = now.residual < 0.3 || now.moved < 0.2 * history.front();
     if (load < 1.0 ? is_on_its_way || k == most : now.moved <= now.goal) return {};
     if (k > patience && now.moved > 0.5 * history[k - 1 - patience])
-      return {Cause::creeps,
-              "the wall comes no closer to the mesh than " + std::to_string(now.moved) + " mm"};
+      return {Cause::creeps, "steps do not get shorter than " + std::to_string(now.moved) + " mm"};
   }
-  return {Cause::creeps,
-          "the wall is still off the mesh after " + std::to_string(most) + " iterations"};
+  return {Cause::creeps, std::to_string(most) + " steps (\"max iterations\") are not enough"};
 }
 
 PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
@@ -271,6 +269,7 @@ PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
   }
   const Outcome back = balance_.wall().set_prestretch(found_.prestretch);
   TUNICA_CHECK(back.is_success(), back.reason());
+  if (now.goal > 0.0 && now.moved <= now.goal) return {};  // nothing is left but round-off
   return {Cause::nonlinear, refusal_};
 }
 
