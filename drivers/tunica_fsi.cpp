@@ -37,7 +37,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
   const Outcome stressed = app::take_prestress(list.sublist("Wall"), output, wall, &fluid);
-  if (stressed.is_failure()) return stressed;
+  if (stressed.is_failure() || !output.stopped.empty()) return stressed;
   problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid, domain.interface_surfaces,
                               fluid.staying_surfaces(), fluid.time_scheme());
 

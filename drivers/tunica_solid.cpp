@@ -21,7 +21,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
   wall.linear_solver();  // wrong names in its lists are told before anything is solved
   const Outcome stressed = app::take_prestress(list.sublist("Wall"), output, wall);
-  if (stressed.is_failure()) return stressed;
+  if (stressed.is_failure() || !output.stopped.empty()) return stressed;
   app::TimeMarch march(list, {{"wall", &wall}}, output);
   march.judge(wall);
   const app::SurfaceReport surfaces(list.sublist("Output"), nullptr, &*domain.wall);

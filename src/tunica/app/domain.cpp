@@ -12,6 +12,7 @@
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/boundary/registry.hpp"
+#include "tunica/boundary/rigid_motion.hpp"
 #include "tunica/boundary/surface_terms.hpp"
 #include "tunica/coupling/registry.hpp"
 #include "tunica/discretisation/fluid_options.hpp"
@@ -237,6 +238,21 @@ void check_fields(const Teuchos::ParameterList& list, const Domain& domain) {
   };
   if (domain.fluid) check("Fluid", boundary::fluid_conditions(), *domain.fluid);
   if (domain.wall) check("Wall", boundary::wall_conditions(), *domain.wall);
+  check_held(list, domain);
+}
+
+void check_held(const Teuchos::ParameterList& list, const Domain& domain) {
+  if (!domain.wall) return;
+  const Teuchos::ParameterList& wall = list.sublist("Wall");
+  const bool is_static = wall.get<std::string>("analysis") == "static";
+  if (!is_static && !problems::wants_prestress(wall)) return;
+  const auto conditions = boundary::conditions_of(wall.sublist("Surfaces"));
+  const boundary::SurfaceTerms terms(conditions, boundary::wall_conditions(), *domain.wall);
+  const std::string free = boundary::free_rigid_motions(terms, *domain.wall);
+  TUNICA_CHECK(free.empty(), "Wall / Surfaces: nothing holds the wall against " + free + ", but " +
+                                 (is_static ? "\"analysis\" = \"static\"" : "its prestress") +
+                                 " is an equilibrium, of which there are then many. Give a surface "
+                                 "the condition \"clamped\", \"held\" or \"support\".");
 }
 
 }  // namespace tunica::app

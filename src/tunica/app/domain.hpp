@@ -34,7 +34,12 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm);
 void print_expectations(const Teuchos::ParameterList& list, const Domain& domain);
 
 /// What a run would find on that domain before its first step: the directions of the wall's fibres,
-/// the conditions of all surfaces with their files. Throws Error on all ranks alike. Collective.
+/// the conditions of all surfaces with their files, and check_held(). Throws Error on all ranks
+/// alike. Collective.
 void check_fields(const Teuchos::ParameterList& list, const Domain& domain);
+
+/// Throws Error where the case seeks equilibria of a wall that may move as a rigid body: in
+/// statics, and for a prestress. Collective.
+void check_held(const Teuchos::ParameterList& list, const Domain& domain);
 
 }  // namespace tunica::app

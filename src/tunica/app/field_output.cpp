@@ -178,8 +178,7 @@ void add_wall_array_keys(params::Table& table) {
 std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall,
                                             const Teuchos::ParameterList& wanted) {
   const fields::FieldMesh& mesh = wall.mesh();
-  auto d = fields::ghosted_vectors(mesh, wall.state()["displacement"]);
-  for (std::size_t a = 0; a < d.size(); ++a) d[a] += wall.from_stress_free()[a];
+  const auto d = fields::ghosted_vectors(mesh, wall.state()["displacement"]);
   const auto p = fields::ghosted_scalars(wall.scalar_mesh(), wall.state()["pressure"]);
   const auto kinds = wanted.get<Teuchos::Array<std::string>>(wall_arrays_key);
   const auto n_elements =
@@ -199,7 +198,7 @@ std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall,
     const kernels::Tet4 T = wall.elements().geometry[e];
     const materials::HyperelasticLaw& law = *wall.elements().layer(e).law;
     const materials::Frame frame = wall.elements().frame(e);
-    const auto d_e = assembly::gather(d, mesh.tets[e]);
+    const auto d_e = wall.elements().displacement(e, assembly::gather(d, mesh.tets[e]));
     Strained element{frame, law.fibre_directions(frame), kernels::deformation_gradient(T, d_e),
                      kernels::cauchy_stress(T, d_e, assembly::gather(p, wall.scalar_mesh().tets[e]),
                                             law, frame)};

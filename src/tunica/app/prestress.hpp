@@ -6,10 +6,17 @@
 namespace tunica::app {
 
 /// Gives a wall that stands at its start the stress that the case wants it to have in its mesh, and
-/// tells of it on the screen and in the record of the run. A run that goes on has it already.
-/// list: the resolved "Wall" list; fluid: where there is one, it bears the wall with its pressure.
+/// tells of it on the screen, in prestress.csv and in the record of the run. A run that goes on has
+/// it already; one that was ended while it searched goes on with its search. A signal to stop ends
+/// it between two equilibria: RunOutput::stopped says so. list: the resolved "Wall" list; fluid:
+/// where there is one, it bears the wall with its pressure.
 /// Fails as problems::find_prestress(). Collective.
 Outcome take_prestress(const Teuchos::ParameterList& list, RunOutput& output,
                        problems::SolidProblem& wall, problems::FluidProblem* fluid = nullptr);
+
+/// Of the search that a run in the folder of the case was ended in, before its first checkpoint;
+/// nothing where there is none. Throws Error where it belongs to another mesh. Collective.
+std::optional<output::CheckpointHead> begun_prestress(const Teuchos::ParameterList& list,
+                                                      const Domain& domain);
 
 }  // namespace tunica::app

@@ -56,7 +56,9 @@ void check_results_folder(const std::string& folder, const CommandLine& command,
   if (command.restart) return;
   on_root(comm, [&] {
     const std::string names = results_in(folder);
-    const bool can_go_on = takes(program, "--restart") && !output::checkpoints_in(folder).empty();
+    const bool can_go_on =
+        takes(program, "--restart") && (!output::checkpoints_in(folder).empty() ||
+                                        std::filesystem::exists(folder + "/prestress.h5"));
     const std::string go_on = can_go_on ? "Go on with --restart, choose" : "Choose";
     TUNICA_CHECK(command.overwrite || names.empty(),
                  "\"" + folder + "\" holds results of an earlier run (" + names + "). " + go_on +

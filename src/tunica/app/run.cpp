@@ -6,6 +6,7 @@
 
 #include "tunica/app/extent.hpp"
 #include "tunica/app/guard.hpp"
+#include "tunica/app/prestress.hpp"
 #include "tunica/app/results_folder.hpp"
 #include "tunica/app/sanity/sanity.hpp"
 #include "tunica/app/time_march.hpp"
@@ -192,7 +193,9 @@ int solve(const Program& program, const CommandLine& command, const March& march
   print_extent(domain.extent, program.name, *comm);
   describe_domain(domain, *comm);
   std::optional<Restart> restart;
-  if (command.restart) {
+  const auto begun = command.restart ? begun_prestress(list, domain) : std::nullopt;
+  if (begun) accepted_changes(*begun, "prestress.h5", list, program.table, command, *comm);
+  if (command.restart && !begun) {
     restart = find_restart(list, domain);
     restart->changes =
         accepted_changes(restart->head, restart->file, list, program.table, command, *comm);
@@ -203,11 +206,13 @@ int solve(const Program& program, const CommandLine& command, const March& march
     print_expectations(list, domain);
     return exit_done;
   }
+  check_held(list, domain);
   if (is_root) print_brief(judge(list, domain.vessel));
   if (is_root) io::show_progress(list.sublist("Output").get<double>("progress every"));
   linear::check_direct_solver(comm);
   RunOutput output({program, command, set_up}, list, comm, lock, restart);
   output.fingerprint = domain.fingerprint;
+  output.resumes_prestress = begun.has_value();
   on_root(*comm, [&] { output.files = hashes_of_files(list); });
   record_sizes(domain, output.record);
   record_shares(domain, *comm, output.record);

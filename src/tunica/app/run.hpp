@@ -53,6 +53,7 @@ struct RunOutput {
   int unconverged_steps = 0;                   ///< that were accepted
   int steps_of_traffic = 0;                    ///< behind the first of this program
   Stopwatch since_start;                       ///< of the program
+  bool resumes_prestress = false;              ///< from where an earlier run has left its search
   std::string stopped{};  ///< why the run ends before its end; empty if it does not
 };
 

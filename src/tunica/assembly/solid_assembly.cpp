@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tunica/assembly/gather.hpp"
+#include "tunica/kernels/wall_stress.hpp"
 
 namespace tunica::assembly {
 
@@ -17,6 +18,14 @@ namespace {
   const auto& pressure_nodes = fields::scalar_mesh(mesh, elements.split).tets[e];
   kernels::SolidState state{gather(s.d, nodes), gather(s.p, pressure_nodes), gather(s.r, nodes)};
   for (Vec3& r : state.r) r = density * r;
+  if (elements.geometry.is_prestretched()) {
+    const std::array<Vec3, 4> from = elements.geometry.from_stress_free(e);
+    const double alpha = elements.layer(e).coefficients.alpha;
+    for (int a = 0; a < 4; ++a) {
+      state.d[a] += from[a];
+      state.r[a] += alpha * from[a];  // inertia is that of d: α d − r = α D − (r + α (x − X))
+    }
+  }
   if (!s.subscale_r.empty()) state.subscale_r = density * s.subscale_r[e];
   return state;
 }
@@ -27,8 +36,8 @@ WorstElement worst_solid_element(const fields::FieldMesh& mesh, const SolidEleme
                                  const std::vector<Vec3>& d) {
   WorstElement worst{1.0, -1};
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    const double J =
-        kernels::solid_jacobian_determinant(elements.geometry[e], gather(d, mesh.tets[e]));
+    const double J = kernels::solid_jacobian_determinant(
+        elements.geometry[e], elements.displacement(e, gather(d, mesh.tets[e])));
     if (worst.element < 0 || !(J >= worst.determinant)) worst = {J, static_cast<int>(e)};
     if (std::isnan(worst.determinant)) break;  // no other element may hide it
   }
@@ -71,6 +80,29 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
       K->add(Ke);
     }
     R.add(mesh, pack, Re);
+  }
+}
+
+void assemble_prestretch(const fields::FieldMesh& mesh, const SolidElements& elements,
+                         const SolidFields& state, BlockAssembler& K) {
+  const ElementGeometry image(mesh, mesh.x);
+  const auto& scalar_mesh = fields::scalar_mesh(mesh, elements.split);
+  kernels::MixedJacobianOf<Pack> Ke{};
+  for (std::size_t first = 0; first < mesh.tets.size(); first += Pack::size) {
+    const PackedElements pack(first, mesh.tets.size());
+    K.begin(pack);
+    for (int lane = 0; lane < Pack::size; ++lane) {
+      const std::size_t e = pack.number[lane];
+      const Sym3 sigma = kernels::cauchy_stress(
+          elements.geometry[e], elements.geometry.from_stress_free(e),
+          gather(state.p, scalar_mesh.tets[e]), *elements.layer(e).law, elements.frame(e));
+      const kernels::VertexPairs A = kernels::prestretch_stiffness(image[e], sigma);
+      for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b)
+          for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) set_lane(Ke.A[a][b][i][j], lane, A[a][b][i][j]);
+    }
+    K.add(Ke);
   }
 }
 

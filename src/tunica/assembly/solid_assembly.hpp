@@ -17,7 +17,7 @@ struct SolidLayer {
 
 /// What stays constant of the wall's elements during a run.
 struct SolidElements {
-  ElementGeometry geometry;  ///< undeformed
+  ElementGeometry geometry;  ///< where the wall is free of stress
   std::vector<SolidLayer> layers;
   std::vector<std::int16_t> layer_number;    ///< per element
   std::vector<double> tau;                   ///< τ per element [mm²/kPa]
@@ -34,17 +34,24 @@ struct SolidElements {
     static constexpr materials::Frame none;
     return frames.empty() ? none : frames[e];
   }
+  /// What kernels see of the displacement d from the mesh, that from where the element is free of
+  /// stress: D_a = d_a + x_a − X_a, so that F = I + Σ D_a ⊗ Gᵀ∇N_a = (I + ∇d) G.
+  std::array<Vec3, 4> displacement(std::size_t e, const std::array<Vec3, 4>& d) const {
+    std::array<Vec3, 4> D = geometry.from_stress_free(e);
+    for (int a = 0; a < 4; ++a) D[a] += d[a];
+    return D;
+  }
 };
 
 /// Nodal state of the wall on owned and ghost nodes; the pressures where they stand.
 struct SolidFields {
-  std::vector<Vec3> d;
+  std::vector<Vec3> d;  ///< from the mesh
   std::vector<double> p;
   std::vector<Vec3> r;  ///< inertia history of kernels::SolidState for unit density [mm/ms²]
   std::vector<Vec3> subscale_r = {};  ///< that of the subscales, per element; empty without inertia
 };
 
-/// The local element of smallest det F and its value.
+/// The local element of smallest det F and its value. d: from the mesh.
 struct WorstElement {
   double determinant;
   int element;
@@ -59,5 +66,10 @@ std::vector<Vec3> solid_subscales(const fields::FieldMesh& mesh, const SolidElem
 /// Adds the element residuals, and the Jacobians where K is not null.
 void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements,
                     const SolidFields& state, NodalResidual& R, BlockAssembler* K);
+
+/// Adds to the Jacobian of assemble_solid() at d = 0 what makes it the derivative of the residual
+/// by s in G ← (I + ∇s) G, where the wall stays on the mesh. See kernels::prestretch_stiffness().
+void assemble_prestretch(const fields::FieldMesh& mesh, const SolidElements& elements,
+                         const SolidFields& state, BlockAssembler& K);
 
 }  // namespace tunica::assembly

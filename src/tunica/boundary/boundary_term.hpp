@@ -26,6 +26,7 @@ struct Surroundings {
   const VectorField* velocity = nullptr;
   double viscosity = 0.0;  ///< of a fluid [kPa ms]
   double mesh_rate = 0.0;  ///< ∂w/∂x of a mesh that moves [1/ms]
+  bool follows = true;     ///< false: Jacobians take the surface for one that does not move
 };
 
 /// A component of the vector unknown that the nodes of a surface have in common.
@@ -57,6 +58,10 @@ public:
   virtual bool keeps_place() const { return false; }
   /// Directions along which the vector unknown stays zero at its nodes, of length 1.
   virtual std::vector<Vec3> held_directions() const { return {}; }
+  /// Directions along which springs of the term resist a displacement of the face.
+  virtual std::vector<Vec3> sprung_directions(const fields::FieldMesh&, const fields::Face&) const {
+    return {};
+  }
   /// Comes before prescribed() of the same surroundings. Collective.
   virtual void prepare(const Surroundings&) {}
   /// Their values; of the others it says nothing.

@@ -13,7 +13,7 @@ void FollowerPressure::add(const Surroundings& s, const fields::Face& face,
   for (int a = 0; a < 3; ++a) x[a] += (*s.u)[face.nodes[a]];  // x = X + d
   const double pressure = amplitude_(s.time) * pressure_;
   kernels::SurfaceResidual Re;
-  if (K == nullptr) {
+  if (K == nullptr || !s.follows) {
     Re = kernels::follower_pressure(x, pressure);
   } else {
     kernels::SurfaceJacobian Ke;

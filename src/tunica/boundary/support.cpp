@@ -48,6 +48,13 @@ void Support::add(const Surroundings& s, const fields::Face& face, assembly::Nod
   K->add(face, Ke);
 }
 
+std::vector<Vec3> Support::sprung_directions(const fields::FieldMesh& mesh,
+                                             const fields::Face& face) const {
+  if (stiffness_ == 0.0) return {};
+  if (!is_normal_) return {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  return {unit(kernels::area_normal(assembly::gather(mesh.x, face.nodes)))};
+}
+
 std::array<double, 5> Support::sums_of(const Surroundings& s, const fields::Face& face) const {
   const Bed bed = bed_of(s, face, is_normal_);
   const auto d = assembly::gather(*s.u, face.nodes), v = assembly::gather(*s.w, face.nodes);

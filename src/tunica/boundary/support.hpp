@@ -18,6 +18,8 @@ public:
 
   void add(const Surroundings& s, const fields::Face& face, assembly::NodalResidual& R,
            assembly::BlockAssembler* K) const override;
+  std::vector<Vec3> sprung_directions(const fields::FieldMesh& mesh,
+                                      const fields::Face& face) const override;
   /// support_energy_SURFACE: ½ ∫ k d·P d dA; support_power_SURFACE: ∫ c v·P v dA;
   /// support_force_SURFACE: of the tissue on the wall [mN].
   void observe_whole(const Surroundings& s, std::map<std::string, double>& found) const override;

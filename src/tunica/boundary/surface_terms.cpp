@@ -102,6 +102,14 @@ bool SurfaceTerms::has_held_directions(int surface) const {
                      [](const auto& term) { return !term->held_directions().empty(); });
 }
 
+std::vector<Vec3> SurfaceTerms::sprung_directions(const fields::FieldMesh& mesh,
+                                                  const fields::Face& face) const {
+  std::vector<Vec3> all;
+  for (const auto& term : terms_[face.surface])
+    for (const Vec3& v : term->sprung_directions(mesh, face)) all.push_back(v);
+  return all;
+}
+
 Vec3 SurfaceTerms::free_part(int surface, const Vec3& v) const {
   assembly::Constraints fixed(1);
   for (int i = 0; i < 3; ++i)

@@ -24,6 +24,9 @@ public:
   bool keeps_place(int surface) const;
   bool moves_as_one(int surface) const;
   bool has_held_directions(int surface) const;
+  /// Directions along which springs of the face's surface resist a displacement.
+  std::vector<Vec3> sprung_directions(const fields::FieldMesh& mesh,
+                                      const fields::Face& face) const;
   /// The part of v along which the vector unknown is free there.
   Vec3 free_part(int surface, const Vec3& v) const;
   bool is_interface(int surface) const { return has_condition(surface, interface_condition); }

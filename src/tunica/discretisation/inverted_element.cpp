@@ -8,30 +8,36 @@
 
 namespace tunica::discretisation {
 
+NamedElement least_element(const fields::FieldMesh& mesh, double value, int element) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double badness = element < 0 ? infinity : std::isnan(value) ? -infinity : value;
+  const double worst = global_min(*mesh.comm, badness);
+  const int rank = mesh.comm->getRank();
+  const bool may_speak = element >= 0 && badness == worst;
+  const double speaker = global_min(*mesh.comm, may_speak ? rank : mesh.comm->getSize());
+  std::vector<double> told(6, 0.0);  // centre, value, number, region
+  if (rank == static_cast<int>(speaker)) {
+    for (const int a : mesh.tets[element])
+      for (int i = 0; i < 3; ++i) told[i] += 0.25 * mesh.x[a][i];
+    told[3] = value;
+    told[4] = static_cast<double>(mesh.tet_number[element]);
+    told[5] = mesh.region[element];
+  }
+  told = global_sum(*mesh.comm, told);
+  std::ostringstream text;
+  text << "element " << static_cast<long long>(told[4]) << " of \""
+       << mesh.regions[static_cast<std::size_t>(told[5])] << "\" at (" << told[0] << ", " << told[1]
+       << ", " << told[2] << ") of the undeformed mesh";
+  return {text.str(), told[3]};
+}
+
 Outcome check_inversion(const fields::FieldMesh& mesh, double smallest, int element,
                         const std::string& measure) {
   const bool is_fine = element < 0 || smallest > 0.0;  // false for NaN too
   if (all_agree(*mesh.comm, is_fine)) return Outcome::success();
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double badness = is_fine ? infinity : std::isnan(smallest) ? -infinity : smallest;
-  const double worst = global_min(*mesh.comm, badness);
-  const int rank = mesh.comm->getRank();
-  const double speaker =
-      global_min(*mesh.comm, !is_fine && badness == worst ? rank : mesh.comm->getSize());
-  Vec3 centre{};
-  double value = 0.0, number = 0.0;
-  if (rank == static_cast<int>(speaker)) {
-    for (const int a : mesh.tets[element]) centre += 0.25 * mesh.x[a];
-    value = smallest;
-    number = static_cast<double>(mesh.tet_number[element]);
-  }
-  for (double& c : centre) c = global_sum(*mesh.comm, c);
-  value = global_sum(*mesh.comm, value);
-  number = global_sum(*mesh.comm, number);
+  const NamedElement worst = least_element(mesh, smallest, is_fine ? -1 : element);
   std::ostringstream text;
-  text << "element " << static_cast<long long>(number) << " at (" << centre[0] << ", " << centre[1]
-       << ", " << centre[2] << ") of the undeformed mesh is inverted (" << measure << " = " << value
-       << ")";
+  text << worst.name << " is inverted (" << measure << " = " << worst.value << ")";
   return Outcome::failure(text.str());
 }
 

@@ -7,6 +7,15 @@
 
 namespace tunica::discretisation {
 
+/// An element as messages name it, with its region and its middle.
+struct NamedElement {
+  std::string name;
+  double value;
+};
+/// That of the least value over all ranks, or of one that is not a number. value and element are
+/// the calling rank's (-1: none). Collective; the same on all ranks.
+NamedElement least_element(const fields::FieldMesh& mesh, double value, int element);
+
 /// Fails where an element is inverted, and names the worst one over all ranks. smallest and element
 /// are the calling rank's smallest determinant (or volume) and its local element (-1: none).
 /// measure: what smallest is, "det F". Collective; the same on all ranks.

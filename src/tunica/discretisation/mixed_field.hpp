@@ -48,7 +48,7 @@ public:
   /// What is prescribed, per local node.
   const assembly::Constraints& constraints() const { return fixed_; }
   /// What is remembered on elements, by name.
-  std::map<std::string, fields::Restartable*> element_histories();
+  virtual std::map<std::string, fields::Restartable*> element_histories();
   /// Accepts x as the state of the new time. Collective.
   void end_step(const algebra::BlockVector& x);
   /// What is remembered beside x, and not on elements.

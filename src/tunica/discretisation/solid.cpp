@@ -30,13 +30,12 @@ Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
                         stepping::make_wall_scheme(list),
                         mesh_of_pressures(solid_options(list), mesh),
                         true}),
-      options_(solid_options(list)), nodal_force_(mesh.n_owned) {
+      options_(solid_options(list)), prestretch_(mesh, [this] { follow_prestretch(); }),
+      nodal_force_(mesh.n_owned) {
   local_.r.assign(mesh.n_nodes(), Vec3{});
   local_.d.resize(mesh.n_nodes());
   past_.resize(mesh.n_nodes());
-  d_.resize(mesh.n_nodes());
   v_.resize(mesh.n_nodes());
-  from_stress_free_.resize(mesh.n_nodes());
   local_.p.resize(scalar_mesh().n_nodes());
   set_elements();
   if (!options_.has_doubled_pressure)
@@ -59,7 +58,7 @@ void Solid::set_elements() {
     const auto found = std::find(mesh_->regions.begin(), mesh_->regions.end(), layer.region);
     layer_of_region[found - mesh_->regions.begin()] = static_cast<std::int16_t>(l);
   }
-  elements_.geometry = assembly::ElementGeometry(*mesh_, mesh_->x);
+  elements_.geometry = assembly::ElementGeometry(*mesh_, mesh_->x, prestretch_.values());
   elements_.layer_number.reserve(mesh_->tets.size());
   for (const int region : mesh_->region) elements_.layer_number.push_back(layer_of_region[region]);
   elements_.tau.resize(mesh_->tets.size());
@@ -82,21 +81,29 @@ materials::Frame pulled_back(const materials::Frame& frame, const Mat3& F) {
 
 }  // namespace
 
-Outcome Solid::set_stress_free(const std::vector<Vec3>& from_stress_free) {
-  std::vector<Vec3> X(mesh_->x);
-  for (std::size_t a = 0; a < X.size(); ++a) X[a] += -1.0 * from_stress_free[a];
-  const Outcome outcome = check_volumes(*mesh_, assembly::ElementGeometry(*mesh_, X));
-  if (outcome.is_failure()) return outcome.at("the wall where it is free of stress");
-  stress_free_position_ = std::move(X);
-  elements_.geometry = assembly::ElementGeometry(*mesh_, stress_free_position_);
-  from_stress_free_ = from_stress_free;
-  for (std::size_t e = 0; e < frames_.size(); ++e) {
-    const auto F = kernels::deformation_gradient(
-        elements_.geometry[e], assembly::gather(from_stress_free_, mesh_->tets[e]));
-    elements_.frames[e] = pulled_back(frames_[e], F);
+Outcome Solid::set_prestretch(std::vector<Mat3> G) {
+  double smallest = 1.0;
+  int worst = -1;
+  for (std::size_t e = 0; e < G.size(); ++e) {
+    const double J = det(G[e]);
+    if (worst >= 0 && J >= smallest) continue;
+    smallest = J;
+    worst = static_cast<int>(e);
+    if (std::isnan(J)) break;
   }
-  unit_inertia_ = -1.0;  // stabilisation follows the size of elements
+  const Outcome outcome = check_inversion(*mesh_, smallest, worst, "det G");
+  if (outcome.is_failure()) return outcome.at("the wall where it is free of stress");
+  prestretch_.set(std::move(G));
+  follow_prestretch();
   return Outcome::success();
+}
+
+void Solid::follow_prestretch() {
+  for (std::size_t e = 0; e < frames_.size(); ++e)
+    elements_.frames[e] = prestretch_.values().empty()
+                              ? frames_[e]
+                              : pulled_back(frames_[e], prestretch_.values()[e]);
+  unit_inertia_ = -1.0;  // stabilisation follows the size of elements
 }
 
 void Solid::set_coefficients() {
@@ -131,8 +138,7 @@ bool Solid::is_nearly_incompressible(std::size_t element) const {
 
 void Solid::set_inertia_history() {
   for (int a = 0; a < mesh_->n_nodes(); ++a) {
-    // α d − r = α D − (r + α (x − X))
-    local_.r[a] = scheme_->inertia_load(history_, a) + scheme_->inertia(1.0) * from_stress_free_[a];
+    local_.r[a] = scheme_->inertia_load(history_, a);
     if (body_force_) local_.r[a] += body_force_(mesh_->x[a], time_);
   }
   if (!subscales_) return;
@@ -168,11 +174,9 @@ void Solid::load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) con
 }
 
 void Solid::read(const algebra::BlockVector& x) {
-  d_ = fields::ghosted_vectors(*mesh_, x[0]);
-  for (std::size_t a = 0; a < v_.size(); ++a) {
-    v_[a] = scheme_->rate() * (d_[a] - past_[a]);  // v = (d − d̃)/Δt
-    local_.d[a] = d_[a] + from_stress_free_[a];
-  }
+  local_.d = fields::ghosted_vectors(*mesh_, x[0]);
+  for (std::size_t a = 0; a < v_.size(); ++a)
+    v_[a] = scheme_->rate() * (local_.d[a] - past_[a]);  // v = (d − d̃)/Δt
   local_.p = fields::ghosted_scalars(scalar_mesh(), x[1]);
 }
 
@@ -181,30 +185,31 @@ Outcome Solid::is_admissible() const {
   return check_inversion(*mesh_, worst.determinant, worst.element, "det F");
 }
 
-constexpr const char* stress_free_name = "displacement from the shape without stress";
+constexpr const char* prestress_name = "prestress";
 
 void Solid::save_history(fields::State& state) const {
   MixedField::save_history(state);
-  if (options_.has_prestress)
-    state.arrays[stress_free_name] = fields::rows_of(from_stress_free_, mesh_->n_owned);
+  if (options_.has_prestress) state.texts[prestress_name] = "prestretch of elements";
 }
 
 std::string Solid::restore_history(const fields::State& state, const algebra::BlockVector& x) {
-  TUNICA_CHECK(state.has_array(stress_free_name) == options_.has_prestress,
+  TUNICA_CHECK((state.texts.count(prestress_name) > 0) == options_.has_prestress,
                std::string("Wall / Prestress: the state that the run goes on from has ") +
                    (options_.has_prestress ? "none" : "one") +
                    ". A run goes on with the prestress it began with.");
-  if (options_.has_prestress) {
-    const Outcome outcome =
-        set_stress_free(fields::ghosted_rows(state.array(stress_free_name, 3), *mesh_));
-    TUNICA_CHECK(outcome.is_success(), outcome.reason());
-  }
   return MixedField::restore_history(state, x);
+}
+
+std::map<std::string, fields::Restartable*> Solid::element_histories() {
+  auto all = MixedField::element_histories();
+  if (options_.has_prestress) all.emplace("prestretch", &prestretch_);
+  return all;
 }
 
 void Solid::assemble(assembly::BlockAssembler* K) {
   R_.set_zero();
   assembly::assemble_solid(*mesh_, elements_, local_, R_, K);
+  if (K != nullptr && stays_on_mesh_) assembly::assemble_prestretch(*mesh_, elements_, local_, *K);
   surfaces_.add(surroundings(), R_, K);
   for (int a = 0; a < mesh_->n_owned; ++a) R_.u[a] += -1.0 * nodal_force_[a];
 }

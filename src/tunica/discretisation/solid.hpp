@@ -5,17 +5,18 @@
 #include "tunica/base/outcome.hpp"
 #include "tunica/discretisation/mixed_field.hpp"
 #include "tunica/discretisation/observable.hpp"
+#include "tunica/discretisation/prestretch.hpp"
 #include "tunica/discretisation/solid_options.hpp"
 
 namespace tunica::discretisation {
 
 /// The wall in a time step: displacement and pressure. Loads are those of its surfaces and nodal
 /// forces from the fluid. Starts at rest where its mesh lies, which is free of stress unless
-/// set_stress_free() says otherwise:
+/// set_prestretch() says otherwise:
 ///
-///   D = d + (x − X)      X  position free of stress      x  position in the mesh      mm
+///   F = (I + ∇d) G      G  per element, from where it is free of stress to the mesh
 ///
-/// Elements see the displacement D from X; unknown is d, the one from the mesh.
+/// Unknown is d, the displacement from the mesh; see assembly::ElementGeometry.
 class Solid final : public MixedField {
 public:
   /// list: the resolved "Wall" list; frames: of the fibres, one per local element, or none. mesh
@@ -24,12 +25,15 @@ public:
         std::vector<materials::Frame> frames);
   ~Solid() override;
 
-  /// The wall is free of stress where local nodes lie at X = x − from_stress_free [mm]. Fibres lie
-  /// along the same lines of material as before. Fails where an element would be inverted.
-  /// Collective.
-  Outcome set_stress_free(const std::vector<Vec3>& from_stress_free);
-  /// x − X of local nodes; zero where the mesh is free of stress [mm].
-  const std::vector<Vec3>& from_stress_free() const { return from_stress_free_; }
+  /// G of all local elements. Fibres lie along the same lines of material as before. Fails where
+  /// det G is not positive. Collective.
+  Outcome set_prestretch(std::vector<Mat3> G);
+  /// Empty where the mesh is free of stress.
+  const std::vector<Mat3>& prestretch() const { return prestretch_.values(); }
+  /// From now on Jacobians are those by s in G ← (I + ∇s) G, of a wall that stays on its mesh.
+  void stay_on_mesh() { stays_on_mesh_ = true; }
+  /// Of the fibres, in the mesh.
+  const std::vector<materials::Frame>& frames() const { return frames_; }
 
   void begin_step(const stepping::Clock& clock);
   /// Gives x the prescribed displacements. Collective.
@@ -59,6 +63,7 @@ public:
   // Discretisation
   void save_history(fields::State& state) const override;
   std::string restore_history(const fields::State& state, const algebra::BlockVector& x) override;
+  std::map<std::string, fields::Restartable*> element_histories() override;
 
   // NamedOperators: the parts of the paper's Schur complement
   std::vector<std::string> operator_names() const override;
@@ -66,6 +71,7 @@ public:
 
 private:
   void set_elements();
+  void follow_prestretch();
   void set_coefficients();
   void set_inertia_history();
   /// Its subscale has inertia, where subscales have.
@@ -79,7 +85,7 @@ private:
   /// Forces on all surfaces that hold the wall, this rank's part.
   std::vector<Vec3> reaction_forces(const algebra::BlockVector& x);
   boundary::Surroundings surroundings() const override {
-    return {mesh_, &mesh_->x, &mesh_->x, &d_, &v_, 0.0, time_};
+    return {mesh_, &mesh_->x, &mesh_->x, &local_.d, &v_, 0.0, time_, nullptr, 0.0, 0.0, !stays_on_mesh_};
   }
   void read(const algebra::BlockVector& x) override;
   Outcome is_admissible() const override;
@@ -94,16 +100,16 @@ private:
 
   ElementHistory* subscales_ = nullptr;  ///< null where they have no inertia
   double unit_inertia_ = -1.0;           ///< of the coefficients: the scheme's for unit density
-  assembly::SolidFields local_;          ///< D and pressure of the point of evaluation
-  std::vector<Vec3> d_, v_;              ///< displacement from the mesh there, and velocity
+  assembly::SolidFields local_;          ///< of the point of evaluation
+  std::vector<Vec3> v_;                  ///< velocity there
   std::vector<Vec3> past_;               ///< of the displacement, local nodes
-  std::vector<Vec3> from_stress_free_;
-  std::vector<Vec3> stress_free_position_;  ///< X; empty where it is that of the mesh
-  std::vector<materials::Frame> frames_;    ///< in the mesh; those of the elements are where it is
-                                            ///< free of stress
+  Prestretch prestretch_;
+  std::vector<materials::Frame> frames_;  ///< in the mesh; those of the elements are where they are
+                                          ///< free of stress
   std::vector<Vec3> nodal_force_;
   boundary::VectorField body_force_;
   double time_ = 0.0;
+  bool stays_on_mesh_ = false;
 };
 
 /// True where a layer of the wall has fibres, which need frames.

@@ -46,9 +46,7 @@ Observables Solid::observe(const algebra::BlockVector& x) const {
     s.high_pressure = std::max(s.high_pressure, p[a]);
   }
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
-    auto de = assembly::gather(d, mesh_->tets[e]);
-    const auto before = assembly::gather(from_stress_free_, mesh_->tets[e]);
-    for (int a = 0; a < 4; ++a) de[a] += before[a];  // D
+    const auto de = elements_.displacement(e, assembly::gather(d, mesh_->tets[e]));
     const kernels::Tet4 T = elements_.geometry[e];
     const double J = kernels::solid_jacobian_determinant(T, de);
     s.low_J = std::min(s.low_J, J);

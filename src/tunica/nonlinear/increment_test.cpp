@@ -60,6 +60,7 @@ NOX::StatusTest::StatusType IncrementTest::judge(const NOX::Solver::Generic& sol
     reason << "the increment is not a number";
   } else if (!step.linear.is_converged) {
     reason << linear::describe_unconverged(step.linear);
+    report_->is_linear_failure = true;
   } else if (part * step.relative_increment <= options_.relative_increment ||
              part * step.increment <= options_.absolute_increment) {
     return NOX::StatusTest::Converged;

@@ -152,6 +152,7 @@ NewtonReport try_newton(NonlinearProblem& problem, const NewtonOptions& options,
     report.reason = std::string(message) == "NOX Error" ? gave_up(options, log) : message;
   } catch (const linear::SetupFailure& error) {
     report.reason = error.what();
+    report.is_linear_failure = true;
   } catch (const std::runtime_error& error) {  // its successors in an exception
     if (std::string(error.what()) != "NOX Error") throw;
     report.reason = gave_up(options, log);

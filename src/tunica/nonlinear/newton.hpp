@@ -78,6 +78,7 @@ struct NewtonReport {
   std::string reason;             ///< why not
   std::vector<NewtonStep> steps;  ///< all, also those of attempts that were given up
   int earlier_steps = 0;          ///< of them, before the last attempt
+  bool is_linear_failure = false;  ///< the linear solver gave up, or could not be set up
 
   /// Puts the steps of an earlier attempt before.
   void comes_after(const NewtonReport& earlier);

@@ -6,31 +6,61 @@
 
 namespace tunica::problems {
 
-/// A vessel is imaged under pressure, and its mesh is not free of stress. Sought is the shape X
-/// without stress which the loads of the wall and a pressure p in the lumen deform to the mesh x:
+/// A vessel is imaged under pressure, and its mesh is not free of stress. Sought is the prestretch
+/// G of its elements, det G > 0, with which the wall is in balance where it was imaged, under a
+/// pressure p in the lumen and the loads that it has at the start:
 ///
-///   X + d(X) = x,   d(X): equilibrium of the wall that is free of stress in X
+///   R(G, p) = 0,     K s = −R,     K the derivative by s in G ← (I + ∇s) G
 ///
-/// By the fixed point X ← X − (X + d(X) − x), whose error falls by the size of the strain in each
-/// iteration, and faster with what the last ones have changed; the pressure is raised in steps.
-/// Works with any law, as each iteration is an equilibrium as any other. Source: [Se11].
+/// By one of two methods, which differ in what they make of the steps s on the nodes:
+///
+///   "deformation gradient"   G ← exp(∇s) G, increments of a gradient [Ge10]
+///   "stress-free shape"      G = ∂x/∂X, X ← X − s, of the shape X without stress [Se11]
+///
+/// There is no such shape where a soft wall has a sharp fork. All loads are raised in increments;
+/// at all of them the steps are accelerated, until they are short. Springs of the tissue are at
+/// rest in the mesh, and the wall bears the loads alone.
 struct Prestress {
-  std::vector<Vec3> from_stress_free;  ///< x − X on owned nodes [mm]
-  algebra::BlockVector state;          ///< no displacement, and the pressure that bears the load
+  std::vector<Mat3> prestretch;  ///< of local elements; empty: the identity
+  algebra::BlockVector state;    ///< no displacement, and the pressure that bears the load
 };
 
-/// One of its iterations.
+/// How far the search has come.
+struct PrestressPoint {
+  double load = 0.0;  ///< part of the loads that is borne
+  double step = 0.0;  ///< by which it is raised next; 0: as the case says
+  int load_step = 0;
+  std::vector<Vec3> shape{};  ///< x − X on owned nodes [mm], where a shape is sought
+};
+
+/// A step of Newton's method.
 struct PrestressIteration {
   int load_step, iteration;
-  double load;     ///< part of the pressure
-  double moved;    ///< largest displacement from the mesh [mm]
-  double largest;  ///< |x − X| [mm]
+  double load;           ///< part of the loads
+  int linear;            ///< iterations of the linear solver
+  double moved;          ///< the largest step [mm]
+  double goal;           ///< of it [mm]; 0 where another load follows
+  double residual;       ///< what is out of balance, in parts of what was before
+  double least, most;    ///< det G
+  double seconds;        ///< it took
+  std::string reason{};  ///< why it was given up; empty where it was not
 };
 
-/// list: the resolved "Wall" list; wall: on the mesh, gives its fibres. Fails where an equilibrium
-/// is not found, X is inverted somewhere, or the iteration does not end. Collective.
+/// What looks on.
+struct PrestressWatch {
+  /// After each step.
+  std::function<void(const PrestressIteration&)> report = [](const auto&) {};
+  /// After each that was taken, with all that a search needs to go on there. False ends the search
+  /// as a failure with the reason "stopped". Collective.
+  std::function<bool(const PrestressPoint&, const Prestress&)> goes_on =
+      [](const auto&, const auto&) { return true; };
+};
+
+/// list: the resolved "Wall" list; wall: on the mesh, gives its fibres, and where an earlier search
+/// stood at the point its prestretch and pressure. Fails where no step leaves less out of balance,
+/// however small the increment, or the steps do not get short. Collective.
 Result<Prestress> find_prestress(const Teuchos::ParameterList& list, const SolidProblem& wall,
-                                 const std::function<void(const PrestressIteration&)>& report);
+                                 const PrestressWatch& watch, const PrestressPoint& from = {});
 
 /// True where the "Wall" list asks for it.
 bool wants_prestress(const Teuchos::ParameterList& list);

@@ -32,12 +32,6 @@ nonlinear::NewtonReport SolidProblem::solve() {
   return find_state();
 }
 
-Outcome SolidProblem::set_stress_free(const std::vector<Vec3>& from_stress_free) {
-  Vector owned(mesh().vector_map);
-  fields::store(from_stress_free, mesh(), owned);
-  return wall_->set_stress_free(fields::ghosted_vectors(mesh(), owned));
-}
-
 /// Of the linearised wall, which is an estimate: a solver that stops short of its goal is no reason
 /// to end a run.
 constexpr double usable_residual = 1e-2;

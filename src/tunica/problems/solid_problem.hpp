@@ -18,10 +18,12 @@ public:
   SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
                std::vector<materials::Frame> frames);
 
-  /// discretisation::Solid::from_stress_free().
-  const std::vector<Vec3>& from_stress_free() const { return wall_->from_stress_free(); }
-  /// discretisation::Solid::set_stress_free(), on owned nodes. Collective.
-  Outcome set_stress_free(const std::vector<Vec3>& from_stress_free);
+  /// discretisation::Solid::prestretch().
+  const std::vector<Mat3>& prestretch() const { return wall_->prestretch(); }
+  /// discretisation::Solid::set_prestretch(). Collective.
+  Outcome set_prestretch(std::vector<Mat3> G) { return wall_->set_prestretch(std::move(G)); }
+  /// discretisation::Solid::stay_on_mesh().
+  void stay_on_mesh() { wall_->stay_on_mesh(); }
   void begin_step(const stepping::Clock& clock) {
     forget_solves();
     wall_->begin_step(clock);
@@ -46,6 +48,8 @@ public:
   std::vector<Vec3> displacement() const;  ///< of owned nodes [mm]
   std::vector<Vec3> velocity() const;      ///< of owned nodes, of the last accepted step [mm/ms]
   const assembly::SolidElements& elements() const { return wall_->elements(); }
+  /// Of the fibres in the mesh.
+  const std::vector<materials::Frame>& frames() const { return wall_->frames(); }
   /// discretisation::Solid::pressure_parts().
   std::vector<int> pressure_parts() const { return wall_->pressure_parts(); }
   /// True where nodes of the surface move as one.

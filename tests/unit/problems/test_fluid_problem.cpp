@@ -272,7 +272,7 @@ TEUCHOS_UNIT_TEST(check_inversion, the_most_inverted_element_of_all_ranks_is_cho
   TEST_ASSERT(text.find("(det F = -5)") != std::string::npos);
   const double mine = rank == last ? tube.fluid.tet_number[0] : 0.0;
   const int number = static_cast<int>(global_sum(*test::world(), mine));
-  TEST_ASSERT(text.find("element " + std::to_string(number) + " at") == 0);
+  TEST_ASSERT(text.find("element " + std::to_string(number) + " of \"") == 0);
 }
 
 TEUCHOS_UNIT_TEST(check_inversion, what_is_no_number_is_inverted) {

@@ -57,13 +57,15 @@ Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<V
 }
 
 VolumeChange volume_change(const fields::FieldMesh& mesh, const assembly::ElementGeometry& geometry,
-                           const std::vector<Vec3>& D) {
+                           const std::vector<Vec3>& d) {
   VolumeChange change;
   double least = std::numeric_limits<double>::infinity();  // −|ln J|
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
-    const auto nodes = mesh.tets[e];
-    const double J = kernels::solid_jacobian_determinant(geometry[e], assembly::gather(D, nodes));
+    const auto& nodes = mesh.tets[e];
+    auto D = geometry.from_stress_free(e);
+    for (int a = 0; a < 4; ++a) D[a] += d[nodes[a]];
+    const double J = kernels::solid_jacobian_determinant(geometry[e], D);
     ++change.all;
     if (J < 0.9 || J > 1.1) ++change.beyond;
     if (-std::abs(std::log(J)) >= least) continue;
@@ -78,9 +80,8 @@ VolumeChange volume_change(const fields::FieldMesh& mesh, const assembly::Elemen
 }
 
 VolumeChange volume_change(const problems::SolidProblem& wall) {
-  std::vector<Vec3> D = fields::ghosted_vectors(wall.mesh(), wall.state()["displacement"]);
-  for (std::size_t a = 0; a < D.size(); ++a) D[a] += wall.from_stress_free()[a];
-  return volume_change(wall.mesh(), wall.elements().geometry, D);
+  const std::vector<Vec3> d = fields::ghosted_vectors(wall.mesh(), wall.state()["displacement"]);
+  return volume_change(wall.mesh(), wall.elements().geometry, d);
 }
 
 Watch::Watch(const Teuchos::ParameterList& list) {

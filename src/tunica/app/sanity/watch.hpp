@@ -26,10 +26,10 @@ struct VolumeChange {
   long long beyond = 0, all = 0;
   Vec3 place{};
 };
-/// geometry: where the wall is free of stress. D: displacement from there, at local nodes [mm].
-/// Collective.
+/// geometry: where the wall is free of stress. d: displacement from the positions of its vertices,
+/// at local nodes [mm]. Collective.
 VolumeChange volume_change(const fields::FieldMesh& mesh, const assembly::ElementGeometry& geometry,
-                           const std::vector<Vec3>& D);
+                           const std::vector<Vec3>& d);
 VolumeChange volume_change(const problems::SolidProblem& wall);
 
 /// What a run says while it goes on, each thing once: a wall that does not keep its volume, flow

@@ -89,7 +89,7 @@ void KrylovSolver::refresh(SolveReport& report) {
   const Teuchos::RCP<const Operator> inverse = system_->preconditioner();
   if (!inverse.is_null())
     augmented_.refresh_inverse(inverse, [&](const Vector& w, Vector& z) {
-      solve_krylov(gcr, system_->matrix(), inverse, w, z, 1e-2);
+      solve_krylov(gcr, system_->matrix(), inverse, w, z, 0.1);
     });
   is_behind_ = false;
   report.setup_seconds += watch.seconds();

@@ -1,0 +1,35 @@
+#pragma once
+#include "tunica/base/outcome.hpp"
+#include "tunica/problems/solid_problem.hpp"
+
+namespace tunica::problems {
+
+/// What is out of balance in a wall that lies where its mesh does, under a part of the pressure in
+/// its lumen and of the loads that it has at the start:
+///
+///   R(G, p)      G  prestretch of its elements, p  pressure
+///
+/// with Newton's step by s in G ← (I + ∇s) G. Springs of the tissue, which are at rest, add nothing
+/// to R; a small part of their stiffness is in the Jacobian, so that it is regular where they alone
+/// hold the wall.
+class PrestressBalance {
+public:
+  /// list: the resolved "Wall" list. Throws Error where a surface is displaced at the start.
+  /// Collective.
+  PrestressBalance(const Teuchos::ParameterList& list, const SolidProblem& wall);
+
+  /// R at this part of the loads; state: no displacement, and p. Collective.
+  Outcome residual(double load, const algebra::BlockVector& state, algebra::BlockVector& R);
+  /// The Jacobian of the last residual() times dx is R, to the tolerance of the case; the
+  /// iterations that it took. Fails where the linear solver comes nowhere near. Collective.
+  Result<int> solve(const algebra::BlockVector& R, algebra::BlockVector& dx);
+
+  /// Takes the prestretch.
+  SolidProblem& wall() { return wall_; }
+
+private:
+  SolidProblem wall_;
+  double tolerance_;
+};
+
+}  // namespace tunica::problems

@@ -1,0 +1,345 @@
+#include "tunica/problems/prestress_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "tunica/algebra/least_squares.hpp"
+#include "tunica/assembly/gather.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/base/timer.hpp"
+#include "tunica/discretisation/inverted_element.hpp"
+#include "tunica/kernels/deformation.hpp"
+#include "tunica/kernels/wall_stress.hpp"
+#include "tunica/problems/surface_radius.hpp"
+
+namespace tunica::problems {
+
+namespace {
+
+std::vector<double> numbers(const std::vector<Vec3>& values) {
+  std::vector<double> all;
+  for (const Vec3& v : values) all.insert(all.end(), v.begin(), v.end());
+  return all;
+}
+
+double largest(const std::vector<Vec3>& values, const Comm& comm) {
+  double mine = 0.0;
+  for (const Vec3& v : values) mine = std::max(mine, norm(v));
+  return global_max(comm, mine);
+}
+
+std::vector<Vec3> with_ghosts(const std::vector<Vec3>& values, const fields::FieldMesh& mesh) {
+  Vector owned(mesh.vector_map);
+  fields::store(values, mesh, owned);
+  return fields::ghosted_vectors(mesh, owned);
+}
+
+Mat3 product(const Mat3& A, const Mat3& B) {
+  const Mat3 Bt = transpose(B);
+  Mat3 C;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) C[i][j] = dot(A[i], Bt[j]);
+  return C;
+}
+
+}  // namespace
+
+std::vector<Vec3> StepAcceleration::step(const Comm& comm, const std::vector<Vec3>& left) {
+  constexpr std::size_t most = 10;
+  constexpr double filter = 0.05;  // equilibria are as accurate as that
+  const std::vector<double> r = numbers(left);
+  std::vector<double> s(r);
+  if (!last_r_.empty()) {
+    std::vector<double> change(r);
+    for (std::size_t i = 0; i < r.size(); ++i) change[i] -= last_r_[i];
+    of_r_.push_front(std::move(change));
+    of_s_.push_front(last_s_);
+  }
+  if (of_r_.size() > most) {
+    of_r_.pop_back();
+    of_s_.pop_back();
+  }
+  const auto fit = algebra::solve_least_squares(comm, of_r_, r, filter);
+  for (std::size_t j = 0; j < of_r_.size(); ++j)
+    for (std::size_t i = 0; i < s.size(); ++i)
+      s[i] -= fit.coefficients[j] * (of_s_[j][i] + of_r_[j][i]);
+  last_r_ = r;
+  last_s_ = s;
+  std::vector<Vec3> step(left.size());
+  for (std::size_t i = 0; i < s.size(); ++i) step[i / 3][i % 3] = s[i];
+  return step;
+}
+
+namespace {
+
+/// f(∇s) of each element, s on owned nodes.
+template <class Function>
+std::vector<Mat3> of_gradients(const std::vector<Vec3>& s, const fields::FieldMesh& mesh,
+                               const Function& f) {
+  const std::vector<Vec3> all = with_ghosts(s, mesh);
+  const assembly::ElementGeometry geometry(mesh, mesh.x);
+  std::vector<Mat3> values(mesh.tets.size());
+  for (std::size_t e = 0; e < values.size(); ++e)
+    values[e] = f(kernels::gradient(geometry[e], assembly::gather(all, mesh.tets[e])));
+  return values;
+}
+
+/// By halves and Taylor's series.
+Mat3 exponential(const Mat3& A) {
+  double size = 0.0;
+  for (const Vec3& row : A) size += dot(row, row);
+  int halves = 0;
+  for (size = std::sqrt(size); size > 0.25; size *= 0.5) ++halves;
+  const double scale = std::ldexp(1.0, -halves);
+  Mat3 sum = identity(), term = identity();
+  for (int k = 1; k <= 10; ++k) {
+    term = product(A, term);
+    for (Vec3& row : term) row = scale / k * row;
+    for (int i = 0; i < 3; ++i) sum[i] += term[i];
+  }
+  for (; halves > 0; --halves) sum = product(sum, sum);
+  return sum;
+}
+
+// G ← exp(∇s) G, which is (I + ∇s) G for short steps and inverts no element with long ones.
+class ByGradient final : public PrestressMethod {
+public:
+  explicit ByGradient(const fields::FieldMesh& mesh) : mesh_(&mesh) {}
+
+  std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s,
+                                     const std::vector<Mat3>& present) override {
+    std::vector<Mat3> G = of_gradients(s, *mesh_, exponential);
+    for (std::size_t e = 0; e < present.size(); ++e) G[e] = product(G[e], present[e]);
+    return G;
+  }
+
+private:
+  const fields::FieldMesh* mesh_;
+};
+
+// X ← X − s,  G⁻¹ = ∂X/∂x = I − ∇e,  e = x − X
+class ByShape final : public PrestressMethod {
+public:
+  explicit ByShape(const fields::FieldMesh& mesh) : mesh_(&mesh), kept_(mesh.n_owned) {}
+
+  std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s,
+                                     const std::vector<Mat3>& /*present*/) override {
+    next_ = kept_;
+    for (std::size_t a = 0; a < next_.size(); ++a) next_[a] += s[a];
+    return of_gradients(next_, *mesh_, [](const Mat3& gradient) {
+      Mat3 inverse = identity();
+      for (int i = 0; i < 3; ++i) inverse[i] += -1.0 * gradient[i];
+      Mat3 G = adjugate(inverse);
+      const double J = det(inverse);  // where it is not positive, det G is not
+      for (Vec3& row : G) row = 1.0 / J * row;
+      return G;
+    });
+  }
+  void keep() override { kept_ = next_; }
+  void begin_load() override { before_ = kept_; }
+  void undo_load() override { kept_ = before_; }
+  std::vector<Vec3> shape() const override { return kept_; }
+  void start_from(const std::vector<Vec3>& shape) override { kept_ = shape; }
+
+private:
+  const fields::FieldMesh* mesh_;
+  std::vector<Vec3> kept_, next_, before_;  ///< e on owned nodes [mm]
+};
+
+}  // namespace
+
+PrestressSearch::PrestressSearch(const Teuchos::ParameterList& list, const SolidProblem& wall,
+                                 const PrestressWatch& watch, const PrestressPoint& from)
+    : options_(&list.sublist("Prestress")), wall_(&wall), watch_(&watch),
+      balance_(list, wall), found_{{}, algebra::BlockVector(wall.space())} {
+  if (options_->get<std::string>("method") == "stress-free shape")
+    method_ = std::make_unique<ByShape>(wall.mesh());
+  else
+    method_ = std::make_unique<ByGradient>(wall.mesh());
+  if (from.load > 0.0) {
+    point_ = from;
+    method_->start_from(from.shape);
+    go_back_to({wall.prestretch(), wall.state()});
+  }
+  std::vector<int> surfaces;
+  for (const std::string& name : prestress_surfaces(list))
+    surfaces.push_back(wall.mesh().surface_index(name));
+  goal_ = options_->get<double>("tolerance") * surface_radius(wall.mesh(), surfaces);
+}
+
+// An increment that fails, and not for its linear systems, is halved; the next is longer where one
+// step was enough.
+
+Result<Prestress> PrestressSearch::run() {
+  const double first = 1.0 / options_->get<int>("load steps");
+  if (point_.step == 0.0) point_.step = first;
+  for (;;) {
+    const double done = point_.load, raised = done + point_.step;
+    const double load = raised > 1.0 - 1e-9 ? 1.0 : raised;
+    const Prestress before{found_.prestretch, algebra::BlockVector(wall_->space())};
+    algebra::BlockVector(before.state).assign(found_.state);
+    method_->begin_load();
+    ++point_.load_step;
+    const Verdict verdict = bear(load);
+    if (verdict.cause == Cause::none && load == 1.0) return std::move(found_);
+    if (verdict.cause == Cause::none) {
+      point_.step *= iterations_ == 1 ? 1.5 : iterations_ <= 3 ? 1.0 : 0.7;
+      continue;
+    }
+    const bool is_cut = verdict.cause == Cause::nonlinear && point_.step > first / 512.0;
+    if (!is_cut) return Result<Prestress>::failure(failure(load, verdict));
+    go_back_to(before);
+    method_->undo_load();
+    point_.load = done;
+    point_.step *= 0.5;
+  }
+}
+
+void PrestressSearch::go_back_to(const Prestress& point) {
+  found_.prestretch = point.prestretch;
+  found_.state["pressure"].assign(point.state["pressure"]);
+  const Outcome outcome = balance_.wall().set_prestretch(point.prestretch);
+  TUNICA_CHECK(outcome.is_success(), outcome.reason());
+}
+
+/// Steps in which what is left must have halved.
+constexpr int patience = 10;
+/// At most so many at a load that is not all of it.
+constexpr int most_on_the_way = 4;
+
+PrestressSearch::Verdict PrestressSearch::bear(double load) {
+  const int most = load < 1.0 ? most_on_the_way : options_->get<int>("max iterations");
+  acceleration_.forget();
+  std::vector<double> history;  // of what is left
+  for (int k = 1; k <= most; ++k) {
+    PrestressIteration now{};
+    now.load_step = point_.load_step;
+    now.iteration = iterations_ = k;
+    now.load = load;
+    now.goal = load == 1.0 ? goal_ : 0.0;
+    const Verdict verdict = iterate(now);
+    if (verdict.cause != Cause::none) return verdict;
+    point_.load = load;
+    point_.shape = method_->shape();
+    if (!watch_->goes_on(point_, found_)) return {Cause::stopped, "stopped"};
+    history.push_back(now.moved);
+    const bool is_on_its_way = now.residual < 0.3 || now.moved < 0.2 * history.front();
+    if (load < 1.0 ? is_on_its_way || k == most : now.moved <= now.goal) return {};
+    if (k > patience && now.moved > 0.5 * history[k - 1 - patience])
+      return {Cause::creeps, "steps do not get shorter than " + std::to_string(now.moved) + " mm"};
+  }
+  return {Cause::creeps, std::to_string(most) + " steps (\"max iterations\") are not enough"};
+}
+
+PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
+  const Stopwatch watch;
+  const Verdict verdict = improve(now);
+  note_prestretch(now);
+  now.seconds = watch.seconds();
+  now.reason = verdict.reason;
+  watch_->report(now);
+  return verdict;
+}
+
+// Newton's method, with the steps of acceleration where the load is all there.
+
+PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
+  algebra::BlockVector R(wall_->space()), dx(wall_->space());
+  const Outcome begun = balance_.residual(now.load, found_.state, R);
+  if (begun.is_failure()) return {Cause::nonlinear, begun.reason()};
+  const double before = R["displacement"].norm2();
+  const Result<int> solved = balance_.solve(R, dx);
+  if (solved.is_failure()) return {Cause::linear_solver, solved.reason()};
+  now.linear = solved.value();
+  std::vector<Vec3> step = fields::owned_vectors(wall_->mesh(), dx["displacement"]);
+  for (Vec3& s : step) s = -1.0 * s;
+  now.moved = largest(step, comm());
+  if (now.load == 1.0 && now.iteration > 1) {
+    const std::vector<Vec3> better = acceleration_.step(comm(), step);
+    if (largest(better, comm()) < 5.0 * now.moved && try_step(better, dx, 1.0, before, now))
+      return {};
+    acceleration_.forget();
+  }
+  for (double part = 1.0; part > 0.1; part *= 0.5) {
+    std::vector<Vec3> shorter(step);
+    for (Vec3& s : shorter) s = part * s;
+    if (try_step(shorter, dx, part, before, now)) return {};
+  }
+  const Outcome back = balance_.wall().set_prestretch(found_.prestretch);
+  TUNICA_CHECK(back.is_success(), back.reason());
+  if (now.goal > 0.0 && now.moved <= now.goal) return {};  // nothing is left but round-off
+  return {Cause::nonlinear, refusal_};
+}
+
+bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockVector& dx,
+                               double part, double before, PrestressIteration& now) {
+  algebra::BlockVector state(wall_->space()), R(wall_->space());
+  state.assign(found_.state);
+  state["pressure"].update(-part, dx["pressure"], 1.0);
+  std::vector<Mat3> G = method_->prestretch_after(s, found_.prestretch);
+  Outcome outcome = balance_.wall().set_prestretch(G);
+  if (outcome.is_success()) outcome = balance_.residual(now.load, state, R);
+  if (outcome.is_failure()) {
+    refusal_ = outcome.reason();
+    return false;
+  }
+  now.residual = R["displacement"].norm2() / before;
+  if (!(now.residual < 1.0)) {  // nor where it is not a number
+    refusal_ = std::isfinite(now.residual) ? "no step leaves less out of balance"
+                                           : "stresses are beyond what the law can tell";
+    return false;
+  }
+  method_->keep();
+  found_.prestretch = std::move(G);
+  found_.state.assign(state);
+  return true;
+}
+
+void PrestressSearch::note_prestretch(PrestressIteration& now) const {
+  double least = 1.0, most = 1.0;
+  for (std::size_t e = 0; e < found_.prestretch.size(); ++e) {
+    const double J = det(found_.prestretch[e]);
+    least = e == 0 ? J : std::min(least, J);
+    most = e == 0 ? J : std::max(most, J);
+  }
+  now.least = global_min(comm(), least);
+  now.most = global_max(comm(), most);
+}
+
+std::string PrestressSearch::most_stretched() const {
+  double most = 0.0;
+  int element = -1;
+  for (std::size_t e = 0; e < found_.prestretch.size(); ++e) {
+    const double squared =
+        kernels::principal_values(kernels::right_cauchy_green(found_.prestretch[e])).front();
+    if (squared <= most) continue;
+    most = squared;
+    element = static_cast<int>(e);
+  }
+  const auto found = discretisation::least_element(wall_->mesh(), -most, element);
+  std::ostringstream text;
+  text << "Stretched most, by " << std::sqrt(-found.value) << ", is " << found.name;
+  return text.str();
+}
+
+std::string PrestressSearch::failure(double load, const Verdict& verdict) const {
+  if (verdict.cause == Cause::stopped) return verdict.reason;
+  const double pressure = options_->get<double>("pressure");
+  std::ostringstream text;
+  text << "the prestress, at " << load * pressure << " of " << pressure << " kPa: ";
+  if (verdict.cause == Cause::linear_solver)
+    text << "the linear solver gives up, whatever the wall may bear: ";
+  text << verdict.reason << ". ";
+  if (global_max(comm(), found_.prestretch.empty() ? 0.0 : 1.0) > 0.0) text << most_stretched();
+  text
+      << (verdict.cause == Cause::linear_solver
+              ? ". Take another preconditioner in Wall / Linear Solver, or method = direct"
+          : verdict.cause == Cause::creeps
+              ? ". Is it held firmly enough (support, clamped ends)? Or take a larger \"tolerance\""
+              : ". Is the wall too soft or too thin there for the pressure, or an element bad?");
+  return text.str();
+}
+
+}  // namespace tunica::problems

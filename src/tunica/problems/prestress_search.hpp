@@ -1,0 +1,84 @@
+#pragma once
+#include <deque>
+#include <memory>
+
+#include "tunica/problems/prestress.hpp"
+#include "tunica/problems/prestress_balance.hpp"
+
+namespace tunica::problems {
+
+/// Turns the displacements r that are left over, one after the other, into steps of less of them,
+/// from what the last steps s have changed:
+///
+///   s = r − Σ_j c_j (s_j + Δr_j),   c = argmin |r − Σ_j c_j Δr_j|      [DBV]
+class StepAcceleration {
+public:
+  std::vector<Vec3> step(const Comm& comm, const std::vector<Vec3>& r);
+  /// What comes next has nothing to do with what was.
+  void forget() { *this = {}; }
+
+private:
+  std::vector<double> last_r_, last_s_;
+  std::deque<std::vector<double>> of_r_, of_s_;  ///< newest first
+};
+
+/// What a method makes of the steps.
+class PrestressMethod {
+public:
+  virtual ~PrestressMethod() = default;
+  /// The prestretch after a step s, on owned nodes, from the present one. Collective.
+  virtual std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s,
+                                             const std::vector<Mat3>& present) = 0;
+  /// The last one stays.
+  virtual void keep() {}
+  /// A load step begins; or it was given up, and all goes back to where it began.
+  virtual void begin_load() {}
+  virtual void undo_load() {}
+  /// PrestressPoint::shape, and back.
+  virtual std::vector<Vec3> shape() const { return {}; }
+  virtual void start_from(const std::vector<Vec3>& /*shape*/) {}
+};
+
+/// The way from no load to all of it.
+class PrestressSearch {
+public:
+  /// What it refers to must outlive the object.
+  PrestressSearch(const Teuchos::ParameterList& list, const SolidProblem& wall,
+                  const PrestressWatch& watch, const PrestressPoint& from);
+  Result<Prestress> run();
+
+private:
+  /// Why a load was given up; what the answer depends on.
+  enum class Cause { none, linear_solver, nonlinear, creeps, stopped };
+  struct Verdict {
+    Cause cause = Cause::none;
+    std::string reason{};
+  };
+
+  Verdict bear(double load);
+  Verdict iterate(PrestressIteration& now);
+  Verdict improve(PrestressIteration& now);
+  /// Takes the step, and that part of the pressure's, where less is out of balance then than
+  /// before.
+  bool try_step(const std::vector<Vec3>& s, const algebra::BlockVector& dx, double part,
+                double before, PrestressIteration& now);
+  void go_back_to(const Prestress& point);
+  void note_prestretch(PrestressIteration& now) const;
+  std::string failure(double load, const Verdict& verdict) const;
+  std::string most_stretched() const;
+  const Comm& comm() const { return *wall_->mesh().comm; }
+
+  const Teuchos::ParameterList* options_;
+  const SolidProblem* wall_;
+  const PrestressWatch* watch_;
+  PrestressBalance balance_;
+  std::unique_ptr<PrestressMethod> method_;
+  StepAcceleration acceleration_;
+  Prestress found_;
+  PrestressPoint point_;
+  std::string refusal_;  ///< why the last step was not taken
+  double goal_;          ///< how far the wall may be off the mesh [mm]
+  int iterations_ = 0;   ///< at the last load
+};
+
+}  // namespace tunica::problems
