@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "tunica/base/fault_point.hpp"
+#include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/io/progress.hpp"
 
@@ -31,6 +32,15 @@ std::vector<std::string> coupling_columns(const std::vector<std::string>& fields
   return columns;
 }
 
+/// "fill 0 shift 0 radius 1.32 damping 1; …" of each level, the finest first.
+std::string smoothers_text(const multigrid::Levels& levels) {
+  std::string text;
+  for (const multigrid::SmootherState& s : levels.smoothers)
+    text += (text.empty() ? "" : "; ") + formatted("fill %d shift %g radius %.3g damping %.3g",
+                                                   s.fill, s.shift, s.radius, s.damping);
+  return text;
+}
+
 }  // namespace
 
 RunLog::RunLog(RunOutput& output, bool is_root, const std::vector<std::string>& fields,
@@ -47,7 +57,7 @@ RunLog::RunLog(RunOutput& output, bool is_root, const std::vector<std::string>& 
       linear_(output.folder.file("linear.csv"),
               {"step", "attempt", "coupling_iteration", "field", "newton_iteration", "method",
                "preconditioner", "iterations", "tolerance", "recurrence_residual", "true_residual",
-               "setup_seconds", "solve_seconds", "converged"},
+               "setup_seconds", "solve_seconds", "converged", "smoothers"},
               is_root, output.steps_done()) {}
 
 void RunLog::begin(const IterationIndex& index) {
@@ -68,7 +78,8 @@ void RunLog::newton(const std::string& field, const nonlinear::NewtonStep& s) {
 void RunLog::linear_row(const std::string& field, const linear::SolveReport& l) {
   linear_.row({index_.step, index_.attempt, index_.coupling_iteration, field, newton_steps_[field],
                l.method, l.preconditioner, l.iterations, l.tolerance, l.recurrence_residual,
-               l.true_residual, l.setup_seconds, l.solve_seconds, l.is_converged});
+               l.true_residual, l.setup_seconds, l.solve_seconds, l.is_converged,
+               smoothers_text(l.levels)});
   ++solves_[{field, l.preconditioner}];
 }
 

@@ -85,7 +85,8 @@ private:
   /// Forces on all surfaces that hold the wall, this rank's part.
   std::vector<Vec3> reaction_forces(const algebra::BlockVector& x);
   boundary::Surroundings surroundings() const override {
-    return {mesh_, &mesh_->x, &mesh_->x, &local_.d, &v_, 0.0, time_, nullptr, 0.0, 0.0, !stays_on_mesh_};
+    return {mesh_,   &mesh_->x, &mesh_->x, &local_.d,      &v_, 0.0, time_,
+            nullptr, 0.0,       0.0,       !stays_on_mesh_};
   }
   void read(const algebra::BlockVector& x) override;
   Outcome is_admissible() const override;

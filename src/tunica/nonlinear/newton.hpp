@@ -75,9 +75,9 @@ struct NewtonStep {
 
 struct NewtonReport {
   bool is_converged = false;
-  std::string reason;             ///< why not
-  std::vector<NewtonStep> steps;  ///< all, also those of attempts that were given up
-  int earlier_steps = 0;          ///< of them, before the last attempt
+  std::string reason;              ///< why not
+  std::vector<NewtonStep> steps;   ///< all, also those of attempts that were given up
+  int earlier_steps = 0;           ///< of them, before the last attempt
   bool is_linear_failure = false;  ///< the linear solver gave up, or could not be set up
 
   /// Puts the steps of an earlier attempt before.

@@ -134,7 +134,8 @@ TEUCHOS_UNIT_TEST(cycle, fill_that_one_bad_matrix_asked_for_is_given_up_again) {
   cycle.refresh();
   stretch(1.0);
   cycle.refresh();
-  TEST_COMPARE(distance_to_new(), >, 1e-5);  // it has the shift or the fill that the other asked for
+  TEST_COMPARE(distance_to_new(), >,
+               1e-5);  // it has the shift or the fill that the other asked for
   for (int again = 0; again < 32; ++again) cycle.refresh();
   TEST_COMPARE(distance_to_new(), <, 1e-9);
 }
