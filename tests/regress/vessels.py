@@ -99,7 +99,7 @@ def compares_smoothers(verdict, programs, folder):
             print(done.out + done.err)
             continue
         bounded, unbounded = table(folder / f"solvers-{ranks}" / "solvers.csv")["iterations"]
-        verdict.claim(bounded <= 16 and 1.5 * bounded <= unbounded,
+        verdict.claim(bounded <= 16 and 1.3 * bounded <= unbounded,
                       f"solvers, {ranks} ranks: {bounded:.0f} iterations, {unbounded:.0f} without bound")
 
 
