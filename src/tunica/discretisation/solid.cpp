@@ -81,7 +81,7 @@ materials::Frame pulled_back(const materials::Frame& frame, const Mat3& F) {
 
 }  // namespace
 
-Outcome Solid::set_prestretch(std::vector<Mat3> G) {
+Outcome Solid::change_prestretch(std::vector<Mat3> G, bool turns_fibres) {
   double smallest = 1.0;
   int worst = -1;
   for (std::size_t e = 0; e < G.size(); ++e) {
@@ -94,7 +94,8 @@ Outcome Solid::set_prestretch(std::vector<Mat3> G) {
   const Outcome outcome = check_inversion(*mesh_, smallest, worst, "det G");
   if (outcome.is_failure()) return outcome.at("the wall where it is free of stress");
   prestretch_.set(std::move(G));
-  follow_prestretch();
+  unit_inertia_ = -1.0;  // stabilisation follows the size of elements
+  if (turns_fibres) follow_prestretch();
   return Outcome::success();
 }
 

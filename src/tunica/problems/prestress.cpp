@@ -26,7 +26,9 @@ params::Table prestress_table() {
           "pressure", 0.0, params::any(), "kPa",
           "in the lumen of the vessel when it was imaged; 0: the mesh is free of stress. 80 mmHg "
           "are 10.67 kPa")
-      .names("surfaces", std::vector<std::string>{"interface"}, "that bear this pressure")
+      .names("surfaces", std::vector<std::string>{"interface"},
+             "that bear this pressure; pressures that the case itself gives them begin with the "
+             "run")
       .choice("method", "deformation gradient", {"deformation gradient", "stress-free shape"},
               "what is found: a deformation gradient for each element, which need not come from "
               "any shape; or that of a shape without stress, which soft forks do not have")

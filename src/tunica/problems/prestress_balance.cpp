@@ -1,6 +1,7 @@
 #include "tunica/problems/prestress_balance.hpp"
 
 #include <Teuchos_Array.hpp>
+#include <algorithm>
 
 #include "tunica/base/error.hpp"
 #include "tunica/boundary/registry.hpp"
@@ -43,10 +44,22 @@ void raise_loads(ParameterList& surfaces) {
   }
 }
 
+/// Those that the case gives the surfaces which bear the pressure of the image come after it.
+void leave_out_pressures(const std::vector<std::string>& bearing, ParameterList& surfaces) {
+  for (auto it = surfaces.begin(); it != surfaces.end(); ++it) {
+    ParameterList& condition = surfaces.sublist(surfaces.name(it));
+    if (condition.get<std::string>("condition") != "pressure") continue;
+    const auto& given = condition.get<std::string>("surface");
+    const std::string surface = given.empty() ? surfaces.name(it) : given;
+    if (std::count(bearing.begin(), bearing.end(), surface) > 0) condition.set("pressure", 0.0);
+  }
+}
+
 /// The wall in equilibrium with its loads and a pressure on some surfaces.
 ParameterList static_list(const ParameterList& list) {
   ParameterList wall(list);
   wall.set("analysis", "static");
+  leave_out_pressures(prestress_surfaces(list), wall.sublist("Surfaces"));
   raise_loads(wall.sublist("Surfaces"));
   for (const std::string& surface : prestress_surfaces(list)) {
     ParameterList load;

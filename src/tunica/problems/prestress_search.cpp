@@ -247,7 +247,8 @@ PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
 
 PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
   algebra::BlockVector R(wall_->space()), dx(wall_->space());
-  const Outcome begun = balance_.residual(now.load, found_.state, R);
+  Outcome begun = balance_.wall().set_prestretch(found_.prestretch);
+  if (begun.is_success()) begun = balance_.residual(now.load, found_.state, R);
   if (begun.is_failure()) return {Cause::nonlinear, begun.reason()};
   const double before = R["displacement"].norm2();
   const Result<int> solved = balance_.solve(R, dx);
@@ -279,7 +280,7 @@ bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockV
   state.assign(found_.state);
   state["pressure"].update(-part, dx["pressure"], 1.0);
   std::vector<Mat3> G = method_->prestretch_after(s, found_.prestretch);
-  Outcome outcome = balance_.wall().set_prestretch(G);
+  Outcome outcome = balance_.wall().stretch_fibres_along(G);
   if (outcome.is_success()) outcome = balance_.residual(now.load, state, R);
   if (outcome.is_failure()) {
     refusal_ = outcome.reason();
