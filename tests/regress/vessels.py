@@ -13,10 +13,10 @@ CASE = ROOT / "xml" / "vessels" / "bifurcation.xml"
 STEPS = 3
 DIRECT = ["--set", "Wall/Fibre Frame/Linear Solver/method=direct"]
 PRESTRESS = 10.67  # kPa
-PARTITIONED = ["--set", "Coupling/scheme=dirichlet-neumann", "--set", "Coupling/tolerance=1e-8"]
+TIGHT_PRESTRESS = ["--set", "Wall/Prestress/tolerance=1e-11", "--set", "Wall/Prestress/linear tolerance=1e-6"]
+PARTITIONED = ["--set", "Coupling/scheme=dirichlet-neumann", "--set", "Coupling/tolerance=1e-8"] + TIGHT_PRESTRESS
 # The bending of a long vessel is hardly in the residual.
-TIGHT = ["--set", "Coupling/Newton/linear tolerance=1e-8", "--set", "Wall/Prestress/tolerance=1e-11",
-         "--set", "Wall/Prestress/linear tolerance=1e-6"]
+TIGHT = ["--set", "Coupling/Newton/linear tolerance=1e-8"] + TIGHT_PRESTRESS
 
 
 def run(verdict, programs, folder, output, more=(), ranks=1, steps=STEPS, case=CASE):
