@@ -37,7 +37,7 @@ params::Table monolithic_table() {
                "time")
       .choice("when not converged", "stop", {"stop", "accept"},
               "stop with exit status 2, or accept the step with a warning, go on, and end with 4")
-      .sublist("Newton", nonlinear::newton_table({0.0, 1e-9, "mm", "remaining error", 0.03, 2.0}))
+      .sublist("Newton", nonlinear::newton_table({0.0, 1e-9, "mm", "remaining error", 0.03, 1.5}))
       .sublist("Linear Solver", monolithic_solver_table());
   return table;
 }

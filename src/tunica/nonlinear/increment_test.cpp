@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace tunica::nonlinear {
@@ -22,6 +23,17 @@ double remaining_part(const std::vector<NewtonStep>& steps) {
   if (steps.size() < 2 || !(steps[steps.size() - 2].increment > 0.0)) return 1.0;
   const double rate = steps.back().increment / steps[steps.size() - 2].increment;
   return rate < 0.5 ? rate / (1.0 - rate) : 1.0;
+}
+
+/// Steps until increments have fallen to the goal at the faster pace of the last two: where only one
+/// was slow, an old Jacobian was, and the next one is new.
+double steps_left(const std::vector<NewtonStep>& steps, double goal) {
+  const std::size_t n = steps.size();
+  if (n < 3 || !(goal > 0.0)) return 0.0;
+  const auto rate = [&](std::size_t k) { return steps[k].increment / steps[k - 1].increment; };
+  const double pace = std::min(rate(n - 1), rate(n - 2));
+  if (!(pace < 1.0)) return std::numeric_limits<double>::infinity();
+  return std::ceil(std::log(steps.back().increment / goal) / -std::log(pace));
 }
 
 }  // namespace
@@ -48,6 +60,16 @@ void IncrementTest::record(const NOX::Solver::Generic& solver) {
   if (options_.watch) options_.watch(step);
 }
 
+bool IncrementTest::is_too_slow() const {
+  const auto& steps = report_->steps;
+  const int n = static_cast<int>(steps.size());
+  if (n >= options_.max_iterations) return true;
+  if (!options_.looks_ahead) return false;
+  const double goal = std::max(options_.absolute_increment,
+                               options_.relative_increment * steps.front().increment);
+  return n + steps_left(steps, goal) > options_.max_iterations;
+}
+
 NOX::StatusTest::StatusType IncrementTest::judge(const NOX::Solver::Generic& solver) {
   const NewtonStep& step = report_->steps.back();
   double part = 1.0;
@@ -66,7 +88,8 @@ NOX::StatusTest::StatusType IncrementTest::judge(const NOX::Solver::Generic& sol
     return NOX::StatusTest::Converged;
   } else if (step.relative_increment > options_.growth_limit) {
     reason << "the increment grew to " << step.relative_increment << " times the first one";
-  } else if (static_cast<int>(report_->steps.size()) >= options_.max_iterations) {
+  } else if (is_too_slow()) {
+    report_->is_too_slow = true;
     reason << "the increment is still " << step.increment << " (" << step.relative_increment
            << " of the first) after " << report_->steps.size() << " iterations";
   } else {

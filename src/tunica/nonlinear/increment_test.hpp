@@ -28,6 +28,7 @@ public:
 private:
   void record(const NOX::Solver::Generic& solver);
   NOX::StatusTest::StatusType judge(const NOX::Solver::Generic& solver);
+  bool is_too_slow() const;
 
   NonlinearProblem* problem_;
   NewtonOptions options_;

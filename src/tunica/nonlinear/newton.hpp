@@ -50,6 +50,8 @@ struct NewtonOptions {
   ForcingOptions forcing;
   /// Where Jacobians that were kept have failed, from the start with a new one in each step.
   bool tries_again = true;
+  /// Give up as soon as max_iterations would not do at the pace of the last steps.
+  bool looks_ahead = false;
   NewtonWatch watch{};  ///< may be empty
 };
 /// Of the keys that say where it stops.
@@ -79,6 +81,7 @@ struct NewtonReport {
   std::vector<NewtonStep> steps;   ///< all, also those of attempts that were given up
   int earlier_steps = 0;           ///< of them, before the last attempt
   bool is_linear_failure = false;  ///< the linear solver gave up, or could not be set up
+  bool is_too_slow = false;        ///< max_iterations were, or would have been, too few
 
   /// Puts the steps of an earlier attempt before.
   void comes_after(const NewtonReport& earlier);

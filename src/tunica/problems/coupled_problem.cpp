@@ -292,7 +292,7 @@ CoupledProblem::Solution CoupledProblem::solve_carefully(const algebra::BlockVec
   return solve(careful, always, fluid, wall, wants_any);
 }
 
-// x ← x − J⁻¹ F(x), with J = K at first and, where that takes too long, J = K + S E; from where the
+// x ← x − J⁻¹ F(x), with J = K at first and, where that takes or would take too long, J = K + S E; from where the
 // steps with K have led, if they have become shorter, else from the start.
 nonlinear::NewtonReport CoupledProblem::find_root(const nonlinear::NewtonOptions& options,
                                                   nonlinear::JacobianRule& rule,
@@ -304,10 +304,11 @@ nonlinear::NewtonReport CoupledProblem::find_root(const nonlinear::NewtonOptions
   nonlinear::NewtonOptions without = options;
   without.max_iterations = std::min(options.max_iterations, most_steps_without_);
   without.tries_again = false;
+  without.looks_ahead = true;
   const nonlinear::NewtonReport first = nonlinear::solve_newton(*this, without, x, &rule);
   if (first.is_converged) return first;
-  const bool is_nearer = static_cast<int>(first.steps.size()) >= without.max_iterations &&
-                         first.steps.back().increment < first.steps.front().increment;
+  const bool is_nearer =
+      first.is_too_slow && first.steps.back().increment < first.steps.front().increment;
   if (!is_nearer) x.assign(start);
   knows_domain_ = true;
   rule.forget();

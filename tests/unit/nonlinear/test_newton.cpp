@@ -269,6 +269,28 @@ TEUCHOS_UNIT_TEST(newton, the_cap_is_reported) {
   TEST_ASSERT(report.reason.find("after 2 iterations") != std::string::npos);
 }
 
+TEUCHOS_UNIT_TEST(newton, a_pace_that_cannot_meet_the_cap_may_end_it_early) {
+  const SmallTube tube;
+  auto chosen = options();
+  chosen.relative_increment = 1e-8;
+  chosen.tries_again = false;
+  chosen.looks_ahead = true;
+  for (const int cap : {10, 18}) {
+    auto problem = square_root_of_two(tube.fluid);
+    nonlinear::JacobianRule rule(1e6);  // each increment is 0.293 of the last: 17 steps to 1e-8
+    chosen.max_iterations = cap;
+    auto x = start(tube.fluid, 2.0);
+    const auto report = nonlinear::solve_newton(problem, chosen, x, &rule);
+    TEST_EQUALITY(report.is_converged, cap == 18);
+    TEST_EQUALITY(report.is_too_slow, cap == 10);
+    if (cap == 10) TEST_EQUALITY(report.steps.size(), 3u);
+  }
+  auto problem = square_root_of_two(tube.fluid);
+  chosen.max_iterations = 8;  // faster than at the pace of its first steps
+  auto x = start(tube.fluid, 2.0);
+  TEST_ASSERT(nonlinear::solve_newton(problem, chosen, x).is_converged);
+}
+
 TEUCHOS_UNIT_TEST(newton, a_failed_linear_solve_is_reported) {
   const SmallTube tube;
   auto problem = square_root_of_two(tube.fluid);
