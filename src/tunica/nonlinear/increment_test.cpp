@@ -25,8 +25,8 @@ double remaining_part(const std::vector<NewtonStep>& steps) {
   return rate < 0.5 ? rate / (1.0 - rate) : 1.0;
 }
 
-/// Steps until increments have fallen to the goal at the faster pace of the last two: where only one
-/// was slow, an old Jacobian was, and the next one is new.
+/// Steps until increments have fallen to the goal at the faster pace of the last two: where only
+/// one was slow, an old Jacobian was, and the next one is new.
 double steps_left(const std::vector<NewtonStep>& steps, double goal) {
   const std::size_t n = steps.size();
   if (n < 3 || !(goal > 0.0)) return 0.0;
@@ -65,8 +65,8 @@ bool IncrementTest::is_too_slow() const {
   const int n = static_cast<int>(steps.size());
   if (n >= options_.max_iterations) return true;
   if (!options_.looks_ahead) return false;
-  const double goal = std::max(options_.absolute_increment,
-                               options_.relative_increment * steps.front().increment);
+  const double goal =
+      std::max(options_.absolute_increment, options_.relative_increment * steps.front().increment);
   return n + steps_left(steps, goal) > options_.max_iterations;
 }
 

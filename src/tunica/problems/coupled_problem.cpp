@@ -292,8 +292,8 @@ CoupledProblem::Solution CoupledProblem::solve_carefully(const algebra::BlockVec
   return solve(careful, always, fluid, wall, wants_any);
 }
 
-// x ← x − J⁻¹ F(x), with J = K at first and, where that takes or would take too long, J = K + S E; from where the
-// steps with K have led, if they have become shorter, else from the start.
+// x ← x − J⁻¹ F(x), with J = K at first and, where that takes or would take too long, J = K + S E;
+// from where the steps with K have led, if they have become shorter, else from the start.
 nonlinear::NewtonReport CoupledProblem::find_root(const nonlinear::NewtonOptions& options,
                                                   nonlinear::JacobianRule& rule,
                                                   algebra::BlockVector& x) {

@@ -34,6 +34,9 @@ public:
   /// another coarsening made the level. Collective.
   Teuchos::RCP<const Vector> hosts(int level, const CrsMatrix& K);
 
+  /// flatness_of_solids of the finest level.
+  double flatness() const { return nodes_.front()->flatness(); }
+
   /// Names of the parts that the nodes of the finest level stand in; none for one field.
   const std::vector<std::string>& part_names() const { return part_names_; }
   /// By row of K, the mixed matrix on this level, which of them its node stands in. Throws

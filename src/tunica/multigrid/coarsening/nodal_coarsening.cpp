@@ -1,3 +1,5 @@
+
+
 #include "tunica/multigrid/coarsening/nodal_coarsening.hpp"
 
 #include <TpetraExt_MatrixMatrix.hpp>
@@ -8,6 +10,7 @@
 #include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
+#include "tunica/multigrid/coarsening/flatness.hpp"
 
 namespace tunica::multigrid {
 
@@ -159,7 +162,8 @@ NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, cons
                                  const Teuchos::RCP<const Vector>& between,
                                  const algebra::NodePlaces& places)
     : levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)), Teuchos::null, between,
-               places}} {}
+               places}},
+      flatness_(flatness_of_solids(*nodes, places)) {}
 
 NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
                                  const Vector& hosts, std::shared_ptr<NodalCoarsening> leader)

@@ -48,6 +48,9 @@ public:
   /// The local row on this level of each local node of the next. Collective as prolongator() is.
   const std::vector<int>& coarse_rows(int level) { return at(level).coarse_rows; }
 
+  /// flatness_of_solids of the finest level.
+  double flatness() const { return flatness_; }
+
 private:
   struct Level {
     Teuchos::RCP<const CrsGraph> nodes;  ///< null once the next level is made
@@ -67,6 +70,7 @@ private:
 
   std::shared_ptr<NodalCoarsening> leader_;
   std::deque<Level> levels_;
+  double flatness_ = 1.0;
 };
 
 }  // namespace tunica::multigrid

@@ -10,8 +10,8 @@ namespace tunica::multigrid {
 
 /// "NodalIluSmoother" of a MueLu list, for mixed matrices: x += ω w_k (L U)⁻¹ (b − K x) in sweep k,
 /// with the factors of NodeIlu. Its keys: "sweeps" (1), "polynomial" ("power", "chebyshev"),
-/// "damping" (1.0), "fill" (0), "most fill" (2), "spectral bound" (1.6), "precision" ("single",
-/// "double").
+/// "damping" (1.0), "fill" (0), "most fill" (2), "spectral bound" (1.6), "flat bound" (1.3),
+/// "precision" ("single", "double").
 ///
 /// n sweeps take e to Π_k (1 − ω w_k (L U)⁻¹ K) e. With "power" all w_k are 1. With "chebyshev"
 /// they are the reciprocals of the zeros of Chebyshev's polynomial of degree n on [0.55, 1.25],
@@ -24,6 +24,8 @@ namespace tunica::multigrid {
 /// the diagonal blocks of what is factorised are enlarged by a few per cent, then fill is added, up
 /// to "most fill"; the first such factors within the bound are kept, or those of the smallest ρ. ω
 /// is the lesser of "damping" and "spectral bound"/ρ. With "spectral bound" 0 nothing is measured.
+/// Where the elements of solids are flat, "flat bound" is the bound if it is smaller: errors that
+/// vary along a thin wall are left to factors without fill, and to no coarser level.
 class NodalIluSmoother : public MixedSmoother {
 public:
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
@@ -43,7 +45,7 @@ private:
   /// Factors by one of the attempts, for the present values.
   void factorise(int attempt);
   /// The further attempts, as long as ρ is above the bound; keeps the best.
-  void search(double bound);
+  void search();
   /// ρ, from the direction where the last measurement ended.
   void measure();
   double power_iteration();
@@ -51,6 +53,7 @@ private:
 
   const ::tunica::CrsMatrix* K_ = nullptr;
   algebra::DofLayout numbering_;
+  double bound_ = 0.0;  ///< of ρ
   int attempt_ = 0;
   int refreshes_ = 0,
       patience_ = 0;  ///< since the first attempt was left, and until it is taken up
