@@ -226,6 +226,9 @@ PrestressSearch::Verdict PrestressSearch::bear(double load) {
     if (!watch_->goes_on(point_, found_)) return {Cause::stopped, "stopped"};
     history.push_back(now.moved);
     const bool is_on_its_way = now.residual < 0.3 || now.moved < 0.2 * history.front();
+    if (load < 1.0 && k == most && now.moved > 0.5 * history.front())
+      return {Cause::nonlinear,
+              "steps do not get shorter than " + std::to_string(now.moved) + " mm"};
     if (load < 1.0 ? is_on_its_way || k == most : now.moved <= now.goal) return {};
     if (k > patience && now.moved > 0.5 * history[k - 1 - patience])
       return {Cause::creeps, "steps do not get shorter than " + std::to_string(now.moved) + " mm"};
