@@ -54,7 +54,7 @@ def ranks_of(process):
         except OSError:
             continue
         name, rest = text[text.index("(") + 1:text.rindex(")")], text[text.rindex(")") + 2:].split()
-        if name.startswith("tunica-fsi") and int(rest[1]) == process.pid:
+        if name.startswith("tunica-") and int(rest[1]) == process.pid:
             found.append(int(path.parent.name))
     return sorted(found)
 

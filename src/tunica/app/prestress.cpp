@@ -143,6 +143,14 @@ Outcome give(const problems::Prestress& found, problems::SolidProblem& wall) {
   return stretched;
 }
 
+/// What a run says that a signal has ended. kept: the part of the load in the file, 0 without one.
+std::string about_stop(int signal, double kept, bool has_checkpoints) {
+  std::string text = "stopped by " + signal_name(signal) + " in the prestress, ";
+  if (!has_checkpoints) return text + "without a checkpoint, since \"checkpoint every\" is 0.";
+  if (kept == 0.0) return text + "before there was anything to go on from.";
+  return text + formatted("with %.3g of the load borne. Go on with --restart.", kept);
+}
+
 }  // namespace
 
 std::optional<output::CheckpointHead> begun_prestress(const Teuchos::ParameterList& list,
@@ -174,21 +182,25 @@ Outcome take_prestress(const Teuchos::ParameterList& list, RunOutput& output,
   problems::PrestressPoint from;
   if (output.resumes_prestress) from = restore(output.folder.file(file_name), wall);
   PrestressLog log(output, comm->getRank() == 0, from);
+  double kept = from.load;
   problems::PrestressWatch looks_on;
   looks_on.report = [&](const problems::PrestressIteration& now) { log.tell(now); };
   looks_on.goes_on = [&](const problems::PrestressPoint& point, const problems::Prestress& found) {
     const Outcome given = give(found, wall);
-    if (given.is_success() && output.checkpoint_every > 0) save(point, wall, output);
+    if (given.is_success() && output.checkpoint_every > 0) {
+      save(point, wall, output);
+      kept = point.load;
+    }
     const int signal = static_cast<int>(global_max(*comm, stop_signal()));
-    if (signal == 0) return true;
-    output.stopped = formatted("stopped by %s in the prestress, at %.3g of the load%s",
-                               signal_name(signal).c_str(), point.load,
-                               output.checkpoint_every > 0
-                                   ? ". Go on with --restart."
-                                   : ", without a trace, since \"checkpoint every\" is 0.");
-    return false;
+    if (signal != 0) output.stopped = about_stop(signal, kept, output.checkpoint_every > 0);
+    return signal == 0;
   };
-  const auto found = problems::find_prestress(list, wall, looks_on, from);
+  Result<problems::Prestress> found = Result<problems::Prestress>::failure("stopped");
+  try {
+    found = problems::find_prestress(list, wall, looks_on, from);
+  } catch (const StopRequest& request) {
+    output.stopped = about_stop(request.signal, kept, output.checkpoint_every > 0);
+  }
   log.record(output.record, watch.seconds());
   if (!output.stopped.empty()) return Outcome::success();
   if (found.is_failure()) return found.outcome();

@@ -50,15 +50,17 @@ struct PrestressIteration {
 struct PrestressWatch {
   /// After each step.
   std::function<void(const PrestressIteration&)> report = [](const auto&) {};
-  /// After each that was taken, with all that a search needs to go on there. False ends the search
-  /// as a failure with the reason "stopped". Collective.
+  /// After each load that is borne, and after each step at all of the load, with what a search
+  /// needs to go on there. False ends the search as a failure with the reason "stopped".
+  /// Collective.
   std::function<bool(const PrestressPoint&, const Prestress&)> goes_on =
       [](const auto&, const auto&) { return true; };
 };
 
 /// list: the resolved "Wall" list; wall: on the mesh, gives its fibres, and where an earlier search
 /// stood at the point its prestretch and pressure. Fails where no step leaves less out of balance,
-/// however small the increment, or the steps do not get short. Collective.
+/// however small the increment, or the steps do not get short. Throws StopRequest where a signal
+/// ends it within a step. Collective.
 Result<Prestress> find_prestress(const Teuchos::ParameterList& list, const SolidProblem& wall,
                                  const PrestressWatch& watch, const PrestressPoint& from = {});
 

@@ -8,6 +8,7 @@
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/base/stop_signals.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/discretisation/inverted_element.hpp"
 #include "tunica/kernels/deformation.hpp"
@@ -169,6 +170,8 @@ PrestressSearch::PrestressSearch(const Teuchos::ParameterList& list, const Solid
   goal_ = options_->get<double>("tolerance") * surface_radius(wall.mesh(), surfaces);
 }
 
+constexpr const char* stopped = "stopped";
+
 // An increment that fails, and not for its linear systems, is halved; the next is longer where one
 // step was enough.
 
@@ -186,7 +189,8 @@ Result<Prestress> PrestressSearch::run() {
     if (verdict.cause == Cause::none && load == 1.0) return std::move(found_);
     if (verdict.cause == Cause::none) {
       point_.step *= iterations_ == 1 ? 1.5 : iterations_ <= 3 ? 1.0 : 0.7;
-      continue;
+      if (watch_->goes_on(point_, found_)) continue;
+      return Result<Prestress>::failure(stopped);
     }
     const bool is_cut = verdict.cause == Cause::nonlinear && point_.step > first / 512.0;
     if (!is_cut) return Result<Prestress>::failure(failure(load, verdict));
@@ -223,9 +227,12 @@ PrestressSearch::Verdict PrestressSearch::bear(double load) {
     if (verdict.cause != Cause::none) return verdict;
     point_.load = load;
     point_.shape = method_->shape();
-    if (!watch_->goes_on(point_, found_)) return {Cause::stopped, "stopped"};
+    if (load == 1.0 && !watch_->goes_on(point_, found_)) return {Cause::stopped, stopped};
     history.push_back(now.moved);
     const bool is_on_its_way = now.residual < 0.3 || now.moved < 0.2 * history.front();
+    if (load < 1.0 && k == most && now.moved > 0.5 * history.front())
+      return {Cause::nonlinear,
+              "steps do not get shorter than " + std::to_string(now.moved) + " mm"};
     if (load < 1.0 ? is_on_its_way || k == most : now.moved <= now.goal) return {};
     if (k > patience && now.moved > 0.5 * history[k - 1 - patience])
       return {Cause::creeps, "steps do not get shorter than " + std::to_string(now.moved) + " mm"};
@@ -234,6 +241,7 @@ PrestressSearch::Verdict PrestressSearch::bear(double load) {
 }
 
 PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
+  stop_if_urgent(comm());
   const Stopwatch watch;
   const Verdict verdict = improve(now);
   note_prestretch(now);
