@@ -5,6 +5,7 @@
 #include "tunica/algebra/picked_matrix.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/trilinos.hpp"
+#include "tunica/multigrid/coarsening/flatness.hpp"
 #include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
 #include "unit/fields/small_tube.hpp"
 #include "unit/multigrid/grid_blocks.hpp"
@@ -92,6 +93,27 @@ TEUCHOS_UNIT_TEST(rigid_interpolation, is_exact_for_rigid_motions_on_all_levels)
     rows = P->getDomainMap();
     x = coarse_x;
   }
+}
+
+TEUCHOS_UNIT_TEST(flatness, is_that_of_solids_alone) {
+  const double thickness = 0.04;
+  algebra::Nodes nodes = nodes_of_shell();
+  const auto x = Teuchos::rcp(new MultiVector(nodes.graph->getRowMap(), 3));
+  for (const GlobalOrdinal node : global_numbers(*nodes.graph->getRowMap())) {
+    const auto layer = static_cast<double>(node / shell.nx / shell.ny);
+    x->replaceGlobalValue(node, 0, static_cast<double>(node % shell.nx));
+    x->replaceGlobalValue(node, 1, static_cast<double>(node / shell.nx % shell.ny));
+    x->replaceGlobalValue(node, 2, thickness * layer);
+  }
+  nodes.places.coordinates = x;
+  // the diagonal of a cell over its height
+  const double expected = std::sqrt(2.0 + thickness * thickness) / thickness;
+  TEST_FLOATING_EQUALITY(multigrid::flatness_of_solids(*nodes.graph, nodes.places), expected,
+                         1e-12);
+  TEST_FLOATING_EQUALITY(MixedCoarsening(space_on(nodes)).flatness(), expected, 1e-12);
+  nodes.places.in_solid = Teuchos::rcp(new Vector(nodes.graph->getRowMap()));
+  TEST_EQUALITY(multigrid::flatness_of_solids(*nodes.graph, nodes.places), 1.0);
+  TEST_EQUALITY(multigrid::flatness_of_solids(*nodes.graph, {}), 1.0);
 }
 
 /// Of what is interpolated from a field on the coarse nodes, the product with another on the fine.
