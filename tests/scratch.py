@@ -14,3 +14,9 @@ def fresh(folder):
     folder.mkdir(parents=True)
     mark.touch()
     return folder
+
+
+def remove_results(folder):
+    """Removes what runs have left in a folder of fresh(), and keeps what stands beside it: their lines."""
+    for results in [path for path in folder.iterdir() if path.is_dir()]:
+        shutil.rmtree(results)

@@ -4,16 +4,12 @@ with the same wall; a wall that is free to move as a whole is refused, by the na
 Usage: prestress.py FOLDER_OF_PROGRAMS SCRATCH
 """
 import json
-import os
 import pathlib
-import shutil
 import signal
-import subprocess
 import sys
-import time
 
-from runs import ENVIRONMENT, ROOT, Run, Verdict, command, fresh, same_steps, table
-from stops import STOPPED, ranks_of
+from runs import ROOT, Run, Verdict, command, fresh, remove_results, same_steps, table
+from stops import STOPPED, status_when_told
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
 # The wall alone, imaged under 0.5 kPa, then under 0.6: what it does depends on its prestress.
@@ -33,17 +29,6 @@ def words(program, output, settings=(), *more, ranks=1):
     return command(program, [CASE, "--output", output, "--steps", 1, *sets, *more], ranks)
 
 
-def stopped(words, folder, name, is_ready, number):
-    """Exit status of a run whose last rank gets a signal once it is ready, and the seconds from there to its end."""
-    log = folder / f"{name}.txt"
-    with open(log, "w") as out:
-        process = subprocess.Popen(words, cwd=folder, env=ENVIRONMENT, stdout=out, stderr=out)
-        while process.poll() is None and not is_ready(log):
-            time.sleep(0.001)
-        os.kill((ranks_of(process) or [process.pid])[-1], number)
-        return process.wait()
-
-
 def check_stop(verdict, folder, name, status, message):
     record = json.loads((folder / "broken" / "run.json").read_text())
     verdict.claim(status == STOPPED and record["status"] == "stopped", f"{name}: exit status {status} is {STOPPED}")
@@ -54,15 +39,17 @@ def check_stop(verdict, folder, name, status, message):
 def goes_on(verdict, program, folder):
     results = folder / "broken"
     # Told in the set-up, it ends behind a load; how many it has borne by then is left open.
-    status = stopped(words(program, "broken"), folder, "behind", lambda log: (results / ".tunica-lock").exists(), signal.SIGUSR1)
+    status = status_when_told(words(program, "broken"), folder / "behind.txt",
+                              lambda: (results / ".tunica-lock").exists(), signal.SIGUSR1)
     loads = table(results / "prestress.csv")["load"]
     verdict.claim(0 < loads[-1] < 1, f"it has borne {loads[-1]:.3f} of the load")
     check_stop(verdict, folder, "behind", status, f"with {loads[-1]:.3g} of the load borne. Go on with --restart.")
 
     before = (results / "prestress.h5").read_bytes()
     rows = (results / "prestress.csv").read_text()
-    status = stopped(words(program, "broken", STUCK, "--restart", "--allow-changes", ranks=2), folder, "within",
-                     lambda log: "GCR iteration 100" in log.read_text(), signal.SIGTERM)
+    log = folder / "within.txt"
+    status = status_when_told(words(program, "broken", STUCK, "--restart", "--allow-changes", ranks=2), log,
+                              lambda: "GCR iteration 100" in log.read_text(), signal.SIGTERM)
     check_stop(verdict, folder, "within", status, f"with {loads[-1]:.3g} of the load borne. Go on with --restart.")
     verdict.claim((results / "prestress.h5").read_bytes() == before, "within: the file of the load before is untouched")
     verdict.claim((results / "prestress.csv").read_text() == rows, "within: so are the rows of prestress.csv")
@@ -91,8 +78,7 @@ def main(programs, scratch):
     verdict, folder = Verdict(), fresh(scratch)
     goes_on(verdict, programs / "tunica-solid", folder)
     refuses_free_walls(verdict, programs, folder)
-    for results in [path for path in folder.iterdir() if path.is_dir()]:
-        shutil.rmtree(results)
+    remove_results(folder)
     return verdict.status()
 
 

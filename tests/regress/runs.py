@@ -12,7 +12,7 @@ sys.path += [str(ROOT / "tests"), str(ROOT / "xml")]
 import scratch  # noqa: E402
 from pages import ENVIRONMENT  # noqa: E402
 
-fresh = scratch.fresh  # of all scripts
+fresh, remove_results = scratch.fresh, scratch.remove_results  # of all scripts
 SKIPPED = 77  # exit status of a test that has nothing to run with
 LONG = "--long" in sys.argv  # the form of the night, of scripts that have more to show than each claim once
 sys.argv = [word for word in sys.argv if word != "--long"]

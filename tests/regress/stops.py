@@ -6,13 +6,12 @@ Usage: stops.py FOLDER_OF_PROGRAMS SCRATCH
 import json
 import os
 import pathlib
-import shutil
 import signal
 import subprocess
 import sys
 import time
 
-from runs import ENVIRONMENT, MONOLITHIC, ROOT, TIGHT, Run, Verdict, checkpoints, command, fresh, same_steps
+from runs import ENVIRONMENT, MONOLITHIC, ROOT, TIGHT, Run, Verdict, checkpoints, command, fresh, remove_results, same_steps
 
 CASE = ROOT / "xml" / "pulse-tiny.xml"
 STOPPED = 5
@@ -35,14 +34,26 @@ def steps_in(results):
         return 0
 
 
-def started(programs, folder, output, ranks=1, is_ready=lambda results: steps_in(results) > 0):
-    """A run that would be long, once it is ready: behind its first step."""
-    log = open(folder / f"{output}.txt", "w")
-    process = subprocess.Popen(command(programs / "tunica-fsi", words(output, 1000), ranks), cwd=folder,
-                               env=ENVIRONMENT, stdout=log, stderr=log)
-    while process.poll() is None and not is_ready(folder / output):
+def begun(words, log, is_ready):
+    """A run in the folder of the file that takes its lines, once it is ready."""
+    with open(log, "w") as out:
+        process = subprocess.Popen(words, cwd=log.parent, env=ENVIRONMENT, stdout=out, stderr=out)
+    while process.poll() is None and not is_ready():
         time.sleep(0.001)
     return process
+
+
+def status_when_told(words, log, is_ready, number):
+    """Exit status of a run whose last rank gets a signal once it is ready."""
+    process = begun(words, log, is_ready)
+    os.kill((ranks_of(process) or [process.pid])[-1], number)
+    return process.wait()
+
+
+def started(programs, folder, output, ranks=1, is_ready=lambda results: steps_in(results) > 0):
+    """A run that would be long, once it is ready: behind its first step."""
+    return begun(command(programs / "tunica-fsi", words(output, 1000), ranks), folder / f"{output}.txt",
+                 lambda: is_ready(folder / output))
 
 
 def ranks_of(process):
@@ -117,14 +128,9 @@ def ends_a_step_that_is_stuck(verdict, programs, folder):
     checkpoint = folder / "stuck" / "checkpoint-000001.h5"
     before = checkpoint.read_bytes()
     log = folder / "stuck.txt"
-    with open(log, "w") as out:
-        process = subprocess.Popen(
-            command(programs / "tunica-fsi", words("stuck", 3, "--set", "Coupling/scheme=monolithic", *STUCK, "--restart"), 2),
-            cwd=folder, env=ENVIRONMENT, stdout=out, stderr=out)
-        while process.poll() is None and not is_stuck(log):
-            time.sleep(0.01)
-        os.kill(ranks_of(process)[-1], signal.SIGTERM)
-        status = process.wait()
+    status = status_when_told(
+        command(programs / "tunica-fsi", words("stuck", 3, "--set", "Coupling/scheme=monolithic", *STUCK, "--restart"), 2),
+        log, lambda: is_stuck(log), signal.SIGTERM)
     check_stop(verdict, folder, "stuck", "SIGTERM", status)
     verdict.claim("within step 2" in log.read_text(), "the screen names the step that has not ended")
     verdict.claim(checkpoint.read_bytes() == before, "the checkpoint of the step before is untouched")
@@ -188,8 +194,7 @@ def main(programs, scratch):
     for part in (stops, hears_of_its_limit_in_the_set_up, agrees, ends_at_once, ends_a_step_that_is_stuck, keeps_to_the_clock,
                  goes_on_on_a_third_number_of_ranks, leaves_its_last_good_state):
         part(verdict, programs, folder)
-    for results in [path for path in folder.iterdir() if path.is_dir()]:
-        shutil.rmtree(results)
+    remove_results(folder)
     return verdict.status()
 
 

@@ -21,8 +21,8 @@ class GeometryRule {
 public:
   bool wants_derivatives() const { return present_ != is_trial(); }
 
-  /// Newton steps without derivatives after which a solve goes over to them, which nearly always
-  /// halve so many.
+  /// Newton steps that a solve may need without derivatives. It goes over to them, which nearly
+  /// always halve so many, as soon as its pace is too slow for that.
   static constexpr int most_without = 8;
 
   /// A step was solved in the way that it wants, or has gone over to derivatives.

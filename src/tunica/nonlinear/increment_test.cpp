@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace tunica::nonlinear {
@@ -25,15 +24,13 @@ double remaining_part(const std::vector<NewtonStep>& steps) {
   return rate < 0.5 ? rate / (1.0 - rate) : 1.0;
 }
 
-/// Steps until increments have fallen to the goal at the faster pace of the last two: where only
-/// one was slow, an old Jacobian was, and the next one is new.
+/// Steps until increments have fallen to the goal, at the faster pace of the last two: a single
+/// slow one may be that of an old Jacobian, after which a new one is taken.
 double steps_left(const std::vector<NewtonStep>& steps, double goal) {
   const std::size_t n = steps.size();
   if (n < 3 || !(goal > 0.0)) return 0.0;
   const auto rate = [&](std::size_t k) { return steps[k].increment / steps[k - 1].increment; };
-  const double pace = std::min(rate(n - 1), rate(n - 2));
-  if (!(pace < 1.0)) return std::numeric_limits<double>::infinity();
-  return std::ceil(std::log(steps.back().increment / goal) / -std::log(pace));
+  return steps_to(goal, steps.back().increment, std::min(rate(n - 1), rate(n - 2)));
 }
 
 }  // namespace

@@ -7,16 +7,11 @@
 
 namespace tunica::nonlinear {
 
-namespace {
-
-/// Steps that take increments from e to g; as many as there are numbers where they hardly fall.
 double steps_to(double goal, double increment, double rate) {
   if (increment <= goal) return 1.0;
   if (rate >= 0.9) return 1e9;
   return std::ceil(std::log(increment / goal) / -std::log(rate));
 }
-
-}  // namespace
 
 bool JacobianRule::wants_new(const std::vector<NewtonStep>& steps, double goal) const {
   if (cost_ == 0.0 || !has_jacobian_) return true;

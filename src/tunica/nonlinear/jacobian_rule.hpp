@@ -5,6 +5,10 @@ namespace tunica::nonlinear {
 
 struct NewtonStep;
 
+/// Steps that take increments, of which each is the part rate of the one before, to the goal; as
+/// many as there are numbers where they hardly fall.
+double steps_to(double goal, double increment, double rate);
+
 /// When Newton's method takes a new Jacobian, and when it goes on with the last one: its increments
 /// e_k are then a part ρ each of the one before. The steps to a goal g that are left are
 ///

@@ -47,7 +47,8 @@ public:
   Outcome begin_step(const stepping::Clock& clock);
   /// Whether Jacobians have shape derivatives from the next solve on: with "geometry" = "newton"
   /// they have, else not until told. Not where the domain is extrapolated. A solve that has not
-  /// converged in so many steps without them goes on with them; 0: it never does.
+  /// converged in so many steps without them, or would not at its pace, goes on with them; 0: it
+  /// never does.
   void want_shape_derivatives(bool wanted, int most_steps_without) {
     wants_shape_derivatives_ = wanted;
     most_steps_without_ = most_steps_without;

@@ -19,6 +19,8 @@ namespace tunica::problems {
 
 namespace {
 
+constexpr const char* stopped = "stopped";  ///< the reason of a search that was to end
+
 std::vector<double> numbers(const std::vector<Vec3>& values) {
   std::vector<double> all;
   for (const Vec3& v : values) all.insert(all.end(), v.begin(), v.end());
@@ -169,8 +171,6 @@ PrestressSearch::PrestressSearch(const Teuchos::ParameterList& list, const Solid
     surfaces.push_back(wall.mesh().surface_index(name));
   goal_ = options_->get<double>("tolerance") * surface_radius(wall.mesh(), surfaces);
 }
-
-constexpr const char* stopped = "stopped";
 
 // An increment that fails, and not for its linear systems, is halved; the next is longer where one
 // step was enough.

@@ -23,9 +23,9 @@ namespace tunica::multigrid {
 /// power iterations, at the first set-up until it stands still. Where it is above "spectral bound"
 /// the diagonal blocks of what is factorised are enlarged by a few per cent, then fill is added, up
 /// to "most fill"; the first such factors within the bound are kept, or those of the smallest ρ. ω
-/// is the lesser of "damping" and "spectral bound"/ρ. With "spectral bound" 0 nothing is measured.
-/// Where the elements of solids are flat, "flat bound" is the bound if it is smaller: errors that
-/// vary along a thin wall are left to factors without fill, and to no coarser level.
+/// is the lesser of "damping" and the bound over ρ. With "spectral bound" 0 nothing is measured.
+/// Where the elements of solids are very flat (flatness_of_solids), "flat bound" is the bound if it
+/// is smaller: there fill saves iterations below "spectral bound", too.
 class NodalIluSmoother : public MixedSmoother {
 public:
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
