@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "tunica/assembly/gather.hpp"
-#include "tunica/kernels/wall_stress.hpp"
+#include "tunica/kernels/prestretch.hpp"
 
 namespace tunica::assembly {
 
@@ -84,7 +84,8 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
 }
 
 void assemble_prestretch(const fields::FieldMesh& mesh, const SolidElements& elements,
-                         const SolidFields& state, BlockAssembler& K) {
+                         const std::vector<materials::Frame>& frames, const SolidFields& state,
+                         BlockAssembler& K) {
   const ElementGeometry image(mesh, mesh.x);
   const auto& scalar_mesh = fields::scalar_mesh(mesh, elements.split);
   kernels::MixedJacobianOf<Pack> Ke{};
@@ -93,14 +94,16 @@ void assemble_prestretch(const fields::FieldMesh& mesh, const SolidElements& ele
     K.begin(pack);
     for (int lane = 0; lane < Pack::size; ++lane) {
       const std::size_t e = pack.number[lane];
-      const Sym3 sigma = kernels::cauchy_stress(
-          elements.geometry[e], elements.geometry.from_stress_free(e),
-          gather(state.p, scalar_mesh.tets[e]), *elements.layer(e).law, elements.frame(e));
-      const kernels::VertexPairs A = kernels::prestretch_stiffness(image[e], sigma);
+      const kernels::MixedJacobian of_lane = kernels::prestretch_jacobian(
+          {image[e], elements.geometry[e], elements.geometry.from_stress_free(e),
+           gather(state.p, scalar_mesh.tets[e]), elements.coefficients(e), elements.layer(e).law,
+           elements.frame(e), frames.empty() ? materials::Frame{} : frames[e]});
       for (int a = 0; a < 4; ++a)
         for (int b = 0; b < 4; ++b)
-          for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) set_lane(Ke.A[a][b][i][j], lane, A[a][b][i][j]);
+          for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) set_lane(Ke.A[a][b][i][j], lane, of_lane.A[a][b][i][j]);
+            set_lane(Ke.B2[a][b][i], lane, of_lane.B2[a][b][i]);
+          }
     }
     K.add(Ke);
   }

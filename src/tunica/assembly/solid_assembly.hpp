@@ -68,8 +68,10 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
                     const SolidFields& state, NodalResidual& R, BlockAssembler* K);
 
 /// Adds to the Jacobian of assemble_solid() at d = 0 what makes it the derivative of the residual
-/// by s in G ← (I + ∇s) G, where the wall stays on the mesh. See kernels::prestretch_stiffness().
+/// by s in G ← (I + sym ∇s) G, where the wall stays on the mesh. See
+/// kernels::prestretch_jacobian().
 void assemble_prestretch(const fields::FieldMesh& mesh, const SolidElements& elements,
-                         const SolidFields& state, BlockAssembler& K);
+                         const std::vector<materials::Frame>& frames, const SolidFields& state,
+                         BlockAssembler& K);
 
 }  // namespace tunica::assembly

@@ -71,6 +71,15 @@ template <class Real>
 inline Mat3Of<Real> transpose(const Mat3Of<Real>& A) {
   return {{{A[0][0], A[1][0], A[2][0]}, {A[0][1], A[1][1], A[2][1]}, {A[0][2], A[1][2], A[2][2]}}};
 }
+inline Mat3 operator*(const Mat3& A, const Mat3& B) {
+  const Mat3 Bt = transpose(B);
+  return {{Bt * A[0], Bt * A[1], Bt * A[2]}};
+}
+/// ½ (A + Aᵀ).
+inline Mat3 symmetric_part(const Mat3& A) {
+  const Mat3 At = transpose(A);
+  return {{0.5 * (A[0] + At[0]), 0.5 * (A[1] + At[1]), 0.5 * (A[2] + At[2])}};
+}
 /// det(A) A⁻¹, defined for singular A too.
 template <class Real>
 inline Mat3Of<Real> adjugate(const Mat3Of<Real>& A) {

@@ -65,23 +65,9 @@ void Solid::set_elements() {
   elements_.split = split();
 }
 
-namespace {
+namespace {}  // namespace
 
-/// What the directions of a frame were where F = I: those of the same lines of material,
-/// orthonormal.
-materials::Frame pulled_back(const materials::Frame& frame, const Mat3& F) {
-  const Mat3 F_inverse = adjugate(F);  // but for a factor, which does not matter
-  const Vec3 around = F_inverse * frame.circumferential;
-  const Vec3 c = unit(around);
-  Vec3 along = F_inverse * frame.axial;
-  along += -dot(along, c) * c;
-  const Vec3 a = unit(along);
-  return {cross(c, a), c, a};
-}
-
-}  // namespace
-
-Outcome Solid::change_prestretch(std::vector<Mat3> G, bool turns_fibres) {
+Outcome Solid::set_prestretch(std::vector<Mat3> G) {
   double smallest = 1.0;
   int worst = -1;
   for (std::size_t e = 0; e < G.size(); ++e) {
@@ -94,8 +80,7 @@ Outcome Solid::change_prestretch(std::vector<Mat3> G, bool turns_fibres) {
   const Outcome outcome = check_inversion(*mesh_, smallest, worst, "det G");
   if (outcome.is_failure()) return outcome.at("the wall where it is free of stress");
   prestretch_.set(std::move(G));
-  unit_inertia_ = -1.0;  // stabilisation follows the size of elements
-  if (turns_fibres) follow_prestretch();
+  follow_prestretch();
   return Outcome::success();
 }
 
@@ -103,7 +88,7 @@ void Solid::follow_prestretch() {
   for (std::size_t e = 0; e < frames_.size(); ++e)
     elements_.frames[e] = prestretch_.values().empty()
                               ? frames_[e]
-                              : pulled_back(frames_[e], prestretch_.values()[e]);
+                              : materials::pulled_back(frames_[e], prestretch_.values()[e]);
   unit_inertia_ = -1.0;  // stabilisation follows the size of elements
 }
 
@@ -210,7 +195,8 @@ std::map<std::string, fields::Restartable*> Solid::element_histories() {
 void Solid::assemble(assembly::BlockAssembler* K) {
   R_.set_zero();
   assembly::assemble_solid(*mesh_, elements_, local_, R_, K);
-  if (K != nullptr && stays_on_mesh_) assembly::assemble_prestretch(*mesh_, elements_, local_, *K);
+  if (K != nullptr && stays_on_mesh_)
+    assembly::assemble_prestretch(*mesh_, elements_, frames_, local_, *K);
   surfaces_.add(surroundings(), R_, K);
   for (int a = 0; a < mesh_->n_owned; ++a) R_.u[a] += -1.0 * nodal_force_[a];
 }

@@ -25,17 +25,12 @@ public:
         std::vector<materials::Frame> frames);
   ~Solid() override;
 
-  /// G of all local elements. Fibres lie along the same lines of material as before. Fails where
+  /// G of all local elements. Fibres keep the directions that they have in the mesh. Fails where
   /// det G is not positive. Collective.
-  Outcome set_prestretch(std::vector<Mat3> G) { return change_prestretch(std::move(G), true); }
-  /// The same, but that fibres keep the directions that they have without stress: in the mesh they
-  /// turn.
-  Outcome stretch_fibres_along(std::vector<Mat3> G) {
-    return change_prestretch(std::move(G), false);
-  }
+  Outcome set_prestretch(std::vector<Mat3> G);
   /// Empty where the mesh is free of stress.
   const std::vector<Mat3>& prestretch() const { return prestretch_.values(); }
-  /// From now on Jacobians are those by s in G ← (I + ∇s) G, of a wall that stays on its mesh.
+  /// From now on Jacobians are those by s in G ← (I + sym ∇s) G, of a wall that stays on its mesh.
   void stay_on_mesh() { stays_on_mesh_ = true; }
   /// Of the fibres, in the mesh.
   const std::vector<materials::Frame>& frames() const { return frames_; }
@@ -76,7 +71,6 @@ public:
 
 private:
   void set_elements();
-  Outcome change_prestretch(std::vector<Mat3> G, bool turns_fibres);
   void follow_prestretch();
   void set_coefficients();
   void set_inertia_history();

@@ -20,25 +20,6 @@ Sym3 cauchy_stress(const Tet4& T, const std::array<Vec3, 4>& d, const std::array
           inv_J * dot(F[1], SF[2]),          inv_J * dot(F[2], SF[0])};
 }
 
-// f_a = V σ∇N_a with V, ∇N in place. By the change of σ alone, with F ← (I + ∇s) F,
-//
-//   dσ = ∇s σ + σ ∇sᵀ − (∇·s) σ + c:∇s,     df_a = V dσ ∇N_a
-//
-// and where the element moves d(V ∇N_a) = V ((∇·s) I − ∇sᵀ) ∇N_a comes on top. What is left of the
-// difference is −V σ ((∇·s) I − ∇sᵀ) ∇N_a, s = Σ N_b s_b.
-
-VertexPairs prestretch_stiffness(const Tet4& T, const Sym3& sigma) {
-  VertexPairs A;
-  for (int a = 0; a < 4; ++a) {
-    const Vec3 f = T.volume * apply(sigma, T.grad_N[a]);
-    for (int b = 0; b < 4; ++b) {
-      const Vec3 g = T.volume * apply(sigma, T.grad_N[b]);
-      for (int i = 0; i < 3; ++i) A[a][b][i] = g[i] * T.grad_N[a] - f[i] * T.grad_N[b];
-    }
-  }
-  return A;
-}
-
 Vec3 principal_values(const Sym3& s) {
   Mat3 A{{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}};
   const auto rotate = [&A](int p, int q) {  // A ← Gᵀ A G, such that A_pq = 0

@@ -8,16 +8,6 @@ namespace tunica::kernels {
 Sym3 cauchy_stress(const Tet4& T, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,
                    const materials::HyperelasticLaw& law, const materials::Frame& frame = {});
 
-/// A[a][b], for pairs of vertices, of the derivative by s of what the stress of an element loads
-/// its vertices with where it stays in place and its deformation gradient becomes (I + ∇s) F, less
-/// that where it moves by s:
-///
-///   A_ab = V [(σ∇N_b) ⊗ ∇N_a − (σ∇N_a) ⊗ ∇N_b]
-///
-/// T: the element in place; sigma: its Cauchy stress, with the pressure.
-using VertexPairs = std::array<std::array<Mat3, 4>, 4>;
-VertexPairs prestretch_stiffness(const Tet4& T, const Sym3& sigma);
-
 /// The eigenvalues of a symmetric tensor, the largest first: principal stresses, squares of the
 /// principal stretches. By Jacobi's rotations, to round-off.
 Vec3 principal_values(const Sym3& s);

@@ -19,4 +19,15 @@ inline void set_lane(FrameOf<Pack>& to, int lane, const Frame& from) {
   set_lane(to.axial, lane, from.axial);
 }
 
+/// What the directions of a frame were before the deformation F: those of the same lines of
+/// material, made orthonormal.
+inline Frame pulled_back(const Frame& frame, const Mat3& F) {
+  const Mat3 F_inverse = adjugate(F);  // but for a factor, which does not matter
+  const Vec3 c = unit(F_inverse * frame.circumferential);
+  Vec3 along = F_inverse * frame.axial;
+  along += -dot(along, c) * c;
+  const Vec3 a = unit(along);
+  return {cross(c, a), c, a};
+}
+
 }  // namespace tunica::materials

@@ -10,16 +10,16 @@ namespace tunica::problems {
 /// G of its elements, det G > 0, with which the wall is in balance where it was imaged, under a
 /// pressure p in the lumen and the loads that it has at the start:
 ///
-///   R(G, p) = 0,     K s = −R,     K the derivative by s in G ← (I + ∇s) G
+///   R(G, p) = 0,     K s = −R,     K the derivative by s in G ← (I + ε) G,  ε = ½ (∇s + ∇sᵀ)
 ///
 /// By one of two methods, which differ in what they make of the steps s on the nodes:
 ///
-///   "deformation gradient"   G ← exp(∇s) G, increments of a gradient [Ge10]
+///   "deformation gradient"   G ← exp(ε) G, increments of a gradient [Ge10] without their rotation
 ///   "stress-free shape"      G = ∂x/∂X, X ← X − s, of the shape X without stress [Se11]
 ///
-/// There is no such shape where a soft wall has a sharp fork. All loads are raised in increments;
-/// at all of them the steps are accelerated, until they are short. Springs of the tissue are at
-/// rest in the mesh, and the wall bears the loads alone.
+/// K is exact for the first. There is no such shape where a soft wall has a sharp fork. All loads
+/// are raised in increments, and at all of them steps go on until they are short. Springs of the
+/// tissue are at rest in the mesh, and the wall bears the loads alone.
 struct Prestress {
   std::vector<Mat3> prestretch;  ///< of local elements; empty: the identity
   algebra::BlockVector state;    ///< no displacement, and the pressure that bears the load

@@ -9,9 +9,9 @@ namespace tunica::problems {
 ///
 ///   R(G, p)      G  prestretch of its elements, p  pressure
 ///
-/// with Newton's step by s in G ← (I + ∇s) G. Springs of the tissue, which are at rest, add nothing
-/// to R; a small part of their stiffness is in the Jacobian, so that it is regular where they alone
-/// hold the wall.
+/// with Newton's step by s in G ← (I + sym ∇s) G. Springs of the tissue, which are at rest, add
+/// nothing to R; a thousandth of their stiffness is in the Jacobian, so that it is regular where
+/// they alone hold the wall.
 class PrestressBalance {
 public:
   /// list: the resolved "Wall" list. Throws Error where a surface is displaced at the start.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "tunica/algebra/least_squares.hpp"
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
@@ -21,12 +20,6 @@ namespace {
 
 constexpr const char* stopped = "stopped";  ///< the reason of a search that was to end
 
-std::vector<double> numbers(const std::vector<Vec3>& values) {
-  std::vector<double> all;
-  for (const Vec3& v : values) all.insert(all.end(), v.begin(), v.end());
-  return all;
-}
-
 double largest(const std::vector<Vec3>& values, const Comm& comm) {
   double mine = 0.0;
   for (const Vec3& v : values) mine = std::max(mine, norm(v));
@@ -38,44 +31,6 @@ std::vector<Vec3> with_ghosts(const std::vector<Vec3>& values, const fields::Fie
   fields::store(values, mesh, owned);
   return fields::ghosted_vectors(mesh, owned);
 }
-
-Mat3 product(const Mat3& A, const Mat3& B) {
-  const Mat3 Bt = transpose(B);
-  Mat3 C;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) C[i][j] = dot(A[i], Bt[j]);
-  return C;
-}
-
-}  // namespace
-
-std::vector<Vec3> StepAcceleration::step(const Comm& comm, const std::vector<Vec3>& left) {
-  constexpr std::size_t most = 10;
-  constexpr double filter = 0.05;  // equilibria are as accurate as that
-  const std::vector<double> r = numbers(left);
-  std::vector<double> s(r);
-  if (!last_r_.empty()) {
-    std::vector<double> change(r);
-    for (std::size_t i = 0; i < r.size(); ++i) change[i] -= last_r_[i];
-    of_r_.push_front(std::move(change));
-    of_s_.push_front(last_s_);
-  }
-  if (of_r_.size() > most) {
-    of_r_.pop_back();
-    of_s_.pop_back();
-  }
-  const auto fit = algebra::solve_least_squares(comm, of_r_, r, filter);
-  for (std::size_t j = 0; j < of_r_.size(); ++j)
-    for (std::size_t i = 0; i < s.size(); ++i)
-      s[i] -= fit.coefficients[j] * (of_s_[j][i] + of_r_[j][i]);
-  last_r_ = r;
-  last_s_ = s;
-  std::vector<Vec3> step(left.size());
-  for (std::size_t i = 0; i < s.size(); ++i) step[i / 3][i % 3] = s[i];
-  return step;
-}
-
-namespace {
 
 /// f(∇s) of each element, s on owned nodes.
 template <class Function>
@@ -98,23 +53,24 @@ Mat3 exponential(const Mat3& A) {
   const double scale = std::ldexp(1.0, -halves);
   Mat3 sum = identity(), term = identity();
   for (int k = 1; k <= 10; ++k) {
-    term = product(A, term);
+    term = A * term;
     for (Vec3& row : term) row = scale / k * row;
     for (int i = 0; i < 3; ++i) sum[i] += term[i];
   }
-  for (; halves > 0; --halves) sum = product(sum, sum);
+  for (; halves > 0; --halves) sum = sum * sum;
   return sum;
 }
 
-// G ← exp(∇s) G, which is (I + ∇s) G for short steps and inverts no element with long ones.
+// G ← exp(sym ∇s) G: short steps are (I + ε) G, and long ones invert no element.
 class ByGradient final : public PrestressMethod {
 public:
   explicit ByGradient(const fields::FieldMesh& mesh) : mesh_(&mesh) {}
 
   std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s,
                                      const std::vector<Mat3>& present) override {
-    std::vector<Mat3> G = of_gradients(s, *mesh_, exponential);
-    for (std::size_t e = 0; e < present.size(); ++e) G[e] = product(G[e], present[e]);
+    std::vector<Mat3> G = of_gradients(
+        s, *mesh_, [](const Mat3& gradient) { return exponential(symmetric_part(gradient)); });
+    for (std::size_t e = 0; e < present.size(); ++e) G[e] = G[e] * present[e];
     return G;
   }
 
@@ -215,7 +171,6 @@ constexpr int most_on_the_way = 4;
 
 PrestressSearch::Verdict PrestressSearch::bear(double load) {
   const int most = load < 1.0 ? most_on_the_way : options_->get<int>("max iterations");
-  acceleration_.forget();
   std::vector<double> history;  // of what is left
   for (int k = 1; k <= most; ++k) {
     PrestressIteration now{};
@@ -251,8 +206,6 @@ PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
   return verdict;
 }
 
-// Newton's method, with the steps of acceleration where the load is all there.
-
 PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
   algebra::BlockVector R(wall_->space()), dx(wall_->space());
   Outcome begun = balance_.wall().set_prestretch(found_.prestretch);
@@ -265,12 +218,6 @@ PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
   std::vector<Vec3> step = fields::owned_vectors(wall_->mesh(), dx["displacement"]);
   for (Vec3& s : step) s = -1.0 * s;
   now.moved = largest(step, comm());
-  if (now.load == 1.0 && now.iteration > 1) {
-    const std::vector<Vec3> better = acceleration_.step(comm(), step);
-    if (largest(better, comm()) < 5.0 * now.moved && try_step(better, dx, 1.0, before, now))
-      return {};
-    acceleration_.forget();
-  }
   for (double part = 1.0; part > 0.1; part *= 0.5) {
     std::vector<Vec3> shorter(step);
     for (Vec3& s : shorter) s = part * s;
@@ -288,7 +235,7 @@ bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockV
   state.assign(found_.state);
   state["pressure"].update(-part, dx["pressure"], 1.0);
   std::vector<Mat3> G = method_->prestretch_after(s, found_.prestretch);
-  Outcome outcome = balance_.wall().stretch_fibres_along(G);
+  Outcome outcome = balance_.wall().set_prestretch(G);
   if (outcome.is_success()) outcome = balance_.residual(now.load, state, R);
   if (outcome.is_failure()) {
     refusal_ = outcome.reason();

@@ -1,26 +1,10 @@
 #pragma once
-#include <deque>
 #include <memory>
 
 #include "tunica/problems/prestress.hpp"
 #include "tunica/problems/prestress_balance.hpp"
 
 namespace tunica::problems {
-
-/// Turns the displacements r that are left over, one after the other, into steps of less of them,
-/// from what the last steps s have changed:
-///
-///   s = r − Σ_j c_j (s_j + Δr_j),   c = argmin |r − Σ_j c_j Δr_j|      [DBV]
-class StepAcceleration {
-public:
-  std::vector<Vec3> step(const Comm& comm, const std::vector<Vec3>& r);
-  /// What comes next has nothing to do with what was.
-  void forget() { *this = {}; }
-
-private:
-  std::vector<double> last_r_, last_s_;
-  std::deque<std::vector<double>> of_r_, of_s_;  ///< newest first
-};
 
 /// What a method makes of the steps.
 class PrestressMethod {
@@ -73,7 +57,6 @@ private:
   const PrestressWatch* watch_;
   PrestressBalance balance_;
   std::unique_ptr<PrestressMethod> method_;
-  StepAcceleration acceleration_;
   Prestress found_;
   PrestressPoint point_;
   std::string refusal_;  ///< why the last step was not taken

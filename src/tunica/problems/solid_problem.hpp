@@ -24,10 +24,6 @@ public:
   Outcome set_prestretch(std::vector<Mat3> G) { return wall_->set_prestretch(std::move(G)); }
   /// discretisation::Solid::stay_on_mesh().
   void stay_on_mesh() { wall_->stay_on_mesh(); }
-  /// discretisation::Solid::stretch_fibres_along(). Collective.
-  Outcome stretch_fibres_along(std::vector<Mat3> G) {
-    return wall_->stretch_fibres_along(std::move(G));
-  }
   void begin_step(const stepping::Clock& clock) {
     forget_solves();
     wall_->begin_step(clock);

@@ -19,14 +19,6 @@ Mat3 cross_matrix(const Vec3& a) {
   return {{{0, -a[2], a[1]}, {a[2], 0, -a[0]}, {-a[1], a[0], 0}}};
 }
 
-Mat3 product(const Mat3& A, const Mat3& B) {
-  const Mat3 Bt = transpose(B);
-  Mat3 C;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) C[i][j] = dot(A[i], Bt[j]);
-  return C;
-}
-
 /// Eigenvalues, ascending, and eigenvectors of Σ d dᵀ.
 struct Extents {
   std::array<double, 3> squares{};
@@ -129,9 +121,9 @@ public:
     const double share = 1.0 / static_cast<double>(n_parents_);
     for (std::size_t k = 0; k < n_parents_; ++k) arm = arm - share * nodes_[k].x;
     // θ × arm = −[arm]× T⁻¹ Σ [d_k]× u_k
-    const Mat3 turn = product(cross_matrix(-1.0 * arm), Extents(d).inverse_inertia());
+    const Mat3 turn = cross_matrix(-1.0 * arm) * Extents(d).inverse_inertia();
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      Mat3 block = product(turn, cross_matrix(d[k]));
+      Mat3 block = turn * cross_matrix(d[k]);
       for (int i = 0; i < 3 && k < n_parents_; ++i) block[i][i] += share;
       result.nodes.push_back(nodes_[k].number);
       result.blocks.push_back(block);
