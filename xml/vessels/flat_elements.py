@@ -23,7 +23,8 @@ TUBES = {ratio: ["--radius", str(RADIUS), "--length", str(LENGTH), "--around", "
          for ratio in (2, 6, 12, 25)}
 # name -> shape, size [mm], share of the radius, elements through media and adventitia, thickness [mm] of two layers in the lumen
 VESSELS = {"arch": ("arch", 1.7, 0.15, (1, 1), None), "arch-thin": ("arch", 1.7, 0.08, (1, 1), None),
-           "carotid": ("carotid", 0.62, 0.2, (2, 1), None),
+           "arch-0.1": ("arch", 1.7, 0.1, (1, 1), None), "carotid": ("carotid", 0.62, 0.2, (2, 1), None),
+           "carotid-0.1": ("carotid", 0.62, 0.1, (2, 1), None), "carotid-0.15": ("carotid", 0.62, 0.15, (2, 1), None),
            "carotid-deep": ("carotid", 1.0, 0.2, (3, 3), None), "carotid-layer": ("carotid", 0.8, 0.2, (1, 1), 0.03)}
 # row -> case, mesh, text
 ROWS = {
@@ -153,6 +154,11 @@ def effort_of(folder):
         return {}
 
 
+def write_effort(folder, status, seconds, **more):
+    with open(folder + ".json", "w", encoding="utf-8") as file:
+        json.dump({"status": status, "cpu seconds": seconds, **more}, file)
+
+
 def timed(words, log, most_seconds):
     """Exit status, or None where it was stopped after most_seconds, and seconds of all its processors."""
     process = subprocess.Popen(words, stdout=log, stderr=log, env=ENVIRONMENT, start_new_session=True)
@@ -189,8 +195,7 @@ def run(wanted, row, ranks):
     write_commit(folder)
     if status not in (0, 2, 4, None):  # bad input or a fault: no figures
         raise SystemExit(f"reproduce: {row} ends with {status}, see {log.name}")
-    with open(folder + ".json", "w", encoding="utf-8") as file:
-        json.dump({"status": status, "cpu seconds": seconds, **shape}, file)
+    write_effort(folder, status, seconds, **shape)
     print(f"{seconds:.0f} s, {iterations_of(folder)}" + ("" if status == 0 else f"; ends with {status}, see {log.name}"), flush=True)
 
 
