@@ -41,8 +41,9 @@ Arguments::Command wall_command() {
           "regions and caps as they are, a region for each layer, and the surfaces \"interface\",\n"
           "\"outer\", \"layer\" between two layers, and \"wall_CAP\" around each cap.",
           {{"surfaces", "lumen_wall", "of the lumen, on which the wall grows, separated by commas"},
-           {"layers", "media=0.26:2,adventitia=0.13:1",
-            "from the lumen outwards: name=thickness (mm):elements through it"},
+           {"layers", "media=0.26,adventitia=0.13",
+            "from the lumen outwards: name=thickness (mm):elements through it; without :elements\n"
+            "as many as suit the lumen's triangles"},
            {"thickness", "", "of the whole wall, mm; the layers' are shares then"},
            {"thickness-fraction", "", "the same as a part of the lumen's local radius"},
            {"thickness-file", "",

@@ -63,6 +63,49 @@ TEUCHOS_UNIT_TEST(mesh_wall, around_a_straight_tube_is_the_ring_of_polygons) {
   TEST_FLOATING_EQUALITY(grown.report.least_thickness, 0.39, 1e-12);
 }
 
+// Right-angled triangles with sides of 2 r sin(π/16) and 0.6 mm.
+
+const double tube_width = std::sqrt(2.0 * lumen_tube().radius * std::sin(pi / 16.0) * 0.6);
+
+TEUCHOS_UNIT_TEST(mesh_wall, chooses_elements_by_the_width_of_triangles) {
+  wall::Options options = on_interface();
+  const auto chosen = [&](const std::string& layers) {
+    options.layers = wall::layers_from_text(layers);
+    std::vector<int> elements;
+    for (const auto& layer : wall::grow(make_tube(lumen_tube()), options).report.layers)
+      elements.push_back(layer.elements);
+    return elements;
+  };
+  TEST_ASSERT((chosen("media=0.26,adventitia=0.13") == std::vector<int>{2, 1}));
+  TEST_ASSERT((chosen("media=0.26,adventitia=0.13:3") == std::vector<int>{2, 3}));
+  TEST_ASSERT((chosen("media=0.9,adventitia=0.3") == std::vector<int>{6, 2}));
+  TEST_ASSERT((chosen("media=0.2,adventitia=0.1") == std::vector<int>{2, 1}));  // to bend
+  TEST_ASSERT((chosen("media=0.05,adventitia=0.05") == std::vector<int>{1, 1}));
+}
+
+TEUCHOS_UNIT_TEST(mesh_wall, names_flat_layers_and_their_cure) {
+  wall::Options options = on_interface();
+  const auto grown = [&](const std::string& layers) {
+    options.layers = wall::layers_from_text(layers);
+    return wall::grow(make_tube(lumen_tube()), options).report;
+  };
+  const auto has = [&](const wall::Report& report, const std::string& words) {
+    return to_text(report).find(words) != std::string::npos;
+  };
+  wall::Report report = grown("media=0.2:8,adventitia=0.2:1");
+  TEST_FLOATING_EQUALITY(report.mean_width, tube_width, 1e-12);
+  TEST_FLOATING_EQUALITY(report.layers[0].mean_flatness, tube_width / 0.025, 1e-10);
+  TEST_FLOATING_EQUALITY(report.layers[1].most_flatness, tube_width / 0.2, 1e-10);
+  TEST_EQUALITY(report.layers[0].flat_part, 1.0);
+  TEST_EQUALITY(report.layers[1].flat_part, 0.0);
+  TEST_ASSERT(has(report, "\"media\" are flatter than 1 : 10"));
+  TEST_ASSERT(has(report, "Give it 3 elements through it (media=THICKNESS:3)"));
+  TEST_ASSERT(!has(report, "\"adventitia\" are"));
+  report = grown("media=0.2:2,adventitia=0.03:1");
+  TEST_ASSERT(has(report, "\"adventitia\" are flatter"));
+  TEST_ASSERT(has(report, "tunica-mesh refine --times 1"));
+}
+
 TEUCHOS_UNIT_TEST(mesh_wall, has_names_and_flat_ends) {
   const Tube t = lumen_tube();
   const Mesh mesh = wall::grow(make_tube(t), on_interface()).mesh;

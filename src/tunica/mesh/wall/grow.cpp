@@ -7,6 +7,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/mesh/faces.hpp"
 #include "tunica/mesh/validate.hpp"
+#include "tunica/mesh/wall/elements.hpp"
 #include "tunica/mesh/wall/limit.hpp"
 #include "tunica/mesh/wall/report.hpp"
 
@@ -22,8 +23,8 @@ int next_id(const std::vector<Tag>& tags) {
 void check_layers(const std::vector<Layer>& layers) {
   TUNICA_CHECK(!layers.empty(), "wall: no layers, expected at least one");
   for (const Layer& layer : layers)
-    TUNICA_CHECK(!layer.name.empty() && layer.thickness > 0.0 && layer.elements >= 1,
-                 "wall: layer \"" + layer.name + "\" has no name, no thickness or no elements");
+    TUNICA_CHECK(!layer.name.empty() && layer.thickness > 0.0 && layer.elements >= 0,
+                 "wall: layer \"" + layer.name + "\" has no name or no thickness");
 }
 
 /// Triangles of the lumen's boundary beside the wall.
@@ -148,10 +149,13 @@ private:
 
 }  // namespace
 
-Grown grow(const Mesh& lumen, const Options& options) {
-  check_layers(options.layers);
-  const LumenSurface surface = lumen_surface(lumen, options.surfaces);
-  Plan plan(surface, options.layers, wall_thickness(surface, options.layers, options.thickness));
+Grown grow(const Mesh& lumen, const Options& wanted) {
+  check_layers(wanted.layers);
+  const LumenSurface surface = lumen_surface(lumen, wanted.surfaces);
+  const std::vector<double> thickness = wall_thickness(surface, wanted.layers, wanted.thickness);
+  Options options = wanted;
+  choose_elements(surface, thickness, options.layers);
+  Plan plan(surface, options.layers, thickness);
   limit(plan, caps(lumen, surface));
   Mesh mesh = Assembly(lumen, plan, options).take();
   validate(mesh, "wall");

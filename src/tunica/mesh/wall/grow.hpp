@@ -10,7 +10,7 @@ namespace tunica::mesh::wall {
 /// A wall around a lumen.
 struct Options {
   std::vector<std::string> surfaces{"lumen_wall"};  ///< of the lumen, on which it grows
-  std::vector<Layer> layers{{"media", 0.26, 2}, {"adventitia", 0.13, 1}};
+  std::vector<Layer> layers{{"media", 0.26, 0}, {"adventitia", 0.13, 0}};
   Thickness thickness;
   std::string interface = "interface";  ///< new name of these surfaces
 };
@@ -21,8 +21,10 @@ struct Report {
     std::string name;
     int elements;  ///< through it
     int tets;
-    double least, mean, most;  ///< thickness: distance of vertices from the lumen
-    double least_angle;        ///< between two faces of an element, degrees
+    double least, mean, most;             ///< thickness: distance of vertices from the lumen
+    double mean_flatness, most_flatness;  ///< width of triangles over height of elements
+    double flat_part;                     ///< of the elements: those flatter than 1 : 10
+    double least_angle;                   ///< between two faces of an element, degrees
     double worst_quality;
   };
   /// Vertices beside one another whose thickness is less than wanted.
@@ -34,6 +36,7 @@ struct Report {
   };
 
   std::vector<LayerReport> layers;
+  double mean_width;  ///< of the lumen's triangles: root of twice the area
   double least_angle;
   Vec3 least_angle_place;
   double least_thickness;        ///< of the whole wall

@@ -9,6 +9,7 @@
 #include "tunica/mesh/info.hpp"
 #include "tunica/mesh/text.hpp"
 #include "tunica/mesh/validate.hpp"
+#include "tunica/mesh/wall/elements.hpp"
 #include "tunica/mesh/wall/surface_distance.hpp"
 
 namespace tunica::mesh::wall {
@@ -27,11 +28,8 @@ std::vector<double> thickness_of(const Plan& plan) {
 }
 
 /// Thickness of a layer at the vertices, by its share of the wall.
-void measure_thickness(const Plan& plan, const std::vector<double>& thickness, int layer,
+void measure_thickness(const std::vector<double>& thickness, const Plan& plan, double share,
                        Report::LayerReport& report) {
-  double share = 0.0;
-  for (int level = 0; level < plan.steps(); ++level)
-    if (plan.layer[level] == layer) share += plan.heights[level + 1] - plan.heights[level];
   report.least = std::numeric_limits<double>::max();
   for (int v = 0; v < plan.surface.vertices(); ++v) {
     const double here = share * thickness[v];
@@ -39,6 +37,23 @@ void measure_thickness(const Plan& plan, const std::vector<double>& thickness, i
     report.most = std::max(report.most, here);
     report.mean += here / plan.surface.vertices();
   }
+}
+
+/// Of the prisms on the lumen's triangles, each at the mean thickness of its corners.
+void measure_flatness(const std::vector<double>& thickness, const Plan& plan, double share,
+                      Report::LayerReport& report) {
+  const int n = static_cast<int>(plan.surface.triangles.size());
+  int flat = 0;
+  for (int t = 0; t < n; ++t) {
+    const auto& v = plan.surface.triangles[t];
+    const double height =
+        share / report.elements * (thickness[v[0]] + thickness[v[1]] + thickness[v[2]]) / 3.0;
+    const double ratio = width(plan.surface, t) / height;
+    report.mean_flatness += ratio / n;
+    report.most_flatness = std::max(report.most_flatness, ratio);
+    if (ratio > flattest) ++flat;
+  }
+  report.flat_part = double(flat) / n;
 }
 
 void measure_elements(const Mesh& mesh, int region, Report& report, Report::LayerReport& layer) {
@@ -93,10 +108,48 @@ void measure_limits(const Plan& plan, const std::vector<double>& thickness, Repo
                    });
 }
 
+/// Part of the wall's thickness that a layer has.
+double share_of(const Plan& plan, int layer) {
+  double share = 0.0;
+  for (int level = 0; level < plan.steps(); ++level)
+    if (plan.layer[level] == layer) share += plan.heights[level + 1] - plan.heights[level];
+  return share;
+}
+
 /// A line of text by printf's rules.
 template <typename... Values>
 std::string line(const char* format, Values... values) {
   return formatted(format, values...) + "\n";
+}
+
+/// What makes the elements of a layer no flatter than 1 : 10 on average: fewer of them, or smaller
+/// triangles.
+std::string cure(const Report& report, const Report::LayerReport& layer) {
+  const int fewer = static_cast<int>(layer.elements * flattest / layer.mean_flatness);
+  if (fewer >= layer.elements) return "";
+  if (fewer >= 1)
+    return ". Give it " + std::to_string(fewer) + (fewer == 1 ? " element" : " elements") +
+           " through it (" + layer.name + "=THICKNESS:" + std::to_string(fewer) + ")";
+  const double too_wide = layer.mean_flatness / layer.elements / flattest;
+  const int times = static_cast<int>(std::ceil(std::log2(too_wide)));
+  std::string text = layer.elements > 1 ? ". Give it 1 element through it, and" : ". Give";
+  return text + " the lumen triangles " + show(report.mean_width / too_wide) +
+         " wide in place of " + show(report.mean_width) +
+         ", for instance by tunica-mesh refine --times " + std::to_string(times) +
+         ", or join the layer to the one beside it";
+}
+
+std::string warnings_of_flat_elements(const Report& report) {
+  constexpr double few = 0.01;
+  std::string text;
+  for (const auto& layer : report.layers)
+    if (layer.flat_part > few)
+      text += formatted(
+                  "warning: %.0f %% of the elements of \"%s\" are flatter than 1 : %.0f, up to 1 : "
+                  "%.1f",
+                  100.0 * layer.flat_part, layer.name.c_str(), flattest, layer.most_flatness) +
+              cure(report, layer) + ".\n";
+  return text;
 }
 
 }  // namespace
@@ -104,11 +157,17 @@ std::string line(const char* format, Values... values) {
 Report make_report(const Mesh& mesh, const Plan& plan, const Options& options) {
   Report report{};
   report.least_angle = 180.0;
+  const int triangles = static_cast<int>(plan.surface.triangles.size());
+  for (int t = 0; t < triangles; ++t) report.mean_width += width(plan.surface, t) / triangles;
   const std::vector<double> thickness = thickness_of(plan);
   for (std::size_t l = 0; l < options.layers.size(); ++l) {
     const Layer& layer = options.layers[l];
-    Report::LayerReport each{layer.name, layer.elements, 0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    measure_thickness(plan, thickness, static_cast<int>(l), each);
+    Report::LayerReport each{};
+    each.name = layer.name;
+    each.elements = layer.elements;
+    const double share = share_of(plan, static_cast<int>(l));
+    measure_thickness(thickness, plan, share, each);
+    measure_flatness(thickness, plan, share, each);
     measure_elements(mesh, region_index(mesh, layer.name), report, each);
     report.layers.push_back(each);
   }
@@ -118,13 +177,14 @@ Report make_report(const Mesh& mesh, const Plan& plan, const Options& options) {
 }
 
 std::string to_text(const Report& report) {
-  std::string text = line("%-16s %8s %9s  %-26s %10s %9s", "layer", "elements", "tets",
-                          "thickness min, mean, max", "least", "worst");
-  text += line("%-16s %8s %9s  %-26s %10s %9s", "", "through", "", "", "angle", "quality");
+  std::string text = line("%-16s %8s %9s  %-26s %16s %7s %9s", "layer", "elements", "tets",
+                          "thickness min, mean, max", "width / height", "least", "worst");
+  text += line("%-16s %8s %9s  %-26s %16s %7s %9s", "", "through", "", "", "mean, max", "angle",
+               "quality");
   for (const auto& each : report.layers)
-    text +=
-        line("%-16s %8d %9d  %-8.4g %-8.4g %-8.4g %8.1f %9.4f", each.name.c_str(), each.elements,
-             each.tets, each.least, each.mean, each.most, each.least_angle, each.worst_quality);
+    text += line("%-16s %8d %9d  %-8.4g %-8.4g %-8.4g %8.1f %8.1f %6.1f %9.4f", each.name.c_str(),
+                 each.elements, each.tets, each.least, each.mean, each.most, each.mean_flatness,
+                 each.most_flatness, each.least_angle, each.worst_quality);
   text += line("least angle between two faces: %.1f degrees, at ", report.least_angle);
   text.back() = ' ';
   text += show(report.least_angle_place) + "\n";
@@ -137,6 +197,7 @@ std::string to_text(const Report& report) {
   }
   if (report.limited.size() > most_places)
     text += "  and at " + std::to_string(report.limited.size() - most_places) + " places more\n";
+  text += warnings_of_flat_elements(report);
   for (const std::string& cap : report.bent_caps)
     text += "the cap \"" + cap + "\" is not flat, and so the wall's end is not\n";
   return text;

@@ -26,19 +26,20 @@ bool read_number(const std::string& text, Number& value) {
 
 Layer layer_from_text(const std::string& word) {
   const auto fail = [&](const std::string& what) {
-    throw Error("wall: layer \"" + word + "\": " + what +
-                ". Expected NAME=THICKNESS:ELEMENTS, for instance media=0.26:2.");
+    throw Error(
+        "wall: layer \"" + word + "\": " + what +
+        ". Expected NAME=THICKNESS:ELEMENTS, for instance media=0.26:2, or NAME=THICKNESS.");
   };
   const std::size_t equals = word.find('='), colon = word.find(':', equals);
   if (equals == std::string::npos || equals == 0) fail("it has no name or no \"=\"");
-  Layer layer{word.substr(0, equals), 0.0, 1};
+  Layer layer{word.substr(0, equals), 0.0, 0};
   const std::string number = word.substr(equals + 1, colon - equals - 1);
   if (!read_number(number, layer.thickness)) fail("its thickness \"" + number + "\" is no number");
   if (!(layer.thickness > 0.0) || !std::isfinite(layer.thickness))
     fail("its thickness is " + number + ", not positive");
   if (colon != std::string::npos && !read_number(word.substr(colon + 1), layer.elements))
     fail("its number of elements \"" + word.substr(colon + 1) + "\" is no integer");
-  if (layer.elements < 1 || layer.elements > most_elements)
+  if (colon != std::string::npos && (layer.elements < 1 || layer.elements > most_elements))
     fail("it has " + std::to_string(layer.elements) + " elements through it, not 1.." +
          std::to_string(most_elements));
   return layer;

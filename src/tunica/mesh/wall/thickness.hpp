@@ -11,7 +11,7 @@ namespace tunica::mesh::wall {
 struct Layer {
   std::string name;
   double thickness;  ///< mm; a share where the thickness of the wall is given otherwise
-  int elements;      ///< through it
+  int elements;      ///< through it; 0: grow() chooses
 };
 
 /// How thick the whole wall is. At most one is given; without any the layers say it.
@@ -21,7 +21,7 @@ struct Thickness {
   std::string file;                ///< thickness at points
 };
 
-/// "media=0.26:2,adventitia=0.13:1"; ":1" may be left away. Throws Error.
+/// "media=0.26:2,adventitia=0.13:1". Without ":2" elements is 0. Throws Error.
 std::vector<Layer> layers_from_text(const std::string& text);
 
 /// The wall's thickness wanted at each vertex. Throws Error if it is not positive everywhere.
