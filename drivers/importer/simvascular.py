@@ -4,9 +4,11 @@ import os
 
 import numpy as np
 
-from . import vtk_files
+from . import places, vtk_files
+from .faces import show
 from .raw import BadMesh, Tags
 
+NEAR = 1e-5  # of the extent: points of face and volume at the same place, in single precision or six digits
 EXPECTED = "expected mesh-complete.mesh.vtu and a folder mesh-surfaces with a .vtp for each face"
 
 
@@ -21,32 +23,57 @@ def volume_file(folder):
     raise BadMesh(f"{folder}: no volume mesh, {EXPECTED}")
 
 
-def node_numbers(dataset, path):
-    """What SimVascular calls a point, in the volume and in the faces alike."""
+def node_numbers(dataset):
+    """What SimVascular calls a point, in the volume and in the faces alike; None where the file does not say."""
     numbers = vtk_files.data_of(dataset.GetPointData()).get("GlobalNodeID")
-    if numbers is None:
-        raise BadMesh(f"{path}: no point array GlobalNodeID, expected that of SimVascular's export "
-                      "(mesh-complete), which says which points of the volume these are")
-    return numbers.astype(np.int64)
+    return None if numbers is None else numbers.astype(np.int64)
 
 
-def positions(path, numbers, of_volume, order):
-    """Where in the volume the points with these numbers stand."""
-    at = np.searchsorted(of_volume, numbers, sorter=order)
-    found = order[np.minimum(at, len(order) - 1)]
-    missing = of_volume[found] != numbers
-    if missing.any():
-        raise BadMesh(f"{path}: point {int(np.flatnonzero(missing)[0])} has the GlobalNodeID "
-                      f"{int(numbers[missing][0])}, which no point of the volume has. Is the face of another mesh?")
-    return found
+class Volume:
+    """Where the points of a face are among those of the volume."""
+
+    def __init__(self, points, numbers):
+        self.points, self.numbers = points, numbers
+        self.order = None if numbers is None else np.argsort(numbers, kind="stable")
+        self.near = NEAR * np.ptp(points, axis=0).max()
+        self.by_place = []  # faces whose numbers are of no use, and why
+
+    def by_numbers(self, numbers, points):
+        """None with the reason where they are not those of the volume, of points at the same places."""
+        if numbers is None or self.numbers is None:
+            return None, "no GlobalNodeID"
+        at = np.searchsorted(self.numbers, numbers, sorter=self.order)
+        found = self.order[np.minimum(at, len(self.order) - 1)]
+        if (self.numbers[found] != numbers).any():
+            return None, "a GlobalNodeID that no point of the volume has"
+        if np.linalg.norm(points - self.points[found], axis=1).max() > self.near:
+            return None, "a GlobalNodeID of a point elsewhere"
+        return found, ""
+
+    def at(self, path, numbers, points):
+        found, reason = self.by_numbers(numbers, points)
+        if found is not None and len(np.unique(found)) == len(found):
+            return found
+        pairs = places.pairs_within(points, self.points, self.near)
+        of_face, at = np.unique(pairs[:, 0]), np.full(len(points), -1)
+        if len(of_face) < len(points):
+            away = int(np.setdiff1d(np.arange(len(points)), of_face)[0])
+            distance = np.linalg.norm(self.points - points[away], axis=1).min()
+            raise BadMesh(f"{path}: point {away}, at {show(points[away])}, is {distance:.3g} away from all of the "
+                          f"volume, and the file has {reason or 'points twice'}. Is the face of another mesh? Export "
+                          "both at once")
+        nearest = np.lexsort((np.linalg.norm(points[pairs[:, 0]] - self.points[pairs[:, 1]], axis=1), pairs[:, 0]))
+        first = np.unique(pairs[nearest, 0], return_index=True)[1]
+        at[pairs[nearest][first, 0]] = pairs[nearest][first, 1]
+        self.by_place.append((os.path.basename(path), reason or "points twice"))
+        return at
 
 
-def check_places(path, points, data, at):
-    """A face of an older mesh has numbers that exist, but at other places."""
-    away = np.linalg.norm(vtk_files.points_of(data, path) - points[at], axis=1)
-    if away.max() > 1e-4 * np.ptp(points, axis=0).max():
-        raise BadMesh(f"{path}: the point with GlobalNodeID {int(node_numbers(data, path)[away.argmax()])} is "
-                      f"{away.max():.3g} away from that of the volume. Is the face of another mesh?")
+def check_corners(path, triangles):
+    again = np.flatnonzero((np.diff(np.sort(triangles, axis=1), axis=1) == 0).any(axis=1))
+    if len(again):
+        raise BadMesh(f"{path}: triangle {int(again[0])} has a vertex more than once, expected three. Does it hold "
+                      "points twice at the same place, or triangles without an area? Clean it, or mesh anew")
 
 
 def read(folder, region_array=None, surface_array=None):
@@ -58,14 +85,16 @@ def read(folder, region_array=None, surface_array=None):
     if not faces:
         raise BadMesh(f"{os.path.dirname(path)}: no mesh-surfaces/*.vtp, {EXPECTED}")
     raw, grid = vtk_files.read_volume(path, region_array)
-    of_volume = node_numbers(grid, path)
-    order = np.argsort(of_volume, kind="stable")
+    volume = Volume(raw.points, node_numbers(grid))
     triangles = []
     for face in faces:
         data, own = vtk_files.read_surface(face)
-        at = positions(face, node_numbers(data, face), of_volume, order)
-        check_places(face, raw.points, data, at)
+        at = volume.at(face, node_numbers(data), vtk_files.points_of(data, face))
         triangles.append(at[own])
+        check_corners(face, triangles[-1])
+    if volume.by_place:
+        raw.note("the points of " + ", ".join(name for name, _ in volume.by_place) + " were found by their places: "
+                 f"the file has {volume.by_place[0][1]}")
     names = [os.path.splitext(os.path.basename(face))[0] for face in faces]
     raw.triangles = np.concatenate(triangles)
     raw.surface = Tags(np.repeat(np.arange(len(faces)), [len(t) for t in triangles]),

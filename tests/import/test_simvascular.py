@@ -92,13 +92,17 @@ class SimVascular(ImportTest):
         points, tets = self.column.part(1)
         triangles = flat_faces(points, tets)["z_low"]
         cases = [(volume, lambda: os.remove(volume), ["lumen: no volume mesh", "mesh-complete.mesh.vtu"]),
-                 (face, lambda: write_vtp(face, points, triangles), ["inflow.vtp: no point array GlobalNodeID"]),
+                 # of another mesh, ten times as large
+                 (face, lambda: write_vtp(face, points, triangles),
+                  ["inflow.vtp: point 1, at", "away from all of the volume", "no GlobalNodeID", "another mesh?"]),
                  (face, lambda: write_vtp(face, points, triangles, of_points={
                      "GlobalNodeID": np.arange(len(points)) + 10 ** 6}),
-                  ["inflow.vtp: point 0 has the GlobalNodeID 1000000"]),
+                  ["inflow.vtp: point 1, at", "a GlobalNodeID that no point of the volume has"]),
                  (face, lambda: write_vtp(face, points, triangles, of_points={
                      "GlobalNodeID": np.arange(len(points)) + 1}),
-                  ["inflow.vtp: the point with GlobalNodeID", "another mesh?"]),
+                  ["inflow.vtp: point 1, at", "a GlobalNodeID of a point elsewhere"]),
+                 (face, lambda: write_vtp(face, points / 10, triangles[:, [0, 1, 0]]),
+                  ["inflow.vtp: triangle 0 has a vertex more than once"]),
                  (face, lambda: write_vtp(face, points, np.hstack([triangles, triangles[:, :1]])),
                   ["inflow.vtp: 18 polygons or strips that are no triangles"]),
                  (face, lambda: open(face, "w", encoding="utf-8").close(), ["inflow.vtp: VTK cannot read it"]),
@@ -110,6 +114,21 @@ class SimVascular(ImportTest):
                 shutil.copytree(self.path("good"), self.fluid)
                 damage()
                 self.expect_error(self.fluid, parts=parts)
+
+    def test_points_are_found_by_place_where_their_numbers_are_of_no_use(self):
+        good, face = self.imported(self.fluid, "--scale", "10"), self.face(self.fluid, "inflow")
+        points, tets = self.column.part(1)
+        triangles = flat_faces(points, tets)["z_low"]
+        used, own = np.unique(triangles, return_inverse=True)
+        place = (points[used] / 10, own.reshape(-1, 3))
+        shifted = (np.roll(used, 1) + 1).astype(np.int32)
+        for k, (numbers, reason) in enumerate(((None, "no GlobalNodeID"), (shifted, "elsewhere"))):
+            write_vtp(face, *place, of_points=None if numbers is None else {"GlobalNodeID": numbers.astype(np.int32)})
+            mesh = self.imported(self.fluid, "--scale", "10", out=f"{k}.h5")
+            self.assertTrue((mesh.triangles == good.triangles).all())
+            self.assertTrue((mesh.triangle_surface == good.triangle_surface).all())
+            self.assertIn("note     the points of inflow.vtp were found by their places", self.said)
+            self.assertIn(reason, self.said)
 
     def test_surface_alone_is_refused(self):
         self.expect_error(self.face(self.fluid, "inflow"), parts=["inflow.vtp: a surface without a volume"])
