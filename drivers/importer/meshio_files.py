@@ -5,12 +5,45 @@ import re
 
 import numpy as np
 
-from . import arrays
+from . import abaqus, arrays
 from .raw import BadMesh, Raw, Tags, check_shapes
 
 GMSH_START = b"$MeshFormat"
 EXPECTED = ("its ending is that of no format that is read, expected .vtu, .vtk, .exo, .msh, .mesh, .inp, .h5, another "
             "one that meshio knows, or a folder of SimVascular")
+
+
+def families_of(groups):
+    """Names of the groups of each family of a MED file, in UTF-8 as Salome writes them; meshio takes ASCII."""
+    def text_of(letters):
+        text = bytes(int(letter) & 0xFF for letter in letters).rstrip(b"\0 ")
+        try:
+            return text.decode("utf-8").strip()
+        except UnicodeDecodeError:
+            return text.decode("latin-1").strip()
+    return {family.attrs["NUM"]: [text_of(name) for name in family["GRO"]["NOM"][()]] if "GRO" in family else []
+            for family in groups.values()}
+
+
+def mend(meshio):
+    """What its readers take wrongly. What another version has otherwise stays as it is."""
+    kinds = getattr(getattr(meshio.abaqus, "_abaqus", None), "abaqus_to_meshio_type", {})
+    if kinds.get("C3D4H") == "tetra4":  # the hybrid element of incompressible walls, a kind that meshio has not
+        kinds["C3D4H"] = "tetra"
+    med = getattr(meshio.med, "_med", None)
+    if hasattr(med, "_read_families"):
+        med._read_families = families_of
+
+
+def in_words(error, said):
+    """What meshio says; where it stumbles, what that may mean."""
+    if isinstance(error, SystemExit):
+        return " ".join(said.split()) or "SystemExit"
+    reason = " ".join(str(error).split())
+    if type(error).__module__.startswith("meshio") and reason:
+        return reason
+    return (f"it stumbles ({type(error).__name__}{': ' if reason else ''}{reason}). The file is damaged, or has parts "
+            "that meshio does not know: leave them out, or save it as Gmsh or VTU")
 
 
 def read_raw(path, file_format):
@@ -19,19 +52,20 @@ def read_raw(path, file_format):
         import meshio
     except ImportError as error:
         raise BadMesh(f"{path}: this format needs meshio, in Debian the package python3-meshio ({error})") from error
+    mend(meshio)
     said = io.StringIO()
     try:
         with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
             return meshio.read(path, file_format)
     except (Exception, SystemExit) as error:  # whatever its readers stumble over in a damaged file
-        reason = " ".join((str(error) if not isinstance(error, SystemExit) else said.getvalue()).split())
+        reason = in_words(error, said.getvalue())
         if "gmsh:physical" in reason:
             reason = ("some elements have a physical group and others have none. Give all volumes and surfaces "
                       "one, or save without \"Save all elements\"")
         if "deduce" in reason:
             raise BadMesh(f"{path}: {EXPECTED}") from error
         raise BadMesh(f"{path}: meshio cannot read it{f' as {file_format}' if file_format else ''}: "
-                      f"{reason or type(error).__name__}") from error
+                      f"{reason}") from error
 
 
 def check_end(path):
@@ -48,7 +82,26 @@ def is_gmsh(path):
         return file.read(256).lstrip().startswith((GMSH_START, b"$Comments"))
 
 
+# How meshes of others begin that have an ending in common with one that is read: their points bound faces, or stand
+# in another order.
+FOREIGN = ((rb"\(\s*\d+[\s(\"]", "a mesh of Fluent (ANSYS)",
+            "Export it from there for Abaqus or Nastran, or open it in ParaView and save it as VTU"),
+           (rb"FoamFile|/\*-+\*- C\+\+", "of OpenFOAM", "Run foamToVTK, and import the .vtu of the volume"),
+           (rb"MFEM mesh", "a mesh of MFEM", "Save it as VTU, by MFEM's ParaViewDataCollection"),
+           (rb"\d+[ \t]+\d+[ \t]+\d+[ \t]*\r?\n[-+.\d]", "a mesh of FreeFem",
+            "Save it there by savemesh as Medit's .mesh"))
+
+
+def check_foreign(path):
+    with open(path, "rb") as file:
+        head = file.read(512).removeprefix(b"\xef\xbb\xbf").lstrip()
+    for start, what, cure in FOREIGN:
+        if re.match(start, head):
+            raise BadMesh(f"{path}: {what}, which is not read. {cure}")
+
+
 def read(path, region_array=None, surface_array=None):
+    check_foreign(path)
     check_end(path)
     gmsh = path.lower().endswith(".msh") and is_gmsh(path)
     mesh = read_raw(path, "gmsh" if gmsh else None)
@@ -58,13 +111,21 @@ def read(path, region_array=None, surface_array=None):
     check_shapes(path, counts)
     check_groups(path, mesh, gmsh)
     tets, triangles = (positions(mesh, kind) for kind in ("tetra", "triangle"))
+    surfaces = None
+    if path.lower().endswith(".inp"):
+        surfaces = abaqus.Surfaces(path, mesh, cells(mesh, "tetra", 4))
+        for name in [n for n in mesh.cell_sets if n.upper() in surfaces.sets]:
+            del mesh.cell_sets[name]  # sides of their elements are meant, and no region
     region, surface = tags(path, mesh, (region_array, surface_array), gmsh)
     points = np.asarray(mesh.points, dtype=float)
     if points.ndim != 2 or points.shape[1] != 3:
         raise BadMesh(f"{path}: points are not in space, expected three coordinates each")
     data = {name: np.concatenate(values) for name, values in mesh.cell_data.items() if is_whole(values)}
-    return Raw(path, points, cells(mesh, "tetra", 4), region, cells(mesh, "triangle", 3), surface,
-               arrays.vectors_of(data, tets))
+    raw = Raw(path, points, cells(mesh, "tetra", 4), region, cells(mesh, "triangle", 3), surface,
+              arrays.vectors_of(data, tets))
+    if surfaces:
+        abaqus.add_surfaces(raw, surfaces)
+    return raw
 
 
 def check_groups(path, mesh, gmsh):

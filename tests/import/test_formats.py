@@ -174,6 +174,64 @@ class OtherFormats(ImportTest):
             file.write("*ELEMENT".join([head, low, first, second, high]) + lists)
         self.expect_column(self.imported(name), ("fluid", "wall"), {"outlet": 1, "interface": 1, "surface-0": 9})
 
+    def test_surfaces_of_abaqus_are_sides_of_tetrahedra(self):
+        mesh = self.imported(os.path.join(DATA, "import-surface.inp"))
+        self.expect_sizes(mesh.volumes(), {"BLOOD": 1 / 6, "WALL": 1 / 3})
+        # S1 of element 1 is z = 0; S3 of it is the face between the two, of a side of sqrt(2).
+        self.expect_sizes(mesh.areas(), {"INLET": 0.5, "INTERFACE": 3 ** 0.5 / 2, "surface-0": 1 + 1.5 * 3 ** 0.5})
+        self.expect_conforming("BLOOD", "WALL", "INTERFACE")
+        with open(os.path.join(DATA, "import-surface.inp"), encoding="utf-8") as file:
+            text = file.read()
+        with open(self.path("more.inp"), "w", encoding="utf-8") as file:
+            file.write(text + "*Surface, type=ELEMENT, name=AGAIN\n_in_s1, s1\n*Surface, type=NODE, name=POINTS\n1,\n"
+                       "*Surface, type=ELEMENT, name=SHELL\n1, SPOS\n")
+        self.expect_sizes(self.imported("more.inp", out="more.h5").areas(), mesh.areas())
+        for note in ('1 faces of the *SURFACE "AGAIN"', 'the *SURFACE "POINTS" of the type NODE',
+                     '"SHELL" has 1 lines without a side'):
+            self.assertIn(note, self.said)
+        for name, content, part in (("set.inp", "NONE, S1", 'names the set "NONE"'),
+                                    ("number.inp", "7, S1", "a side of element 7, expected one of the tetrahedra")):
+            with open(self.path(name), "w", encoding="utf-8") as file:
+                file.write(text + "*Surface, type=ELEMENT, name=X\n" + content + "\n")
+            self.expect_error(name, parts=[part], out="x.h5")
+
+    def test_hybrid_elements_of_abaqus_are_tetrahedra(self):
+        with open(os.path.join(DATA, "import-surface.inp"), encoding="utf-8") as file:
+            text = file.read().replace("type=C3D4", "type=C3D4H")
+        with open(self.path("hybrid.inp"), "w", encoding="utf-8") as file:
+            file.write(text)
+        self.expect_sizes(self.imported("hybrid.inp").volumes(), {"BLOOD": 1 / 6, "WALL": 1 / 3})
+
+    def test_groups_of_med_may_have_accents(self):
+        self.how = {}
+        tets, region = self.column.tets, self.column.region
+        low, high = self.faces["z_low"], self.faces["z_high"]
+        name = self.write("c.med", [("tetra", tets), ("triangle", np.concatenate([low, high]))], cell_data={
+            "cell_tags": [-region.astype(int), np.repeat([-3, -4], [len(low), len(high)])]})
+        with h5py.File(self.path(name), "r+") as file:
+            families = next(iter(file["FAS"].values())).require_group("ELEME")
+            for tag, group in zip((-1, -2, -3, -4), ("lumen", "Gefäßwand", "entrée", "sortie")):
+                family = families.create_group(f"FAM_{tag}")
+                family.attrs["NUM"] = tag
+                names = family.create_group("GRO")
+                names.attrs["NBR"] = 1
+                letters = np.frombuffer(group.encode("utf-8").ljust(80, b"\0"), dtype=np.int8)
+                names.create_dataset("NOM", (1,), dtype="80int8")[0] = letters
+        self.expect_column(self.imported(name, "--fluid-regions", "lumen"), ("lumen", "Gefäßwand"),
+                           {"entrée": 1, "sortie": 1, "interface": 1, "surface-0": 8})
+
+    def test_meshes_of_fluent_are_named(self):
+        path = os.path.join(DATA, "import-fluent.msh")
+        self.expect_error(path, parts=["a mesh of Fluent (ANSYS), which is not read", "save it as VTU"])
+        done = tunica("tunica-mesh", "info", path)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("a mesh of Fluent (ANSYS), which is not read", done.stderr)
+
+    def test_what_meshio_stumbles_over_has_a_cure(self):
+        with open(self.path("c.inp"), "w", encoding="utf-8") as file:
+            file.write("*NODE\n1, 0, 0, 0\n*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n")
+        self.expect_error("c.inp", parts=["c.inp: ", "it stumbles (KeyError: 2)", "save it as Gmsh or VTU"])
+
     def test_legacy_vtk(self):
         writer = vtkUnstructuredGridWriter()
         writer.SetInputData(grid_of(self.column.points, [(10, self.column.tets)],

@@ -1,12 +1,13 @@
 """The parts of tunica-import: test_parts.py PROGRAM FOLDER_OF_PROGRAMS SCRATCH"""
 import os
 import sys
+import tempfile
 import unittest
 
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(sys.argv[1])))  # as the program does
-from importer import faces, names, places, summary  # noqa: E402
+from importer import faces, meshio_files, names, places, summary  # noqa: E402
 from importer.raw import BadMesh, Tags  # noqa: E402
 
 TET = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]])
@@ -73,6 +74,21 @@ class Places(unittest.TestCase):
 
 
 class Names(unittest.TestCase):
+    def test_meshes_that_share_an_ending_with_one_that_is_read_are_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mesh")
+            for content, program in ((b'(0 "grid")\n', "Fluent"), (b"\n(2 3)\n", "Fluent"),
+                                     (b"MFEM mesh v1.0\n", "MFEM"),
+                                     (b"5 2 7\n0 0 0 1\n", "FreeFem"), (b"FoamFile\n{\n", "OpenFOAM")):
+                with open(path, "wb") as file:
+                    file.write(content)
+                with self.assertRaisesRegex(BadMesh, program):
+                    meshio_files.check_foreign(path)
+            for content in (b"$MeshFormat\n", b"MeshVersionFormatted 2\n", b"*HEADING\n(1 2)\n", b"$ comment\n"):
+                with open(path, "wb") as file:
+                    file.write(content)
+                meshio_files.check_foreign(path)
+
     def test_tags_of_numbers_keep_their_order_and_names(self):
         tags = Tags.of_numbers([7, 3, 0, 7], {3: "wall"}, untagged=0)
         names.settle(tags, "region")

@@ -44,6 +44,10 @@ bool is_hdf5(const std::string& path) {
 std::function<void(RowStream&)> text_reader(const std::string& path) {
   const std::string head = first_line(path);
   const auto extension = std::filesystem::path(path).extension();
+  TUNICA_CHECK(!starts_with(head, "("),
+               path +
+                   ": a mesh of Fluent (ANSYS), which is not read. Export it from there for Abaqus "
+                   "or Nastran, or open it in ParaView and save it as VTU, for tunica-import.");
   if (starts_with(head, "$MeshFormat") || extension == ".msh")
     return [path](RowStream& rows) { read_gmsh(path, rows); };
   if (starts_with(head, "mesh3d") || extension == ".vol")
