@@ -4,6 +4,10 @@
 // p = ρ f·(x − c): linear elements have it exactly. Each triangle of area vector A takes −σ A from
 // the fluid, also where each is a surface of its own and they meet in every node.
 //
+// A plane that is held along its normal takes no force along itself, whatever meets it there. A
+// block between such planes that is pressed to the length λ in uniaxial stress,
+// St.Venant–Kirchhoff: F = A E λ (λ² − 1)/2, exact with linear elements.
+//
 // In any flow the forces on all surfaces and the change of momentum add up to nothing:
 //
 //   Σ_s F_s = −∫ ρ ((u − u_old)/Δt + (u·∇)u) dV
@@ -13,7 +17,9 @@
 #include "fluid_on_cube.hpp"
 #include "tunica/assembly/gather.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
+#include "tunica/mesh/block.hpp"
 #include "tunica/mesh/validate.hpp"
+#include "tunica/problems/solid_problem.hpp"
 
 namespace {
 
@@ -27,7 +33,7 @@ double observed(const discretisation::Observables& all, const std::string& name)
   return std::nan("");
 }
 
-/// "pressure_force" or "viscous_force" on a surface.
+/// "pressure_force", "viscous_force" or "wall_force" on a surface.
 Vec3 part(const discretisation::Observables& all, const std::string& name,
           const std::string& surface) {
   const std::string start = name + "_" + surface + "_";
@@ -62,11 +68,20 @@ const Vec3 body_force{0.3, -0.2, 0.5}, centre{0.5, 0.5, 0.5};
 Vec3 flow(const Vec3& x) { return shear * dot(b, x) * a; }
 double pressure(const Vec3& x) { return density * dot(body_force, x - centre); }
 
-Teuchos::ParameterList given_all_around(const fields::FieldMesh& field) {
+std::string held(const std::string& component) {
+  return entry("condition", "string", "held") +
+         entry("components", "Array(string)", "{" + component + "}");
+}
+
+/// But for a plane of symmetry, if there is one.
+Teuchos::ParameterList given_all_around(const fields::FieldMesh& field,
+                                        const std::string& plane = "") {
   std::string conditions;
   for (const std::string& name : field.surfaces)
-    conditions += sublist(name, entry("condition", "string", "velocity") +
-                                    entry("velocity", "Array(double)", "{0, 0, 0}"));
+    conditions +=
+        sublist(name, name == plane ? held("normal")
+                                    : entry("condition", "string", "velocity") +
+                                          entry("velocity", "Array(double)", "{0, 0, 0}"));
   return verify::resolved(problems::fluid_table(),
                           entry("density", "double", "1.06") +
                               entry("viscosity", "double", "0.03") +
@@ -114,6 +129,63 @@ TEUCHOS_UNIT_TEST(surface_forces, linear_flows_have_their_exact_forces_wherever_
     out << count << " surfaces: largest error " << worst << "\n";
     TEST_COMPARE(worst, <, 1e-12);
   }
+}
+
+TEUCHOS_UNIT_TEST(surface_forces, planes_of_symmetry_take_no_force_along_themselves) {
+  const std::string plane = "part-2";  // y = 0, turned by 20° about z
+  const double c = std::cos(std::acos(-1.0) / 9.0), s = std::sin(std::acos(-1.0) / 9.0);
+  mesh::Mesh turned = cut_cube(3, false);
+  for (Vec3& x : turned.vertices) x = {c * x[0] - s * x[1], s * x[0] + c * x[1], x[2]};
+  const fields::FieldMesh field = verify::field_of(turned);
+  problems::FluidProblem fluid(given_all_around(field, plane), field);
+  fluid.set_boundary_velocity([c, s](const Vec3& X, double) {
+    const double x = c * X[0] + s * X[1], y = -s * X[0] + c * X[1];
+    return Vec3{0.0, 0.0, (1.0 - x * x) * (2.0 - y * y)};
+  });
+  fluid.begin_step(stepping::Clock(0.5, 1));
+  TEST_ASSERT(fluid.solve().is_converged);
+  const auto found = fluid.observe_surfaces(fields::bounding_surfaces(field));
+  const Vec3 n{-s, c, 0.0}, F = part(found, "viscous_force", plane);
+  const double friction = norm(F - dot(F, n) * n);
+  const double of_side = std::abs(part(found, "viscous_force", "part-1")[2]);
+  out << "friction " << friction << ", of a side " << of_side << "\n";
+  TEST_COMPARE(friction, <, 1e-14);
+  TEST_COMPARE(of_side, >, 1e-2);
+}
+
+Teuchos::ParameterList pressed_between_planes() {
+  return verify::resolved(
+      problems::solid_table(),
+      entry("analysis", "string", "static") +
+          sublist("Layers", sublist("block", entry("law", "string", "st-venant-kirchhoff") +
+                                                 entry("young modulus", "double", "100") +
+                                                 entry("poisson ratio", "double", "0.3"))) +
+          sublist(
+              "Surfaces",
+              sublist("x_low", held("normal")) + sublist("y_low", held("normal")) +
+                  sublist("z_low", held("z")) +
+                  sublist("z_high", entry("condition", "string", "moved") +
+                                        entry("components", "Array(string)", "{z}") +
+                                        entry("displacement", "Array(double)", "{0, 0, -0.1}"))) +
+          sublist("Newton", entry("relative increment", "double", "1e-12")) +
+          sublist("Linear Solver", entry("method", "string", "direct")));
+}
+
+TEUCHOS_UNIT_TEST(surface_forces, what_presses_a_block_has_all_of_the_force_beside_held_planes) {
+  const fields::FieldMesh field =
+      verify::field_of(mesh::make_block({{1.0, 1.0, 1.0}, {2, 2, 2}, {0, 0}}));
+  problems::SolidProblem wall(pressed_between_planes(), field);
+  wall.begin_step(stepping::Clock(1.0, 1));
+  TEST_ASSERT(wall.solve().is_converged);
+  wall.end_step();
+  const auto found = wall.observe_surfaces(fields::bounding_surfaces(wall.mesh()));
+  const double exact = 100.0 * 0.9 * 0.095;
+  const auto force = [&found](const char* on) { return part(found, "wall_force", on); };
+  out << "force " << force("z_high")[2] << " and " << force("z_low")[2] << ", exact " << exact
+      << "\n";
+  TEST_COMPARE(norm(force("z_high") - Vec3{0.0, 0.0, exact}), <, 1e-9 * exact);
+  TEST_COMPARE(norm(force("z_low") - Vec3{0.0, 0.0, -exact}), <, 1e-9 * exact);
+  for (const char* side : {"x_low", "y_low"}) TEST_COMPARE(norm(force(side)), <, 1e-9 * exact);
 }
 
 TEUCHOS_UNIT_TEST(surface_forces, forces_and_change_of_momentum_balance) {

@@ -23,13 +23,14 @@ std::vector<Vec3> shared_reactions(const fields::FieldMesh& mesh, const SurfaceT
                                    const std::vector<Vec3>& reaction, const NodalShares& shares);
 
 /// The field's forces on the surfaces that prescribe its vector unknown, this rank's part, by the
-/// reactions r of owned nodes [mN]. Each component of a reaction goes to the surfaces s of the node
-/// that prescribe it, and all of
-/// it to planes that are held along their normal:
+/// reactions r of owned nodes [mN]. A surface takes no more of a reaction than the part along what
+/// it holds, a plane that is held along its normal nothing along itself:
 ///
-///   r_a[s] = e_a[s] + A_a[s] / Σ_t A_a[t] (r_a − Σ_t e_a[t])
+///   r_a[s] = H_s (e_a[s] + A_a[s] M⁻¹ (r_a − Σ_t H_t e_a[t])),   M = Σ_t A_a[t] H_t
 ///
 ///   e   shares.force, the estimate   mN      A   shares.area   mm²
+///   H   projector onto what the surface holds; t is over the surfaces of the node that hold
+///       anything, and M is inverted on what they hold together
 ///
 /// Where no such surfaces meet, that is all of r_a, whatever the estimate. The forces of all
 /// surfaces add up to the sum of the reactions.
