@@ -20,7 +20,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   // 1. The fluid, from where it goes on after a restart, and what is written of it.
   problems::FluidProblem fluid(app::fluid_list(list), *domain.fluid);
   fluid.linear_solver();  // wrong names in its lists are told before anything is solved
-  app::WallShear shear(list.sublist("Output"), fluid);
+  app::WallShear shear(list, fluid);
   app::TimeMarch march(list, {{"fluid", &fluid}, {"wall shear", &shear}}, output);
   march.judge(fluid);
   const app::SurfaceReport surfaces(list.sublist("Output"), &*domain.fluid, nullptr);

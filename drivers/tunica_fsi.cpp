@@ -50,7 +50,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   const CommPtr comm = domain.fluid->comm;
   for (const auto& [name, system] : scheme->systems())
     app::tell_unknowns(output.record, name, *system->last_jacobian().space());
-  app::WallShear shear(list.sublist("Output"), fluid);
+  app::WallShear shear(list, fluid);
   app::TimeMarch march(list,
                        {{"fluid", &fluid},
                         {"wall", &wall},

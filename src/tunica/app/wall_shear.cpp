@@ -25,12 +25,20 @@ void add_wall_shear_keys(params::Table& table) {
                "last beat where there are several");
 }
 
-WallShear::WallShear(const Teuchos::ParameterList& output, problems::FluidProblem& fluid)
-    : fluid_(&fluid), from_(output.get<double>(averages_key)), stress_(fluid.mesh().n_owned),
-      integral_(stress_.size()), integral_of_size_(stress_.size(), 0.0) {}
+WallShear::WallShear(const Teuchos::ParameterList& the_case, problems::FluidProblem& fluid)
+    : fluid_(&fluid), from_(the_case.sublist("Output").get<double>(averages_key)),
+      is_steady_(the_case.sublist("Time").get<std::string>("step control") == "steady"),
+      stress_(fluid.mesh().n_owned), integral_(stress_.size()),
+      integral_of_size_(stress_.size(), 0.0) {}
 
 void WallShear::accept(const stepping::Clock& clock) {
   stress_ = fluid_->wall_shear_stress();
+  if (is_steady_) {  // T = 1, all of it now
+    duration_ = 1.0;
+    integral_ = stress_;
+    for (std::size_t a = 0; a < stress_.size(); ++a) integral_of_size_[a] = norm(stress_[a]);
+    return;
+  }
   const double dt = std::min(clock.step_size(), clock.time() - from_);
   if (dt <= 1e-9 * clock.step_size()) return;
   duration_ += dt;
@@ -41,11 +49,12 @@ void WallShear::accept(const stepping::Clock& clock) {
 }
 
 std::vector<output::Array> WallShear::arrays() const {
+  if (duration_ == 0.0) return {array_of("wall_shear_stress", stress_)};
   output::Array mean{"time_averaged_wss", 1, {}}, osi{"oscillatory_shear_index", 1, {}},
       rrt{"relative_residence_time", 1, {}};
   for (std::size_t a = 0; a < stress_.size(); ++a) {
     const double size = integral_of_size_[a], along = norm(integral_[a]);
-    mean.values.push_back(duration_ > 0.0 ? size / duration_ : 0.0);
+    mean.values.push_back(size / duration_);
     osi.values.push_back(size > 0.0 ? 0.5 * (1.0 - along / size) : 0.0);
     // (1 − 2 OSI) TAWSS = |∫ τ dt|/T
     rrt.values.push_back(along > 0.0 ? duration_ / along : 0.0);

@@ -14,15 +14,16 @@ namespace tunica::app {
 ///   RRT    relative residence time   1/kPa
 ///
 /// Integrals are sums over the steps from a time of the case on, usually the beginning of the last
-/// beat. Source: [HG04].
+/// beat. On the way to a steady flow steps are no times: TAWSS = |τ|, OSI = 0, RRT = 1/|τ| of the
+/// present τ. Source: [HG04].
 class WallShear final : public fields::Restartable {
 public:
-  /// output: the resolved "Output" list. fluid must outlive the object.
-  WallShear(const Teuchos::ParameterList& output, problems::FluidProblem& fluid);
+  /// The resolved lists "Time" and "Output" of the case. fluid must outlive the object.
+  WallShear(const Teuchos::ParameterList& the_case, problems::FluidProblem& fluid);
 
   /// The clock's step is made. Collective.
   void accept(const stepping::Clock& clock);
-  /// On owned nodes, zero away from walls, and averages before they begin.
+  /// On owned nodes, zero away from walls; averages from when they begin.
   std::vector<output::Array> arrays() const;
   /// max_wall_shear_stress_kPa. Collective.
   discretisation::Observables observe() const;
@@ -34,6 +35,7 @@ public:
 private:
   problems::FluidProblem* fluid_;
   double from_;                          ///< [ms]
+  bool is_steady_;                       ///< such a flow is sought
   double duration_ = 0.0;                ///< T [ms]
   std::vector<Vec3> stress_, integral_;  ///< owned nodes
   std::vector<double> integral_of_size_;
