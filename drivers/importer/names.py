@@ -12,9 +12,11 @@ EXPECTED = 'expected "region OLD NEW" or "surface OLD NEW", where OLD is a name 
 def read(path):
     """(kind, old, new) of each line; # begins a comment."""
     try:
-        with open(path, encoding="utf-8") as file:
+        with open(path, encoding="utf-8-sig") as file:  # perhaps with a byte-order mark, as of spreadsheets
             lines = file.read().splitlines()
-    except (OSError, UnicodeDecodeError) as error:
+    except UnicodeDecodeError as error:
+        raise BadMesh(f"{path}: cannot be read as a file of names: it is not UTF-8. Save it as that.") from error
+    except OSError as error:
         raise BadMesh(f"{path}: cannot be read as a file of names: {error}") from error
     wishes = []
     for number, line in enumerate(lines, 1):

@@ -89,6 +89,17 @@ class Names(unittest.TestCase):
                     file.write(content)
                 meshio_files.check_foreign(path)
 
+    def test_files_of_names_may_begin_with_a_byte_order_mark(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "names.txt")
+            with open(path, "w", encoding="utf-8-sig", newline="") as file:
+                file.write("surface 3 in\r\nregion 1 wall\r\n")
+            self.assertEqual(names.read(path), [("surface", "3", "in"), ("region", "1", "wall")])
+            with open(path, "w", encoding="utf-16") as file:
+                file.write("surface 3 in\n")
+            with self.assertRaisesRegex(BadMesh, "not UTF-8"):
+                names.read(path)
+
     def test_tags_of_numbers_keep_their_order_and_names(self):
         tags = Tags.of_numbers([7, 3, 0, 7], {3: "wall"}, untagged=0)
         names.settle(tags, "region")

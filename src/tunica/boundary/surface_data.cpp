@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numeric>
 #include <sstream>
@@ -14,6 +13,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/boundary/held.hpp"
+#include "tunica/params/plain_text.hpp"
 
 namespace tunica::boundary {
 
@@ -29,9 +29,7 @@ struct PointData {
 std::string text_of(const std::string& file, const Comm& comm) {
   std::string text;
   on_root(comm, [&] {
-    std::ifstream in(file);
-    TUNICA_CHECK(in, file + ": cannot be read.");
-    text.assign(std::istreambuf_iterator<char>(in), {});
+    text = params::read_plain_text(file);
     TUNICA_CHECK(text.size() <= std::numeric_limits<int>::max(),
                  file + ": is larger than 2 GB, more than is handed to all ranks.");
   });
@@ -67,7 +65,6 @@ public:
     bool may_be_heading = true;
     for (std::string line; std::getline(in, line);) {
       ++number_;
-      if (!line.empty() && line.back() == '\r') line.pop_back();
       if (line.empty() || line[0] == '#') continue;
       const bool is_heading =
           may_be_heading && std::isalpha(static_cast<unsigned char>(line[0])) != 0;

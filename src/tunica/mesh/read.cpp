@@ -18,16 +18,17 @@ bool starts_with(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
 }
 
-/// The first line that is neither empty nor a comment, at most 64 characters of it.
+/// The first line that is neither empty nor a comment, at most 64 characters of it, behind a
+/// byte-order mark.
 std::string first_line(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::string head(4096, '\0');
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(in.gcount()));
-  std::size_t at = 0;
+  std::size_t at = starts_with(head, "\xef\xbb\xbf") ? 3 : 0;
   while (at < head.size()) {
-    const std::size_t end = std::min(head.find('\n', at), head.size());
-    const std::size_t start = std::min(head.find_first_not_of(" \t\r", at), end);
+    const std::size_t end = std::min(head.find_first_of("\r\n", at), head.size());
+    const std::size_t start = std::min(head.find_first_not_of(" \t", at), end);
     if (start < end && head[start] != '#') return head.substr(start, std::min(end - start, 64ul));
     at = end + 1;
   }

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/params/plain_text.hpp"
 
 namespace tunica::mesh {
 namespace {
@@ -35,6 +36,9 @@ TextScanner::TextScanner(const std::string& path, char comment, std::size_t piec
   TUNICA_CHECK(file_, path + ": cannot be opened for reading");
   left_ = static_cast<long long>(std::filesystem::file_size(path, code));
   TUNICA_CHECK(!code, path + ": its size cannot be read: " + code.message());
+  while (text_.size() < 4 && refill()) {
+  }
+  text_.erase(0, params::mark_size(text_, path));
 }
 
 bool TextScanner::refill() {
@@ -58,11 +62,12 @@ void TextScanner::skip_space() {
   bool is_comment = false;
   for (;; ++at_) {
     if (at_ == text_.size() && !refill()) return;
-    const char c = text_[at_], before = at_ > 0 ? text_[at_ - 1] : before_;
-    if (comment_ != 0 && before == '\n' && c == comment_) is_comment = true;
-    if (c == '\n') {
+    const char c = text_[at_];
+    const bool begins_line = before() == '\n' || before() == '\r';
+    if (comment_ != 0 && begins_line && c == comment_) is_comment = true;
+    if (c == '\n' || c == '\r') {
       is_comment = false;
-      ++line_;
+      if (c == '\r' || before() != '\r') ++line_;  // "\r\n" is one end
     } else if (!is_comment && !is_space(c)) {
       return;
     }
@@ -145,7 +150,7 @@ long long TextScanner::count(const std::string& expected, int least_bytes) {
 std::string TextScanner::quoted(const std::string& expected) {
   if (is_at_end() || text_[at_] != '"') fail("expected " + expected + " in double quotes");
   ++at_;
-  const std::size_t end = find("\"\n", at_);
+  const std::size_t end = find("\"\r\n", at_);
   if (end == text_.size() || text_[end] != '"')
     fail("expected " + expected + " in double quotes, the second is missing");
   std::string found = text_.substr(at_, end - at_);
@@ -154,7 +159,7 @@ std::string TextScanner::quoted(const std::string& expected) {
 }
 
 std::string TextScanner::rest_of_line() {
-  const std::size_t end = find("\n", at_);
+  const std::size_t end = find("\r\n", at_);
   while (at_ < end && is_space(text_[at_])) ++at_;
   std::size_t last = end;
   while (last > at_ && is_space(text_[last - 1])) --last;

@@ -11,7 +11,8 @@ constexpr int largest_int = std::numeric_limits<int>::max();
 
 /// Reads a text file word by word, and never has more of it than a piece or a line. Every mistake
 /// of the file becomes an Error that begins with "path:line:". Words are separated by white space;
-/// what is longer than any number or name comes as several.
+/// what is longer than any number or name comes as several. A byte-order mark of UTF-8 is passed
+/// over, and lines may end with '\r' alone.
 class TextScanner {
 public:
   /// Lines whose first character is comment are skipped (0: none are). Throws Error if it is not
@@ -45,6 +46,8 @@ public:
 
 private:
   void skip_space();
+  /// The character that stands before the next one.
+  char before() const { return at_ > 0 ? text_[at_ - 1] : before_; }
   /// Drops what was taken and reads the next piece behind the rest; false at the end of the file.
   bool refill();
   /// Where the first of these characters stands; the end of the text if there is none.

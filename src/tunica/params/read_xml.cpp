@@ -12,6 +12,7 @@
 #include "tunica/base/out_of_memory.hpp"
 #include "tunica/params/content.hpp"
 #include "tunica/params/nearest.hpp"
+#include "tunica/params/plain_text.hpp"
 #include "tunica/params/value.hpp"
 #include "tunica/params/xml_scan.hpp"
 
@@ -122,7 +123,7 @@ Teuchos::ParameterList read_xml(const std::string& path) {
   TUNICA_CHECK(file.good(), path + ": cannot be read; check its permissions");
   std::ostringstream text;
   text << file.rdbuf();
-  return from_xml(text.str(), path);
+  return from_xml(plain_text(text.str(), path), path);
 }
 
 Teuchos::ParameterList from_xml(const std::string& text, const std::string& where) {

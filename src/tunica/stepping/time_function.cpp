@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/params/plain_text.hpp"
 
 namespace tunica::stepping {
 
@@ -19,8 +19,7 @@ struct Samples {
 };
 
 Samples read_samples(const std::string& file) {
-  std::ifstream in(file);
-  TUNICA_CHECK(in, file + ": cannot be read.");
+  std::istringstream in(params::read_plain_text(file));
   Samples samples;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {

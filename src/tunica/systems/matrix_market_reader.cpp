@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tunica/base/error.hpp"
+#include "tunica/params/plain_text.hpp"
 
 namespace tunica::systems {
 
@@ -31,6 +32,7 @@ bool is_whole(const std::string& text, Number& value) {
 MatrixMarketReader::MatrixMarketReader(const std::string& path, const std::string& layout)
     : path_(path), file_(path) {
   TUNICA_CHECK(file_, path + ": cannot be read.");
+  params::begin_text(file_, path);
   ++line_number_;
   std::getline(file_, line_);
   const std::string head = lower(word()), object = lower(word()), found = lower(word()),

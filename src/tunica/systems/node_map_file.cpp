@@ -8,6 +8,7 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/rows.hpp"
+#include "tunica/params/plain_text.hpp"
 
 namespace tunica::systems {
 
@@ -16,7 +17,9 @@ namespace {
 class MapFile {
 public:
   MapFile(const std::string& path, long long n_vector)
-      : path_(path), file_(path), n_vector_(n_vector) {}
+      : path_(path), file_(path), n_vector_(n_vector) {
+    params::begin_text(file_, path);
+  }
 
   /// Those of the next lines; none behind the last.
   std::vector<Unknown> next(std::size_t count) {

@@ -16,7 +16,7 @@ using test::SmallTube;
 class DataFile {
 public:
   DataFile(const Comm& comm, const std::string& text) : comm_(&comm) {
-    if (comm.getRank() == 0) std::ofstream(name) << text;
+    if (comm.getRank() == 0) std::ofstream(name, std::ios::binary) << text;
     comm.barrier();
   }
   ~DataFile() {
@@ -93,6 +93,17 @@ TEUCHOS_UNIT_TEST(surface_data, is_a_periodic_spline_in_time) {
           TEST_COMPARE(norm(u[a] - a_t * linear(tube.fluid.x[a])), <, 5e-5);
     }
   }
+}
+
+TEUCHOS_UNIT_TEST(surface_data, files_may_begin_with_a_byte_order_mark_and_a_heading) {
+  const SmallTube tube;
+  const std::string text = grid({0.0}, 0.0);
+  const DataFile file(*tube.fluid.comm,
+                      "\xef\xbb\xbfx,y,z,u,v,w\r" + text.substr(text.find('\n') + 1));
+  const auto u = velocities(tube, 0.0, 3.0);
+  for (int a = 0; a < tube.fluid.n_owned; ++a)
+    if (tube.fluid.is_on(a, tube.surface("inlet")))
+      TEST_COMPARE(norm(u[a] - linear(tube.fluid.x[a])), <, 1e-10);
 }
 
 TEUCHOS_UNIT_TEST(surface_data, moves_the_wall_in_the_components_that_are_named) {

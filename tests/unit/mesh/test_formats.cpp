@@ -239,6 +239,24 @@ TEUCHOS_UNIT_TEST(text_scanner, pieces_of_any_size_give_the_same_words) {
   }
 }
 
+TEUCHOS_UNIT_TEST(text_scanner, marks_and_ends_of_lines_are_those_of_any_system) {
+  const TemporaryFile file("marked.txt");
+  for (const std::string mark : {"", "\xef\xbb\xbf"})
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+      file.fill(mark + "# head" + end + "1 2" + end + end + "name behind it" + end + "last");
+      for (const std::size_t piece : {1, 2, 5, 100}) {
+        TextScanner in(file.path, '#', piece);
+        const long long sum = in.integer("a") + in.integer("b");
+        TEST_EQUALITY(sum, 3);
+        const std::string word(in.word("c")), rest = in.rest_of_line(), last(in.word("d"));
+        TEST_EQUALITY(word + "|" + rest + "|" + last, "name|behind it|last");
+        TEST_EQUALITY(in.line(), 5);
+      }
+    }
+  file.fill(std::string("\xff\xfe$\0M\0", 6));
+  TEST_ASSERT(fails_with("expected UTF-8", out, [&] { TextScanner in(file.path); }));
+}
+
 TEUCHOS_UNIT_TEST(text_scanner, a_count_is_what_the_rest_of_the_file_can_hold) {
   const TemporaryFile file("counted.txt");
   file.fill("3 1 2 3");

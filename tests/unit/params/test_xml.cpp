@@ -45,6 +45,14 @@ TEUCHOS_UNIT_TEST(read_xml, every_type_is_read) {
   TEST_EQUALITY(list.sublist("L").get<float>("f"), 0.5f);
 }
 
+TEUCHOS_UNIT_TEST(read_xml, a_byte_order_mark_is_passed_over) {
+  const Folder folder;
+  const std::string text = "<?xml version=\"1.0\"?>\r\n<ParameterList name=\"Case\"/>\r\n";
+  TEST_EQUALITY(read_xml(folder.file("case.xml", "\xef\xbb\xbf" + text)).name(), "Case");
+  const std::string wide = folder.file("wide.xml", std::string("\xff\xfe<\0", 4));
+  TEST_ASSERT(message_of([&] { read_xml(wide); }).find("expected UTF-8") != std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(read_xml, a_missing_file_is_named) {
   TEST_EQUALITY(message_of([] { read_xml("/nowhere/case.xml"); }),
                 "/nowhere/case.xml: there is no such file");

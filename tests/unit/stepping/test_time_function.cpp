@@ -180,6 +180,14 @@ TEUCHOS_UNIT_TEST(time_function, files_hold_a_heading_comments_and_pairs) {
   list.set("kind", std::string("file"));
   list.set("file", name);
   TEST_EQUALITY(function_of(list)(0.5), 1.0);
+  // as spreadsheets write it
+  for (const std::string text : {"\xef\xbb\xbftime_ms,factor\r\n0,0\r\n2,4\r\n",
+                                 "\xef\xbb\xbf"
+                                 "0,0\r\n2,4\r\n",
+                                 "time,factor\r0,0\r2,4\r"}) {
+    std::ofstream(name, std::ios::binary) << text;
+    TEST_EQUALITY(function_of(list)(0.5), 1.0);
+  }
   std::ofstream(name) << "0, 0\n2; 4\n";
   TEST_ASSERT(refusal(list).find(":2: expected a time and a value") != std::string::npos);
   std::remove(name.c_str());

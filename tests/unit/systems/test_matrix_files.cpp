@@ -61,6 +61,11 @@ TEUCHOS_UNIT_TEST(matrix_files, entries_come_in_any_order_with_comments_and_empt
   TEST_COMPARE_ARRAYS(A.values, (std::vector<double>{1, 2, -300, 4.5}));
 }
 
+TEUCHOS_UNIT_TEST(matrix_files, a_byte_order_mark_is_passed_over) {
+  const auto A = matrix("\xef\xbb\xbf" + std::string(general) + "1 1 1\r\n1 1 3\r\n");
+  TEST_COMPARE_ARRAYS(A.values, (std::vector<double>{3}));
+}
+
 TEUCHOS_UNIT_TEST(matrix_files, exponents_of_fortran_are_exponents) {
   const auto A = matrix(std::string(general) + "1 2 2\n1 1 1.0D+03\n1 2 -2.5d-1\n");
   TEST_COMPARE_ARRAYS(A.values, (std::vector<double>{1000.0, -0.25}));
