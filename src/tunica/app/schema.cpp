@@ -1,13 +1,14 @@
 #include "tunica/app/schema.hpp"
 
 #include <Teuchos_Array.hpp>
-#include <sstream>
 
 #include "tunica/app/field_output.hpp"
 #include "tunica/app/probes.hpp"
 #include "tunica/app/surface_report.hpp"
 #include "tunica/app/wall_shear.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/formatted.hpp"
+#include "tunica/base/told_apart.hpp"
 #include "tunica/compare/solver_table.hpp"
 #include "tunica/compare/system_capture.hpp"
 #include "tunica/compare/system_export.hpp"
@@ -91,10 +92,10 @@ void check_interval(const Teuchos::ParameterList& list, const std::string&) {
   constexpr double most = 1e6;
   const double interval = list.sublist("Output").get<double>("fields interval");
   const double end = stepping::step_control_options(list.sublist("Time")).end;
-  std::ostringstream text;
-  text << "Output: \"fields interval\" is " << interval << " ms in a run of " << end
-       << " ms, expected at least " << end / most << " ms.";
-  TUNICA_CHECK(interval == 0.0 || interval * most >= end, text.str());
+  const auto [found, least] = told_apart(interval, end / most);
+  TUNICA_CHECK(interval == 0.0 || interval * most >= end,
+               "Output: \"fields interval\" is " + found + formatted(" ms in a run of %g", end) +
+                   " ms, expected at least " + least + " ms.");
 }
 
 /// Keys that every case has.

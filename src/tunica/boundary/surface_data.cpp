@@ -14,6 +14,7 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/boundary/held.hpp"
 #include "tunica/params/plain_text.hpp"
+#include "tunica/stepping/period.hpp"
 
 namespace tunica::boundary {
 
@@ -120,16 +121,15 @@ private:
 };
 
 /// N_k, one for each time.
-std::vector<stepping::TimeFunction> cardinal_splines(const std::vector<double>& times,
-                                                     double period) {
+std::vector<stepping::TimeFunction> cardinal_splines(std::vector<double> times, double period) {
   std::vector<stepping::TimeFunction> all;
+  // A last time that lies a period behind the first one is the first one.
+  const bool is_closed = period > 0.0 && stepping::closes_period(period, times);
   for (std::size_t k = 0; k < times.size(); ++k) {
     Teuchos::ParameterList list;
     list.set("kind", "table").set("interpolation", "spline").set("period", period);
     std::vector<double> one(times.size(), 0.0);
     one[k] = 1.0;
-    // A last time that lies a period behind the first one is the first one.
-    const bool is_closed = period > 0.0 && times.back() >= times.front() + period * (1.0 - 1e-9);
     if (is_closed && k == 0) one.back() = 1.0;
     if (is_closed && k + 1 == times.size()) one.assign(times.size(), 0.0);
     list.set("times", Teuchos::Array<double>(times)).set("values", Teuchos::Array<double>(one));
@@ -233,8 +233,7 @@ SurfaceData::SurfaceData(const Teuchos::ParameterList& list, const fields::Field
   const double period = list.get<double>("period");
   const std::size_t n_times = data.times.size();
   TUNICA_CHECK(period == 0.0 || n_times >= 3, file + ": a period needs three times at least.");
-  TUNICA_CHECK(period == 0.0 || data.times.back() - data.times.front() <= period * (1.0 + 1e-9),
-               file + ": the times span more than the period.");
+  if (period > 0.0) stepping::check_span(period, data.times, file);
   if (n_times > 1) shares_ = cardinal_splines(data.times, period);
   const double extent = extent_of(mesh, surface);
   Finder find(data.points, extent);

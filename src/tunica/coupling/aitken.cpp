@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tunica/base/error.hpp"
+#include "tunica/params/check_order.hpp"
 
 namespace tunica::coupling {
 
@@ -52,10 +52,8 @@ params::Table aitken_table() {
               "where a time step begins: the first factor, or the last factor of the step "
               "before if that is smaller")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
-        TUNICA_CHECK(list.get<double>("smallest factor") <= list.get<double>("largest factor"),
-                     path + ": \"smallest factor\" exceeds \"largest factor\".");
-        TUNICA_CHECK(list.get<double>("first factor") <= list.get<double>("largest factor"),
-                     path + ": \"first factor\" exceeds \"largest factor\".");
+        params::check_order(list, path, "smallest factor", "largest factor");
+        params::check_order(list, path, "first factor", "largest factor");
       });
   return table;
 }

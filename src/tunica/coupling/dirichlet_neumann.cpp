@@ -6,8 +6,10 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/fault_point.hpp"
+#include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
+#include "tunica/base/told_apart.hpp"
 #include "tunica/boundary/surface_geometry.hpp"
 
 namespace tunica::coupling {
@@ -189,11 +191,10 @@ bool DirichletNeumann::go_back(InterfaceVector& d, const InterfaceVector& reache
 }
 
 std::string DirichletNeumann::why_unconverged(double time, const Report& report) const {
-  std::ostringstream reason;
-  reason << "time " << time << " ms: the interface residual is "
-         << report.iterations.back().residual << " mm after " << report.iterations.size()
-         << " coupling iterations, expected less than " << options_.tolerance << " mm";
-  return reason.str();
+  const auto [left, most] = told_apart(report.iterations.back().residual, options_.tolerance);
+  return formatted("time %g ms: the interface residual is ", time) + left + " mm after " +
+         std::to_string(report.iterations.size()) + " coupling iterations, expected less than " +
+         most + " mm";
 }
 
 std::string DirichletNeumann::remark_on(double time) {

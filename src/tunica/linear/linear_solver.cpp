@@ -1,7 +1,6 @@
 #include "tunica/linear/linear_solver.hpp"
 
-#include <sstream>
-
+#include "tunica/base/told_apart.hpp"
 #include "tunica/linear/solvers/direct_solver.hpp"
 #include "tunica/linear/solvers/fallbacks.hpp"
 #include "tunica/linear/solvers/solver_chain.hpp"
@@ -83,11 +82,9 @@ std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& o
 }
 
 std::string describe_unconverged(const SolveReport& report) {
-  std::ostringstream text;
-  text << "the linear solver (" << report.method << ") reached a relative residual of "
-       << report.true_residual << " instead of " << report.tolerance << " in " << report.iterations
-       << " iterations";
-  return text.str();
+  const auto [found, wanted] = told_apart(report.true_residual, report.tolerance);
+  return "the linear solver (" + report.method + ") reached a relative residual of " + found +
+         " instead of " + wanted + " in " + std::to_string(report.iterations) + " iterations";
 }
 
 }  // namespace tunica::linear

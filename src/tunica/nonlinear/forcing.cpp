@@ -7,8 +7,8 @@
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 
-#include "tunica/base/error.hpp"
 #include "tunica/nonlinear/newton.hpp"
+#include "tunica/params/check_order.hpp"
 
 namespace tunica::nonlinear {
 
@@ -75,9 +75,7 @@ params::Table eisenstat_walker_table() {
       .number("largest tolerance", 0.01, part, "1", "bound of the later ones from above")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         if (!list.isParameter("smallest tolerance")) return;  // another kind
-        TUNICA_CHECK(
-            list.get<double>("smallest tolerance") <= list.get<double>("largest tolerance"),
-            path + ": \"smallest tolerance\" exceeds \"largest tolerance\".");
+        params::check_order(list, path, "smallest tolerance", "largest tolerance");
       });
   return table;
 }

@@ -1,9 +1,9 @@
 #include "tunica/problems/extension_problem.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "tunica/algebra/picked_matrix.hpp"
+#include "tunica/base/told_apart.hpp"
 
 namespace tunica::problems {
 
@@ -67,11 +67,10 @@ Outcome ExtensionProblem::extend(MultiVector& values, const ExtensionAccuracy& a
   }
   const double residual = solver_->solve_to(wanted, b, solution_);
   if (!(residual <= 2.0 * wanted)) {
-    std::ostringstream text;
-    text << "the linear solver left a relative residual of " << residual << " instead of "
-         << wanted;
+    const auto [left, most] = told_apart(residual, wanted);
     solution_.putScalar(0.0);  // it may be no number, and is the next start
-    return Outcome::failure(text.str());
+    return Outcome::failure("the linear solver left a relative residual of " + left +
+                            " instead of " + most);
   }
   algebra::add_rows(free_, 1.0, solution_, values);
   return Outcome::success();

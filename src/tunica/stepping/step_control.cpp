@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tunica/base/error.hpp"
+#include "tunica/params/check_order.hpp"
 #include "tunica/stepping/wall_limit.hpp"
 
 namespace tunica::stepping {
@@ -230,11 +230,9 @@ params::Table adaptive_table() {
       .integer("cuts", 10, params::between(0, 30),
                "how often in a row a step that fails is halved and repeated");
   table.check([](const Teuchos::ParameterList& list, const std::string& path) {
-    const double largest = list.get<double>("largest step");
-    TUNICA_CHECK(list.get<double>("smallest step") <= list.get<double>("step size"),
-                 path + ": \"smallest step\" exceeds \"step size\", which is the first step.");
-    TUNICA_CHECK(largest == 0.0 || list.get<double>("step size") <= largest,
-                 path + ": \"step size\", which is the first step, exceeds \"largest step\".");
+    params::check_order(list, path, "smallest step", "step size");
+    if (list.get<double>("largest step") > 0.0)
+      params::check_order(list, path, "step size", "largest step");
   });
   return table;
 }

@@ -7,7 +7,10 @@
 #include <sstream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/base/formatted.hpp"
+#include "tunica/base/told_apart.hpp"
 #include "tunica/params/plain_text.hpp"
+#include "tunica/stepping/period.hpp"
 
 namespace tunica::stepping {
 
@@ -52,27 +55,36 @@ bool has_samples(const Teuchos::ParameterList& options) {
 
 /// What a periodic table has within one period, and the first value once more where that ends.
 void close_period(double period, Samples& s) {
-  if (s.times.back() < s.times.front() + period * (1.0 - 1e-12)) {
+  if (!closes_period(period, s.times)) {
     s.times.push_back(s.times.front() + period);
     s.values.push_back(s.values.front());
   }
+  s.values.back() = s.values.front();
+}
+
+/// A last value that is not the first one to the digits with which tables are written.
+void check_closed(double period, Samples s, const std::string& path) {
+  constexpr double round_off = 1e-4;  // of the range
+  const std::string last = formatted("%g", s.times.back());
+  if (!closes_period(period, s.times)) return;
+  const auto [low, high] = std::minmax_element(s.values.begin(), s.values.end());
+  const double first_value = s.values.front(), last_value = s.values.back();
+  const auto [first_text, last_text] = told_apart(first_value, last_value);
+  TUNICA_CHECK(std::abs(last_value - first_value) <= round_off * (*high - *low),
+               path + ": the last time, " + last +
+                   " ms, lies a period behind the first one, but the values differ: " + first_text +
+                   " first and " + last_text +
+                   " last. Leave out the last, which the first one is again, or make them the "
+                   "same.");
 }
 
 void check_period(const Teuchos::ParameterList& options, const std::string& path, Samples s) {
   const double period = options.get<double>("period");
   const bool is_spline = options.get<std::string>("interpolation") == "spline";
   if (period > 0.0) {
-    const double span = s.times.back() - s.times.front();
-    std::ostringstream message;
-    message << path << ": the times span " << span << " ms, more than the period of " << period
-            << " ms.";
-    TUNICA_CHECK(span <= period * (1.0 + 1e-12), message.str());
+    check_span(period, s.times, path);
+    if (options.get<std::string>("interpolation") != "steps") check_closed(period, s, path);
     close_period(period, s);
-    const auto [low, high] = std::minmax_element(s.values.begin(), s.values.end());
-    TUNICA_CHECK(
-        options.get<std::string>("interpolation") == "steps" ||
-            std::abs(s.values.back() - s.values.front()) <= 1e-9 * (*high - *low),
-        path + ": the last time lies a period behind the first one, but the values differ.");
   }
   TUNICA_CHECK(!is_spline || s.times.size() >= (period > 0.0 ? 3U : 2U),
                path + ": a spline needs more times.");
@@ -86,10 +98,11 @@ void check_samples(const Teuchos::ParameterList& options, const std::string& pat
                                                       " times but " +
                                                       std::to_string(s.values.size()) + " values.");
   for (std::size_t i = 1; i < s.times.size(); ++i) {
-    std::ostringstream message;
-    message << path << ": the times must increase, but " << s.times[i] << " ms follows "
-            << s.times[i - 1] << " ms.";
-    TUNICA_CHECK(s.times[i] > s.times[i - 1], message.str());
+    const auto [next, last] = told_apart(s.times[i], s.times[i - 1]);
+    TUNICA_CHECK(s.times[i] > s.times[i - 1], path + ": the times must increase, but " + next +
+                                                  " ms follows " + last + " ms, which is time " +
+                                                  std::to_string(i) + " of " +
+                                                  std::to_string(s.times.size()) + ".");
   }
   check_period(options, path, s);
 }

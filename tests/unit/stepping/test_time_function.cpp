@@ -149,6 +149,34 @@ TEUCHOS_UNIT_TEST(time_function, periods_and_splines_that_cannot_be_are_refused)
   TEST_ASSERT(refused(periodic(table_list({0, 8}, {1, 1}, "spline"), 8), "needs more times"));
 }
 
+// 1.2 Hz: a heart of 72 beats a minute, whose period has no end of digits.
+TEUCHOS_UNIT_TEST(time_function, a_table_of_one_period_may_have_other_digits_than_the_period) {
+  for (const std::string between : {"linear", "spline"})
+    for (const double end : {833.33333, 833.333, 833.33}) {
+      const TimeFunction f = function_of(
+          periodic(table_list({0, 400, end}, {20.1234561, 40, 20.1234569}, between), 833.333));
+      for (const double t : {0.0, 833.333, 8333.33})
+        TEST_FLOATING_EQUALITY(f(t), 20.1234561, 1e-12);
+      TEST_FLOATING_EQUALITY(f(400.0 + 833.333), 40.0, 1e-12);
+    }
+  const std::string said = refusal(
+      periodic(table_list({0, 400, 833.3395, 833.34}, {20, 40, 20, 20}, "linear"), 833.333));
+  TEST_ASSERT(said.find("span 833.34 ms, more than the period of 833.333 ms") != std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(time_function, messages_tell_the_numbers_apart_that_they_compare) {
+  const auto said = [](const std::vector<double>& times, const std::vector<double>& values) {
+    return refusal(periodic(table_list(times, values, "linear"), 833.333));
+  };
+  const auto holds = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  TEST_ASSERT(
+      holds(said({0, 400, 833.333}, {1000, 1000.004, 1000.001}), "1000 first and 1000.001 last"));
+  TEST_ASSERT(holds(said({0, 400.00002, 400.00001}, {1, 2, 1}),
+                    "400.00001 ms follows 400.00002 ms, which is time 2 of 3"));
+}
+
 TEUCHOS_UNIT_TEST(time_function, files_are_replaced_by_their_samples_at_any_depth) {
   const std::string file = "inline_files.csv";
   std::ofstream(file) << "time,factor\n0,1\n2,5\n";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "tunica/base/told_apart.hpp"
 #include "tunica/io/progress.hpp"
 #include "tunica/linear/setup_failure.hpp"
 #include "tunica/linear/solvers/fallbacks.hpp"
@@ -20,12 +21,10 @@ constexpr int most_patience = 64;
 constexpr double cost_of_multigrid = 200.0, cost_of_factors = 400.0;
 
 std::string why_given_up(const SolveReport& report) {
-  std::ostringstream text;
-  text.precision(2);
-  text << (report.has_stagnated ? "stagnates" : "ends") << " at a relative residual of "
-       << report.true_residual << " instead of " << report.tolerance << " after "
-       << report.iterations << " iterations";
-  return text.str();
+  const auto [found, wanted] = told_apart(report.true_residual, report.tolerance, 2);
+  return std::string(report.has_stagnated ? "stagnates" : "ends") + " at a relative residual of " +
+         found + " instead of " + wanted + " after " + std::to_string(report.iterations) +
+         " iterations";
 }
 
 std::string gigabytes(double bytes) {
