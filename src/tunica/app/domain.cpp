@@ -15,14 +15,15 @@
 #include "tunica/boundary/rigid_motion.hpp"
 #include "tunica/boundary/surface_terms.hpp"
 #include "tunica/coupling/registry.hpp"
-#include "tunica/discretisation/fluid_options.hpp"
-#include "tunica/discretisation/solid_options.hpp"
+#include "tunica/discretisation/fluid.hpp"
+#include "tunica/discretisation/solid.hpp"
 #include "tunica/mesh/distributed/share.hpp"
 #include "tunica/mesh/validate.hpp"
 #include "tunica/params/nearest.hpp"
 #include "tunica/problems/fibre_frames.hpp"
 #include "tunica/problems/prestress.hpp"
 #include "tunica/problems/solid_problem.hpp"
+#include "tunica/stepping/step_control.hpp"
 
 namespace tunica::app {
 
@@ -230,14 +231,33 @@ void print_expectations(const Teuchos::ParameterList& list, const Domain& domain
   if (is_root) std::cout << cost << std::endl;
 }
 
+namespace {
+
+/// Prescribes what the case gives at so many times of the run: flows through a fluid that no
+/// surface lets out must balance at all of them.
+void check_flows(discretisation::Fluid& fluid, const stepping::StepControlOptions& time) {
+  const int n = time.pseudo_time ? 1 : 20;  // a steady flow has the loads at the end
+  algebra::BlockVector x(fluid.space());
+  stepping::Clock clock(time.end / n, n);
+  for (; !clock.is_done(); clock.advance()) {
+    fluid.begin_step(clock);
+    fluid.prescribe(x);
+  }
+}
+
+}  // namespace
+
 void check_fields(const Teuchos::ParameterList& list, const Domain& domain) {
-  if (domain.wall) problems::frames_of_wall(list.sublist("Wall"), *domain.wall);
-  const auto check = [&list](const char* field, const auto& registry, const auto& mesh) {
-    const auto conditions = boundary::conditions_of(list.sublist(field).sublist("Surfaces"));
-    const boundary::SurfaceTerms terms(conditions, registry, mesh);
-  };
-  if (domain.fluid) check("Fluid", boundary::fluid_conditions(), *domain.fluid);
-  if (domain.wall) check("Wall", boundary::wall_conditions(), *domain.wall);
+  const bool is_monolithic =
+      list.isSublist("Coupling") && coupling::is_monolithic(list.sublist("Coupling"));
+  if (domain.wall)
+    const discretisation::Solid wall(list.sublist("Wall"), *domain.wall,
+                                     problems::frames_of_wall(list.sublist("Wall"), *domain.wall));
+  if (domain.fluid) {
+    discretisation::Fluid fluid(list.sublist("Fluid"), *domain.fluid);
+    // One whose wall moves with it within a step is not closed.
+    if (!is_monolithic) check_flows(fluid, stepping::step_control_options(list.sublist("Time")));
+  }
   check_held(list, domain);
 }
 

@@ -34,8 +34,9 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm);
 void print_expectations(const Teuchos::ParameterList& list, const Domain& domain);
 
 /// What a run would find on that domain before its first step: the directions of the wall's fibres,
-/// the conditions of all surfaces with their files, and check_held(). Throws Error on all ranks
-/// alike. Collective.
+/// the conditions of all surfaces with their files, and check_held(); and in its steps: flows
+/// through a fluid that no surface lets out, which do not balance. Throws Error on all ranks alike.
+/// Collective.
 void check_fields(const Teuchos::ParameterList& list, const Domain& domain);
 
 /// Throws Error where the case seeks equilibria of a wall that may move as a rigid body: in
