@@ -1,7 +1,10 @@
 #pragma once
 #include <Teuchos_XMLParameterListHelpers.hpp>
+#include <cmath>
+#include <ostream>
 #include <string>
 
+#include "tunica/app/sanity/sanity.hpp"
 #include "tunica/app/schema.hpp"
 
 namespace tunica::test {
@@ -53,5 +56,31 @@ struct TubeCase {
     return list;
   }
 };
+
+/// A tube of radius 1, length 40 and a wall of 0.1, as if it were measured.
+inline app::Vessel ideal_tube() {
+  app::Vessel vessel;
+  vessel.fluid.emplace();
+  vessel.fluid->pieces = {1};
+  vessel.fluid->volume = 40.0 * M_PI;
+  vessel.fluid->edge = 0.2;
+  vessel.wall = vessel.fluid;
+  vessel.openings = {{"inlet", M_PI, 12}, {"outlet", M_PI, 12}};
+  vessel.radius = 1.0;
+  vessel.length = 40.0;
+  vessel.elements_across_lumen = 12;
+  vessel.thickness = 0.1;
+  vessel.elements_across_wall = 3;
+  vessel.region_shares = {0.6, 0.4};
+  return vessel;
+}
+
+inline bool doubts(const TubeCase& tube, const std::string& part, std::ostream& out) {
+  for (const std::string& doubt : app::judge(tube.resolved(), ideal_tube()).doubts) {
+    if (doubt.find(part) != std::string::npos) return true;
+    out << doubt << "\n";
+  }
+  return false;
+}
 
 }  // namespace tunica::test

@@ -18,6 +18,8 @@ namespace {
 
 using namespace tunica;
 using test::condition;
+using test::doubts;
+using test::ideal_tube;
 using test::number;
 using test::TubeCase;
 
@@ -50,32 +52,6 @@ mesh::Tube fine_tube() {
 
 app::VesselSurfaces names_of_tube() {
   return {{"interface"}, {}, {"interface"}, {"struct_in", "struct_out"}};
-}
-
-/// A tube of radius 1, length 40 and a wall of 0.1, as if it were measured.
-app::Vessel ideal_tube() {
-  app::Vessel vessel;
-  vessel.fluid.emplace();
-  vessel.fluid->pieces = {1};
-  vessel.fluid->volume = 40.0 * M_PI;
-  vessel.fluid->edge = 0.2;
-  vessel.wall = vessel.fluid;
-  vessel.openings = {{"inlet", M_PI, 12}, {"outlet", M_PI, 12}};
-  vessel.radius = 1.0;
-  vessel.length = 40.0;
-  vessel.elements_across_lumen = 12;
-  vessel.thickness = 0.1;
-  vessel.elements_across_wall = 3;
-  vessel.region_shares = {0.6, 0.4};
-  return vessel;
-}
-
-bool doubts(const TubeCase& tube, const std::string& part, std::ostream& out) {
-  for (const std::string& doubt : app::judge(tube.resolved(), ideal_tube()).doubts) {
-    if (doubt.find(part) != std::string::npos) return true;
-    out << doubt << "\n";
-  }
-  return false;
 }
 
 TEUCHOS_UNIT_TEST(vessel, angles_between_faces_are_those_of_known_tetrahedra) {
@@ -193,6 +169,10 @@ TEUCHOS_UNIT_TEST(sanity, values_in_other_units_are_doubted) {
   TubeCase tube;
   tube.viscosity = "1e-12";
   TEST_ASSERT(doubts(tube, "Fluid / viscosity is 1e-12", out));
+  tube.viscosity = "0.04";  // blood in Poise
+  TEST_ASSERT(doubts(tube, "0.04 P = 0.004 kPa ms", out));
+  tube.viscosity = "0.004";
+  TEST_ASSERT(!doubts(tube, "viscosity", out));
   tube = {};
   tube.density = "1000";
   TEST_ASSERT(doubts(tube, "1000 kg/m^3 = 1 mg/mm^3", out));
@@ -208,6 +188,25 @@ TEUCHOS_UNIT_TEST(sanity, values_in_other_units_are_doubted) {
   tube = {};
   tube.c10 = "1e6";
   TEST_ASSERT(doubts(tube, "media: Young's modulus", out));
+  tube.c10 = "0.2";  // MPa
+  TEST_ASSERT(doubts(tube, "1 MPa = 1000 kPa", out));
+}
+
+// 40 mm; waves of 2.24 mm/ms (c10 = 33.3 kPa) take 18 ms.
+TEUCHOS_UNIT_TEST(sanity, times_in_seconds_are_doubted_without_a_period_too) {
+  const auto flow = [](const std::string& times) {
+    return condition("inlet", "flow rate",
+                     number("flow rate", "2") + test::table_of(times, "0, 1, 0.3"));
+  };
+  TubeCase tube;
+  tube.inlet = flow("0, 0.1, 0.8");
+  TEST_ASSERT(doubts(tube, "the table of a flow takes 0.8 ms, less than the 17.9 ms", out));
+  tube.inlet = flow("0, 100, 800");
+  TEST_ASSERT(!doubts(tube, "runs through the vessel", out));
+  tube.step_size = "0.008";  // 100 steps
+  TEST_ASSERT(doubts(tube, "the run takes 0.8 ms, less than the 17.9 ms", out));
+  tube.step_size = "0.2";
+  TEST_ASSERT(!doubts(tube, "runs through the vessel", out));
 }
 
 TEUCHOS_UNIT_TEST(sanity, outlets_settle_to_the_pressure_of_their_resistances) {

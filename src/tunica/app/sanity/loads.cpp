@@ -42,6 +42,8 @@ public:
     for (const double t : times) most = std::max(most, std::abs((*this)(t)));
     return most;
   }
+  /// Up to the last time of a table that is not repeated; 0 where there is none [ms].
+  double table() const { return amplitude_.period() > 0.0 ? 0.0 : amplitude_.span(); }
   /// In all of its course, also where the run is shorter.
   double peak_of_course() const { return peak(even_times(amplitude_.span())); }
   /// Over a period, also where the run is shorter, or else over the run.
@@ -116,6 +118,10 @@ void visit_opening(const boundary::Condition& c, double area, const std::vector<
   using Kind = boundary::Drive::Kind;
   const boundary::Drive drive = c.drive(boundary::Field::fluid);
   const Course course(c.list, drive.size);
+  const bool flows = drive.kind == Kind::velocity || drive.kind == Kind::flow;
+  if (flows && course.table() > 0.0)
+    loads.flow_table =
+        loads.flow_table > 0.0 ? std::min(loads.flow_table, course.table()) : course.table();
   switch (drive.kind) {
     case Kind::velocity:
       note_flow(area * course.peak(times), area * course.peak_of_course(), area, c.surface, loads);

@@ -17,8 +17,9 @@ struct Loads {
   double peak_flow = 0.0;  ///< largest that is prescribed through an opening [mm³/ms]
   double flow_area = 0.0;  ///< of this opening [mm²]
   std::string flow_surface{};
-  double peak_speed = 0.0;           ///< largest mean velocity that is prescribed [mm/ms]
-  double course_speed = 0.0;         ///< the same in all of the amplitudes' courses
+  double flow_table = 0.0;    ///< the shortest of a flow or velocity without a period; 0: none [ms]
+  double peak_speed = 0.0;    ///< largest mean velocity that is prescribed [mm/ms]
+  double course_speed = 0.0;  ///< the same in all of the amplitudes' courses
   std::string speed_surface{};       ///< of that
   double peak_pressure = 0.0;        ///< largest on openings of the fluid and on the wall [kPa]
   std::string pressure_surface{};    ///< with the list that names it

@@ -37,6 +37,7 @@ public:
     loads();
     openings();
     if (vessel_.fluid) flow();
+    if (vessel_.fluid) times();
     if (has_fixed_steps()) steps();
     found_.rows = std::move(rows_);
     found_.doubts = std::move(doubts_);
@@ -59,6 +60,7 @@ private:
   void openings();
   void flow();
   double driven_speed(std::string& how) const;
+  void times();
   void steps();
   void waves();
   void brief();
@@ -134,6 +136,12 @@ void Judge::stiffness() {
   }
   row("wall, small-strain Young's modulus", formatted("%.3g kPa", found_.modulus),
       "20 to 5000 kPa");
+  // A layer may be as soft; below 0.5 kPa it is doubted itself.
+  if (found_.modulus < 5.0 && found_.modulus >= 0.5)
+    doubts_.push_back(formatted(
+        "the wall's Young's modulus at small strain is %.3g kPa in the mean of its layers; walls "
+        "have 20 to 5000 kPa; 1 MPa = 1000 kPa. Check the unit of what is given.",
+        found_.modulus));
   if (vessel_.thickness > 0.0 && vessel_.radius > 0.0) {
     const double E = found_.modulus, h = vessel_.thickness, R = vessel_.radius;
     found_.wave_speed = std::sqrt(E * h / (2.0 * fluid_.density * R));
@@ -249,6 +257,25 @@ void Judge::flow() {
   const double longest = *std::max_element(loads_.periods.begin(), loads_.periods.end());
   found_.womersley = R * std::sqrt(2.0 * M_PI / (longest * nu));
   row("Womersley number", formatted("%.3g (period %.4g ms)", found_.womersley, longest), "1 to 25");
+}
+
+// A beat is not to be seen in less than a wave takes through the vessel. Runs of few steps are
+// trials.
+void Judge::times() {
+  constexpr double usual_speed = 5.0;
+  const double c = found_.wave_speed > 0.0 ? found_.wave_speed : usual_speed;
+  const double transit = vessel_.length / c;
+  const auto doubt = [&](const char* what, double duration) {
+    doubts_.push_back(
+        formatted("%s takes %.3g ms, less than the %.3g ms in which a wave of %.3g mm/ms runs "
+                  "through the vessel; a heartbeat takes 600 to 1200 ms. Are the times in "
+                  "seconds? 0.8 s = 800 ms.",
+                  what, duration, transit, c));
+  };
+  if (loads_.flow_table > 0.0 && loads_.flow_table < transit)
+    doubt("the table of a flow", loads_.flow_table);
+  else if (has_fixed_steps() && loads_.end < transit && loads_.end >= 99.5 * time_.first_step)
+    doubt("the run", loads_.end);
 }
 
 void Judge::steps() {

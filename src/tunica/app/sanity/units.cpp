@@ -19,8 +19,10 @@ struct Quantity {
   const char* usual;  ///< with the factors from other units
 };
 
-constexpr Quantity viscosity{"kPa ms (= Pa s)", 3e-4, 0.1,
-                             "blood has 0.0035 kPa ms, water 0.001; 1 cP = 1 mPa s = 0.001 kPa ms"};
+// The upper bound lies between blood and what is ten times as much, blood in Poise.
+constexpr Quantity viscosity{
+    "kPa ms (= Pa s)", 3e-4, 0.02,
+    "blood has 0.0035 kPa ms, water 0.001; 0.04 P = 0.004 kPa ms, 1 cP = 1 mPa s = 0.001 kPa ms"};
 constexpr Quantity density{"mg/mm^3 (= g/cm^3)", 0.05, 5.0,
                            "blood has 1.06 mg/mm^3, walls 1.1 to 1.2; 1000 kg/m^3 = 1 mg/mm^3"};
 constexpr Quantity pressure{"kPa", 0.0, 50.0,
