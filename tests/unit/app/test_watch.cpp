@@ -19,11 +19,15 @@ app::StepSummary after(int coupling_iterations) {
   return step;
 }
 
+/// A wall that has lost volume.
+app::VolumeChange some_lost() { return {3, 40, {1.0, 2.0, 3.0}, 0.8, 1.05}; }
+
 /// How many lines each of the steps gives.
 std::vector<int> counts(app::Watch& watch, const std::vector<discretisation::Observables>& steps) {
   std::vector<int> found;
   for (const auto& observables : steps)
-    found.push_back(static_cast<int>(watch.look(after(1), 1.0, observables).size()));
+    found.push_back(
+        static_cast<int>(watch.look(after(1), 1.0, observables, nullptr, {}, some_lost).size()));
   return found;
 }
 
@@ -60,10 +64,9 @@ TEUCHOS_UNIT_TEST(watch, volume_is_lost_in_so_many_elements_and_most_at_a_place)
   TEST_EQUALITY(app::volume_change(wall, free_of_stress, from_X).beyond, 0);
 
   app::Watch watch(TubeCase().resolved());
-  const auto found = watch.look(after(1), 1.0, volumes(0.8, 1.0), nullptr, {}, [] {
-    return app::VolumeChange{3, 40, {1.0, 2.0, 3.0}};
-  });
+  const auto found = watch.look(after(1), 1.0, volumes(0.7, 1.3), nullptr, {}, some_lost);
   TEST_EQUALITY(found.size(), 1);
+  TEST_INEQUALITY(found.at(0).find("have 0.8 to 1.05 times their volume"), std::string::npos);
   TEST_INEQUALITY(found.at(0).find("3 of 40 are beyond that, the worst at (1, 2, 3)"),
                   std::string::npos);
 }
@@ -72,7 +75,40 @@ TEUCHOS_UNIT_TEST(watch, compressible_wall_may_lose_volume) {
   TubeCase tube;
   tube.c10 = "1e9";  // of the size of the bulk modulus
   app::Watch watch(tube.resolved());
-  TEST_EQUALITY(watch.look(after(1), 1.0, volumes(0.5, 1.5)).size(), 0);
+  TEST_EQUALITY(watch.look(after(1), 1.0, volumes(0.5, 1.5), nullptr, {}, some_lost).size(), 0);
+}
+
+// As a plaque beside a media: what counts is the element's own bulk modulus.
+TEUCHOS_UNIT_TEST(watch, a_stiff_layer_mutes_none_that_is_nearly_incompressible) {
+  for (const std::string stiff : {"media", "adventitia"}) {
+    Teuchos::ParameterList list = TubeCase().resolved();
+    list.sublist("Wall").sublist("Layers").sublist(stiff).set("c10", 1e9);
+    const test::SmallTube tube;
+    problems::SolidProblem wall(list.sublist("Wall"), tube.wall);
+    fields::State state = wall.save();  // all of it has 1.2 of its volume
+    for (int a = 0; a < tube.wall.n_owned; ++a)
+      state.arrays["displacement"].values[3 * a + 2] = 0.2 * tube.wall.x[a][2];
+    wall.restore(state);
+    wall.begin_step(stepping::Clock(1.0, 1));
+    const app::VolumeChange change = app::volume_change(wall);
+    const auto n_tets = static_cast<long long>(
+        global_sum(*tube.wall.comm,
+                   double(std::count(tube.wall.is_owned.begin(), tube.wall.is_owned.end(), 1))));
+    TEST_EQUALITY(2 * change.all, n_tets);  // those of the other layer
+    TEST_EQUALITY(change.beyond, change.all);
+    TEST_FLOATING_EQUALITY(change.largest, 1.2, 1e-12);
+    app::Watch watch(list);
+    const Counts found = counts(watch, {volumes(0.8, 1.2)});
+    TEST_COMPARE_ARRAYS(found, (Counts{1}));
+    app::Watch other(list);  // only the stiff layer loses any
+    TEST_EQUALITY(other
+                      .look(after(1), 1.0, volumes(0.8, 1.2), nullptr, {},
+                            [] {
+                              return app::VolumeChange{0, 40, {}, 0.95, 1.0};
+                            })
+                      .size(),
+                  0);
+  }
 }
 
 TEUCHOS_UNIT_TEST(watch, backflow_counts_where_nothing_takes_it_out) {

@@ -21,15 +21,18 @@ struct Deformation {
 Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<Vec3>& d);
 
 /// Of the wall's elements that have less than 0.9 or more than 1.1 of their volume: how many of
-/// all there are, and the middle of the worst, as it was meshed [mm].
+/// all there are, the least and the largest part of its volume that one has, and the middle of the
+/// worst, as it was meshed [mm].
 struct VolumeChange {
   long long beyond = 0, all = 0;
   Vec3 place{};
+  double least = 1.0, largest = 1.0;
 };
 /// geometry: where the wall is free of stress. d: displacement from the positions of its vertices,
-/// at local nodes [mm]. Collective.
+/// at local nodes [mm]. counts: per local element, whether it does; empty: all do. Collective.
 VolumeChange volume_change(const fields::FieldMesh& mesh, const assembly::ElementGeometry& geometry,
-                           const std::vector<Vec3>& d);
+                           const std::vector<Vec3>& d, const std::vector<char>& counts = {});
+/// Of the elements of layers that are nearly incompressible.
 VolumeChange volume_change(const problems::SolidProblem& wall);
 
 /// What a run says while it goes on, each thing once: a wall that does not keep its volume, flow
@@ -61,7 +64,7 @@ private:
   void look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>& d);
   void say(const std::string& kind, const std::string& line);
 
-  bool is_nearly_incompressible_ = false;
+  bool has_nearly_incompressible_ = false;    ///< layers
   std::map<std::string, double> volume_out_;  ///< through open surfaces, listed ones bare [mm³]
   std::set<std::string> guarded_;  ///< surfaces with backflow stabilisation, or no outlets
   double largest_flow_ = 0.0;
