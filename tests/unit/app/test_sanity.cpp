@@ -289,6 +289,37 @@ TEUCHOS_UNIT_TEST(sanity, outlets_begin_with_the_pressure_of_the_image) {
   TEST_ASSERT(doubts(tube, "/ pressure = 9)", out));
 }
 
+TEUCHOS_UNIT_TEST(sanity, loads_beside_the_pressure_of_the_image_are_doubted) {
+  TubeCase tube;
+  const auto with = [&](const std::string& load) {
+    tube.ends = TubeCase().ends + test::sublist("load", test::text("surface", "interface") + load);
+  };
+  const std::string traction = "<Parameter type=\"Array(double)\" name=\"traction\" value=\"";
+  with(test::text("condition", "pressure") + number("pressure", "10.67"));
+  TEST_ASSERT(!doubts(tube, "Prestress), in place", out));
+  tube.prestress = "10.67";
+  TEST_ASSERT(doubts(tube, "interface bears the pressure of the fluid, and one of 10.7 kPa", out));
+  with(test::text("condition", "traction") + traction + "{0, 0, 10.67}\"/>");
+  TEST_ASSERT(doubts(tube, "interface bears a traction of 10.7 kPa at the start", out));
+  with(test::text("condition", "traction") + traction + "{0, 0, 10.67}\"/>" +
+       test::table_of("0, 10", "0, 1"));
+  TEST_ASSERT(!doubts(tube, "bears a traction", out));
+  // A wall alone: that of the case takes its place.
+  const auto alone = [&](const std::string& pressure) {
+    with(test::text("condition", "pressure") + number("pressure", pressure));
+    app::Vessel wall = ideal_tube();
+    wall.fluid.reset();
+    Teuchos::ParameterList list = tube.resolved();
+    list.remove("Fluid");
+    const auto found = app::judge(list, wall).doubts;
+    return std::any_of(found.begin(), found.end(), [](const std::string& doubt) {
+      return doubt.find("in place of which it comes") != std::string::npos;
+    });
+  };
+  TEST_ASSERT(alone("4"));
+  TEST_ASSERT(!alone("10.67"));
+}
+
 TEUCHOS_UNIT_TEST(sanity, openings_without_a_condition_are_doubted_beside_outlets) {
   TubeCase tube;
   tube.outlet = "";

@@ -174,7 +174,10 @@ void visit_wall(const Teuchos::ParameterList& wall, const std::vector<double>& t
   using Kind = boundary::Drive::Kind;
   for (const boundary::Condition& c : boundary::conditions_of(wall.sublist("Surfaces"))) {
     const boundary::Drive drive = c.drive(boundary::Field::wall);
-    const double peak = Course(c.list, drive.size).peak(times);
+    const Course course(c.list, drive.size);
+    const double peak = course.peak(times);
+    if (drive.kind == Kind::pressure || drive.kind == Kind::traction)
+      loads.on_wall.push_back({c.surface, drive.kind == Kind::pressure, course(0.0)});
     if (drive.kind == Kind::pressure) note_pressure(peak, "Wall / Surfaces / " + c.surface, loads);
     if (drive.kind == Kind::file) loads.has_data = true;
     if (peak > 0.0) loads.are_zero = false;

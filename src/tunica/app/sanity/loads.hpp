@@ -26,6 +26,13 @@ struct Loads {
   double pressure_difference = 0.0;  ///< largest between openings [kPa]
   /// Of openings with a pressure in the beginning, given or that of an outlet [kPa].
   std::vector<std::pair<std::string, double>> first_pressures{};
+  /// Of the case on the wall, as they are at the start; a traction by its length [kPa].
+  struct OnWall {
+    std::string surface;
+    bool is_pressure;
+    double first;
+  };
+  std::vector<OnWall> on_wall{};
   std::vector<std::string> bare{};  ///< openings without a condition: zero pressure
   bool has_outlets = false;         ///< some answer the flow with a pressure
   /// Where all that flows in leaves through outlets: means over the period of what is given, or

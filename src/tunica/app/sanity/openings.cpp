@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tunica/base/formatted.hpp"
+#include "tunica/problems/prestress.hpp"
 
 namespace tunica::app {
 
@@ -73,6 +74,39 @@ void doubt_prestress(const Loads& loads, const Vessel& vessel, double imaged, do
   }
 }
 
+// The prestress bears the pressure of the image; pressures of the case on the same surfaces take
+// its place when the run begins, all else adds to it.
+void doubt_loads_on_wall(const Teuchos::ParameterList& list, const Loads& loads, bool is_coupled,
+                         Doubts& doubts) {
+  const Teuchos::ParameterList& wall = list.sublist("Wall");
+  const auto imaged = wall.sublist("Prestress").get<double>("pressure");
+  if (imaged == 0.0) return;
+  const std::vector<std::string> bearing = problems::prestress_surfaces(wall);
+  for (const Loads::OnWall& load : loads.on_wall) {
+    if (std::count(bearing.begin(), bearing.end(), load.surface) == 0) continue;
+    const char* const surface = load.surface.c_str();
+    if (!load.is_pressure && load.first != 0.0)
+      doubts.push_back(formatted(
+          "%s bears a traction of %.3g kPa at the start, and the %.3g kPa under which the wall was "
+          "imaged (Wall / Prestress) besides: it is the shape for both together. Where the "
+          "traction "
+          "is that pressure, leave one of them out; \"condition\" = \"pressure\" takes its place.",
+          surface, load.first, imaged));
+    else if (load.is_pressure && is_coupled)
+      doubts.push_back(formatted(
+          "%s bears the pressure of the fluid, and one of %.3g kPa that Wall / Surfaces gives it "
+          "besides: from the start on they add up, but the wall was imaged under %.3g kPa (Wall / "
+          "Prestress). Leave that of the wall out.",
+          surface, load.first, imaged));
+    else if (load.is_pressure && std::abs(load.first - imaged) > 0.25 * std::abs(imaged))
+      doubts.push_back(formatted(
+          "%s begins with a pressure of %.3g kPa, but the wall was imaged under %.3g kPa (Wall / "
+          "Prestress), in place of which it comes: the vessel jumps in its first step. Begin with "
+          "that pressure.",
+          surface, load.first, imaged));
+  }
+}
+
 // Without a value there, the direction along the vessel lies in the plane of its end.
 void doubt_frame(const Teuchos::ParameterList& frame, const Vessel& vessel, Doubts& doubts) {
   if (frame.get<std::string>("kind") != "laplace") return;
@@ -103,6 +137,7 @@ std::vector<std::string> doubts_of_openings(const Teuchos::ParameterList& list,
   const double imaged =
       is_coupled ? list.sublist("Wall").sublist("Prestress").get<double>("pressure") : 0.0;
   doubt_bare(loads, imaged, doubts);
+  if (vessel.wall) doubt_loads_on_wall(list, loads, is_coupled, doubts);
   if (!is_coupled) return doubts;
   doubt_prestress(loads, vessel, imaged, modulus, doubts);
   doubt_frame(list.sublist("Wall").sublist("Fibre Frame"), vessel, doubts);
