@@ -18,6 +18,7 @@
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/io/progress.hpp"
 #include "tunica/linear/direct_factor.hpp"
+#include "tunica/output/processors.hpp"
 #include "tunica/output/traffic_report.hpp"
 #include "tunica/params/read_xml.hpp"
 
@@ -46,6 +47,9 @@ void describe_domain(const Domain& domain, const Comm& comm) {
   if (domain.wall) describe(text, "wall", *domain.wall);
   if (domain.interface) text << "interface: " << domain.interface->n_total() << " vertices\n";
   text << "ranks: " << comm.getSize() << "\n";
+  const std::string doubt =
+      output::doubt_of(output::scarcest_processors(comm), output::ranks_yield());
+  if (!doubt.empty()) text << "warning: " << doubt << "\n";
   if (comm.getRank() == 0) std::cout << text.str() << std::flush;
 }
 
