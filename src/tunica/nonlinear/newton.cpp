@@ -45,8 +45,9 @@ params::Table newton_table(const NewtonDefaults& defaults) {
               "give up when the increment has grown to this multiple of the first one")
       .choice("line search", "guarded",
               {"guarded", "decrease", "full step", "backtrack", "polynomial"},
-              "guarded: full steps, halved only where an element would invert; decrease: halved "
-              "until the residual falls, too; the others are NOX's");
+              "guarded: full steps, halved only where an element would invert; where the increment "
+              "grows beyond the limit, decrease from the start; decrease: halved until the "
+              "residual falls, too; the others are NOX's");
   add_forcing_keys(table, defaults.linear_tolerance);
   return table;
 }
@@ -166,6 +167,11 @@ NewtonReport try_newton(NonlinearProblem& problem, const NewtonOptions& options,
   return report;
 }
 
+bool has_diverged(const NewtonReport& report, const NewtonOptions& options) {
+  return !report.is_converged && !report.steps.empty() &&
+         report.steps.back().relative_increment > options.growth_limit;
+}
+
 }  // namespace
 
 NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& options,
@@ -174,12 +180,23 @@ NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& option
   if (rule == nullptr) rule = &always;
   algebra::BlockVector start(x.space());
   start.assign(x);
-  const NewtonReport report = try_newton(problem, options, x, *rule);
-  if (report.is_converged || !rule->has_lagged() || !options.tries_again) return report;
-  x.assign(start);
-  NewtonReport again = try_newton(problem, options, x, always);
-  again.comes_after(report);
-  return again;
+  NewtonReport report = try_newton(problem, options, x, *rule);
+  const auto try_again = [&](const NewtonOptions& chosen) {
+    x.assign(start);
+    NewtonReport again = try_newton(problem, chosen, x, always);
+    again.comes_after(report);
+    return again;
+  };
+  if (report.is_converged || !options.tries_again) return report;
+  if (rule->has_lagged()) report = try_again(options);
+  if (!has_diverged(report, options) || options.line_search != "guarded") return report;
+  // Full steps that lead away: shorter ones may not.
+  NewtonOptions careful = options;
+  careful.line_search = "decrease";
+  const std::string reason = report.reason;
+  report = try_again(careful);
+  if (!report.is_converged) report.reason = reason + "; with shorter steps, " + report.reason;
+  return report;
 }
 
 }  // namespace tunica::nonlinear

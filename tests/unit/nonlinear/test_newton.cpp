@@ -235,12 +235,34 @@ TEUCHOS_UNIT_TEST(newton, divergence_is_reported_at_the_growth_limit) {
   const SmallTube tube;
   auto problem = arc_tangent(tube.fluid);
   auto chosen = options();
+  chosen.line_search = "full step";
   chosen.growth_limit = 10.0;
   auto x = start(tube.fluid, 2.0);  // full steps alternate and grow beyond 1.39
   const auto report = nonlinear::solve_newton(problem, chosen, x);
   TEST_ASSERT(!report.is_converged);
   TEST_ASSERT(report.reason.find("the increment grew to") == 0);
   TEST_COMPARE(report.steps.back().relative_increment, >, 10.0);
+}
+
+TEUCHOS_UNIT_TEST(newton, full_steps_that_lead_away_are_shortened_by_default) {
+  const SmallTube tube;
+  auto problem = arc_tangent(tube.fluid);
+  auto x = start(tube.fluid, 2.0);
+  const auto report = nonlinear::solve_newton(problem, options(), x);
+  TEST_EQUALITY(options().line_search, "guarded");
+  TEST_ASSERT(report.is_converged);
+  TEST_COMPARE(report.earlier_steps, >, 0);
+  TEST_COMPARE(worst_pressure(x, 0.0), <, 1e-8);
+
+  // Where that does not help either both reasons are told.
+  auto short_of = options();
+  short_of.max_iterations = 3;
+  short_of.growth_limit = 1.5;
+  x = start(tube.fluid, 8.0);
+  const auto both = nonlinear::solve_newton(problem, short_of, x);
+  TEST_ASSERT(!both.is_converged);
+  TEST_ASSERT(both.reason.find("the increment grew to") == 0);
+  TEST_ASSERT(both.reason.find("; with shorter steps, ") != std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(newton, a_decrease_condition_saves_what_full_steps_lose) {
