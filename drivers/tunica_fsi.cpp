@@ -91,7 +91,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
                      domain.probes.observe(&fluid, &wall), surfaces.observe(&fluid, &wall)});
     log.step(clock, step, observed);
     watch.tell(log, clock, step, observed, &fluid.mesh(), motion.displacement(),
-               [&] { return app::volume_change(wall); });
+               [&] { return app::layer_volumes(wall); });
     return step;
   };
   const Outcome marched = checkpoints.march(make_step, [&] {

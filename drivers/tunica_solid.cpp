@@ -48,7 +48,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     const discretisation::Observables observed = app::joined(
         {wall.observe(), domain.probes.observe(nullptr, &wall), surfaces.observe(nullptr, &wall)});
     log.step(clock, step, observed);
-    watch.tell(log, clock, step, observed, nullptr, {}, [&] { return app::volume_change(wall); });
+    watch.tell(log, clock, step, observed, nullptr, {}, [&] { return app::layer_volumes(wall); });
     return step;
   };
   const Outcome marched = checkpoints.march(make_step, [&] {

@@ -11,4 +11,9 @@ namespace tunica::app {
 ///   D'  tangent of the isochoric law     kPa     θ   around the circumference
 double circumferential_modulus(const materials::HyperelasticLaw& law, double kappa);
 
+/// κ beyond 50 times the shear modulus: ν above 0.49.
+inline bool is_nearly_incompressible(const materials::HyperelasticLaw& law, double kappa) {
+  return kappa >= 50.0 * circumferential_modulus(law, kappa) / 3.0;
+}
+
 }  // namespace tunica::app

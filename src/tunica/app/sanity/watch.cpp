@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "tunica/app/sanity/place_of_least.hpp"
 #include "tunica/app/sanity/stiffness.hpp"
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/formatted.hpp"
@@ -12,7 +10,6 @@
 #include "tunica/boundary/registry.hpp"
 #include "tunica/coupling/registry.hpp"
 #include "tunica/discretisation/solid_options.hpp"
-#include "tunica/kernels/solid_up.hpp"
 #include "tunica/mesh/info.hpp"
 
 namespace tunica::app {
@@ -23,11 +20,6 @@ double volume(const std::array<Vec3, 4>& x) { return signed_volume(x[0], x[1], x
 
 /// Zero where the element is inverted.
 double quality(const std::array<Vec3, 4>& x) { return volume(x) > 0.0 ? mesh::quality(x) : 0.0; }
-
-/// κ beyond 50 times the shear modulus: ν above 0.49.
-bool is_nearly_incompressible(const materials::HyperelasticLaw& law, double kappa) {
-  return kappa >= 50.0 * circumferential_modulus(law, kappa) / 3.0;
-}
 
 bool has_nearly_incompressible_layers(const Teuchos::ParameterList& wall) {
   const auto layers = discretisation::solid_options(wall).layers;
@@ -59,47 +51,6 @@ Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<V
           global_min(*mesh.comm, worst.part_of_volume)};
 }
 
-VolumeChange volume_change(const fields::FieldMesh& mesh, const assembly::ElementGeometry& geometry,
-                           const std::vector<Vec3>& d, const std::vector<char>& counts) {
-  VolumeChange change;
-  double least = std::numeric_limits<double>::infinity();  // −|ln J|
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    if (!mesh.is_owned[e] || !(counts.empty() || counts[e])) continue;
-    const auto& nodes = mesh.tets[e];
-    auto D = geometry.from_stress_free(e);
-    for (int a = 0; a < 4; ++a) D[a] += d[nodes[a]];
-    const double J = kernels::solid_jacobian_determinant(geometry[e], D);
-    ++change.all;
-    if (J < 0.9 || J > 1.1) ++change.beyond;
-    change.least = std::min(change.least, J);
-    change.largest = std::max(change.largest, J);
-    if (-std::abs(std::log(J)) >= least) continue;
-    least = -std::abs(std::log(J));
-    change.place =
-        0.25 * (mesh.x[nodes[0]] + mesh.x[nodes[1]] + mesh.x[nodes[2]] + mesh.x[nodes[3]]);
-  }
-  change.place = place_of_least(*mesh.comm, least, change.place);
-  change.beyond = global_sum(*mesh.comm, change.beyond);
-  change.all = global_sum(*mesh.comm, change.all);
-  change.least = global_min(*mesh.comm, change.least);
-  change.largest = global_max(*mesh.comm, change.largest);
-  return change;
-}
-
-VolumeChange volume_change(const problems::SolidProblem& wall) {
-  const std::vector<Vec3> d = fields::ghosted_vectors(wall.mesh(), wall.state()["displacement"]);
-  std::map<const assembly::SolidLayer*, char> is_one;
-  std::vector<char> counts;
-  for (std::size_t e = 0; e < wall.mesh().tets.size(); ++e) {
-    const assembly::SolidLayer& layer = wall.elements().layer(e);
-    const auto [at, is_new] = is_one.emplace(&layer, 0);
-    if (is_new)
-      at->second = is_nearly_incompressible(*layer.law, 1.0 / layer.coefficients.inv_kappa) ? 1 : 0;
-    counts.push_back(at->second);
-  }
-  return volume_change(wall.mesh(), wall.elements().geometry, d, counts);
-}
-
 Watch::Watch(const Teuchos::ParameterList& list) {
   if (list.isSublist("Wall"))
     has_nearly_incompressible_ = has_nearly_incompressible_layers(list.sublist("Wall"));
@@ -117,24 +68,21 @@ Watch::Watch(const Teuchos::ParameterList& list) {
 }
 
 void Watch::say(const std::string& kind, const std::string& line) {
-  if (said_.insert(kind).second) lines_.push_back(line);
+  if (said_.insert(kind).second) lines_.push_back("warning: " + line);
 }
 
 void Watch::look_at_volume(const discretisation::Observables& observables,
-                           const std::function<VolumeChange()>& wall) {
+                           const std::function<std::vector<LayerVolume>()>& wall) {
   const double *low = find(observables, "min_det_F"), *high = find(observables, "max_det_F");
   if (!has_nearly_incompressible_ || low == nullptr || high == nullptr || !wall) return;
-  if (*low >= 0.9 && *high <= 1.1) return;
-  if (said_.count("volume") > 0) return;
-  const VolumeChange change = wall();
-  if (change.beyond == 0) return;  // others lose volume as they may
-  say("volume",
-      formatted("elements of nearly incompressible layers have %.3g to %.3g times their volume "
-                "(det F); usual is 0.9 to 1.1 with their bulk modulus, %lld of %lld are beyond "
-                "that, the worst at (%.3g, %.3g, %.3g). A finer mesh, or \"volumetric "
-                "stabilisation\" = 1 in Wall; is the load as large as it should be?",
-                change.least, change.largest, change.beyond, change.all, change.place[0],
-                change.place[1], change.place[2]));
+  if ((*low >= 0.9 && *high <= 1.1) || said_.count("volume") > 0) return;
+  for (const LayerVolume& layer : wall()) {
+    if (layer.beyond == 0) continue;  // other layers lose volume as they may
+    if (loses_volume(layer))
+      say("volume", text_of(layer));
+    else if (said_.insert("spread of " + layer.layer).second)
+      lines_.push_back(text_of(layer));
+  }
 }
 
 void Watch::look_at_outlets(const discretisation::Observables& observables, double step_size) {
@@ -187,7 +135,7 @@ void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>&
 std::vector<std::string> Watch::look(const StepSummary& step, double step_size,
                                      const discretisation::Observables& observables,
                                      const fields::FieldMesh* fluid, const std::vector<Vec3>& d,
-                                     const std::function<VolumeChange()>& wall) {
+                                     const std::function<std::vector<LayerVolume>()>& wall) {
   lines_.clear();
   look_at_volume(observables, wall);
   look_at_outlets(observables, step_size);
@@ -198,10 +146,11 @@ std::vector<std::string> Watch::look(const StepSummary& step, double step_size,
 
 void Watch::tell(const RunLog& log, const stepping::Clock& clock, const StepSummary& step,
                  const discretisation::Observables& observables, const fields::FieldMesh* fluid,
-                 const std::vector<Vec3>& d, const std::function<VolumeChange()>& wall) {
+                 const std::vector<Vec3>& d,
+                 const std::function<std::vector<LayerVolume>()>& wall) {
   if (!step.is_accepted) return;
   for (const std::string& line : look(step, clock.step_size(), observables, fluid, d, wall))
-    log.note("warning: " + line);
+    log.note(line);
 }
 
 }  // namespace tunica::app

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tunica/app/run_log.hpp"
+#include "tunica/app/sanity/volume.hpp"
 #include "tunica/fields/field_mesh.hpp"
-#include "tunica/problems/solid_problem.hpp"
 
 namespace tunica::app {
 
@@ -19,21 +19,6 @@ struct Deformation {
 };
 /// d: at local nodes. Collective.
 Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<Vec3>& d);
-
-/// Of the wall's elements that have less than 0.9 or more than 1.1 of their volume: how many of
-/// all there are, the least and the largest part of its volume that one has, and the middle of the
-/// worst, as it was meshed [mm].
-struct VolumeChange {
-  long long beyond = 0, all = 0;
-  Vec3 place{};
-  double least = 1.0, largest = 1.0;
-};
-/// geometry: where the wall is free of stress. d: displacement from the positions of its vertices,
-/// at local nodes [mm]. counts: per local element, whether it does; empty: all do. Collective.
-VolumeChange volume_change(const fields::FieldMesh& mesh, const assembly::ElementGeometry& geometry,
-                           const std::vector<Vec3>& d, const std::vector<char>& counts = {});
-/// Of the elements of layers that are nearly incompressible.
-VolumeChange volume_change(const problems::SolidProblem& wall);
 
 /// What a run says while it goes on, each thing once: a wall that does not keep its volume, flow
 /// that comes back through an outlet, a lumen whose mesh is bent badly, iterations near their cap.
@@ -49,16 +34,16 @@ public:
                                 const discretisation::Observables& observables,
                                 const fields::FieldMesh* fluid = nullptr,
                                 const std::vector<Vec3>& d = {},
-                                const std::function<VolumeChange()>& wall = {});
+                                const std::function<std::vector<LayerVolume>()>& wall = {});
   /// The same, said on the screen.
   void tell(const RunLog& log, const stepping::Clock& clock, const StepSummary& step,
             const discretisation::Observables& observables,
             const fields::FieldMesh* fluid = nullptr, const std::vector<Vec3>& d = {},
-            const std::function<VolumeChange()>& wall = {});
+            const std::function<std::vector<LayerVolume>()>& wall = {});
 
 private:
   void look_at_volume(const discretisation::Observables& observables,
-                      const std::function<VolumeChange()>& wall);
+                      const std::function<std::vector<LayerVolume>()>& wall);
   void look_at_outlets(const discretisation::Observables& observables, double step_size);
   void look_at_iterations(const StepSummary& step);
   void look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>& d);
