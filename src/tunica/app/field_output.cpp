@@ -8,6 +8,7 @@
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/kernels/deformation.hpp"
+#include "tunica/kernels/principal_axes.hpp"
 #include "tunica/kernels/wall_stress.hpp"
 
 namespace tunica::app {
