@@ -18,16 +18,15 @@ namespace {
 
 using namespace tunica;
 
-std::vector<app::GridFields> both_fields(const Teuchos::ParameterList& wanted,
-                                         const problems::FluidProblem& fluid,
+std::vector<app::GridFields> both_fields(const problems::FluidProblem& fluid,
                                          const problems::MeshMotion& motion,
                                          const app::WallShear& shear,
-                                         const problems::SolidProblem& wall) {
+                                         const app::WallOutput& of_wall) {
   std::vector<output::Array> of_fluid = app::fluid_arrays(fluid, motion.displacement());
   for (output::Array& array : shear.arrays()) of_fluid.push_back(std::move(array));
   std::vector<app::GridFields> both;  // not copied from a list of them: they are long
   both.push_back({"fluid", std::move(of_fluid), {}});
-  both.push_back({"wall", app::wall_arrays(wall), app::wall_cell_arrays(wall, wanted)});
+  both.push_back(of_wall.fields());
   return both;
 }
 
@@ -65,9 +64,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, scheme->fields(), scheme->stages());
   app::Watch watch(list);
-  app::FieldSeries fields(
-      output, {app::grid_of(*domain.fluid, "fluid"), app::grid_of(wall.scalar_mesh(), "wall")},
-      comm);
+  const app::WallOutput of_wall(wall, list.sublist("Output"));
+  app::FieldSeries fields(output, {app::grid_of(*domain.fluid, "fluid"), of_wall.grid()}, comm);
 
   // 4. March.
   scheme->watch_newton([&](const std::string& field, const nonlinear::NewtonStep& step) {
@@ -96,7 +94,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   };
   const Outcome marched = checkpoints.march(make_step, [&] {
     if (fields.is_due(march.clock()))
-      fields.write(march.clock(), both_fields(list.sublist("Output"), fluid, motion, shear, wall));
+      fields.write(march.clock(), both_fields(fluid, motion, shear, of_wall));
   });
   if (marched.is_failure()) return marched;
 

@@ -31,7 +31,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   checkpoints.begin();
   app::RunLog log(output, comm->getRank() == 0, {"wall"}, {});
   app::Watch watch(list);
-  app::FieldSeries fields(output, {app::grid_of(wall.scalar_mesh(), "wall")}, comm);
+  const app::WallOutput of_wall(wall, list.sublist("Output"));
+  app::FieldSeries fields(output, {of_wall.grid()}, comm);
 
   // 2. March; in statics each step is an equilibrium.
   wall.watch_newton([&](const nonlinear::NewtonStep& step) { log.newton("wall", step); });
@@ -52,9 +53,7 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
     return step;
   };
   const Outcome marched = checkpoints.march(make_step, [&] {
-    if (fields.is_due(march.clock()))
-      fields.write(march.clock(), {{"wall", app::wall_arrays(wall),
-                                    app::wall_cell_arrays(wall, list.sublist("Output"))}});
+    if (fields.is_due(march.clock())) fields.write(march.clock(), {of_wall.fields()});
   });
   if (marched.is_failure()) return marched;
   fields.finish();

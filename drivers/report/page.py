@@ -4,6 +4,7 @@ import os
 
 import numpy as np
 
+from report import wall_stress
 from report.canvas import readable
 from report.case_tables import changes_per_cycle, openings, parameters, period, read_case
 from report.run_data import rows_where
@@ -114,6 +115,22 @@ def _case(case):
     return f"<h2>The case</h2>\n<details open><summary>parameters</summary>\n{tables}</details>\n" if tables else ""
 
 
+def _wall_stress(run):
+    """What each layer of the wall bears."""
+    peaks, errors = wall_stress.tables(run)
+    if not peaks:
+        return ""
+    note = ("At the vertices, recovered from the elements around, each layer for itself, at the output in which the quantile "
+            "is greatest. 99 % of the layer bear less than the quantile; the greatest value of all may be that of a corner, "
+            "where it grows with each refinement. In elements: the greatest value of them.")
+    table = _table(wall_stress.HEADING, peaks)
+    if errors:
+        note += (" Estimated error: how far the stress of the elements is from that at the vertices, root mean square in parts "
+                 "of the stress, at the last output.")
+        table += _table(["layer", "estimated error"], errors)
+    return f"<h2>Stress in the wall</h2>\n<p class=\"note\">{note}</p>\n{table}"
+
+
 def _flow_split(run, case):
     """What flows through each surface, and under which pressure."""
     found = openings(run.steps, period(case))
@@ -176,7 +193,7 @@ def write(run, folder, figures, step, viewer=None):
     case = read_case(run.folder)
     title = f"{run.record.get('program', 'tunica')}: {os.path.basename(os.path.abspath(run.folder))}"
     link = f"<p><a href=\"{viewer}\">The vessel to be turned, over time</a></p>\n" if viewer else ""
-    _save(folder, title, f"{_summary(run)}{link}{_images(figures)}{_flow_split(run, case)}{_periodicity(run, case)}{_effort(run)}"
+    _save(folder, title, f"{_summary(run)}{link}{_images(figures)}{_wall_stress(run)}{_flow_split(run, case)}{_periodicity(run, case)}{_effort(run)}"
                          f"{_exponents(run, step)}{linear_solvers(run)}{_case(case)}<h2>The run</h2>\n{_sections(run.record)}")
 
 

@@ -57,6 +57,15 @@ DERIVED = {
     "largest_principal_stress": lambda found: None if (t := found("principal_stress")) is None else t[:, 0],
     "fibre_stress": lambda found: None if (t := found("fibre_stress_1")) is None else np.maximum(t, found("fibre_stress_2")),
 }
+# At the points of the wall, from what is recovered there.
+RECOVERED = {
+    "von_mises": lambda found: found("recovered_von_mises"),
+    "largest_principal_stress":
+        lambda found: None if (t := found("recovered_principal_stress")) is None else t[:, 0],
+    "fibre_stress":
+        lambda found: None if (t := found("recovered_fibre_stress_1")) is None
+        else np.maximum(t, found("recovered_fibre_stress_2")),
+}
 KNOWN_ARRAYS = ("displacement", "velocity", "pressure", "von_mises", "cauchy_stress")
 
 
@@ -175,11 +184,23 @@ class Run:
         except (OSError, KeyError):
             return None
 
-    def nodal(self, output, grid, name):
-        """The same at the points of mesh(); fields of elements as means."""
+    def recovered(self, output, name):
+        """A stress of the wall at its points in the file, where the run has recovered it there."""
+        values = RECOVERED[name](lambda other: self.field(output, "wall", other)) if name in RECOVERED else None
+        return None if values is None else values.reshape(-1)
+
+    def of_elements(self, output, grid, name):
+        """A field as the run has written it, or what follows from others."""
         values = self.field(output, grid, name)
         if values is None and name in DERIVED:
             values = DERIVED[name](lambda other: self.field(output, grid, other))
+        return values
+
+    def nodal(self, output, grid, name):
+        """The same at the points of mesh(): as recovered there; other fields of elements as means."""
+        values = self.recovered(output, name) if grid == "wall" else None
+        if values is None:
+            values = self.of_elements(output, grid, name)
         if values is None:
             return None
         points, tets = self.mesh(grid)

@@ -17,7 +17,8 @@ AVERAGES = ("time_averaged_wss", "oscillatory_shear_index", "relative_residence_
 # Arrays of the wall: name, title, label.
 STRESSES = (("von_mises", "Von Mises stress", "von Mises stress [kPa]"),
             ("largest_principal_stress", "Largest principal stress", "largest principal stress [kPa]"),
-            ("fibre_stress", "Stress along the fibres", "stress along fibres [kPa]"))
+            ("fibre_stress", "Stress along the fibres", "stress along fibres [kPa]"),
+            ("stress_error", "Estimated error of the elements' stress", "estimated error [kPa]"))
 CUT_OPEN = [name for name, _, _ in STRESSES]
 MOST_FURTHER = 6
 

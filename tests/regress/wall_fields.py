@@ -27,11 +27,56 @@ def agree(verdict, found, expected, what):
     verdict.claim(off < 1e-12, f"{what}: {off:.1e}")
 
 
+def tensor(columns):
+    """From the order of XDMF."""
+    xx, xy, zx, yy, yz, zz = columns.T
+    return np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]).transpose(2, 0, 1)
+
+
+def recovered(points, tets, values):
+    """At the points, by a weighted linear fit to values at the centroids: those of elements with a neighbour b of the
+    point a count as often as elements have both a and b."""
+    around = np.zeros((len(points), len(tets)))
+    around[tets.T, np.arange(len(tets))] = 1.0
+    weight = around @ around.T @ around
+    weight /= weight.sum(1, keepdims=True)
+    centroids = points[tets].mean(1)
+    found = np.empty((len(points), values.shape[1]))
+    for a, (w, x) in enumerate(zip(weight, points)):
+        y, v = centroids - w @ centroids, values - w @ values
+        variance, axes = np.linalg.eigh(np.einsum("e,ei,ej->ij", w, y, y))
+        step = axes.T @ (x - w @ centroids)
+        limit = 3.0 * np.sqrt(variance)
+        found[a] = w @ values + (np.clip(step, -limit, limit) / variance) @ axes.T @ np.einsum("e,ei,ek->ik", w, y, v)
+    return found
+
+
+def compare_recovered(verdict, wall, step):
+    points, tets, cells = wall["points"][:], wall["tets"][:], step["cauchy_stress"][:]
+    nodal = step["recovered_stress"][:]
+    agree(verdict, nodal, recovered(points, tets, cells), "recovered stress")
+    sigma = tensor(nodal)
+    agree(verdict, step["recovered_principal_stress"][:], np.linalg.eigvalsh(sigma)[:, ::-1], "its principal values")
+    deviator = sigma - np.trace(sigma, axis1=1, axis2=2)[:, None, None] / 3.0 * np.eye(3)
+    agree(verdict, step["recovered_von_mises"][:].ravel(), np.sqrt(1.5 * (deviator ** 2).sum((1, 2))), "its von Mises stress")
+    a, b = (5.0 + 3.0 * math.sqrt(5.0)) / 20.0, (5.0 - math.sqrt(5.0)) / 20.0  # points of quadrature
+    square = sum((((tensor(b * nodal[tets].sum(1) + (a - b) * nodal[tets[:, k]] - cells)) ** 2).sum((1, 2))) / 4.0
+                 for k in range(4))
+    agree(verdict, step["stress_error"][:].ravel(), np.sqrt(square), "stress_error")
+    for f in (1, 2):
+        fibre = step[f"fibre_{f}"][:]
+        unit = fibre / np.linalg.norm(fibre, axis=1, keepdims=True)
+        dyads = np.einsum("ei,ej->eij", unit, unit).reshape(-1, 9)
+        direction = np.linalg.eigh(recovered(points, tets, dyads).reshape(-1, 3, 3))[1][:, :, -1]
+        agree(verdict, step[f"recovered_fibre_stress_{f}"][:].ravel(),
+              np.einsum("ni,nij,nj->n", direction, sigma, direction), f"recovered_fibre_stress_{f}")
+
+
 def compare(verdict, file, regions):
     wall, step = file["wall"], file["step_000002/wall"]
     F = gradients(wall["points"][:], step["displacement"][:], wall["tets"][:])
-    xx, xy, zx, yy, yz, zz = step["cauchy_stress"][:].T  # the order of XDMF
-    sigma = np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]).transpose(2, 0, 1)
+    sigma = tensor(step["cauchy_stress"][:])
+    compare_recovered(verdict, wall, step)
     agree(verdict, step["principal_stress"][:], np.linalg.eigvalsh(sigma)[:, ::-1], "principal stresses")
     agree(verdict, step["principal_stretch"][:], np.linalg.svd(F, compute_uv=False), "principal stretches")
     angle = np.radians(np.array([ANGLES.get(regions[r], math.nan) for r in wall["region"][:]]))[:, None]
@@ -55,7 +100,8 @@ def main(programs, scratch):
         compare(verdict, file, ["fluid", "media", "adventitia"])
     with h5py.File(folder / "stress" / "fields.h5") as file:
         names = sorted(file["step_000002/wall"])
-        verdict.claim(names == ["cauchy_stress", "displacement", "pressure", "velocity", "von_mises"],
+        verdict.claim(names == ["cauchy_stress", "displacement", "pressure", "recovered_stress", "recovered_von_mises",
+                                "stress_error", "velocity", "von_mises"],
                       f"what is wanted alone is written: {', '.join(names)}")
     refused = Run(command(programs / "tunica-check", [CASE, "--set", "Output/wall arrays={stresses}"]), folder)
     verdict.claim(refused.status == 1 and "stress, principal or fibres" in refused.err, refused.err.strip())

@@ -8,7 +8,7 @@ import numpy as np
 from synthetic_run import AROUND, INNER, LENGTH, tube
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(sys.argv[1])))  # as the program does
-from report import centreline  # noqa: E402
+from report import centreline, wall_stress  # noqa: E402
 from report.case_tables import changes_per_cycle  # noqa: E402
 from report.curve_figures import inflows  # noqa: E402
 from report.section import Section, apart_by_region, nodal_means  # noqa: E402
@@ -155,6 +155,20 @@ class Cycles(unittest.TestCase):
 
     def test_less_than_two_cycles_tell_nothing(self):
         self.assertIsNone(changes_per_cycle({"time": [0.5, 1.0, 1.5, 1.9], "inflow_a": [1.0] * 4}, 1.0))
+
+
+class StressOfLayers(unittest.TestCase):
+    def test_quantile_counts_by_weight(self):
+        values = np.array([3.0, 1.0, 2.0])
+        self.assertEqual(wall_stress.quantile(values, np.array([1.0, 90.0, 9.5]), 0.99), 2.0)
+        self.assertEqual(wall_stress.quantile(values, np.array([2.0, 90.0, 8.0]), 0.99), 3.0)
+
+    def test_square_of_a_linear_tensor_is_exact(self):
+        # x on the reference tetrahedron: mean of x² is 1/10; off the diagonal a tensor has it twice
+        corners = np.array([0.0, 1.0, 0.0, 0.0])
+        tets = np.array([[0, 1, 2, 3]])
+        self.assertAlmostEqual(wall_stress.squares(np.outer(corners, [1.0, 0, 0, 0, 0, 0]), tets)[0], 0.1)
+        self.assertAlmostEqual(wall_stress.squares(np.outer(corners, [0, 0, 3.0, 0, 0, 0]), tets)[0], 1.8)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ import h5py
 import numpy as np
 from matplotlib import image
 
-from synthetic_run import write_case, write_run, write_solver_run
+from synthetic_run import add_recovered_stress, write_case, write_run, write_solver_run
 
 PROGRAM, SCRATCH = sys.argv[1], sys.argv[2]
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
@@ -27,6 +27,8 @@ IN_SPACE = {"vessel.html"} | {f"space_{name}.png" for name in ("displacement", "
 NO_VTK = "class=\"remark\">Pictures in space are drawn by Matplotlib"  # where it is not installed
 TABLES = {"curves.png", "coupling.png", "iterations.png", "newton.png", "observables.png"}
 ALL = IN_SPACE | TABLES | {"section_velocity.png", "section_pressure.png", "radial_displacement.png"}
+OF_WALL = {"vessel.html", "space_displacement.png", "space_von_mises.png", "section_wall.png", "radial_displacement.png",
+           "curves.png", "iterations.png", "newton.png", "observables.png"}
 SOLVERS = {"newton.png", "krylov_fluid.png", "krylov_wall.png"}
 
 
@@ -267,12 +269,23 @@ class Report(unittest.TestCase):
             with open(os.path.join(run, name), "w", encoding="utf-8") as file:
                 file.write(content)
 
+    def test_recovered_stress_has_a_table_and_pictures(self):
+        run = write_run(self.folder("recovered"), grids=("wall",), stress_at_cells=True)
+        add_recovered_stress(run)
+        self.assertEqual(report(run).returncode, 0)
+        more = {"space_largest_principal_stress.png", "space_stress_error.png"}
+        page = self.expect_page(os.path.join(run, "report"), more | OF_WALL)
+        rows = [re.findall(r"<td>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", page, re.S)]
+        first = next(row for row in rows if row[:2] == ["far", "largest principal stress"])
+        self.assertEqual((first[3], first[4].split(", ")[2], first[6]), ("6", "50", "4"))
+        self.assertGreater(float(first[2]), 5.9)  # 99 % of 25 to 50 mm, by halves of a slice of 1.25 mm
+        for row in (["near", "25.0 %"], ["far", "5.0 %"]):
+            self.assertIn(row, rows)
+
     def test_wall_alone_gives_the_figures_that_make_sense(self):
         wall = write_run(self.folder("wall"), grids=("wall",))
         self.assertEqual(report(wall).returncode, 0)
-        self.expect_page(os.path.join(wall, "report"),
-                         {"vessel.html", "space_displacement.png", "space_von_mises.png", "section_wall.png",
-                          "radial_displacement.png", "curves.png", "iterations.png", "newton.png", "observables.png"})
+        self.expect_page(os.path.join(wall, "report"), OF_WALL)
 
     def test_bad_folder_is_one_line_and_status_1(self):
         self.expect_one_line(self.folder("nowhere"), "is not a folder")

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <utility>
 
 #include "tunica/assembly/gather.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/kernels/deformation.hpp"
+#include "tunica/kernels/principal_axes.hpp"
 #include "tunica/kernels/wall_stress.hpp"
 
 namespace tunica::app {
@@ -62,19 +64,6 @@ std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
   if (!mesh_displacement.empty())
     arrays.push_back(vector_array("displacement", mesh_displacement, fluid.mesh().n_owned));
   return arrays;
-}
-
-std::vector<output::Array> wall_arrays(const problems::SolidProblem& wall) {
-  const int n_points = wall.scalar_mesh().n_owned;
-  const auto at_points = [&wall](const std::vector<Vec3>& nodal) {
-    if (wall.split() == nullptr) return nodal;
-    std::vector<Vec3> values;
-    for (int a = 0; a < wall.split()->n_owned; ++a) values.push_back(nodal[wall.split()->node[a]]);
-    return values;
-  };
-  return {vector_array("displacement", at_points(wall.displacement()), n_points),
-          dof_array("pressure", 1, wall.state()["pressure"]),
-          vector_array("velocity", at_points(wall.velocity()), n_points)};
 }
 
 namespace {
@@ -161,11 +150,16 @@ std::vector<std::string> kinds_of_wall_arrays() {
 
 void add_wall_array_keys(params::Table& table) {
   table
-      .names(wall_arrays_key, kinds_of_wall_arrays(),
-             "what fields.h5 has of the wall's elements: stress (cauchy_stress, von_mises), "
-             "principal (principal_stress, principal_stretch, the largest first), fibres (fibre_1, "
-             "fibre_2 in the deformed wall, as long as they are stretched; fibre_stress_1, "
-             "fibre_stress_2 along them; circumferential and axial in the unloaded one)")
+      .names(
+          wall_arrays_key, kinds_of_wall_arrays(),
+          "what fields.h5 has of the wall's elements: stress (cauchy_stress, von_mises), "
+          "principal (principal_stress, principal_stretch, the largest first), fibres (fibre_1, "
+          "fibre_2 in the deformed wall, as long as they are stretched; fibre_stress_1, "
+          "fibre_stress_2 along them; circumferential and axial in the unloaded one); and at the "
+          "nodes, each layer for itself, the stress as it is recovered from the elements around "
+          "them: recovered_stress, recovered_von_mises, recovered_principal_stress, "
+          "recovered_fibre_stress_1, recovered_fibre_stress_2, with stress_error, the root mean "
+          "square of what the elements' stress differs from it")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         const std::vector<std::string> kinds = kinds_of_wall_arrays();
         for (const auto& kind : list.get<Teuchos::Array<std::string>>(wall_arrays_key))
@@ -175,20 +169,81 @@ void add_wall_array_keys(params::Table& table) {
       });
 }
 
-std::vector<output::Array> wall_cell_arrays(const problems::SolidProblem& wall,
-                                            const Teuchos::ParameterList& wanted) {
+WallOutput::WallOutput(const problems::SolidProblem& wall, const Teuchos::ParameterList& output)
+    : wall_(&wall), recovery_(wall) {
+  const auto kinds = output.get<Teuchos::Array<std::string>>(wall_arrays_key);
+  kinds_.assign(kinds.begin(), kinds.end());
+}
+
+bool WallOutput::has(const std::string& kind) const {
+  return std::find(kinds_.begin(), kinds_.end(), kind) != kinds_.end();
+}
+
+GridFields WallOutput::fields() const {
+  GridFields found{"wall", node_arrays(), cell_arrays()};
+  if (kinds_.empty()) return found;
+  const problems::NodalStress nodal = recovery_.recover();
+  add_recovered(nodal, found);
+  return found;
+}
+
+std::vector<output::Array> WallOutput::node_arrays() const {
+  const fields::SplitMesh* split = recovery_.split();
+  const int n_points = recovery_.mesh().n_owned;
+  const auto at_points = [&](const std::vector<Vec3>& nodal) {
+    std::vector<Vec3> values;
+    for (int a = 0; a < n_points; ++a) values.push_back(nodal[fields::host_of(a, split)]);
+    return values;
+  };
+  output::Array pressure = dof_array("pressure", 1, wall_->state()["pressure"]);
+  if (split != wall_->split()) {  // continuous between layers
+    const Numbers nodal = std::move(pressure.values);
+    pressure.values.clear();
+    for (int a = 0; a < n_points; ++a) pressure.values.push_back(nodal[split->node[a]]);
+  }
+  return {vector_array("displacement", at_points(wall_->displacement()), n_points), pressure,
+          vector_array("velocity", at_points(wall_->velocity()), n_points)};
+}
+
+void WallOutput::add_recovered(const problems::NodalStress& nodal, GridFields& fields) const {
+  output::Array stress{"recovered_stress", 6, {}}, size{"recovered_von_mises", 1, {}},
+      principal{"recovered_principal_stress", 3, {}};
+  for (const Sym3& sigma : nodal.stress) {
+    append(sigma, stress.values);
+    size.values.push_back(kernels::von_mises(sigma));
+    append(kernels::principal_values(sigma), principal.values);
+  }
+  if (has("stress")) {
+    output::Array error{"stress_error", 1, {}};
+    for (std::size_t e = 0; e < nodal.error.size(); ++e)
+      if (wall_->mesh().is_owned[e]) error.values.push_back(nodal.error[e]);
+    fields.points.push_back(std::move(stress));
+    fields.points.push_back(std::move(size));
+    fields.cells.push_back(std::move(error));
+  }
+  if (has("principal")) fields.points.push_back(std::move(principal));
+  if (!has("fibres")) return;
+  for (std::size_t f = 0; f < nodal.fibres.size() && !nodal.fibres[f].empty(); ++f) {
+    output::Array along{"recovered_fibre_stress_" + std::to_string(f + 1), 1, {}};
+    for (std::size_t a = 0; a < nodal.stress.size(); ++a) {
+      const Vec3& fibre = nodal.fibres[f][a];
+      along.values.push_back(dot(fibre, kernels::apply(nodal.stress[a], fibre)));
+    }
+    fields.points.push_back(std::move(along));
+  }
+}
+
+std::vector<output::Array> WallOutput::cell_arrays() const {
+  const problems::SolidProblem& wall = *wall_;
   const fields::FieldMesh& mesh = wall.mesh();
   const auto d = fields::ghosted_vectors(mesh, wall.state()["displacement"]);
   const auto p = fields::ghosted_scalars(wall.scalar_mesh(), wall.state()["pressure"]);
-  const auto kinds = wanted.get<Teuchos::Array<std::string>>(wall_arrays_key);
   const auto n_elements =
       static_cast<std::size_t>(std::count(mesh.is_owned.begin(), mesh.is_owned.end(), 1));
   std::vector<const WallArray*> chosen;
   std::vector<output::Array> arrays;
   for (const WallArray& array : registered_wall_arrays()) {
-    if (std::find(kinds.begin(), kinds.end(), array.kind) == kinds.end() ||
-        (array.needs_frames && wall.elements().frames.empty()))
-      continue;
+    if (!has(array.kind) || (array.needs_frames && wall.elements().frames.empty())) continue;
     chosen.push_back(&array);
     arrays.push_back({array.name, array.components, {}});
     arrays.back().values.reserve(array.components * n_elements);

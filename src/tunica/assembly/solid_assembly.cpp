@@ -27,6 +27,7 @@ namespace {
     }
   }
   if (!s.subscale_r.empty()) state.subscale_r = density * s.subscale_r[e];
+  if (!s.stress_force.empty()) state.subscale_r += s.stress_force[e];
   return state;
 }
 

@@ -49,6 +49,8 @@ struct SolidFields {
   std::vector<double> p;
   std::vector<Vec3> r;  ///< inertia history of kernels::SolidState for unit density [mm/ms²]
   std::vector<Vec3> subscale_r = {};  ///< that of the subscales, per element; empty without inertia
+  std::vector<Vec3> stress_force =
+      {};  ///< of stress_residual.hpp; empty where subscales do without
 };
 
 /// The local element of smallest det F and its value. d: from the mesh.

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "tunica/assembly/gather.hpp"
+#include "tunica/assembly/stress_residual.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/reduce.hpp"
 #include "tunica/discretisation/inverted_element.hpp"
 #include "tunica/discretisation/layer_boundary.hpp"
 #include "tunica/kernels/deformation.hpp"
@@ -43,6 +45,8 @@ Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
   if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::solid_subscales(*mesh_, elements_, local_); });
+  if (options_.has_stress_residual)
+    patches_ = std::make_unique<assembly::PatchRecovery>(scalar_mesh());
   elements_.frames = frames;
   frames_ = std::move(frames);
 }
@@ -143,7 +147,26 @@ void Solid::begin_step(const stepping::Clock& clock) {
   }
   set_inertia_history();
   past_ = scheme_->pasts(history_);
+  if (patches_)
+    local_.stress_force = assembly::stress_forces(*patches_, *mesh_, elements_, history_.value());
   surfaces_.begin_step();
+}
+
+double Solid::renew_stress_force(const algebra::BlockVector& x) {
+  const std::vector<Vec3> before = local_.stress_force;
+  local_.stress_force =
+      assembly::stress_forces(*patches_, *mesh_, elements_, fields::ghosted_vectors(*mesh_, x[0]));
+  double change = 0.0, size = 0.0;
+  for (std::size_t e = 0; e < before.size(); ++e) {
+    if (!mesh_->is_owned[e]) continue;
+    const double volume = elements_.geometry[e].volume;
+    const Vec3 difference = local_.stress_force[e] - before[e];
+    change += volume * dot(difference, difference);
+    size += volume * dot(local_.stress_force[e], local_.stress_force[e]);
+  }
+  change = global_sum(*mesh_->comm, change);
+  size = global_sum(*mesh_->comm, size);
+  return size > 0.0 ? std::sqrt(change / size) : 0.0;
 }
 
 std::vector<int> Solid::pressure_parts() const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "tunica/assembly/patch_recovery.hpp"
 #include "tunica/assembly/solid_assembly.hpp"
 #include "tunica/base/outcome.hpp"
 #include "tunica/discretisation/mixed_field.hpp"
@@ -36,6 +37,12 @@ public:
   const std::vector<materials::Frame>& frames() const { return frames_; }
 
   void begin_step(const stepping::Clock& clock);
+  /// True where subscales see div σ' and have that of the step before.
+  bool has_stress_residual() const { return patches_ != nullptr; }
+  bool is_static() const { return options_.is_static; }
+  /// Takes div σ' at x from now on, until the next step begins. Returns the root mean square of
+  /// what that changes, in parts of it. Collective.
+  double renew_stress_force(const algebra::BlockVector& x);
   /// Gives x the prescribed displacements. Collective.
   void prescribe(algebra::BlockVector& x) { surfaces_.impose(surroundings(), x[0]); }
   /// Nodal forces [mN] on the owned nodes, which stay until the next call.
@@ -107,6 +114,7 @@ private:
   Prestretch prestretch_;
   std::vector<materials::Frame> frames_;  ///< in the mesh; those of the elements are where they are
                                           ///< free of stress
+  std::unique_ptr<assembly::PatchRecovery> patches_;  ///< null where subscales do without div σ'
   std::vector<Vec3> nodal_force_;
   boundary::VectorField body_force_;
   double time_ = 0.0;

@@ -25,6 +25,8 @@ struct SolidOptions {
   std::vector<Layer> layers;
   bool has_dynamic_subscales;  ///< those of PSPG have inertia of their own
   bool has_inertia_in_tau;     ///< τ = 1/(4μ_l/h² + α) instead of the paper's h²/(4μ_l)
+  bool is_static;              ///< a sequence of equilibria
+  bool has_stress_residual;    ///< subscales see div σ'
   double modulus_factor;       ///< multiplies μ_l in τ
   bool has_doubled_pressure;   ///< one for each material at a vertex
   double layer_factor;         ///< else: multiplies τ at the boundary of two materials

@@ -1,4 +1,5 @@
 #pragma once
+#include "tunica/kernels/principal_axes.hpp"
 #include "tunica/kernels/tet4.hpp"
 #include "tunica/materials/hyperelastic_law.hpp"
 
@@ -7,10 +8,6 @@ namespace tunica::kernels {
 /// Cauchy stress σ = J⁻¹ F S' Fᵀ − p I of one element at its mean pressure [kPa].
 Sym3 cauchy_stress(const Tet4& T, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,
                    const materials::HyperelasticLaw& law, const materials::Frame& frame = {});
-
-/// The eigenvalues of a symmetric tensor, the largest first: principal stresses, squares of the
-/// principal stretches. By Jacobi's rotations, to round-off.
-Vec3 principal_values(const Sym3& s);
 
 /// √(3/2 dev σ : dev σ) [kPa].
 double von_mises(const Sym3& sigma);

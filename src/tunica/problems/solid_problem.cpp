@@ -26,10 +26,23 @@ SolidProblem::SolidProblem(std::unique_ptr<discretisation::Solid> wall,
     : FieldProblem(std::move(wall), list),
       wall_(static_cast<discretisation::Solid*>(&discretisation())) {}
 
+/// An equilibrium does not depend on the step before: the stress that drives the subscales is
+/// renewed until it changes by no more than this, which each pass makes it do by a half or less.
+constexpr double settled = 1e-3;
+constexpr int most_passes = 20;
+
 nonlinear::NewtonReport SolidProblem::solve() {
   const io::ProgressScope scope("wall");
   prescribe(x_);
-  return find_state();
+  nonlinear::NewtonReport report = find_state();
+  if (!wall_->has_stress_residual() || !wall_->is_static()) return report;
+  for (int pass = 0; report.is_converged && pass < most_passes; ++pass) {
+    if (wall_->renew_stress_force(x_) < settled) break;
+    nonlinear::NewtonReport again = find_state();
+    again.comes_after(report);
+    report = again;
+  }
+  return report;
 }
 
 /// Of the linearised wall, which is an estimate: a solver that stops short of its goal is no reason
@@ -79,6 +92,11 @@ params::Table solid_table() {
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         TUNICA_CHECK(list.sublist("Layers").numParams() > 0,
                      path + " / Layers: no layer. Name each region of the wall.");
+        TUNICA_CHECK(list.get<std::string>("stabilisation residual") == "linear" ||
+                         list.sublist("Prestress").get<double>("pressure") == 0.0,
+                     path +
+                         ": \"stabilisation residual\" is \"stress\", and there is a Prestress, "
+                         "which is found without it. Set it to \"linear\".");
         if (list.sublist("Fibre Frame").get<std::string>("kind") != "none") return;
         for (const discretisation::Layer& layer : discretisation::solid_options(list).layers)
           TUNICA_CHECK(!law_of(layer)->has_fibres(),

@@ -2,6 +2,7 @@
 
 #include "oracle/mooney_rivlin_energy.hpp"
 #include "oracle/samples.hpp"
+#include "tunica/kernels/principal_axes.hpp"
 #include "tunica/kernels/wall_stress.hpp"
 #include "tunica/materials/holzapfel.hpp"
 
@@ -79,7 +80,7 @@ TEUCHOS_UNIT_TEST(WallStress, von_mises_ignores_pressure_and_counts_shear_with_r
   TEST_FLOATING_EQUALITY(kernels::von_mises({-5, 0, 0, 0, 0, 0}), 5.0, 1e-15);
 }
 
-TEUCHOS_UNIT_TEST(WallStress, principal_values_are_those_of_a_turned_tensor) {
+TEUCHOS_UNIT_TEST(WallStress, principal_axes_are_those_of_a_turned_tensor) {
   const double c = std::cos(0.7), w = std::sin(0.7);
   const Mat3 about_z{{{c, -w, 0.0}, {w, c, 0.0}, {0.0, 0.0, 1.0}}};
   const Mat3 about_x{{{1.0, 0.0, 0.0}, {0.0, c, -w}, {0.0, w, c}}};
@@ -93,10 +94,15 @@ TEUCHOS_UNIT_TEST(WallStress, principal_values_are_those_of_a_turned_tensor) {
           const Vec3 r = about_z * column;
           A[i][j] += r[i] * values[k] * r[j];
         }
-    const Vec3 found =
-        kernels::principal_values({A[0][0], A[1][1], A[2][2], A[0][1], A[1][2], A[2][0]});
-    for (int k = 0; k < 3; ++k)
-      TEST_COMPARE(std::abs(found[k] - values[k]), <=, 2e-15 * std::abs(values[0]) + 1e-300);
+    const kernels::PrincipalAxes found =
+        kernels::principal_axes({A[0][0], A[1][1], A[2][2], A[0][1], A[1][2], A[2][0]});
+    const double round_off = 4e-15 * std::abs(values[0]) + 1e-300;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 q = found.directions[k];
+      TEST_COMPARE(std::abs(found.values[k] - values[k]), <=, 0.5 * round_off);
+      TEST_COMPARE(norm(A * q - found.values[k] * q), <=, round_off);
+      TEST_COMPARE(norm(cross(q, found.directions[(k + 1) % 3])), >, 1.0 - 1e-14);
+    }
   }
 }
 
