@@ -12,7 +12,7 @@ constexpr int largest_int = std::numeric_limits<int>::max();
 /// Reads a text file word by word, and never has more of it than a piece or a line. Every mistake
 /// of the file becomes an Error that begins with "path:line:". Words are separated by white space;
 /// what is longer than any number or name comes as several. A byte-order mark of UTF-8 is passed
-/// over, and lines may end with '\r' alone.
+/// over, and lines may end with a carriage return alone.
 class TextScanner {
 public:
   /// Lines whose first character is comment are skipped (0: none are). Throws Error if it is not
