@@ -25,19 +25,19 @@ void rotate(int p, int q, Mat3& A, Mat3& Q) {
 
 }  // namespace
 
-PrincipalAxes principal_axes(const Sym3& s) {
-  Mat3 A{{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}};
+PrincipalAxes principal_axes(const Sym3& A) {
+  Mat3 D{{{A[0], A[3], A[5]}, {A[3], A[1], A[4]}, {A[5], A[4], A[2]}}};
   Mat3 Q = identity();
-  const double size = std::abs(s[0]) + std::abs(s[1]) + std::abs(s[2]);
+  const double size = std::abs(A[0]) + std::abs(A[1]) + std::abs(A[2]);
   // Each sweep squares what is left beside the diagonal, which is seen at the squares of values.
   for (int sweep = 0; sweep < 8; ++sweep) {
-    const double rest = std::abs(A[0][1]) + std::abs(A[0][2]) + std::abs(A[1][2]);
+    const double rest = std::abs(D[0][1]) + std::abs(D[0][2]) + std::abs(D[1][2]);
     if (rest <= 1e-12 * size) break;
-    rotate(0, 1, A, Q);
-    rotate(0, 2, A, Q);
-    rotate(1, 2, A, Q);
+    rotate(0, 1, D, Q);
+    rotate(0, 2, D, Q);
+    rotate(1, 2, D, Q);
   }
-  PrincipalAxes axes{{A[0][0], A[1][1], A[2][2]}, {Q[0], Q[1], Q[2]}};
+  PrincipalAxes axes{{D[0][0], D[1][1], D[2][2]}, {Q[0], Q[1], Q[2]}};
   for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {0, 1}})
     if (axes.values[i] < axes.values[j]) {
       std::swap(axes.values[i], axes.values[j]);
