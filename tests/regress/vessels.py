@@ -79,6 +79,10 @@ def compares_smoothers(verdict, programs, folder):
     for key, value in (("scheme", "monolithic"), ("geometry", "quasi")):
         xml.SubElement(coupling, "Parameter", name=key, type="string", value=value)
     entry(entry(case, "Mesh"), "file").set("value", str(ROOT / "meshes" / "bifurcation.h5"))
+    # At once, the case's 10.37 kPa are more than Newton's method follows in such a wall without many cuts.
+    for outlet in ("outlet_left", "outlet_right"):
+        pressure = entry(entry(entry(entry(case, "Fluid"), "Surfaces"), outlet), "initial pressure")
+        pressure.set("value", "8.5")
     settings = entry(entry(xml.parse(ROOT / "xml" / "monolithic" / "solvers.xml").getroot(), "Solvers"),
                      "System")
     for setting in [one for one in settings if one.get("name") != "nodal ILU 2+2"]:
@@ -133,8 +137,7 @@ def main(programs, scratch):
     agree_across_schemes(verdict, bend, bend_partitioned)
     for partitioned in more:
         agree_across_schemes(verdict, alone, partitioned)
-    if LONG:
-        compares_smoothers(verdict, programs, folder)
+    compares_smoothers(verdict, programs, folder)
     return verdict.status()
 
 
