@@ -95,9 +95,9 @@ void KrylovSolver::refresh(SolveReport& report) {
   report.setup_seconds += watch.seconds();
 }
 
-// Where the part of low rank outweighs the blocks, products are inexact, or images of recycled
-// directions are not what they were, a method may take for solved what is not: what remains is
-// solved for again.
+// Where the part of low rank outweighs the blocks, products are inexact, images of recycled
+// directions are not what they were, or a right-hand side is small against the rounding of K x, a
+// method may take for solved what is not: what remains is solved for again.
 void KrylovSolver::refine(KrylovOptions options, const Teuchos::RCP<const Operator>& K,
                           SolveReport& report) {
   options.recycled = Teuchos::null;
@@ -135,8 +135,7 @@ int KrylovSolver::iterate(SolveReport& report) {
   report.recurrence_residual = result.recurrence_residual;
   report.has_stagnated = result.has_stagnated;
   report.true_residual = relative_residual(*augmented_.matrix(), b_, x_);
-  const bool may_drift = augmented_.has_low_rank() || augmented_.has_action() || recycles();
-  if (may_drift && result.recurrence_residual <= report.tolerance) refine(options, K, report);
+  if (result.recurrence_residual <= report.tolerance) refine(options, K, report);
   report.operator_applications += K->count();
   if (!std::isfinite(report.true_residual)) {  // a breakdown: keep the start
     x_.putScalar(0.0);
