@@ -85,6 +85,8 @@ NOX::StatusTest::StatusType IncrementTest::judge(const NOX::Solver::Generic& sol
     return NOX::StatusTest::Converged;
   } else if (step.relative_increment > options_.growth_limit) {
     reason << "the increment grew to " << step.relative_increment << " times the first one";
+  } else if (rule_->has_led_away() && !had_led_away_) {
+    reason << "a step with an earlier Jacobian made the residual grow to " << step.residual;
   } else if (is_too_slow()) {
     report_->is_too_slow = true;
     reason << "the increment is still " << step.increment << " (" << step.relative_increment

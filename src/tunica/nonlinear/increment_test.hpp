@@ -18,7 +18,8 @@ class IncrementTest : public NOX::StatusTest::Generic {
 public:
   IncrementTest(NonlinearProblem& problem, const NewtonOptions& options, const SolveLog& log,
                 JacobianRule& rule, NewtonReport& report)
-      : problem_(&problem), options_(options), log_(&log), rule_(&rule), report_(&report) {}
+      : problem_(&problem), options_(options), log_(&log), rule_(&rule), report_(&report),
+        had_led_away_(rule.has_led_away()) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver,
                                           NOX::StatusTest::CheckType type) override;
@@ -35,6 +36,7 @@ private:
   const SolveLog* log_;
   JacobianRule* rule_;
   NewtonReport* report_;
+  bool had_led_away_;  ///< an old Jacobian, before this solve
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 

@@ -14,7 +14,7 @@ double steps_to(double goal, double increment, double rate) {
 }
 
 bool JacobianRule::wants_new(const std::vector<NewtonStep>& steps, double goal) const {
-  if (cost_ == 0.0 || !has_jacobian_) return true;
+  if (cost_ == 0.0 || !has_jacobian_ || has_led_away_) return true;
   if (rate_ == 0.0) return false;  // new, and nobody knows yet how good
   const double e = steps.empty() ? first_increment_ : steps.back().increment;
   if (!(goal > 0.0) || !(e > 0.0)) return true;
@@ -36,6 +36,8 @@ void JacobianRule::note(const std::vector<NewtonStep>& steps) {
   const double rate = std::max(1e-6, steps[n - 1].increment / steps[n - 2].increment);
   if (rate_ == 0.0) new_rate_ = rate;
   rate_ = rate;
+  // Twice: what old Jacobians and round-off do near a solution is less.
+  if (steps[n - 1].residual > 2.0 * steps[n - 2].residual) has_led_away_ = true;
 }
 
 }  // namespace tunica::nonlinear

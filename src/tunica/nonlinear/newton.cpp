@@ -43,11 +43,11 @@ params::Table newton_table(const NewtonDefaults& defaults) {
           "it takes fewer steps than a new one would and cost; 0: a new one in each step")
       .number("growth limit", 1e4, params::positive(), "1",
               "give up when the increment has grown to this multiple of the first one")
-      .choice("line search", "guarded",
-              {"guarded", "decrease", "full step", "backtrack", "polynomial"},
-              "guarded: full steps, halved only where an element would invert; where the increment "
-              "grows beyond the limit, decrease from the start; decrease: halved until the "
-              "residual falls, too; the others are NOX's");
+      .choice(
+          "line search", "guarded", {"guarded", "decrease", "full step", "backtrack", "polynomial"},
+          "guarded: full steps, halved only where an element would invert or the residual grow a "
+          "thousandfold; where the increment grows beyond the limit, decrease from the start; "
+          "decrease: halved until the residual falls, too; the others are NOX's");
   add_forcing_keys(table, defaults.linear_tolerance);
   return table;
 }
@@ -180,21 +180,24 @@ NewtonReport solve_newton(NonlinearProblem& problem, const NewtonOptions& option
   if (rule == nullptr) rule = &always;
   algebra::BlockVector start(x.space());
   start.assign(x);
+  const bool had_led_away = rule->has_led_away();
   NewtonReport report = try_newton(problem, options, x, *rule);
-  const auto try_again = [&](const NewtonOptions& chosen) {
+  const auto try_again = [&](const NewtonOptions& chosen, JacobianRule& choice) {
     x.assign(start);
-    NewtonReport again = try_newton(problem, chosen, x, always);
+    NewtonReport again = try_newton(problem, chosen, x, choice);
     again.comes_after(report);
     return again;
   };
+  if (!report.is_converged && rule->has_led_away() && !had_led_away)
+    report = try_again(options, *rule);
   if (report.is_converged || !options.tries_again) return report;
-  if (rule->has_lagged()) report = try_again(options);
+  if (rule->has_lagged()) report = try_again(options, always);
   if (!has_diverged(report, options) || options.line_search != "guarded") return report;
   // Full steps that lead away: shorter ones may not.
   NewtonOptions careful = options;
   careful.line_search = "decrease";
   const std::string reason = report.reason;
-  report = try_again(careful);
+  report = try_again(careful, always);
   if (!report.is_converged) report.reason = reason + "; with shorter steps, " + report.reason;
   return report;
 }

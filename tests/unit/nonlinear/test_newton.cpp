@@ -178,6 +178,32 @@ TEUCHOS_UNIT_TEST(newton, guarded_line_search_halves_where_the_residual_is_no_nu
   TEST_EQUALITY(report.steps[0].step_length, 0.5);
 }
 
+TEUCHOS_UNIT_TEST(newton, guarded_line_search_halves_where_the_residual_grows_a_thousandfold) {
+  const SmallTube tube;
+  auto problem = square_root_of_two(tube.fluid);
+  auto x = start(tube.fluid, 1e-3);  // from there to 1000, 62 and 31: f = 1e6, 3904 and 974 from 2
+  const auto report = nonlinear::solve_newton(problem, options(), x);
+  TEST_ASSERT(report.is_converged);
+  TEST_EQUALITY(report.steps[0].step_length, 1.0 / 32.0);
+  TEST_EQUALITY(report.steps[1].step_length, 1.0);
+  TEST_COMPARE(worst_pressure(x, std::sqrt(2.0)), <, 1e-8);
+}
+
+TEUCHOS_UNIT_TEST(newton, an_old_jacobian_that_leads_away_is_not_used_again) {
+  const SmallTube tube;
+  const auto cube = [](double p) { return p * p * p - 8.0; };
+  NodewiseProblem problem(tube.fluid, cube, [](double p) { return 3.0 * p * p; });
+  auto chosen = options();
+  chosen.tries_again = false;
+  auto x = start(tube.fluid, 0.5);  // to 11, and from there with the slope 3/4 anywhere
+  nonlinear::JacobianRule rule(1e6);
+  const auto report = nonlinear::solve_newton(problem, chosen, x, &rule);
+  TEST_ASSERT(report.is_converged);
+  TEST_EQUALITY(report.earlier_steps, 2);
+  TEST_ASSERT(rule.has_led_away());
+  TEST_COMPARE(worst_pressure(x, 2.0), <, 1e-8);
+}
+
 TEUCHOS_UNIT_TEST(newton, steps_are_shortened_until_the_residual_falls) {
   // Newton's method for atan p = 0 swings further out from p > 1.39; halved steps come home, also
   // where points far out are not admissible.
