@@ -115,24 +115,35 @@ TEUCHOS_UNIT_TEST(inflation, inflated_tube_converges_to_the_exact_radius_at_seco
   TEST_COMPARE(largest(errors[2]), <, 5e-3);
 }
 
+/// Subscales that do not see the divergence of the stress, as in time-dependent walls.
+Study without_stress(Study study) {
+  study.wall().set("stabilisation residual", std::string("linear"));
+  return study;
+}
+
 TEUCHOS_UNIT_TEST(inflation, inflated_tube_with_fibres_converges_at_second_order) {
-  const Errors errors = errors_of(media(), out);
+  const Errors errors = errors_of(media(), out), without = errors_of(without_stress(media()), out);
   TEST_EQUALITY(errors[2].size(), 4);
-  TEST_COMPARE(worst_order(errors), >=, 1.8);
+  TEST_COMPARE(worst_order({errors[1], errors[2]}), >=, 1.9);
+  TEST_COMPARE(worst_order(without), >=, 1.8);
   TEST_COMPARE(largest(errors[2]), <, 2e-4);
+  TEST_COMPARE(largest(without[2]), <, 2e-4);
 }
 
 // Between media and adventitia the pressure jumps, by 2.9 kPa at 1 kPa inner pressure. With one for
 // each layer there is nothing to be tuned. From 1 kPa on the error changes its sign with the mesh.
 
 TEUCHOS_UNIT_TEST(inflation, inflated_artery_converges_to_the_exact_radius_at_second_order) {
-  Errors errors = errors_of(artery(), out);
-  TEST_EQUALITY(errors[2].size(), 5);
-  TEST_COMPARE(largest(errors[0]), <, 2e-3);
-  TEST_COMPARE(largest(errors[2]), <, 1e-3);
-  for (std::vector<double>& by_load : errors) by_load.resize(3);
-  TEST_COMPARE(worst_order(errors), >=, 1.9);
-  TEST_COMPARE(largest(errors[2]), <, 1e-4);
+  for (const bool sees_stress : {true, false}) {
+    Errors errors = errors_of(sees_stress ? artery() : without_stress(artery()), out);
+    TEST_EQUALITY(errors[2].size(), 5);
+    TEST_COMPARE(largest(errors[0]), <, 2e-3);
+    TEST_COMPARE(largest(errors[2]), <, 1e-3);
+    for (std::vector<double>& by_load : errors) by_load.resize(3);
+    if (sees_stress) errors.erase(errors.begin());  // whose error has begun to change its sign
+    TEST_COMPARE(worst_order(errors), >=, 1.9);
+    TEST_COMPARE(largest(errors.back()), <, sees_stress ? 2e-4 : 1e-4);
+  }
 }
 
 /// Pressure in a wall whose points at the radius R move to r = (R² − R_i² + r_i²)^½, by quadrature

@@ -153,7 +153,7 @@ TEUCHOS_UNIT_TEST(strip, displacement_and_its_force_are_two_ways_to_one_clamped_
   const std::string free = sublist(
       "x_high", end_as_one + entry("force", "Array(double)", vector(by_displacement.force)) + ramp);
   const End by_force = pulled(strip(neo_hookean, clamped + free), 4);
-  TEST_FLOATING_EQUALITY(by_force.displacement, 1.2, 1e-7);
+  TEST_FLOATING_EQUALITY(by_force.displacement, 1.2, 1e-6);  // as far as the stress is settled
   TEST_FLOATING_EQUALITY(by_force.force, by_displacement.force, 1e-7);
 }
 

@@ -10,7 +10,9 @@ import numpy as np
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from pages import ENVIRONMENT, ROOT, command  # noqa: E402
 
-RESIDUALS = ("linear", "stress")  # of the stabilisation
+# Of the stabilisation: keys of "Wall", and types and values of theirs.
+LINEAR = {"stabilisation residual": ("string", "linear")}
+VARIANTS = {"default": {}, "linear": LINEAR, "weaker": {**LINEAR, "stabilisation modulus factor": ("double", 3)}}
 STEPS = 5
 
 
@@ -68,7 +70,7 @@ def sublist(name, text):
     return f'<ParameterList name="{name}">\n{text}\n</ParameterList>'
 
 
-def case_text(section, mesh, residual):
+def case_text(section, mesh, variant):
     surfaces = []
     for surface, condition, more in section.conditions:
         text = parameter("condition", "string", condition) + (parameter(*more) if more else "")
@@ -78,7 +80,8 @@ def case_text(section, mesh, residual):
         surfaces.append(sublist(surface, text))
     layer = (parameter("law", "string", "neo-hookean") + parameter("c10", "double", section.law[0])
              + parameter("bulk modulus", "double", section.law[1]))
-    wall = (parameter("analysis", "string", "static") + parameter("stabilisation residual", "string", residual)
+    wall = (parameter("analysis", "string", "static")
+            + "".join(parameter(key, *value) for key, value in VARIANTS[variant].items())
             + sublist("Layers", sublist("wall", layer)) + sublist("Surfaces", "\n".join(surfaces))
             + sublist("Linear Solver", parameter("method", "string", "direct")))
     return sublist("Case", "\n".join([
@@ -87,14 +90,14 @@ def case_text(section, mesh, residual):
         sublist("Output", parameter("fields every", "int", STEPS) + parameter("checkpoint every", "int", 0))]))
 
 
-def run(programs, folder, name, n, residual, ranks=1):
+def run(programs, folder, name, n, variant, ranks=1):
     """Status of the run, whose results are in the folder; mesh and case lie beside it."""
     section, mesh, case = SECTIONS[name], f"{folder}.msh", f"{folder}.xml"
     kind, *sizes = section.mesh
     subprocess.run(["/usr/bin/python3", os.path.join(ROOT, "meshes", "make_bending.py"), kind, mesh, str(n), *map(str, sizes)],
                    check=True)
     with open(case, "w", encoding="utf-8") as file:
-        file.write(case_text(section, os.path.abspath(mesh), residual))
+        file.write(case_text(section, os.path.abspath(mesh), variant))
     words = command(os.path.join(programs, "tunica-solid"), [case, "--output", folder, "--overwrite"], ranks=ranks)
     with open(f"{folder}.log", "w", encoding="utf-8") as log:
         return subprocess.run(words, env=ENVIRONMENT, stdout=log, stderr=log, check=False).returncode

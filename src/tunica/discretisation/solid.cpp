@@ -147,26 +147,53 @@ void Solid::begin_step(const stepping::Clock& clock) {
   }
   set_inertia_history();
   past_ = scheme_->pasts(history_);
-  if (patches_)
-    local_.stress_force = assembly::stress_forces(*patches_, *mesh_, elements_, history_.value());
+  if (patches_) local_.stress_force = stress_force_at(history_.value());
+  stress_change_.clear();
+  stress_relaxation_ = 1.0;
   surfaces_.begin_step();
 }
 
+// Where a wall is compressible its pressure needs no stabilisation, and this one may feed on
+// itself.
+std::vector<Vec3> Solid::stress_force_at(const std::vector<Vec3>& d) const {
+  std::vector<Vec3> force = assembly::stress_forces(*patches_, *mesh_, elements_, d);
+  for (std::size_t e = 0; e < force.size(); ++e)
+    if (!is_nearly_incompressible(e)) force[e] = Vec3{};
+  return force;
+}
+
+bool Solid::leave_out_stress_force() {
+  const bool has_any = product_over_elements(local_.stress_force, local_.stress_force) > 0.0;
+  std::fill(local_.stress_force.begin(), local_.stress_force.end(), Vec3{});
+  return has_any;
+}
+
+// s ← s + ω r,   r = σ'*(x) − s,   ω ← −ω ⟨r⁻, r − r⁻⟩ / |r − r⁻|²
 double Solid::renew_stress_force(const algebra::BlockVector& x) {
-  const std::vector<Vec3> before = local_.stress_force;
-  local_.stress_force =
-      assembly::stress_forces(*patches_, *mesh_, elements_, fields::ghosted_vectors(*mesh_, x[0]));
-  double change = 0.0, size = 0.0;
-  for (std::size_t e = 0; e < before.size(); ++e) {
-    if (!mesh_->is_owned[e]) continue;
-    const double volume = elements_.geometry[e].volume;
-    const Vec3 difference = local_.stress_force[e] - before[e];
-    change += volume * dot(difference, difference);
-    size += volume * dot(local_.stress_force[e], local_.stress_force[e]);
+  const std::vector<Vec3> found = stress_force_at(fields::ghosted_vectors(*mesh_, x[0]));
+  std::vector<Vec3> change(found.size());
+  for (std::size_t e = 0; e < found.size(); ++e) change[e] = found[e] - local_.stress_force[e];
+  const double squared_change = product_over_elements(change, change);
+  if (!stress_change_.empty()) {
+    std::vector<Vec3> difference(found.size());
+    for (std::size_t e = 0; e < found.size(); ++e) difference[e] = change[e] - stress_change_[e];
+    const double squared = product_over_elements(difference, difference);
+    if (squared > 0.0)
+      stress_relaxation_ *= -product_over_elements(stress_change_, difference) / squared;
+    stress_relaxation_ = std::min(std::max(stress_relaxation_, 0.5), 3.0);
   }
-  change = global_sum(*mesh_->comm, change);
-  size = global_sum(*mesh_->comm, size);
-  return size > 0.0 ? std::sqrt(change / size) : 0.0;
+  for (std::size_t e = 0; e < found.size(); ++e)
+    local_.stress_force[e] += stress_relaxation_ * change[e];
+  stress_change_ = std::move(change);
+  const double size = product_over_elements(found, found);
+  return size > 0.0 ? std::sqrt(squared_change / size) : 0.0;
+}
+
+double Solid::product_over_elements(const std::vector<Vec3>& a, const std::vector<Vec3>& b) const {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < a.size(); ++e)
+    if (mesh_->is_owned[e]) sum += elements_.geometry[e].volume * dot(a[e], b[e]);
+  return global_sum(*mesh_->comm, sum);
 }
 
 std::vector<int> Solid::pressure_parts() const {

@@ -40,9 +40,11 @@ public:
   /// True where subscales see div σ' and have that of the step before.
   bool has_stress_residual() const { return patches_ != nullptr; }
   bool is_static() const { return options_.is_static; }
-  /// Takes div σ' at x from now on, until the next step begins. Returns the root mean square of
-  /// what that changes, in parts of it. Collective.
+  /// Goes on with div σ' at x, over-relaxed after Aitken, until the next step begins. Returns the
+  /// root mean square of what differs, in parts of it. Collective.
   double renew_stress_force(const algebra::BlockVector& x);
+  /// Does without it until the next step begins; false where it does already. Collective.
+  bool leave_out_stress_force();
   /// Gives x the prescribed displacements. Collective.
   void prescribe(algebra::BlockVector& x) { surfaces_.impose(surroundings(), x[0]); }
   /// Nodal forces [mN] on the owned nodes, which stay until the next call.
@@ -81,6 +83,10 @@ private:
   void follow_prestretch();
   void set_coefficients();
   void set_inertia_history();
+  /// What drives the subscales of nearly incompressible elements where the displacement is d.
+  std::vector<Vec3> stress_force_at(const std::vector<Vec3>& d) const;
+  /// ∫ a·b over the elements of all ranks, constant in each. Collective.
+  double product_over_elements(const std::vector<Vec3>& a, const std::vector<Vec3>& b) const;
   /// Its subscale has inertia, where subscales have.
   bool is_nearly_incompressible(std::size_t element) const;
   /// On one surface and this rank; displacement: its integral over the undeformed surface.
@@ -115,6 +121,8 @@ private:
   std::vector<materials::Frame> frames_;  ///< in the mesh; those of the elements are where they are
                                           ///< free of stress
   std::unique_ptr<assembly::PatchRecovery> patches_;  ///< null where subscales do without div σ'
+  std::vector<Vec3> stress_change_;  ///< that the last renewal found, before it was relaxed
+  double stress_relaxation_ = 1.0;
   std::vector<Vec3> nodal_force_;
   boundary::VectorField body_force_;
   double time_ = 0.0;

@@ -81,11 +81,14 @@ void add_solid_keys(params::Table& table) {
           "subscales of PSPG: time-dependent, which keep the pressure as the time step shrinks; "
           "without inertia of their own, it stands in the parameter 1/(4 mu/h^2 + "
           "rho/(beta dt^2)) only; or with the paper's h^2/(4 mu), which ignores it")
-      .choice("stabilisation residual", "linear", {"linear", "stress"},
-              "what drives the subscales: the residual that linear elements have, without the "
-              "divergence of their stress, which makes the pressure flat at surfaces; or with it, "
-              "recovered from the elements around each vertex. It is that of the step before, and "
-              "in statics each step is solved again until it is its own. Not with a Prestress")
+      .choice(
+          "stabilisation residual", "automatic", {"automatic", "linear", "stress"},
+          "what drives the subscales: the residual that linear elements have, without the "
+          "divergence of their stress, which makes the pressure flat at surfaces; or with it, "
+          "recovered from the elements around each vertex. It is that of the step before, and "
+          "in statics each step is solved again until it is its own. Not with a Prestress; "
+          "automatic: stress in statics without a Prestress and with doubled pressures at layers, "
+          "else linear")
       .number("stabilisation modulus factor", 1.0, params::positive(), "1",
               "multiplies the modulus mu of the PSPG parameter")
       .variant("pressure at layers", "doubled",
@@ -109,12 +112,16 @@ SolidOptions solid_options(const Teuchos::ParameterList& list) {
       stabilisation == "dynamic" && list.get<std::string>("analysis") == "dynamic";
   options.has_inertia_in_tau = stabilisation != "paper";
   options.is_static = list.get<std::string>("analysis") == "static";
-  options.has_stress_residual = list.get<std::string>("stabilisation residual") == "stress";
   options.modulus_factor = list.get<double>("stabilisation modulus factor");
   options.has_doubled_pressure = list.get<std::string>("pressure at layers") == "doubled";
   options.layer_factor =
       options.has_doubled_pressure ? 1.0 : list.get<double>("stabilisation at layers");
   options.has_prestress = list.sublist("Prestress").get<double>("pressure") != 0.0;
+  // Between materials σ' jumps: where the pressure does not, ∇p cannot follow.
+  const auto& residual = list.get<std::string>("stabilisation residual");
+  const bool is_suited =
+      options.is_static && !options.has_prestress && options.has_doubled_pressure;
+  options.has_stress_residual = residual == "stress" || (residual == "automatic" && is_suited);
   options.volumetric_factor = list.get<double>("volumetric stabilisation");
   return options;
 }

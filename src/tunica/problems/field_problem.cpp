@@ -65,10 +65,10 @@ void FieldProblem::forget_solves() {
   if (solver_) solver_->forget();
 }
 
-nonlinear::NewtonReport FieldProblem::find_state() {
+nonlinear::NewtonReport FieldProblem::find_state(const nonlinear::NewtonOptions& options) {
   algebra::BlockVector x(space());
   x.assign(x_);
-  nonlinear::NewtonReport report = solve_newton(*this, newton_, x, &rule_);
+  nonlinear::NewtonReport report = solve_newton(*this, options, x, &rule_);
   if (report.is_converged) x_.assign(x);
   return report;
 }

@@ -81,7 +81,9 @@ protected:
   void forget_solves();
   /// Newton's method from the present state, to which it goes back where it fails. What a step or
   /// an iteration prescribes stays.
-  nonlinear::NewtonReport find_state();
+  nonlinear::NewtonReport find_state() { return find_state(newton_); }
+  nonlinear::NewtonReport find_state(const nonlinear::NewtonOptions& options);
+  const nonlinear::NewtonOptions& newton() const { return newton_; }
 
   discretisation::MixedField& discretisation() { return *field_; }
 

@@ -1,5 +1,7 @@
 #include "tunica/problems/solid_problem.hpp"
 
+#include <algorithm>
+
 #include "tunica/base/error.hpp"
 #include "tunica/io/progress.hpp"
 #include "tunica/linear/direct_factor.hpp"
@@ -26,22 +28,57 @@ SolidProblem::SolidProblem(std::unique_ptr<discretisation::Solid> wall,
     : FieldProblem(std::move(wall), list),
       wall_(static_cast<discretisation::Solid*>(&discretisation())) {}
 
-/// An equilibrium does not depend on the step before: the stress that drives the subscales is
-/// renewed until it changes by no more than this, which each pass makes it do by a half or less.
-constexpr double settled = 1e-3;
-constexpr int most_passes = 20;
-
 nonlinear::NewtonReport SolidProblem::solve() {
   const io::ProgressScope scope("wall");
   prescribe(x_);
-  nonlinear::NewtonReport report = find_state();
-  if (!wall_->has_stress_residual() || !wall_->is_static()) return report;
-  for (int pass = 0; report.is_converged && pass < most_passes; ++pass) {
-    if (wall_->renew_stress_force(x_) < settled) break;
-    nonlinear::NewtonReport again = find_state();
-    again.comes_after(report);
-    report = again;
+  return wall_->has_stress_residual() && wall_->is_static() ? find_equilibrium() : find_state();
+}
+
+/// The stress that drives the subscales is renewed until it changes by no more than this.
+constexpr double settled = 1e-3;
+constexpr int most_passes = 30;
+
+// An equilibrium does not depend on the step before, nor does the stress that drives its subscales:
+//
+//   F(x; s) = 0,   s = σ'*(x)
+//
+// Newton's method for x, loosely, then a step of it after each new s, then to its own goal. Where s
+// does not settle, or leads Newton's method astray, the equilibrium is that with s = 0.
+nonlinear::NewtonReport SolidProblem::find_equilibrium() {
+  nonlinear::NewtonOptions options = newton();
+  options.stop_at = nonlinear::StopAt::increment;
+  options.relative_increment = std::max(1e-2, newton().relative_increment);
+  nonlinear::NewtonReport report = find_state(options);
+  const auto go_on = [&](double relative_increment, double absolute_increment) {
+    options.relative_increment = relative_increment;
+    options.absolute_increment = absolute_increment;
+    nonlinear::NewtonReport next = find_state(options);
+    next.comes_after(report);
+    report = std::move(next);
+  };
+  algebra::BlockVector before(space());
+  before.assign(x_);
+  bool has_settled = false;
+  double least = 1e300;
+  for (int pass = 0, grown = 0; report.is_converged && pass < most_passes && grown < 3; ++pass) {
+    const double change = wall_->renew_stress_force(x_);
+    has_settled = change < settled;
+    if (has_settled) break;
+    if (change >= least) ++grown;
+    least = std::min(least, change);
+    go_on(1.0, newton().absolute_increment);  // one step
   }
+  if (!has_settled) {
+    const bool had_any = wall_->leave_out_stress_force();
+    if (!report.is_converged && !had_any) return report;
+    io::announce(
+        "the stress that drives the wall's subscales does not settle: this step does without");
+    x_.assign(before);
+  }
+  const double first = report.steps.empty() ? 0.0 : report.steps.front().increment;
+  const double goal = newton().relative_increment * first;
+  options.stop_at = newton().stop_at;
+  go_on(0.0, std::max(goal, newton().absolute_increment));
   return report;
 }
 
@@ -92,7 +129,7 @@ params::Table solid_table() {
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         TUNICA_CHECK(list.sublist("Layers").numParams() > 0,
                      path + " / Layers: no layer. Name each region of the wall.");
-        TUNICA_CHECK(list.get<std::string>("stabilisation residual") == "linear" ||
+        TUNICA_CHECK(list.get<std::string>("stabilisation residual") != "stress" ||
                          list.sublist("Prestress").get<double>("pressure") == 0.0,
                      path +
                          ": \"stabilisation residual\" is \"stress\", and there is a Prestress, "

@@ -62,6 +62,9 @@ public:
 private:
   SolidProblem(std::unique_ptr<discretisation::Solid> wall, const Teuchos::ParameterList& list);
 
+  /// solve() where subscales see the divergence of the stress they belong to.
+  nonlinear::NewtonReport find_equilibrium();
+
   discretisation::Solid* const wall_;  ///< that of the base
 };
 
