@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t most_nodes = 6;   ///< whose displacements tell a rotation
 constexpr double least_spread = 0.3;    ///< second over first extent of nodes that span a plane
+constexpr double least_widening = 0.1;  ///< of the second extent, in parts of the first
 constexpr double least_inertia = 0.01;  ///< of Σ |d|²: about the line on which nodes lie
 
 Mat3 cross_matrix(const Vec3& a) {
@@ -37,9 +38,8 @@ struct Extents {
       sum += squares[k];
     }
   }
-  double spread() const {
-    return squares[2] > 0.0 ? std::sqrt(std::max(squares[1], 0.0) / squares[2]) : 0.0;
-  }
+  double extent(int k) const { return std::sqrt(std::max(squares[k], 0.0)); }
+  double spread() const { return squares[2] > 0.0 ? extent(1) / extent(2) : 0.0; }
   /// Pseudo-inverse of Σ (|d|² I − d dᵀ).
   Mat3 inverse_inertia() const {
     Mat3 inverse{};
@@ -100,8 +100,9 @@ public:
   Fit(const Vec3& x, std::vector<CoarseNode> parents) : x_(x), nodes_(std::move(parents)) {
     n_parents_ = nodes_.size();
   }
-  /// Takes further nodes, the nearest first, until all span a plane. Ties are broken by places: the
-  /// numbers of nodes differ with the ranks.
+  /// Takes further nodes, the nearest first, until all span a plane; but none that lies as good as
+  /// in their line or between them, as those above and below in a wall of many layers do. Ties are
+  /// broken by places: the numbers of nodes differ with the ranks.
   void extend(std::vector<CoarseNode> others) {
     const auto distance = [this](const CoarseNode& node) { return dot(node.x - x_, node.x - x_); };
     std::sort(others.begin(), others.end(), [&](const CoarseNode& a, const CoarseNode& b) {
@@ -109,7 +110,7 @@ public:
     });
     for (const CoarseNode& node : others) {
       if (nodes_.size() >= most_nodes || spans_plane()) return;
-      nodes_.push_back(node);
+      if (nodes_.size() < 2 || is_widened_by(node)) nodes_.push_back(node);
     }
   }
   bool spans_plane() const {
@@ -131,6 +132,14 @@ public:
   }
 
 private:
+  bool is_widened_by(const CoarseNode& node) const {
+    std::vector<CoarseNode> with = nodes_;
+    with.push_back(node);
+    const Extents before(offsets_from_mean(nodes_)), after(offsets_from_mean(with));
+    return after.extent(2) > 1.5 * before.extent(2) ||
+           after.extent(1) > before.extent(1) + least_widening * after.extent(2);
+  }
+
   Vec3 x_;
   std::vector<CoarseNode> nodes_;  ///< the parents first
   std::size_t n_parents_ = 0;
