@@ -11,7 +11,7 @@ namespace {
 
 constexpr double program = 114.0;                   // m₀ [MB]
 constexpr double per_tetrahedron = 1.9e-3;          // m₁ [MB]
-constexpr double seconds_per_tetrahedron = 1.0e-5;  // s₁
+constexpr double seconds_per_tetrahedron = 2.2e-5;  // s₁
 
 std::string size(double megabytes) {
   return megabytes < 1000.0 ? formatted("%.0f MB", 10.0 * std::round(0.1 * megabytes))
@@ -32,10 +32,11 @@ std::string text_of(const Cost& cost, int ranks) {
   std::string memory = "memory: about " + size(cost.memory_of_rank);
   if (ranks > 1)
     memory += formatted(" on a rank, %s on all %d", size(cost.memory_of_all).c_str(), ranks);
-  return memory + formatted(
-                      "; a step: roughly %.2g s with a core for each rank. The runs of "
-                      "docs/cluster.md were off this by at most 8 and 40 %%",
-                      cost.seconds_of_step);
+  return memory +
+         formatted(
+             ", off by at most 8 %% in the runs of docs/cluster.md; a step: roughly %.2g s "
+             "with a core for each rank, off by up to a factor of 2 there",
+             cost.seconds_of_step);
 }
 
 }  // namespace tunica::app

@@ -12,9 +12,10 @@ namespace tunica::app {
 ///   T   tetrahedra that a rank knows: those it counts and those of others around its vertices
 ///
 /// The memory is fitted to a straight tube of 39 thousand to 2.5 million tetrahedra on 1 to 16
-/// ranks, the seconds to the two smaller meshes on 1 and 2; docs/cluster.md has the runs and how
-/// far they are off. Memory is a matter of the mesh; seconds are those of one machine and of a
-/// pulse with some 6 Newton steps, and no more than an order of magnitude for others.
+/// ranks; docs/cluster.md has the runs and how far they are off. The seconds are those of one
+/// machine and between those of a pulse in a thick tube, 6 Newton steps with 7 linear iterations,
+/// and of vessels of 200,000 tetrahedra at steps of 5 ms, 4 to 7 with 18 to 31: within a factor of
+/// 2 of either.
 struct Cost {
   double memory_of_rank = 0.0;   ///< that needs most [MB]
   double memory_of_all = 0.0;    ///< [MB]
