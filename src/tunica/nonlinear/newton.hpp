@@ -12,7 +12,9 @@
 
 namespace tunica::nonlinear {
 
-/// F(x) = 0 over any blocks, as Newton's method sees it. All members are collective.
+/// F(x) = 0 over any blocks, as Newton's method sees it. All members are collective. A caller may
+/// ask for residuals and Jacobians at any points in any order, for a Jacobian only where there is a
+/// residual; products and solves are those of the last Jacobian.
 class NonlinearProblem {
 public:
   virtual ~NonlinearProblem() = default;
@@ -20,7 +22,7 @@ public:
   virtual const algebra::BlockSpacePtr& space() const = 0;
   /// F at x, or why x is not admissible (an inverted element). The same on all ranks.
   virtual Outcome residual(const algebra::BlockVector& x, algebra::BlockVector& F) = 0;
-  /// Brings the Jacobian of linear_solver() to x.
+  /// Brings the Jacobian of linear_solver() to x, wherever residuals were asked for before.
   virtual void jacobian(const algebra::BlockVector& x) = 0;
   virtual void apply_jacobian(const algebra::BlockVector& x, algebra::BlockVector& y) const = 0;
   virtual linear::LinearSolver& linear_solver() = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/error.hpp"
@@ -92,7 +93,7 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
       newton_(nonlinear::newton_options(list.sublist("Newton"))), rule_(newton_.jacobian_cost),
       fluid_x_(fluid_->space()), wall_x_(wall_->space()), fluid_F_(fluid_->space()),
       wall_F_(wall_->space()), jacobian_fluid_x_(fluid_->space()), jacobian_wall_x_(wall_->space()),
-      reference_(wall_->space()) {
+      reference_(wall_->space()), followed_(wall_x_["displacement"].getMap()) {
   tie_fields();
   // A system cannot be solved better than its products are known.
   const double best =
@@ -151,6 +152,7 @@ Outcome CoupledProblem::begin_step(const stepping::Clock& clock) {
   dt_ = 1.0 / fluid_->time_scheme().rate();
   wall_part_->set_units({dt_, 1.0}, {1.0, 1.0 / dt_});
   set_reference();
+  has_followed_ = false;
   seconds_ = {};
   if (!is_extrapolated_) return Outcome::success();  // the domain follows the guess
   const Outcome placed =
@@ -168,11 +170,22 @@ void CoupledProblem::read(const algebra::BlockVector& x) {
 Outcome CoupledProblem::follow_wall(const ExtensionAccuracy& accuracy) {
   const Stopwatch watch;
   const std::vector<Vec3> d = fields::owned_vectors(wall_->mesh(), wall_x_["displacement"]);
+  has_followed_ = false;
   const Outcome moved = motion_->extend(interface_->to_fluid(interface_->from_wall(d)), accuracy);
   seconds_.motion += watch.seconds();
   if (moved.is_failure()) return moved.at("the mesh motion");
-  return fluid_->set_domain(motion_->displacement(), motion_->past_displacement())
-      .at("the fluid's mesh");
+  const Outcome placed = fluid_->set_domain(motion_->displacement(), motion_->past_displacement());
+  has_followed_ = placed.is_success();
+  followed_.assign(wall_x_["displacement"]);
+  return placed.at("the fluid's mesh");
+}
+
+bool CoupledProblem::is_domain_of_wall() const {
+  const auto at = followed_.getLocalViewHost(read_only);
+  const auto now = wall_x_["displacement"].getLocalViewHost(read_only);
+  bool is_same = has_followed_;
+  for (std::size_t k = 0; k < at.extent(0) && is_same; ++k) is_same = at(k, 0) == now(k, 0);
+  return all_agree(*mesh_->comm, is_same);
 }
 
 Outcome CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
@@ -197,7 +210,12 @@ Outcome CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVe
 
 void CoupledProblem::jacobian(const algebra::BlockVector& x) {
   read(x);
-  if (!is_extrapolated_) fluid_->prescribe(fluid_x_);
+  if (!is_extrapolated_) {
+    if (!is_domain_of_wall())
+      if (const Outcome outcome = follow_wall(mesh_accuracy_); outcome.is_failure())
+        throw std::logic_error("a Jacobian where there is no residual: " + outcome.reason());
+    fluid_->prescribe(fluid_x_);
+  }
   jacobian_fluid_x_.assign(fluid_x_);
   jacobian_wall_x_.assign(wall_x_);
   // K = Σ R Pᵀ K_i P S over the fields, see algebra::Embedding

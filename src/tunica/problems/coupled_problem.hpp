@@ -117,6 +117,7 @@ private:
   void read(const algebra::BlockVector& x);
   /// The mesh moves with wall_x_.
   Outcome follow_wall(const ExtensionAccuracy& accuracy);
+  bool is_domain_of_wall() const;  ///< it has done so, and not elsewhere since; collective
 
   const fields::FieldMesh* mesh_;
   const fields::InterfaceTransfer* interface_;
@@ -140,7 +141,9 @@ private:
   algebra::BlockVector fluid_F_, wall_F_;
   algebra::BlockVector jacobian_fluid_x_, jacobian_wall_x_;  ///< where K was made
   algebra::BlockVector reference_;                           ///< (d̃, 0) of the wall
-  double dt_ = 0.0;                                          ///< Δt of y
+  Vector followed_;            ///< the wall's displacement with which the domain lies
+  bool has_followed_ = false;  ///< in this step
+  double dt_ = 0.0;            ///< Δt of y
   Seconds seconds_;
 };
 

@@ -33,6 +33,25 @@ TEUCHOS_UNIT_TEST(coupled_problem, jacobian_is_the_derivative_where_the_domain_f
   }
 }
 
+TEUCHOS_UNIT_TEST(coupled_problem, jacobian_does_not_hang_on_what_was_evaluated_before) {
+  CoupledTube both("newton");
+  TEST_ASSERT(both.problem.begin_step(stepping::Clock(0.125, 1)).is_success());
+  const auto x = both.point(1), elsewhere = both.point(2), v = both.point(3);
+  algebra::BlockVector F(both.problem.space()), expected(F.space()), found(F.space());
+  TEST_ASSERT(both.problem.residual(x, F).is_success());
+  both.problem.jacobian(x);
+  both.problem.apply_jacobian(v, expected);
+  TEST_ASSERT(both.problem.residual(elsewhere, F).is_success());
+  both.problem.jacobian(x);
+  both.problem.apply_jacobian(v, found);
+  for (int b = 0; b < found.n_blocks(); ++b) {
+    const double size = expected[b].norm2();
+    found[b].update(-1.0, expected[b], 1.0);
+    TEST_COMPARE(size, >, 0.0);
+    TEST_COMPARE(found[b].norm2(), <=, 1e-13 * size);
+  }
+}
+
 // The rim of the openings moves, so that areas, flows and the windkessel's pressure do.
 TEUCHOS_UNIT_TEST(coupled_problem, jacobian_is_the_derivative_where_ends_slide) {
   CoupledTube both("newton", "held");
