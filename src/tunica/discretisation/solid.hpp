@@ -83,7 +83,7 @@ private:
   void follow_prestretch();
   void set_coefficients();
   void set_inertia_history();
-  /// What drives the subscales of nearly incompressible elements where the displacement is d.
+  /// What drives the subscales beside the linear residual where the displacement is d.
   std::vector<Vec3> stress_force_at(const std::vector<Vec3>& d) const;
   /// ∫ a·b over the elements of all ranks, constant in each. Collective.
   double product_over_elements(const std::vector<Vec3>& a, const std::vector<Vec3>& b) const;
