@@ -93,4 +93,24 @@ inline NodewiseProblem arc_tangent(const fields::FieldMesh& mesh) {
           [](double p) { return 1.0 / (1.0 + p * p); }};
 }
 
+/// The defaults, with linear solves that are as good as exact.
+inline nonlinear::NewtonOptions options() {
+  Teuchos::ParameterList list;
+  nonlinear::newton_table().resolve(list, "Newton", "");
+  auto found = nonlinear::newton_options(list);
+  found.forcing.tolerance = 1e-12;
+  return found;
+}
+
+inline algebra::BlockVector start(const fields::FieldMesh& mesh, double p) {
+  return block_vector(mesh, [p](int, int i) { return i < 3 ? 1.0 : p; });
+}
+
+inline double worst_pressure(const algebra::BlockVector& x, double expected) {
+  Vector difference(x[1], Teuchos::Copy);
+  for (std::size_t k = 0; k < difference.getLocalLength(); ++k)
+    difference.sumIntoLocalValue(static_cast<int>(k), -expected);
+  return difference.normInf();
+}
+
 }  // namespace tunica::test
