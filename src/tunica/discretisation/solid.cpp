@@ -69,8 +69,6 @@ void Solid::set_elements() {
   elements_.split = split();
 }
 
-namespace {}  // namespace
-
 Outcome Solid::set_prestretch(std::vector<Mat3> G) {
   double smallest = 1.0;
   int worst = -1;
