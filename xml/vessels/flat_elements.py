@@ -9,7 +9,7 @@ import time
 import h5py
 import numpy as np
 
-from pages import ENVIRONMENT, ROOT, command, keep_results, record_of, rows_of, table_text, write_commit
+from pages import ENVIRONMENT, ROOT, command, commits_of, keep_results, record_of, rows_of, table_text, write_commit
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SCRIPTS = os.path.join(ROOT, "meshes")
@@ -248,6 +248,16 @@ def rows_of_table(wanted, labels):
     return lines
 
 
+def commits_text(wanted, is_of):
+    """A sentence: of what commit the runs are whose names are, and which are of others."""
+    runs = {}
+    for label in labels_in(wanted):
+        for commit, names in commits_of(os.path.join(wanted.output, "solvers", label)).items():
+            runs.setdefault(commit, []).extend(name for name in names if is_of(name))
+    runs = sorted(((commit, names) for commit, names in runs.items() if names), key=lambda run: -len(run[1]))
+    return "Commit " + "; ".join([runs[0][0]] + [f"{commit}: {', '.join(names)}" for commit, names in runs[1:]]) + "." if runs else ""
+
+
 def section(wanted):
     labels = labels_in(wanted)
     rows = rows_of_table(wanted, labels)
@@ -260,7 +270,7 @@ def section(wanted):
             "default, so that iterations can be compared; \"as by default\" without it, three steps. Iterations of each Newton "
             "step to 1e-8, time steps between /, a star where the solver ended above its tolerance. Width over thickness: root of "
             "twice a triangle's area over the height of the element on it, mean of the flattest layer. CPU seconds: of all "
-            "ranks, set-up included.", "",
+            "ranks, set-up included. " + commits_text(wanted, lambda name: name.rsplit("-", 1)[0] in ROWS), "",
             *table_text(["system", "unknowns", "tetrahedra", "width / thickness", "least angle", "ranks", *of_label], rows).splitlines(), ""]
 
 

@@ -1,7 +1,7 @@
 """Walls that were imaged under pressure: the runs and tables of `reproduce prestress` and `reproduce systole`."""
 import os
 
-from flat_elements import HERE, effort_of, folder_of, mesh_of, timed, write_effort
+from flat_elements import HERE, commits_text, effort_of, folder_of, mesh_of, timed, write_effort
 from pages import command, keep_results, record_of, rows_of, table_text, write_commit
 
 PRESSURE = 10.67  # kPa, 80 mmHg
@@ -82,7 +82,7 @@ def prestress_section(wanted):
             f"Made by `xml/vessels/reproduce prestress`: {PRESSURE} kPa (80 mmHg), two layers of one neo-Hookean law or of fibres in "
             "two families, clamped ends; all of the search by default. Beside its CPU seconds their ratio to one static load of 2.67 "
             "kPa on the same wall, programs begun and ended included. Moved: of the wall in a static step that follows under the "
-            "pressure of the image.", "",
+            "pressure of the image. " + commits_text(wanted, lambda name: name.startswith(("prestress-", "static-"))), "",
             *table_text(["vessel", "wall", "law", "tissue", "ranks", "prestress", "steps", "CPU s", "static loads", "det G", "moved, mm"],
                         lines).splitlines(), ""]
 
@@ -120,6 +120,7 @@ def systole_section(wanted):
         return []
     return ["## The beginning of a beat", "",
             "Made by `xml/vessels/reproduce systole` from `xml/vessels/solvers/arch-beat.xml` and `carotid-beat.xml`: prestress, then steps "
-            "of 5 ms from rest, in which the inflow rises; all solvers by default.", "",
+            "of 5 ms from rest, in which the inflow rises; all solvers by default. "
+            + commits_text(wanted, lambda name: name.startswith("systole-")), "",
             *table_text(["vessel", "ranks", "unknowns", "steps of the prestress", "time steps", "Newton steps, iterations of the first",
                          "of each after it", "seconds a step", "memory of all ranks, MB"], lines).splitlines(), ""]
