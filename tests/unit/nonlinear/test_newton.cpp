@@ -6,7 +6,6 @@ namespace {
 
 using namespace tunica;
 using test::arc_tangent;
-using test::logarithm;
 using test::NodewiseProblem;
 using test::options;
 using test::SmallTube;
