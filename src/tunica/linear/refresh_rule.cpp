@@ -10,11 +10,16 @@ namespace {
 /// Half a decade at least: a solve that hardly had to do anything tells little.
 double decades(double reduction) { return std::max(0.5, -std::log10(std::max(reduction, 1e-16))); }
 
+/// Iterations whose pace tells what is to come; the first of a solve often gain little.
+constexpr int pace_over = 5;
+
 }  // namespace
 
 double RefreshRule::cap(double tolerance) const {
   return 2.0 * rate_ * decades(tolerance) + allowance_ + 10.0;
 }
+
+StagnationRule RefreshRule::when_to_give_up() const { return {pace_over, 0.0, allowance_, rate_}; }
 
 void RefreshRule::renew() {
   has_rate_ = false;

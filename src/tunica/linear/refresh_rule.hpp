@@ -1,4 +1,5 @@
 #pragma once
+#include "tunica/linear/solvers/stagnation.hpp"
 
 namespace tunica::linear {
 
@@ -15,6 +16,8 @@ public:
   bool wants_new() const { return !has_rate_ || lost_ >= allowance_; }
   /// Iterations after which an old preconditioner has failed in a solve to that tolerance.
   double cap(double tolerance) const;
+  /// When a solve with an old one ends for a new one that goes on from there.
+  StagnationRule when_to_give_up() const;
 
   /// The preconditioner is new, could not be made, or is not to serve any more.
   void renew();

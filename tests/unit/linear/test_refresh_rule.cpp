@@ -1,4 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
+#include <vector>
 
 #include "tunica/linear/refresh_rule.hpp"
 
@@ -46,6 +48,19 @@ TEUCHOS_UNIT_TEST(refresh_rule, factor_zero_and_failure_want_a_new_one) {
   TEST_ASSERT(always.wants_new());
   rule.note(100, 0.5, false);
   TEST_ASSERT(rule.wants_new());
+}
+
+TEUCHOS_UNIT_TEST(refresh_rule, an_old_one_ends_where_a_new_one_would_be_there_before) {
+  RefreshRule rule(1.0, 20.0);
+  rule.renew();
+  rule.note(8, 1e-8, true);  // one iteration a decade: 20 + 7 from the fifth on
+  const auto residuals = [](double factor) {
+    std::vector<double> all;
+    for (int i = 0; i <= 5; ++i) all.push_back(std::pow(factor, i));
+    return all;
+  };
+  TEST_ASSERT(rule.when_to_give_up().gives_up(residuals(0.6), 1e-8));   // 31 to come
+  TEST_ASSERT(!rule.when_to_give_up().gives_up(residuals(0.5), 1e-8));  // 22
 }
 
 TEUCHOS_UNIT_TEST(refresh_rule, an_old_one_may_take_what_it_took_twice_and_a_set_up) {

@@ -48,6 +48,11 @@ TEUCHOS_UNIT_TEST(stagnation_rule, gives_up_what_is_slow_and_far_from_its_end) {
   TEST_ASSERT(!rule.gives_up(history(0.95, 260), 1e-8));  // 99.1 to come
   TEST_ASSERT(rule.gives_up(history(1.0, 30), 0.5));      // nothing was gained
   TEST_ASSERT(!linear::StagnationRule().gives_up(history(1.0, 300), 1e-8));
+  // 0.5: 3.3 iterations a decade, with six to go 20 more; another one of 1 a decade takes 6 and its
+  // cost
+  TEST_ASSERT((linear::StagnationRule{5, 0.0, 4.0, 1.0}.gives_up(history(0.5, 7), 1e-8)));
+  TEST_ASSERT((!linear::StagnationRule{5, 0.0, 14.0, 1.0}.gives_up(history(0.5, 7), 1e-8)));
+  TEST_ASSERT((!linear::StagnationRule{5, 0.0, 4.0, 3.0}.gives_up(history(0.5, 7), 1e-8)));
 }
 
 TEUCHOS_UNIT_TEST(solver_chain, takes_the_next_preconditioner_where_one_stagnates) {
