@@ -23,22 +23,4 @@ private:
   Teuchos::RCP<CrsMatrix> product_;
 };
 
-/// Pᵀ A P in the same way, without the product of two between: for matrices that lie on one rank,
-/// as Tpetra has no second round of it on several.
-class TripleProduct {
-public:
-  /// The matrices lie on one rank and number rows and columns alike.
-  static bool serves(const CrsMatrix& A, const CrsMatrix& P);
-  /// The graph alone. The matrices must outlive the object. Throws std::invalid_argument where
-  /// they are not served.
-  TripleProduct(const CrsMatrix& A, const CrsMatrix& P);
-
-  const Teuchos::RCP<CrsMatrix>& matrix() const { return product_; }
-  void refresh();
-
-private:
-  const CrsMatrix *A_, *P_;
-  Teuchos::RCP<CrsMatrix> product_;
-};
-
 }  // namespace tunica::algebra

@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/algebra/sparse_product.hpp"
+#include "tunica/algebra/triple_product.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "unit/fields/small_tube.hpp"
@@ -82,6 +83,57 @@ TEUCHOS_UNIT_TEST(triple_product, follows_the_values_whatever_was_zero_when_it_w
   line.scale(number);
   product.refresh();
   TEST_COMPARE(error_of(*product.matrix(), line), <, 1e-14);
+}
+
+/// Unknowns of node n: three or five, not in the order of nodes alone; so are its rows' columns.
+struct Nodes {
+  std::vector<int> start{0};
+  explicit Nodes(int n) {
+    for (int a = 0; a < n; ++a)
+      start.push_back(start.back() + (a % 4 == 1 ? 5 : a % 4 == 3 ? 1 : 3));
+  }
+};
+
+double number(GlobalOrdinal i, GlobalOrdinal j) {
+  return std::sin(1.0 + 3.7 * static_cast<double>(i) + 0.9 * static_cast<double>(j));
+}
+
+/// Blocks of all unknowns of two nodes where they couple.
+template <class Couple>
+Teuchos::RCP<CrsMatrix> blocks(const Nodes& rows, const Nodes& columns, const Couple& couple) {
+  const auto map = [](int n) { return Teuchos::rcp(new Map(n, 0, test::alone())); };
+  const auto A = Teuchos::rcp(new CrsMatrix(map(rows.start.back()), columns.start.back()));
+  for (std::size_t a = 0; a + 1 < rows.start.size(); ++a)
+    for (std::size_t b = 0; b + 1 < columns.start.size(); ++b)
+      if (couple(static_cast<int>(a), static_cast<int>(b)))
+        for (int i = rows.start[a]; i < rows.start[a + 1]; ++i)
+          for (int j = columns.start[b]; j < columns.start[b + 1]; ++j)
+            // the first unknown of a node is interpolated from all, others from one each
+            if (&rows == &columns || i == rows.start[a] || (i + j) % 2 == 0)
+              A->insertGlobalValues(i, Teuchos::tuple<GlobalOrdinal>(j),
+                                    Teuchos::tuple(number(i, j)));
+  A->fillComplete(map(columns.start.back()), map(rows.start.back()));
+  return A;
+}
+
+TEUCHOS_UNIT_TEST(triple_product, serves_nodes_with_any_number_of_unknowns) {
+  if (test::world()->getSize() > 1) return;
+  const Nodes fine(301), coarse(101);
+  const auto A =
+      blocks(fine, fine, [](int a, int b) { return std::abs(a - b) < 3 || a + b == 300; });
+  const auto P = blocks(fine, coarse, [](int a, int b) { return a / 3 == b || (a + 2) / 3 == b; });
+  algebra::TripleProduct product(*A, *P);
+  product.refresh();
+  Vector x(P->getDomainMap()), y(x.getMap()), Px(A->getRowMap()), APx(Px.getMap()),
+      expected(x.getMap());
+  for (const GlobalOrdinal i : global_numbers(*x.getMap()))
+    x.replaceGlobalValue(i, std::cos(static_cast<double>(i * i)));
+  P->apply(x, Px);
+  A->apply(Px, APx);
+  P->apply(APx, expected, Teuchos::TRANS);
+  product.matrix()->apply(x, y);
+  y.update(-1.0, expected, 1.0);
+  TEST_COMPARE(y.norm2(), <, 1e-13 * expected.norm2());
 }
 
 TEUCHOS_UNIT_TEST(sparse_product, follows_the_values_whatever_was_zero_when_it_was_made) {

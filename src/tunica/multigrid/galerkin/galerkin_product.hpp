@@ -4,6 +4,7 @@
 #include "tunica/algebra/dof_layout.hpp"
 #include "tunica/algebra/refreshable.hpp"
 #include "tunica/algebra/sparse_product.hpp"
+#include "tunica/algebra/triple_product.hpp"
 
 namespace tunica::multigrid {
 
