@@ -3,17 +3,24 @@
 #include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "tunica/algebra/sparse_product.hpp"
+#include "tunica/base/agreement.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::multigrid {
 
 namespace {
 
-constexpr std::size_t most_nodes = 6;   ///< whose displacements tell a rotation
+/// Cosine of the angle within which a node hides those behind it. Iterations of a wall with six
+/// layers of 15 : 1 by 0.3, 0.5, 0.7: 33, 30, 29 (the nearest twelve: 25); by the last the next
+/// level of a pulse in a tube costs a quarter more.
+constexpr double shadow = 0.6;
+constexpr double blunt = 0.05;          ///< of weights by distance, in parts of h²
+constexpr double leniency = 0.01;       ///< ε
 constexpr double least_spread = 0.3;    ///< second over first extent of nodes that span a plane
-constexpr double least_widening = 0.1;  ///< of the second extent, in parts of the first
 constexpr double least_inertia = 0.01;  ///< of Σ |d|²: about the line on which nodes lie
 
 Mat3 cross_matrix(const Vec3& a) {
@@ -97,52 +104,88 @@ private:
 /// The terms of one fine node.
 class Fit {
 public:
-  Fit(const Vec3& x, std::vector<CoarseNode> parents) : x_(x), nodes_(std::move(parents)) {
-    n_parents_ = nodes_.size();
-  }
-  /// Takes further nodes, the nearest first, until all span a plane; but none that lies as good as
-  /// in their line or between them, as those above and below in a wall of many layers do. Ties are
-  /// broken by places: the numbers of nodes differ with the ranks.
-  void extend(std::vector<CoarseNode> others) {
-    const auto distance = [this](const CoarseNode& node) { return dot(node.x - x_, node.x - x_); };
-    std::sort(others.begin(), others.end(), [&](const CoarseNode& a, const CoarseNode& b) {
+  /// Of the coarse nodes around it.
+  Fit(const Vec3& x, std::vector<CoarseNode> around) : x_(x) {
+    const auto distance = [this](const CoarseNode& node) { return norm(node.x - x_); };
+    // Ties are broken by places: the numbers of nodes differ with the ranks.
+    std::sort(around.begin(), around.end(), [&](const CoarseNode& a, const CoarseNode& b) {
       return std::make_pair(distance(a), a.x) < std::make_pair(distance(b), b.x);
     });
-    for (const CoarseNode& node : others) {
-      if (nodes_.size() >= most_nodes || spans_plane()) return;
-      if (nodes_.size() < 2 || is_widened_by(node)) nodes_.push_back(node);
+    std::vector<CoarseNode> hidden;
+    for (const CoarseNode& node : around)
+      (is_behind_another(node) ? hidden : nodes_).push_back(node);
+    for (const CoarseNode& node : hidden) {
+      if (spans_plane()) return;
+      nodes_.push_back(node);
     }
   }
+  /// Else the rotation about their line is not known.
   bool spans_plane() const {
     return nodes_.size() > 2 && Extents(offsets_from_mean(nodes_)).spread() >= least_spread;
   }
   void append_to(RigidInterpolation& result) const {
-    const std::vector<Vec3> d = offsets_from_mean(nodes_);
-    Vec3 arm = x_;  // x_i − x̄_i
-    const double share = 1.0 / static_cast<double>(n_parents_);
-    for (std::size_t k = 0; k < n_parents_; ++k) arm = arm - share * nodes_[k].x;
+    const std::vector<double> phi = weights();
+    Vec3 arm = x_;  // x_i − Σ φ_k x_k
+    for (std::size_t k = 0; k < nodes_.size(); ++k) arm = arm - phi[k] * nodes_[k].x;
     // θ × arm = −[arm]× T⁻¹ Σ [d_k]× u_k
+    const std::vector<Vec3> d = offsets_from_mean(nodes_);
     const Mat3 turn = cross_matrix(-1.0 * arm) * Extents(d).inverse_inertia();
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       Mat3 block = turn * cross_matrix(d[k]);
-      for (int i = 0; i < 3 && k < n_parents_; ++i) block[i][i] += share;
+      for (int i = 0; i < 3; ++i) block[i][i] += phi[k];
       result.nodes.push_back(nodes_[k].number);
       result.blocks.push_back(block);
     }
   }
 
 private:
-  bool is_widened_by(const CoarseNode& node) const {
-    std::vector<CoarseNode> with = nodes_;
-    with.push_back(node);
-    const Extents before(offsets_from_mean(nodes_)), after(offsets_from_mean(with));
-    return after.extent(2) > 1.5 * before.extent(2) ||
-           after.extent(1) > before.extent(1) + least_widening * after.extent(2);
+  /// φ_k = w_k (1 + λ₀ + λ·d_k) with d_k = x_k − x_i and
+  ///   Σ w_k (λ₀ + λ·d_k)                    = 0
+  ///   Σ w_k (λ₀ + λ·d_k) d_k + ε h² λ = −Σ w_k d_k
+  std::vector<double> weights() const {
+    const std::size_t n = nodes_.size();
+    std::vector<double> w(n);
+    double h2 = 0.0, sum = 0.0;
+    for (const CoarseNode& node : nodes_)
+      h2 += dot(node.x - x_, node.x - x_) / static_cast<double>(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec3 d = nodes_[k].x - x_;
+      w[k] = std::pow(dot(d, d) / h2 + blunt, -2.0);
+      sum += w[k];
+    }
+    double A[16] = {}, b[4] = {};
+    for (std::size_t k = 0; k < n; ++k) {
+      w[k] /= sum;
+      const Vec3 d = nodes_[k].x - x_;
+      const double row[4] = {1.0, d[0], d[1], d[2]};
+      for (int i = 0; i < 4; ++i) {
+        if (i > 0) b[i] -= w[k] * row[i];
+        for (int j = 0; j < 4; ++j) A[4 * j + i] += w[k] * row[i] * row[j];
+      }
+    }
+    for (int i = 1; i < 4; ++i) A[5 * i] += leniency * h2;
+    int info = 0;
+    Teuchos::LAPACK<int, double>().POSV('U', 4, 1, A, 4, b, 4, &info);
+    double total = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec3 d = nodes_[k].x - x_;
+      w[k] *= 1.0 + b[0] + b[1] * d[0] + b[2] * d[1] + b[3] * d[2];
+      total += w[k];
+    }
+    for (double& weight : w) weight /= total;
+    return w;
+  }
+
+  bool is_behind_another(const CoarseNode& node) const {
+    const Vec3 d = node.x - x_;
+    return std::any_of(nodes_.begin(), nodes_.end(), [&](const CoarseNode& other) {
+      const Vec3 e = other.x - x_;
+      return dot(d, e) >= shadow * norm(d) * norm(e);
+    });
   }
 
   Vec3 x_;
-  std::vector<CoarseNode> nodes_;  ///< the parents first
-  std::size_t n_parents_ = 0;
+  std::vector<CoarseNode> nodes_;
 };
 
 std::vector<char> flags_of(const std::vector<int>& rows, std::size_t n) {
@@ -151,42 +194,89 @@ std::vector<char> flags_of(const std::vector<int>& rows, std::size_t n) {
   return flags;
 }
 
+/// Makes the fits of a rank's fine nodes.
+class Fits {
+public:
+  explicit Fits(const RigidSource& source) : source_(source) {
+    const auto x = source.fine.coordinates->getLocalViewHost(read_only);
+    const auto in_solid = source.fine.in_solid->getLocalViewHost(read_only);
+    const std::vector<char> is_coarse = flags_of(source.coarse_rows, x.extent(0));
+    for (std::size_t i = 0; i < x.extent(0); ++i) {
+      places_.push_back({x(i, 0), x(i, 1), x(i, 2)});
+      is_fitted_.push_back(!is_coarse[i] && in_solid(i, 0) != 0.0 &&
+                           source.P.getNumEntriesInLocalRow(static_cast<int>(i)) > 0);
+    }
+    fits_.resize(places_.size());
+  }
+
+  /// Of fitted nodes that do not span a plane yet, to the coarse nodes in their rows. Collective.
+  void fit(const CrsGraph& around) {
+    const Columns columns(around, *source_.coarse.coordinates, source_.coarse_between);
+    const auto rows = around.getLocalGraphHost();
+    for (std::size_t i = 0; i < fits_.size(); ++i) {
+      if (!is_open(i)) continue;
+      const bool is_between = !source_.fine_between.is_null() &&
+                              source_.fine_between->getLocalViewHost(read_only)(i, 0) != 0.0;
+      std::vector<CoarseNode> nodes;
+      for (auto k = rows.row_map(i); k < rows.row_map(i + 1); ++k)
+        if (!is_between || columns.is_between(rows.entries(k)))
+          nodes.push_back(columns[rows.entries(k)]);
+      fits_[i].emplace(places_[i], std::move(nodes));
+    }
+  }
+
+  /// The graph of the nodes beside those that do not span a plane; no rows of others. Collective.
+  /// Null where there are none on any rank.
+  Teuchos::RCP<CrsMatrix> beside_open() const {
+    const CrsGraph& nodes = source_.nodes;
+    const auto graph = nodes.getLocalGraphHost();
+    const auto result =
+        Teuchos::rcp(new CrsMatrix(nodes.getRowMap(), nodes.getColMap(), longest_local_row(nodes)));
+    bool has_any = false;
+    for (std::size_t i = 0; i < fits_.size(); ++i)
+      for (auto k = graph.row_map(i); is_open(i) && k < graph.row_map(i + 1); ++k) {
+        result->insertLocalValues(static_cast<int>(i), Teuchos::tuple<int>(graph.entries(k)),
+                                  Teuchos::tuple(1.0));
+        has_any = true;
+      }
+    if (all_agree(*nodes.getComm(), !has_any)) return Teuchos::null;
+    result->fillComplete(nodes.getDomainMap(), nodes.getRangeMap());
+    return result;
+  }
+
+  RigidInterpolation result() const {
+    RigidInterpolation result;
+    for (const std::optional<Fit>& fit : fits_) {
+      result.start.push_back(result.nodes.size());
+      if (fit) fit->append_to(result);
+    }
+    result.start.push_back(result.nodes.size());
+    return result;
+  }
+
+private:
+  bool is_open(std::size_t i) const {
+    return is_fitted_[i] && (!fits_[i] || !fits_[i]->spans_plane());
+  }
+
+  const RigidSource& source_;
+  std::vector<Vec3> places_;
+  std::vector<char> is_fitted_;
+  std::vector<std::optional<Fit>> fits_;
+};
+
 }  // namespace
 
 RigidInterpolation rigid_interpolation(const RigidSource& source) {
-  const Columns columns(source.second, *source.coarse.coordinates, source.coarse_between);
-  const auto P = source.P.getLocalMatrixHost();
-  const auto second = source.second.getLocalGraphHost();
-  const auto x = source.fine.coordinates->getLocalViewHost(read_only);
-  const auto in_solid = source.fine.in_solid->getLocalViewHost(read_only);
-  const std::vector<char> is_coarse = flags_of(source.coarse_rows, x.extent(0));
-  const Map &own = *source.P.getColMap(), &all = *source.second.getColMap();
-  RigidInterpolation result;
-  std::vector<char> is_parent(n_local(all), 0);
-  for (std::size_t i = 0; i < x.extent(0); ++i) {
-    result.start.push_back(result.nodes.size());
-    const auto row = P.rowConst(static_cast<int>(i));
-    if (is_coarse[i] || in_solid(i, 0) == 0.0 || row.length == 0) continue;
-    std::vector<CoarseNode> parents, others;
-    std::vector<int> places;
-    for (int k = 0; k < row.length; ++k) {
-      places.push_back(all.getLocalElement(own.getGlobalElement(row.colidx(k))));
-      parents.push_back(columns[places.back()]);
-      is_parent[places.back()] = 1;
-    }
-    const bool is_between = !source.fine_between.is_null() &&
-                            source.fine_between->getLocalViewHost(read_only)(i, 0) != 0.0;
-    for (auto k = second.row_map(i); k < second.row_map(i + 1); ++k) {
-      const int c = second.entries(k);
-      if (!is_parent[c] && (!is_between || columns.is_between(c))) others.push_back(columns[c]);
-    }
-    for (const int c : places) is_parent[c] = 0;
-    Fit fit({x(i, 0), x(i, 1), x(i, 2)}, std::move(parents));
-    fit.extend(std::move(others));
-    fit.append_to(result);
+  Fits fits(source);
+  fits.fit(*source.second.getCrsGraph());
+  // Nodes at edges of a wall may see one line of coarse nodes: those look one node further.
+  if (const auto beside = fits.beside_open(); !beside.is_null()) {
+    CrsMatrix third(beside->getRowMap(), 0);
+    algebra::multiply_graphs(*beside, source.second, third);
+    fits.fit(*third.getCrsGraph());
   }
-  result.start.push_back(result.nodes.size());
-  return result;
+  return fits.result();
 }
 
 }  // namespace tunica::multigrid

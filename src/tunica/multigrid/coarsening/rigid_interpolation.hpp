@@ -10,16 +10,23 @@ namespace tunica::multigrid {
 /// motions. A thin wall bends in long waves whose normals turn; means of coarse displacements take
 /// a turned wall for a sheared one, which costs as much more energy as it is flatter.
 ///
-///   u_i = 1/n_i Σ_j u_j + θ_i × (x_i − x̄_i),   x̄_i = 1/n_i Σ_j x_j   (j: parents of i)
+///   u_i = Σ_k φ_k u_k + θ_i × (x_i − Σ_k φ_k x_k)
 ///   θ_i = T⁻¹ Σ_k d_k × u_k,   T = Σ_k (|d_k|² I − d_k d_kᵀ),   d_k = x_k − mean of the x_k
 ///
-///   u_j  displacement of a coarse node           x  place of a node
-///   θ_i  rotation, fitted by least squares       k  the parents of i, and further coarse nodes,
-///        to displacements of the nodes k            the nearest first, until they span a plane
+///   Σ_k (φ_k − w_k)²/w_k + |Σ_k φ_k (x_k − x_i)|²/(ε h²)  least, with Σ_k φ_k = 1
 ///
-/// A node keeps its parents for the translation: those further nodes only tell the rotation. No
-/// unknowns are added: coarse levels have three displacements and a pressure as all others.
+///   k    coarse nodes around i: its own parents and those of its neighbours, the nearest of each
+///        direction (those in a thin wall lie above each other by the dozen), and further ones
+///        where these lie on a line
+///   w_k  weights by distance, ~ 1/(|x_k − x_i|²/h² + 0.05)², of sum 1; h² mean of |x_k − x_i|²
+///   φ_k  the same, moved so that linear functions are as good as exact where nodes lie on all
+///        sides (moving least squares): a thin wall's stretching along itself is stiff, too
+///   θ_i  rotation, fitted by least squares to the displacements of the nodes k
+///
+/// No unknowns are added: coarse levels have three displacements and a pressure as all others.
 /// Where the nodes k lie on a line the rotation about it is left out (pseudo-inverse of T).
+/// Iterations with plain means of the parents and the same θ_i: 36 for 25 on a wall with six layers
+/// of 15 : 1, with as many entries of the coarse matrix.
 struct RigidInterpolation {
   /// By local fine node: where its terms begin; none where the node takes plain means.
   std::vector<std::size_t> start;
@@ -31,8 +38,9 @@ struct RigidInterpolation {
 
 /// What it is made of, on one level.
 struct RigidSource {
-  const CrsMatrix& P;      ///< the means: a row per fine node, a column per coarse one
-  const CrsGraph& second;  ///< coarse nodes that are parents of any neighbour of a fine node
+  const CrsGraph& nodes;    ///< of the fine level
+  const CrsMatrix& P;       ///< the means: a row per fine node, a column per coarse one
+  const CrsMatrix& second;  ///< coarse nodes that are parents of any neighbour of a fine node
   const algebra::NodePlaces& fine;
   const algebra::NodePlaces& coarse;
   const std::vector<int>& coarse_rows;  ///< local fine nodes that are coarse ones as well
