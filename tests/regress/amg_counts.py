@@ -16,7 +16,7 @@ CASES = {
                                                "node pairs 2+2, GCR", "nodal ILU(0) 3+3",
                                                "nodal ILU(0) 3+3, GCR"]),
 }
-MOST_CYCLES, MOST_ITERATIONS = 15, 10
+MOST_CYCLES, MOST_ITERATIONS = 15, 11
 HALVED = {"Braess-Sarazin 4+4": "Braess-Sarazin 8+8", "Vanka 6+6": "Vanka 12+12"}
 
 

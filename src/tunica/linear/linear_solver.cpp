@@ -18,8 +18,8 @@ params::Table inner_krylov_table(const SolverDefaults& defaults, bool has_restar
       .number(
           "refresh factor", 1.0, params::non_negative(), "1",
           "within a time step, set up a new preconditioner when the iterations lost by keeping the "
-          "old one are this times what a set-up costs, and at once where a solve with an old one "
-          "gets nowhere; 0: a new one for each matrix");
+          "old one are this times what a set-up costs, and in a solve that a new one would end "
+          "sooner; 0: a new one for each matrix");
   if (has_recycling)
     table.integer("recycle", defaults.recycled, params::between(0, 1000),
                   "search directions kept from one right side to the next of the same matrix; they "
