@@ -73,8 +73,8 @@ Outcome march(const Teuchos::ParameterList& list, const app::Domain& domain,
   });
   const auto solve = [&](const stepping::Clock& clock, int attempt) {
     log.begin({clock.step(), clock.time(), 1, attempt});
-    const Outcome prepared = scheme->prepare(clock);
-    if (prepared.is_failure()) return app::summary_of(prepared, scheme->fields());
+    const Outcome begun = scheme->begin_step(clock);
+    if (begun.is_failure()) return app::summary_of(begun, scheme->fields());
     const coupling::Report report = scheme->solve_step(
         clock, [&](int, const coupling::Iteration& iteration) { log.coupling(iteration); });
     if (!report.remark.empty()) log.warn(report.remark);

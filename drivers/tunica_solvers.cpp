@@ -36,7 +36,7 @@ Outcome march_to_wanted(compare::SystemCapture& capture, coupling::Scheme& schem
   for (; !clock.is_done(); clock.advance()) {
     capture.enter(0, 0);  // what the coupling solves for itself is not asked for
     log.begin({clock.step(), clock.time(), 1});
-    if (const Outcome prepared = scheme.prepare(clock); prepared.is_failure()) return prepared;
+    if (const Outcome begun = scheme.begin_step(clock); begun.is_failure()) return begun;
     capture.enter(clock.step(), 1);
     const coupling::Report report =
         scheme.solve_step(clock, [&](int k, const coupling::Iteration& iteration) {

@@ -64,12 +64,11 @@ InterfaceVector AddedMass::apply(const InterfaceVector& residual) {
 }
 
 // C_k = n_k·d_k, d the wall's linear answer to the pressure 1
-Result<std::vector<double>> wall_compliance(const stepping::Clock& clock,
-                                            const fields::InterfaceTransfer& interface,
+Result<std::vector<double>> wall_compliance(const fields::InterfaceTransfer& interface,
                                             const std::vector<Vec3>& area,
                                             problems::SolidProblem& wall) {
   const InterfaceVector areas = interface.from_fluid(area);
-  const auto answer = wall.solve_linearised(clock, interface.to_wall(areas));
+  const auto answer = wall.solve_linearised(interface.to_wall(areas));
   if (answer.is_failure()) return Result<std::vector<double>>::failure(answer.reason());
   const InterfaceVector d = interface.from_wall(answer.value());
   std::vector<double> compliance;

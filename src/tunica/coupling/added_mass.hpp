@@ -65,8 +65,7 @@ private:
 /// [mm/kPa], of the wall at its present state. Fails where the wall's linear solver does. Begins
 /// the clock's present step and sets up that solver. Collective. area: area times normal, out of
 /// the fluid, of the owned nodes of the fluid [mm²].
-Result<std::vector<double>> wall_compliance(const stepping::Clock& clock,
-                                            const fields::InterfaceTransfer& interface,
+Result<std::vector<double>> wall_compliance(const fields::InterfaceTransfer& interface,
                                             const std::vector<Vec3>& area,
                                             problems::SolidProblem& wall);
 

@@ -28,16 +28,20 @@ DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
     added_mass_ = list.sublist("Added Mass Solver");
 }
 
-Outcome DirichletNeumann::prepare(const stepping::Clock& clock) {
-  if (!added_mass_) return Outcome::success();
-  const fields::FieldMesh& mesh = fluid_->mesh();
+Outcome DirichletNeumann::begin(const stepping::Clock& clock) {
   fluid_->begin_step(clock);
+  wall_->begin_step(clock);
+  return added_mass_ ? set_preconditioner(clock) : Outcome::success();
+}
+
+Outcome DirichletNeumann::set_preconditioner(const stepping::Clock& clock) {
+  const fields::FieldMesh& mesh = fluid_->mesh();
   // ρ (u − ũ)/Δt with u = (d − d̃)/Δt on the interface
   const double mass = fluid_->density() * std::pow(fluid_->time_scheme().rate(), 2);
   AddedMassModel model{mesh.x, {}, fluid_->open_surfaces(), mass, {}};
   for (int a = 0; a < mesh.n_nodes(); ++a) model.positions[a] += motion_->old_displacement()[a];
   model.area = boundary::nodal_areas(mesh, model.positions, interface_->surfaces);
-  const auto compliance = wall_compliance(clock, *interface_, model.area, *wall_);
+  const auto compliance = wall_compliance(*interface_, model.area, *wall_);
   std::ostringstream where;
   where << "time " << clock.time() << " ms: the wall under unit pressure, for the coupling's "
         << "preconditioner";
@@ -210,13 +214,8 @@ std::string DirichletNeumann::remark_on(double time) {
   return text.str();
 }
 
-Report DirichletNeumann::solve_step(const stepping::Clock& clock, const Watch& watch) {
+Report DirichletNeumann::solve(const stepping::Clock& clock, const Watch& watch) {
   Report report;
-  TUNICA_ASSERT(preconditioner_ || !added_mass_, "prepare() comes before each step");
-  if (!added_mass_) {  // else prepare() has, and has set up the wall's solver
-    fluid_->begin_step(clock);
-    wall_->begin_step(clock);
-  }
   // The answer of fluid and wall depends on the step; much more on one of another size.
   const stepping::StepSizes& sizes = clock.step_sizes();
   const bool is_of_other_size = sizes.now > 3.0 * sizes.last || 3.0 * sizes.now < sizes.last;

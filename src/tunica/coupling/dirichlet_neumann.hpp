@@ -38,17 +38,20 @@ public:
   std::vector<std::pair<std::string, problems::SystemSource*>> systems() override {
     return {{"fluid", fluid_}, {"wall", wall_}};
   }
-  /// Makes the preconditioner from fluid and wall as they lie; with the compliance of an earlier
-  /// step where the wall cannot be solved. Fails where there is none.
-  Outcome prepare(const stepping::Clock& clock) override;
   void watch_newton(const NewtonWatch& watch) override;
-  Report solve_step(const stepping::Clock& clock, const Watch& watch) override;
 
   // Restartable: what belongs to the coupling alone, without the three problems
   fields::State save() const override;
   std::string restore(const fields::State& state) override;
 
 private:
+  // Scheme
+  Outcome begin(const stepping::Clock& clock) override;
+  Report solve(const stepping::Clock& clock, const Watch& watch) override;
+
+  /// Makes the preconditioner from fluid and wall as they lie; with the compliance of an earlier
+  /// step where the wall cannot be solved. Fails where there is none.
+  Outcome set_preconditioner(const stepping::Clock& clock);
   InterfaceVector predict(const stepping::Clock& clock) const;
   /// Runs the three problems for d; the answer is the wall's. Fails where one of them does.
   Outcome evaluate(const InterfaceVector& d, Iteration& iteration, InterfaceVector& answer);

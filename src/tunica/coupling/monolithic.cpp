@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "tunica/base/formatted.hpp"
 #include "tunica/base/timer.hpp"
 
 namespace tunica::coupling {
@@ -105,11 +106,15 @@ std::string Monolithic::restore(const fields::State& state) {
   return "";
 }
 
-Report Monolithic::solve_step(const stepping::Clock& clock, const Watch& watch) {
-  Report report;
+Outcome Monolithic::begin(const stepping::Clock& clock) {
   step_ = clock.step();
-  Outcome outcome = problem_.begin_step(clock);
-  bool is_over = outcome.is_failure();
+  return problem_.begin_step(clock).at(formatted("time %g ms", clock.time()));
+}
+
+Report Monolithic::solve(const stepping::Clock& clock, const Watch& watch) {
+  Report report;
+  Outcome outcome = Outcome::success();
+  bool is_over = false;
   for (const bool is_careful : {false, true}) {
     if (is_over) break;
     Iteration& iteration = report.iterations.emplace_back(new_iteration());

@@ -30,7 +30,6 @@ public:
     return {{"system", &problem_}};
   }
   void watch_newton(const NewtonWatch& watch) override;
-  Report solve_step(const stepping::Clock& clock, const Watch& watch) override;
 
   // Restartable: the states that a step is guessed from belong to its parts
   fields::State save() const override;
@@ -40,6 +39,10 @@ public:
   }
 
 private:
+  // Scheme
+  Outcome begin(const stepping::Clock& clock) override;
+  Report solve(const stepping::Clock& clock, const Watch& watch) override;
+
   /// Finds the fields at the end of the step and accepts them. Fails where that cannot be done;
   /// over: there were such fields, and no further attempt will do.
   Outcome attempt(bool is_careful, const stepping::Clock& clock, Iteration& iteration,

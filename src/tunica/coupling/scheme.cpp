@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace tunica::coupling {
 
@@ -47,6 +49,20 @@ Iteration Scheme::new_iteration() const {
   for (const std::string& field : fields()) iteration.solves.push_back({field, {}});
   for (const std::string& stage : stages()) iteration.stages.push_back({stage});
   return iteration;
+}
+
+Outcome Scheme::begin_step(const stepping::Clock& clock) {
+  begun_ = -1;
+  const Outcome outcome = begin(clock);
+  if (outcome.is_success()) begun_ = clock.step();
+  return outcome;
+}
+
+Report Scheme::solve_step(const stepping::Clock& clock, const Watch& watch) {
+  if (std::exchange(begun_, -1) != clock.step())
+    throw std::logic_error("step " + std::to_string(clock.step()) +
+                           " of a coupling is solved before begin_step() has begun it");
+  return solve(clock, watch);
 }
 
 }  // namespace tunica::coupling

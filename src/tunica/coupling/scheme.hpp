@@ -69,15 +69,22 @@ public:
   using NewtonWatch = std::function<void(const std::string& field, const nonlinear::NewtonStep&)>;
   virtual void watch_newton(const NewtonWatch& watch) = 0;
 
-  /// Sets up for the clock's present step, before it is solved. Fails, and says why, where that
+  /// Begins the clock's present step, once before each solve of it. Fails, and says why, where that
   /// cannot be done. Collective.
-  virtual Outcome prepare(const stepping::Clock&) { return Outcome::success(); }
-  /// Solves the clock's present step and accepts it as far as the options allow. Collective.
-  virtual Report solve_step(const stepping::Clock& clock, const Watch& watch) = 0;
+  Outcome begin_step(const stepping::Clock& clock);
+  /// Solves the step and accepts it as far as the options allow. Throws std::logic_error where
+  /// begin_step() has not begun it, or it was solved since. Collective.
+  Report solve_step(const stepping::Clock& clock, const Watch& watch);
 
 protected:
+  virtual Outcome begin(const stepping::Clock& clock) = 0;
+  virtual Report solve(const stepping::Clock& clock, const Watch& watch) = 0;
+
   /// An iteration with the names of this scheme.
   Iteration new_iteration() const;
+
+private:
+  int begun_ = -1;  ///< number of the step that may be solved now
 };
 
 }  // namespace tunica::coupling

@@ -81,6 +81,8 @@ void Fluid::start_from(const algebra::BlockVector& x) {
   if (viscous_) viscous_->start_from(viscous_forces());
 }
 
+constexpr const char* what_fixes = "prescribe() or fix_coefficients()";
+
 void Fluid::begin_step(const stepping::Clock& clock) {
   time_ = scheme_->load_time(clock);
   scheme_->begin_step(clock);
@@ -90,9 +92,11 @@ void Fluid::begin_step(const stepping::Clock& clock) {
   if (subscales_) local_.subscale = scheme_->pasts(subscales_->history());
   if (viscous_) local_.viscous = scheme_->predictions(viscous_->history());
   surfaces_.begin_step();
+  begin(what_fixes);
 }
 
 Outcome Fluid::set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_past) {
+  wait_after_move_for(what_fixes);
   for (int a = 0; a < mesh_->n_nodes(); ++a) {
     position_[a] = mesh_->x[a] + d[a];
     local_.w[a] = scheme_->rate() * (d[a] - d_past[a]);  // w = (d − d̃)/Δt
@@ -162,6 +166,7 @@ void Fluid::release_interface(const std::vector<Mat3>& free) {
 }
 
 void Fluid::fix_coefficients() {
+  wait_for(nullptr);
   elements_.tau = assembly::fluid_taus(
       *mesh_, elements_, options_.has_predicted_tau ? predicted_ : local_.u_old, local_.w);
   if (body_force_)

@@ -148,7 +148,7 @@ std::vector<Vec3> Fluid::forces(const algebra::BlockVector& x, const std::vector
     // Before the first solve there are no stabilisation parameters and hence no residual.
     const Vec3 unknown{std::nan(""), std::nan(""), std::nan("")};
     const std::vector<Vec3> r =
-        elements_.tau.empty() ? std::vector<Vec3>(mesh_->n_owned, unknown) : reaction(x);
+        has_been_ready() ? reaction(x) : std::vector<Vec3>(mesh_->n_owned, unknown);
     force = boundary::reaction_forces(*mesh_, surfaces_, r, tractions());
   }
   for (const int s : surfaces) force[s] += -1.0 * surfaces_.load(surroundings(), s);
@@ -171,7 +171,7 @@ std::vector<Vec3> Fluid::wall_shear_stress(const algebra::BlockVector& x) {
   std::vector<int> walls;
   for (int s = 0; s < n_surfaces; ++s)
     if (surfaces_.is_interface(s) || surfaces_.has_condition(s, "no slip")) walls.push_back(s);
-  if (walls.empty() || elements_.tau.empty()) return std::vector<Vec3>(mesh_->n_owned);
+  if (walls.empty() || !has_been_ready()) return std::vector<Vec3>(mesh_->n_owned);
   const std::vector<Vec3> r = reaction(x);
   const std::vector<Vec3> taken = boundary::shared_reactions(*mesh_, surfaces_, r, tractions());
   const fields::NodeSurfaces& on = mesh_->node_surfaces;

@@ -1,5 +1,8 @@
 #include "tunica/discretisation/mixed_field.hpp"
 
+#include <stdexcept>
+#include <string>
+
 #include "tunica/assembly/mass_norm.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/discretisation/nodal_history.hpp"
@@ -54,7 +57,30 @@ std::vector<double> MixedField::motion_values() const {
   return values;
 }
 
+void MixedField::begin(const char* awaited) {
+  has_begun_ = true;
+  awaited_ = awaited;
+  has_been_ready_ = has_been_ready_ || awaited == nullptr;
+}
+
+void MixedField::wait_for(const char* awaited) {
+  if (awaited_ == first_call)
+    throw std::logic_error(std::string("a call within a time step comes before ") + first_call);
+  begin(awaited);
+}
+
+void MixedField::wait_after_move_for(const char* awaited) {
+  const bool is_between_steps = has_begun_ && awaited_ == first_call;
+  if (!is_between_steps) wait_for(awaited);
+}
+
+void MixedField::check_ready() const {
+  if (awaited_ != nullptr)
+    throw std::logic_error(std::string("a residual or a Jacobian comes before ") + awaited_);
+}
+
 Outcome MixedField::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
+  check_ready();
   read(x);
   if (Outcome outcome = is_admissible(); outcome.is_failure()) return outcome;
   assemble(nullptr);
@@ -64,12 +90,14 @@ Outcome MixedField::residual(const algebra::BlockVector& x, algebra::BlockVector
 }
 
 void MixedField::assemble_jacobian(const algebra::BlockVector& x) {
+  check_ready();
   read(x);
   assembly::BlockAssembler assembler(matrix(), fixed_, common_motions());
   fill(assembler);
 }
 
 void MixedField::add_jacobian(const algebra::BlockVector& x, const assembly::Whole& whole) {
+  check_ready();
   read(x);
   assembly::BlockAssembler assembler(whole, *mesh_, fixed_, common_motions(), products_.get());
   fill(assembler);
@@ -97,6 +125,7 @@ std::map<std::string, fields::Restartable*> MixedField::element_histories() {
 }
 
 void MixedField::end_step(const algebra::BlockVector& x) {
+  wait_for(first_call);
   read(x);
   for (const ElementQuantity& quantity : on_elements_) quantity.history->accept(quantity.values());
   scheme_->accept(*surroundings().u, history_);

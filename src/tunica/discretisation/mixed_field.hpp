@@ -15,6 +15,9 @@ namespace tunica::discretisation {
 /// What fluid and wall have in common: a vector and a scalar at each node, whose residual and
 /// Jacobian are summed over elements and faces, and what is remembered of them from step to step:
 /// by the time scheme of the vector, on elements and by surfaces.
+///
+/// A step is begun, what it prescribes is fixed, then come residuals and Jacobians in any number,
+/// and it is ended or begun anew. Another order throws std::logic_error.
 class MixedField : public Discretisation {
 public:
   const fields::FieldMesh& mesh() const { return *mesh_; }
@@ -81,6 +84,15 @@ protected:
   /// Remembers something per local element; values: gives what belongs to the values read.
   using ElementValues = std::function<std::vector<Vec3>()>;
   ElementHistory* remember(const std::string& name, ElementValues values);
+  /// Where a step begins. awaited: what has to be called before there are residuals; null: nothing.
+  void begin(const char* awaited);
+  /// The same within a step. Throws std::logic_error where none has begun.
+  void wait_for(const char* awaited);
+  /// The same where a domain has moved, also between steps; they have to be begun all the same.
+  void wait_after_move_for(const char* awaited);
+  /// There have been residuals in some step.
+  bool has_been_ready() const { return has_been_ready_; }
+
   /// The elements on which masses are taken.
   virtual const assembly::ElementGeometry& geometry() const = 0;
 
@@ -93,12 +105,15 @@ protected:
   assembly::NodalResidual R_;
 
 private:
+  static constexpr const char* first_call = "begin_step()";
+
   struct ElementQuantity {
     std::string name;
     ElementValues values;
     std::unique_ptr<ElementHistory> history;
   };
 
+  void check_ready() const;
   void tie_surfaces();
   fields::BlockOperator& matrix() const;
   void fill(assembly::BlockAssembler& K);
@@ -118,6 +133,8 @@ private:
   std::vector<boundary::CommonMotion> given_motions_;
   assembly::CommonMotions common_motions_;
   Throughput throughput_;
+  const char* awaited_ = first_call;  ///< has to come before a residual; null: nothing
+  bool has_begun_ = false, has_been_ready_ = false;
 };
 
 }  // namespace tunica::discretisation

@@ -149,6 +149,7 @@ void Solid::begin_step(const stepping::Clock& clock) {
   stress_change_.clear();
   stress_relaxation_ = 1.0;
   surfaces_.begin_step();
+  begin(nullptr);
 }
 
 // Where a wall is as soft by volume as by shape its pressure needs no stabilisation, and this one

@@ -86,9 +86,7 @@ nonlinear::NewtonReport SolidProblem::find_equilibrium() {
 /// to end a run.
 constexpr double usable_residual = 1e-2;
 
-Result<std::vector<Vec3>> SolidProblem::solve_linearised(const stepping::Clock& clock,
-                                                         const std::vector<Vec3>& force) {
-  begin_step(clock);
+Result<std::vector<Vec3>> SolidProblem::solve_linearised(const std::vector<Vec3>& force) {
   jacobian(x_);
   algebra::BlockVector b(space()), x(space());
   wall_->load_of(force, b);

@@ -38,9 +38,8 @@ public:
   /// What nodal forces [mN] on the owned nodes displace the owned nodes by within one time step
   /// [mm], linearised at the present state. Fails, and says why, where the linear solver comes
   /// nowhere near.
-  /// Begins the clock's present step and sets up the solver for its Jacobian. Collective.
-  Result<std::vector<Vec3>> solve_linearised(const stepping::Clock& clock,
-                                             const std::vector<Vec3>& force);
+  /// Comes after begin_step(), and sets up the solver for the Jacobian. Collective.
+  Result<std::vector<Vec3>> solve_linearised(const std::vector<Vec3>& force);
 
   /// Body force per mass at the undeformed position [mm/ms²], none by default; for verification.
   void set_body_force(boundary::VectorField f) { wall_->set_body_force(std::move(f)); }
