@@ -5,10 +5,11 @@
 
 #include "tunica/assembly/common_motion.hpp"
 #include "tunica/assembly/element_geometry.hpp"
+#include "tunica/base/outcome.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/boundary/surface_terms.hpp"
-#include "tunica/discretisation/discretisation.hpp"
 #include "tunica/discretisation/element_history.hpp"
+#include "tunica/linear/named_operators.hpp"
 
 namespace tunica::discretisation {
 
@@ -18,7 +19,7 @@ namespace tunica::discretisation {
 ///
 /// A step is begun, what it prescribes is fixed, then come residuals and Jacobians in any number,
 /// and it is ended or begun anew. Another order throws std::logic_error.
-class MixedField : public Discretisation {
+class MixedField : public linear::NamedOperators {
 public:
   const fields::FieldMesh& mesh() const { return *mesh_; }
   /// Whose nodes carry the scalars: that of the field, but for scalars that jump.
@@ -30,19 +31,22 @@ public:
   /// Elements of all Jacobians so far and the time they took on this rank.
   const Throughput& throughput() const { return throughput_; }
 
-  // Discretisation
-  const algebra::BlockSpacePtr& space() const override { return space_; }
-  Outcome residual(const algebra::BlockVector& x, algebra::BlockVector& F) override;
-  void assemble_jacobian(const algebra::BlockVector& x) override;
+  const algebra::BlockSpacePtr& space() const { return space_; }
+  /// F at x, or why x is not admissible (an inverted element), the same on all ranks. Rows of
+  /// constrained unknowns are zero. Collective.
+  Outcome residual(const algebra::BlockVector& x, algebra::BlockVector& F);
+  /// Brings jacobian() to x. Collective.
+  void assemble_jacobian(const algebra::BlockVector& x);
   /// Made when it is first asked for: a field that is part of a system does without. Collective
   /// then.
-  const fields::BlockOperator& jacobian() const override { return matrix(); }
+  const fields::BlockOperator& jacobian() const { return matrix(); }
   /// Adds the Jacobian at x to that of a system, but for the products of low rank, which are those
   /// of products() then.
   void add_jacobian(const algebra::BlockVector& x, const assembly::Whole& whole);
   /// Null where the field has none.
   const std::shared_ptr<algebra::LowRank>& products() const { return products_; }
-  double mass_norm(const algebra::BlockVector& dx) const override;
+  /// (dxᵀ M dx)^½ with the mass matrices of all unknowns, the norm of [LY1] newstop. Collective.
+  double mass_norm(const algebra::BlockVector& dx) const;
   /// Of an increment: prescribed unknowns have none, and those that move as one the same.
   /// Collective.
   void hold_prescribed(algebra::BlockVector& dx) const;

@@ -69,7 +69,7 @@ public:
   /// clamped and forces on those that hold the wall, at the end of a step.
   Observables observe_surfaces(const algebra::BlockVector& x, const std::vector<int>& surfaces);
 
-  // Discretisation
+  // MixedField
   void save_history(fields::State& state) const override;
   std::string restore_history(const fields::State& state, const algebra::BlockVector& x) override;
   std::map<std::string, fields::Restartable*> element_histories() override;

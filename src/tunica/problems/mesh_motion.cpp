@@ -10,18 +10,10 @@ namespace tunica::problems {
 
 namespace {
 
-discretisation::MotionLaw motion_law(const Teuchos::ParameterList& list) {
-  discretisation::MotionLaw law;
-  law.stiffening = list.get<double>("stiffening");
-  law.is_elastic = list.get<std::string>("law") == "elastic";
-  if (law.is_elastic) law.poisson = list.get<double>("poisson ratio");
-  return law;
-}
-
-ExtensionProblem volume_problem(const Teuchos::ParameterList& solver,
-                                const discretisation::MeshMotion& motion) {
-  if (motion.elastic() != nullptr) return {solver, *motion.elastic()};
-  return {solver, *motion.harmonic(), 3};
+std::vector<char> nodes_of_surfaces(const fields::FieldMesh& mesh) {
+  std::vector<char> is_given(mesh.n_nodes());
+  for (int a = 0; a < mesh.n_nodes(); ++a) is_given[a] = mesh.is_on_boundary(a);
+  return is_given;
 }
 
 }  // namespace
@@ -31,10 +23,24 @@ MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMe
                        const stepping::TimeScheme& scheme)
     : mesh_(&mesh), is_interface_(mesh.n_owned, 0),
       surfaces_(list.sublist("Linear Solver"), mesh, interface, staying),
-      motion_(mesh, motion_law(list)),
-      volume_(volume_problem(list.sublist("Linear Solver"), motion_)), scheme_(&scheme),
-      history_(scheme.remembers(), mesh.n_nodes()), d_(mesh.n_nodes()) {
+      volume_(volume_problem(list)), scheme_(&scheme), history_(scheme.remembers(), mesh.n_nodes()),
+      d_(mesh.n_nodes()) {
   for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, interface);
+}
+
+ExtensionProblem MeshMotion::volume_problem(const Teuchos::ParameterList& list) {
+  const std::vector<char> given = nodes_of_surfaces(*mesh_);
+  const double stiffening = list.get<double>("stiffening");
+  const Teuchos::ParameterList& solver = list.sublist("Linear Solver");
+  if (list.get<std::string>("law") == "elastic") {
+    const double poisson = list.get<double>("poisson ratio");
+    elastic_ =
+        std::make_unique<discretisation::ElasticExtension>(*mesh_, given, poisson, stiffening);
+    return {solver, *elastic_};
+  }
+  harmonic_ = std::make_unique<discretisation::HarmonicExtension>(
+      *mesh_, given, discretisation::Extent::volume, stiffening);
+  return {solver, *harmonic_, 3};
 }
 
 Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,

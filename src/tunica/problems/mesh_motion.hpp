@@ -1,5 +1,7 @@
 #pragma once
-#include "tunica/discretisation/mesh_motion.hpp"
+#include <memory>
+
+#include "tunica/discretisation/extension.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/problems/following_surfaces.hpp"
 #include "tunica/stepping/time_scheme.hpp"
@@ -40,10 +42,13 @@ public:
   std::string restore(const fields::State& state) override;
 
 private:
+  ExtensionProblem volume_problem(const Teuchos::ParameterList& list);
+
   const fields::FieldMesh* mesh_;
   std::vector<char> is_interface_;  ///< per owned node
   FollowingSurfaces surfaces_;
-  discretisation::MeshMotion motion_;
+  std::unique_ptr<discretisation::HarmonicExtension> harmonic_;  ///< null where it is elastic
+  std::unique_ptr<discretisation::ElasticExtension> elastic_;    ///< null where it is harmonic
   ExtensionProblem volume_;
   const stepping::TimeScheme* scheme_;
   stepping::History history_;

@@ -319,38 +319,40 @@ TEUCHOS_UNIT_TEST(mesh_motion, goes_on_from_a_saved_state) {
   TEST_COMPARE(largest(other.displacement(), motion.displacement()), <, 1e-13);
 }
 
-TEUCHOS_UNIT_TEST(mesh_motion, its_discretisation_has_the_same_solution) {
+TEUCHOS_UNIT_TEST(mesh_motion, solves_the_equation_of_its_law) {
   const SmallTube tube;
+  std::vector<char> is_given;
+  for (int a = 0; a < tube.fluid.n_nodes(); ++a) is_given.push_back(tube.fluid.is_on_boundary(a));
+  const discretisation::HarmonicExtension harmonic(tube.fluid, is_given,
+                                                   discretisation::Extent::volume, 0.5);
+  const discretisation::ElasticExtension elastic(tube.fluid, is_given, 0.1, 0.5);
   for (const std::string law : {"harmonic", "elastic"}) {
-    discretisation::MeshMotion motion(tube.fluid, {law == "elastic", 0.1, 0.5});
     Teuchos::ParameterList list;
     list.set("law", law).set("stiffening", 0.5);
     if (law == "elastic") list.set("poisson ratio", 0.1);
     list.sublist("Linear Solver").set("method", "direct");
-    problems::MeshMotion solved(test::resolved(list, problems::mesh_motion_table()), tube.fluid,
+    problems::MeshMotion motion(test::resolved(list, problems::mesh_motion_table()), tube.fluid,
                                 {tube.surface("interface")}, {}, scheme);
     std::vector<Vec3> given(tube.fluid.n_owned);
     for (int a = 0; a < tube.fluid.n_owned; ++a)
       if (tube.fluid.is_on(a, tube.surface("interface"))) given[a] = linear_field(tube.fluid.x[a]);
-    TEST_ASSERT(solved.extend(given).is_success());
-    for (int a = 0; a < tube.fluid.n_owned; ++a)
-      if (tube.fluid.is_on_boundary(a)) given[a] = solved.displacement()[a];
-
-    // F(d) = 0 is linear: K (d_given − d) = F(d_given)
-    algebra::BlockVector start(motion.space()), end(motion.space()), F(motion.space()),
-        Kd(motion.space());
-    fields::store(given, tube.fluid, start[0]);
-    fields::store(solved.displacement(), tube.fluid, end[0]);
-    TEST_ASSERT(motion.residual(end, F).is_success());
-    TEST_COMPARE(F[0].normInf(), <, 1e-11);
-    TEST_ASSERT(motion.residual(start, F).is_success());
-    TEST_COMPARE(F[0].normInf(), >, 1e-3);
-    motion.assemble_jacobian(start);
-    end[0].update(1.0, start[0], -1.0);
-    motion.jacobian().apply(end, Kd);
-    Kd[0].update(-1.0, F[0], 1.0);
-    TEST_COMPARE(Kd[0].normInf(), <, 1e-11);
-    TEST_COMPARE(motion.mass_norm(end), >, 0.0);
+    TEST_ASSERT(motion.extend(given).is_success());
+    MultiVector d(tube.fluid.node_map, 3), F(tube.fluid.node_map, 3);
+    const auto set = [&](bool is_whole) {
+      const auto view = d.getLocalViewHost(Tpetra::Access::OverwriteAll);
+      for (int a = 0; a < tube.fluid.n_owned; ++a)
+        for (int i = 0; i < 3; ++i)
+          view(a, i) = is_whole || is_given[a] ? motion.displacement()[a][i] : 0.0;
+    };
+    const auto size_of = [&](bool is_whole) {
+      set(is_whole);
+      law == "elastic" ? elastic.residual(d, F) : harmonic.residual(d, F);
+      std::vector<double> norms(3);
+      F.normInf(Teuchos::arrayViewFromVector(norms));
+      return *std::max_element(norms.begin(), norms.end());
+    };
+    TEST_COMPARE(size_of(true), <, 1e-11);
+    TEST_COMPARE(size_of(false), >, 1e-3);
   }
 }
 
