@@ -53,6 +53,8 @@ public:
   virtual std::vector<int> prescribed_components() const { return {}; }
   /// True where these values are zero at all times.
   virtual bool prescribes_zero() const { return false; }
+  /// True where a fluid sticks to its surface: it has the velocity of the wall there, or none.
+  virtual bool sticks() const { return false; }
   /// True where what the term gives a fluid belongs to places: its surface does not stretch when
   /// its rim moves.
   virtual bool keeps_place() const { return false; }

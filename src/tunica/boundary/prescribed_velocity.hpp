@@ -22,6 +22,7 @@ public:
                      int surface);
 
   bool wants_whole_section() const override { return round_.has_value(); }
+  bool sticks() const override { return norm(velocity_) == 0.0; }
   Vec3 prescribed(const Surroundings& s, int node) const override;
   int precedence() const override { return 1; }
 
@@ -34,12 +35,14 @@ private:
 /// No velocity.
 class NoSlip final : public GivenVelocity {
 public:
+  bool sticks() const override { return true; }
   int precedence() const override { return 2; }
 };
 
 /// The fluid sticks to what moves its mesh: u = w.
 class InterfaceVelocity final : public GivenVelocity {
 public:
+  bool sticks() const override { return true; }
   Vec3 prescribed(const Surroundings& s, int node) const override { return (*s.w)[node]; }
   int precedence() const override { return 3; }
 };

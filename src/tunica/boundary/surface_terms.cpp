@@ -62,6 +62,11 @@ bool SurfaceTerms::has_condition(int surface, const std::string& kind) const {
                      [&kind](const Condition* each) { return each->kind() == kind; });
 }
 
+bool SurfaceTerms::sticks(int surface) const {
+  const Terms& terms = terms_[surface];
+  return std::any_of(terms.begin(), terms.end(), [](const auto& term) { return term->sticks(); });
+}
+
 bool SurfaceTerms::is_natural(int surface) const {
   const Terms& terms = terms_[surface];
   return std::all_of(terms.begin(), terms.end(), [](const auto& term) {

@@ -14,6 +14,8 @@ public:
   /// True where the case says anything of the surface, or this.
   bool has_condition(int surface) const { return !conditions_[surface].empty(); }
   bool has_condition(int surface, const std::string& kind) const;
+  /// True where a fluid sticks to the surface.
+  bool sticks(int surface) const;
   /// True where no term of the surface prescribes anything, or makes it move as one.
   bool is_natural(int surface) const;
   /// True where a term of the surface prescribes the component of the vector unknown, or makes it

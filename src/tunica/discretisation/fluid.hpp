@@ -64,8 +64,8 @@ public:
   /// of those that the case does not list, at the end of a step.
   Observables observe_surfaces(const algebra::BlockVector& x, const std::vector<int>& surfaces);
 
-  /// Tangential traction of the fluid on what it sticks to, surfaces with "no slip" or "interface",
-  /// on owned nodes; zero elsewhere [kPa]. Collective.
+  /// Tangential traction of the fluid on what it sticks to, on owned nodes; zero elsewhere [kPa].
+  /// Collective.
   std::vector<Vec3> wall_shear_stress(const algebra::BlockVector& x);
 
   // NamedOperators: the parts of the paper's Schur complement

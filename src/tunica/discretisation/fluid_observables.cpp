@@ -85,9 +85,7 @@ Observables Fluid::observe(const algebra::BlockVector& x) const {
   Observables found;
   for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s) {
     const int surface = static_cast<int>(s);
-    if (!surfaces_.has_condition(surface) || surfaces_.is_interface(surface) ||
-        surfaces_.has_condition(surface, "no slip"))
-      continue;
+    if (!surfaces_.has_condition(surface) || surfaces_.sticks(surface)) continue;
     double inflow = 0.0;
     for (const fields::Face& face : mesh_->faces) {
       if (face.surface != surface || !face.is_owned) continue;
@@ -170,7 +168,7 @@ std::vector<Vec3> Fluid::wall_shear_stress(const algebra::BlockVector& x) {
   const int n_surfaces = static_cast<int>(mesh_->surfaces.size());
   std::vector<int> walls;
   for (int s = 0; s < n_surfaces; ++s)
-    if (surfaces_.is_interface(s) || surfaces_.has_condition(s, "no slip")) walls.push_back(s);
+    if (surfaces_.sticks(s)) walls.push_back(s);
   if (walls.empty() || !has_been_ready()) return std::vector<Vec3>(mesh_->n_owned);
   const std::vector<Vec3> r = reaction(x);
   const std::vector<Vec3> taken = boundary::shared_reactions(*mesh_, surfaces_, r, tractions());

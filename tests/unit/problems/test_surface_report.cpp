@@ -71,6 +71,25 @@ TEUCHOS_UNIT_TEST(surface_report, in_creeping_flow_the_drag_is_the_pressure_drop
   TEST_COMPARE(std::abs(vector(found, "pressure_force_interface")[2]), <, 1e-13);
 }
 
+TEUCHOS_UNIT_TEST(surface_report, walls_are_what_the_fluid_sticks_to_by_any_condition) {
+  const SmallTube tube;
+  const auto shear_with = [&tube](const std::string& kind) {
+    auto list = test::fluid_list(1e-12, 0.1);
+    test::condition(list, "inlet", "pressure").set("pressure", 0.04);
+    auto& wall = test::condition(list, "interface", kind);
+    if (kind == "velocity") test::set_vector(wall, "velocity", {0, 0, 0});
+    FluidProblem fluid = fluid_of(tube, list);
+    fluid.begin_step(stepping::Clock(1.0, 1));
+    if (!fluid.solve().is_converged) throw std::runtime_error("not converged");
+    double sum = 0.0;
+    for (const Vec3& shear : fluid.wall_shear_stress()) sum += norm(shear);
+    return global_sum(*test::world(), sum);
+  };
+  const double expected = shear_with("no slip");
+  TEST_COMPARE(expected, >, 1e-3);
+  TEST_FLOATING_EQUALITY(shear_with("velocity"), expected, 1e-12);
+}
+
 TEUCHOS_UNIT_TEST(surface_report, area_and_inflow_are_those_of_the_deformed_surface) {
   const SmallTube tube;
   auto list = test::fluid_list(1.0, 3.5e-3);
