@@ -38,44 +38,39 @@ bool have_same_columns(const Graph& A, int i, int j) {
                     A.entries.data() + A.row_map(j + 1));
 }
 
-/// The columns of A P, for all rows of A that have the same: those of a node.
+/// The columns of A P, for each group of rows.
 struct ProductColumns {
-  std::vector<int> set_of_row;
-  std::vector<std::size_t> start{0};  ///< of each set
+  std::vector<std::size_t> start{0};  ///< by group
   std::vector<int> columns;
 
   template <class Graph>
-  ProductColumns(const Graph& A, const Graph& P, int n_columns) {
-    const int n_rows = static_cast<int>(A.row_map.extent(0)) - 1;
+  ProductColumns(const Graph& A, const Groups& rows, const Graph& P, int n_columns) {
     std::vector<int> met(n_columns, -1);
-    for (int i = 0; i < n_rows; ++i) {
-      if (i == 0 || !have_same_columns(A, i - 1, i)) {
-        const int set = static_cast<int>(start.size()) - 1;
-        for (auto l = A.row_map(i); l < A.row_map(i + 1); ++l)
-          for (auto j = P.row_map(A.entries(l)); j < P.row_map(A.entries(l) + 1); ++j)
-            if (const int column = P.entries(j); std::exchange(met[column], set) != set)
-              columns.push_back(column);
-        start.push_back(columns.size());
-      }
-      set_of_row.push_back(static_cast<int>(start.size()) - 2);
+    for (int g = 0; g < rows.size(); ++g) {
+      const int i = rows.start[g];
+      for (auto l = A.row_map(i); l < A.row_map(i + 1); ++l)
+        for (auto j = P.row_map(A.entries(l)); j < P.row_map(A.entries(l) + 1); ++j)
+          if (const int column = P.entries(j); std::exchange(met[column], g) != g)
+            columns.push_back(column);
+      start.push_back(columns.size());
     }
   }
 };
 
 /// That of Pᵀ A P, on one rank. Tpetra's own takes room for three times its values while it
 /// looks for it.
-Teuchos::RCP<CrsGraph> triple_graph(const CrsMatrix& A, const CrsMatrix& P) {
+Teuchos::RCP<CrsGraph> triple_graph(const CrsMatrix& A, const Groups& rows, const CrsMatrix& P) {
   const auto of_A = A.getLocalMatrixHost().graph, of_P = P.getLocalMatrixHost().graph;
   const TransposedGraph Pt(P);
   const int n_coarse = static_cast<int>(Pt.start.size()) - 1;
-  const ProductColumns AP(of_A, of_P, n_coarse);
+  const ProductColumns AP(of_A, rows, of_P, n_coarse);
   RowStart row_start("row start", n_coarse + 1);
   std::vector<int> found, met(n_coarse, -1);  // met: the last row that has the column
   for (int i = 0, last = -1; i < n_coarse; ++i, last = -1) {
     for (std::size_t k = Pt.start[i]; k < Pt.start[i + 1]; ++k) {
-      const int set = AP.set_of_row[Pt.columns[k]];
-      if (std::exchange(last, set) == set) continue;
-      for (std::size_t j = AP.start[set]; j < AP.start[set + 1]; ++j)
+      const int group = rows.of[Pt.columns[k]];
+      if (std::exchange(last, group) == group) continue;
+      for (std::size_t j = AP.start[group]; j < AP.start[group + 1]; ++j)
         if (const int column = AP.columns[j]; std::exchange(met[column], i) != i)
           found.push_back(column);
     }
@@ -141,9 +136,9 @@ bool TripleProduct::serves(const CrsMatrix& A, const CrsMatrix& P) {
 
 TripleProduct::TripleProduct(const CrsMatrix& A, const CrsMatrix& P) : A_(&A), P_(&P) {
   if (!serves(A, P)) throw std::invalid_argument("TripleProduct: not for these matrices");
-  product_ = matrix_on(triple_graph(A, P));
-  const auto of_P = P.getLocalMatrixHost().graph, of_C = product_->getLocalMatrixHost().graph;
   fine_ = groups_of(A.getLocalMatrixHost().graph);
+  product_ = matrix_on(triple_graph(A, fine_, P));
+  const auto of_P = P.getLocalMatrixHost().graph, of_C = product_->getLocalMatrixHost().graph;
   coarse_ = groups_of(of_C);
   if (!fit(coarse_, of_C)) coarse_ = single_columns(static_cast<int>(n_local_rows(*product_)));
   std::vector<int> met(coarse_.size(), -1);

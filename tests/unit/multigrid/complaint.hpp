@@ -4,12 +4,12 @@
 
 namespace tunica::test {
 
-/// What the work throws says, empty if nothing.
-template <class Work>
+/// What the work throws says, empty if nothing. Exceptions of other kinds go on.
+template <class Kind = std::exception, class Work>
 std::string complaint(const Work& work) {
   try {
     work();
-  } catch (const std::exception& error) {
+  } catch (const Kind& error) {
     return error.what();
   }
   return "";

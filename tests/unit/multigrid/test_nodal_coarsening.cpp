@@ -75,13 +75,6 @@ std::vector<char> kept_nodes(NodalCoarsening& coarsening, const CrsGraph& nodes)
   return kept;
 }
 
-double size_of(const CrsGraph& nodes, const std::vector<char>& set) {
-  double n = 0.0;
-  for (const GlobalOrdinal node : global_numbers(*nodes.getRowMap()))
-    n += set[nodes.getColMap()->getLocalElement(node)];
-  return global_sum(*nodes.getComm(), n);
-}
-
 TEUCHOS_UNIT_TEST(independent_set, is_that_of_a_serial_greedy_pass_on_any_number_of_ranks) {
   for (const Grid& grid : grids) {
     const auto nodes = grid.graph(test::world());
@@ -149,19 +142,28 @@ bool takes_means(const CrsGraph& nodes, const CrsMatrix& P, const std::vector<ch
   return all_agree(*nodes.getComm(), is_as_defined);
 }
 
-// Of a grid whose cells are cut into tetrahedra; the numbers of its nodes are in no order.
-TEUCHOS_UNIT_TEST(nodal_coarsening, keeps_fewer_nodes_where_those_of_most_neighbours_come_first) {
-  const Grid grid{9, 9, 9, true};
-  const auto nodes = grid.graph(test::world());
-  Vector order(nodes->getRowMap());  // by chance
-  for (const GlobalOrdinal node : global_numbers(*nodes->getRowMap()))
-    order.replaceGlobalValue(node, static_cast<double>(node * 397 % 729));
-  NodalCoarsening coarsening(nodes, order);
-  coarsening.prolongator(0);
-  const double kept = size_of(*nodes, kept_nodes(coarsening, *nodes)),
-               by_number = size_of(*nodes, algebra::independent_set(*nodes, order));
-  out << kept << " of " << grid.n_nodes() << " nodes, by their numbers " << by_number << "\n";
-  TEST_COMPARE(kept, <=, by_number);
+// Ten hubs of six leaves each, which have the lower numbers: by these all leaves would be kept.
+TEUCHOS_UNIT_TEST(nodal_coarsening,
+                  keeps_far_fewer_nodes_where_those_of_most_neighbours_are_first) {
+  constexpr GlobalOrdinal n_hubs = 10, n_leaves = 60;
+  const auto map = Teuchos::rcp(new Map(n_hubs + n_leaves, 0, test::world()));
+  const auto nodes = Teuchos::rcp(new CrsGraph(map, 7));
+  for (const GlobalOrdinal node : global_numbers(*map)) {
+    std::vector<GlobalOrdinal> columns(1, node);
+    if (node < n_leaves)
+      columns.push_back(n_leaves + node / 6);
+    else
+      for (GlobalOrdinal k = 0; k < 6; ++k) columns.push_back(6 * (node - n_leaves) + k);
+    nodes->insertGlobalIndices(node, Teuchos::arrayViewFromVector(columns));
+  }
+  nodes->fillComplete();
+  NodalCoarsening coarsening(nodes, *test::nodes_of(nodes).order);
+  TEST_EQUALITY(coarsening.prolongator(0)->getGlobalNumCols(), n_hubs);
+  const std::vector<char> kept = kept_nodes(coarsening, *nodes);
+  bool are_hubs = true;
+  for (const GlobalOrdinal node : global_numbers(*map))
+    are_hubs &= (node >= n_leaves) == (kept[nodes->getColMap()->getLocalElement(node)] != 0);
+  TEST_ASSERT(all_agree(*test::world(), are_hubs));
 }
 
 TEUCHOS_UNIT_TEST(nodal_coarsening, each_node_takes_the_mean_of_its_neighbours_in_the_set) {
@@ -229,17 +231,11 @@ TEUCHOS_UNIT_TEST(nodal_coarsening,
   const auto between = Teuchos::rcp(new Vector(nodes->getRowMap()));
   for (const GlobalOrdinal node : global_numbers(*nodes->getRowMap()))
     between->replaceGlobalValue(node, is_between(node) ? 1.0 : 0.0);
-  NodalCoarsening coarsening(nodes, *test::nodes_of(nodes).order, between);
-  const auto P = coarsening.prolongator(0);
-  const std::vector<char> on_columns = kept_nodes(coarsening, *nodes);
-  bool are_first = true;  // each of those between is kept, or one beside it between is
-  for (const GlobalOrdinal node : global_numbers(*nodes->getRowMap())) {
-    bool is_covered = !is_between(node);
-    for (const GlobalOrdinal other : columns_of(*nodes, node))
-      is_covered |= is_between(other) && on_columns[nodes->getColMap()->getLocalElement(other)];
-    are_first &= is_covered;
-  }
-  TEST_ASSERT(all_agree(*test::world(), are_first));
+  const auto P = NodalCoarsening(nodes, *test::nodes_of(nodes).order, between).prolongator(0);
+  const std::vector<char> is_coarse = greedy_set(grid, is_between);
+  std::vector<char> on_columns;
+  for (const GlobalOrdinal node : global_numbers(*nodes->getColMap()))
+    on_columns.push_back(is_coarse[node]);
   TEST_ASSERT(takes_means(*nodes, *P, on_columns, [&](GlobalOrdinal node, GlobalOrdinal parent) {
     return is_between(parent) || !is_between(node);
   }));

@@ -2,6 +2,7 @@
 
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/solid_problem.hpp"
+#include "unit/multigrid/complaint.hpp"
 #include "unit/problems/lists.hpp"
 
 namespace {
@@ -23,17 +24,6 @@ Teuchos::ParameterList wall_of_two_ends() {
   return test::resolved(list, problems::solid_table());
 }
 
-/// What a call throws; "" for nothing.
-template <class Call>
-std::string thrown_by(const Call& call) {
-  try {
-    call();
-  } catch (const std::logic_error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 bool names(const std::string& text, const std::string& call) {
   return text.find(call) != std::string::npos;
 }
@@ -50,20 +40,22 @@ TEUCHOS_UNIT_TEST(call_order, a_fluid_says_what_has_to_come_first) {
   };
   const auto end = [&] { fluid.end_step(); };
   const std::vector<std::function<void()>> calls{residual, jacobian, end, [&] { fluid.prepare(); }};
-  for (const auto& call : calls) TEST_ASSERT(names(thrown_by(call), "begin_step()"));
-  TEST_ASSERT(names(thrown_by(move), "begin_step()"));
+  for (const auto& call : calls)
+    TEST_ASSERT(names(test::complaint<std::logic_error>(call), "begin_step()"));
+  TEST_ASSERT(names(test::complaint<std::logic_error>(move), "begin_step()"));
   fluid.begin_step(stepping::Clock(0.125, 2));
-  TEST_ASSERT(names(thrown_by(residual), "prescribe()"));
+  TEST_ASSERT(names(test::complaint<std::logic_error>(residual), "prescribe()"));
   fluid.prepare();
   residual();
   jacobian();
   move();  // a new domain has other coefficients
-  TEST_ASSERT(names(thrown_by(jacobian), "prescribe()"));
+  TEST_ASSERT(names(test::complaint<std::logic_error>(jacobian), "prescribe()"));
   fluid.fix_coefficients();
   jacobian();
   end();
   move();  // where it was extrapolated, to the wall as it was found
-  for (const auto& call : calls) TEST_ASSERT(names(thrown_by(call), "begin_step()"));
+  for (const auto& call : calls)
+    TEST_ASSERT(names(test::complaint<std::logic_error>(call), "begin_step()"));
 }
 
 TEUCHOS_UNIT_TEST(call_order, a_wall_says_what_has_to_come_first) {
@@ -76,7 +68,8 @@ TEUCHOS_UNIT_TEST(call_order, a_wall_says_what_has_to_come_first) {
       [&] { wall.jacobian(wall.state()); },
       [&] { static_cast<void>(wall.solve_linearised(force)); }, [&] { wall.end_step(); }};
   for (int step = 0; step < 2; ++step) {
-    for (const auto& call : calls) TEST_ASSERT(names(thrown_by(call), "begin_step()"));
+    for (const auto& call : calls)
+      TEST_ASSERT(names(test::complaint<std::logic_error>(call), "begin_step()"));
     wall.begin_step(stepping::Clock(0.125, 2));
     for (const auto& call : calls) call();  // the last one ends it
   }

@@ -10,9 +10,8 @@ bool StagnationRule::gives_up(const std::vector<double>& residuals, double goal)
   const double now = residuals[k], before = residuals[k - window];
   if (now <= factor * before) return false;
   const double to_come = window * std::log(now / goal) / std::log(before / now);
-  return !(to_come <=
-           allowance +
-               rate * std::log10(now / goal));  // nor is it a number where nothing was gained
+  const double by_another = allowance + rate * std::log10(now / goal);
+  return !(to_come <= by_another);  // nor is it a number where nothing was gained
 }
 
 }  // namespace tunica::linear

@@ -115,14 +115,13 @@ public:
     for (const CoarseNode& node : around)
       (is_behind_another(node) ? hidden : nodes_).push_back(node);
     for (const CoarseNode& node : hidden) {
-      if (spans_plane()) return;
+      if (find_spread()) return;
       nodes_.push_back(node);
     }
+    find_spread();
   }
   /// Else the rotation about their line is not known.
-  bool spans_plane() const {
-    return nodes_.size() > 2 && Extents(offsets_from_mean(nodes_)).spread() >= least_spread;
-  }
+  bool spans_plane() const { return spans_plane_; }
   void append_to(RigidInterpolation& result) const {
     const std::vector<double> phi = weights();
     Vec3 arm = x_;  // x_i − Σ φ_k x_k
@@ -176,6 +175,11 @@ private:
     return w;
   }
 
+  bool find_spread() {
+    spans_plane_ = nodes_.size() > 2 && Extents(offsets_from_mean(nodes_)).spread() >= least_spread;
+    return spans_plane_;
+  }
+
   bool is_behind_another(const CoarseNode& node) const {
     const Vec3 d = node.x - x_;
     return std::any_of(nodes_.begin(), nodes_.end(), [&](const CoarseNode& other) {
@@ -186,6 +190,7 @@ private:
 
   Vec3 x_;
   std::vector<CoarseNode> nodes_;
+  bool spans_plane_ = false;
 };
 
 std::vector<char> flags_of(const std::vector<int>& rows, std::size_t n) {
