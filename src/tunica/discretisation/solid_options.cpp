@@ -99,7 +99,8 @@ void add_solid_keys(params::Table& table) {
           "volumetric stabilisation", 0.0, params::non_negative(), "1",
           "in parts of the modulus mu, how much of its pressure an element has for itself where "
           "it does not keep its volume. Large deformations under pressures of the size of mu "
-          "and more need about 1; with much more the elements lock");
+          "and more need about 1; with much more the elements lock. 0: none, but 1 with a "
+          "Prestress");
 }
 
 SolidOptions solid_options(const Teuchos::ParameterList& list) {
@@ -123,6 +124,9 @@ SolidOptions solid_options(const Teuchos::ParameterList& list) {
       options.is_static && !options.has_prestress && options.has_doubled_pressure;
   options.has_stress_residual = residual == "stress" || (residual == "automatic" && is_suited);
   options.volumetric_factor = list.get<double>("volumetric stabilisation");
+  // Prestretches need not fit together, so that nothing else keeps single elements from swelling,
+  // which softens them: walls with fibres then bear no more than a part of their load.
+  if (options.volumetric_factor == 0.0 && options.has_prestress) options.volumetric_factor = 1.0;
   return options;
 }
 

@@ -173,7 +173,7 @@ std::string text_of(const LayerVolume& volume) {
            ": no volume is lost, linear elements of this size vary so where strain does. "
            "Displacements are right; stress is to be read at the nodes.";
   return text +
-         ": volume is lost. A finer mesh, or \"volumetric stabilisation\" = 1 in Wall; is "
+         ": volume is lost. A finer mesh, or a larger \"volumetric stabilisation\" in Wall; is "
          "the load as large as it should be?";
 }
 
