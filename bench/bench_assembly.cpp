@@ -9,11 +9,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "tunica/app/domain.hpp"
-#include "tunica/app/schema.hpp"
 #include "tunica/params/read_xml.hpp"
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/solid_problem.hpp"
+#include "tunica/run/domain.hpp"
+#include "tunica/setup/schema.hpp"
 
 namespace {
 
@@ -22,7 +22,7 @@ using namespace tunica;
 /// The fields of a case in their initial state.
 struct Fields {
   Teuchos::ParameterList list;
-  app::Domain domain;
+  run::Domain domain;
   std::unique_ptr<problems::FluidProblem> fluid;
   std::unique_ptr<problems::SolidProblem> wall;
 
@@ -32,8 +32,8 @@ struct Fields {
     for (const char* field : {"Fluid", "Wall"})
       list.sublist(field).sublist("Linear Solver") =
           Teuchos::ParameterList("Linear Solver").set("preconditioner", "none");
-    app::fsi_table().resolve(list, "", "/");
-    domain = app::load_domain(list, Tpetra::getDefaultComm());
+    setup::fsi_table().resolve(list, "", "/");
+    domain = run::load_domain(list, Tpetra::getDefaultComm());
     fluid = std::make_unique<problems::FluidProblem>(list.sublist("Fluid"), *domain.fluid);
     wall = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), *domain.wall);
     const stepping::Clock clock(list.sublist("Time"));

@@ -17,11 +17,11 @@
 #include <memory>
 
 #include "tunica/algebra/merged_matrix.hpp"
-#include "tunica/app/domain.hpp"
-#include "tunica/app/schema.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/params/read_xml.hpp"
 #include "tunica/problems/solid_problem.hpp"
+#include "tunica/run/domain.hpp"
+#include "tunica/setup/schema.hpp"
 #include "tunica/smoothers/node_ilu/node_ilu.hpp"
 #include "tunica/smoothers/vanka/vanka.hpp"
 
@@ -60,7 +60,7 @@ void triad(benchmark::State& state, std::size_t n) {
 /// The Jacobian of the wall as one matrix.
 struct Wall {
   Teuchos::ParameterList list;
-  app::Domain domain;
+  run::Domain domain;
   std::unique_ptr<problems::SolidProblem> problem;
   std::unique_ptr<algebra::MergedMatrix> merged;
 
@@ -69,8 +69,8 @@ struct Wall {
     for (const char* field : {"Fluid", "Wall"})
       list.sublist(field).sublist("Linear Solver") =
           Teuchos::ParameterList("Linear Solver").set("preconditioner", "none");
-    app::fsi_table().resolve(list, "", "/");
-    domain = app::load_domain(list, Tpetra::getDefaultComm());
+    setup::fsi_table().resolve(list, "", "/");
+    domain = run::load_domain(list, Tpetra::getDefaultComm());
     problem = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), *domain.wall);
     problem->begin_step(stepping::Clock(list.sublist("Time")));
     problem->jacobian(problem->state());

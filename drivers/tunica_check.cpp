@@ -7,15 +7,15 @@
 #include <iostream>
 #include <sstream>
 
-#include "tunica/app/case.hpp"
-#include "tunica/app/domain.hpp"
-#include "tunica/app/extent.hpp"
 #include "tunica/app/guard.hpp"
-#include "tunica/app/schema.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/session.hpp"
 #include "tunica/params/read_xml.hpp"
 #include "tunica/params/section.hpp"
+#include "tunica/run/domain.hpp"
+#include "tunica/run/extent.hpp"
+#include "tunica/setup/case.hpp"
+#include "tunica/setup/schema.hpp"
 #include "tunica/systems/read_system.hpp"
 
 namespace {
@@ -32,15 +32,15 @@ params::Table table_for(const std::string& file, const Comm& comm) {
     if (list.isSublist("Solvers")) fields = "solvers";
   });
   broadcast(comm, fields);
-  if (fields == "fluid") return app::fluid_table();
-  if (fields == "wall") return app::solid_table();
-  if (fields == "solvers") return app::solvers_table();
-  return app::fsi_table();
+  if (fields == "fluid") return setup::fluid_table();
+  if (fields == "wall") return setup::solid_table();
+  if (fields == "solvers") return setup::solvers_table();
+  return setup::fsi_table();
 }
 
 void print_reference(const std::string& list) {
   std::ostringstream own;
-  app::solvers_table().print_markdown(own, "Case");
+  setup::solvers_table().print_markdown(own, "Case");
   if (!list.empty()) {
     std::cout << params::section_of(own.str(), list);
     return;
@@ -51,39 +51,40 @@ void print_reference(const std::string& list) {
                "Coupling, `tunica-fluid` Wall, Mesh Motion and\nCoupling.\n\n"
             << own.str();
   std::cout << "\n`tunica-solvers` on a linear system of another program reads these instead.\n\n";
-  app::system_solvers_table().print_markdown(std::cout, "System Case");
+  setup::system_solvers_table().print_markdown(std::cout, "System Case");
 }
 
 /// The case completed, or every key there is.
-void print_defaults(const app::CommandLine& command, const Comm& comm) {
+void print_defaults(const setup::CommandLine& command, const Comm& comm) {
   if (command.case_file.empty()) {
-    if (comm.getRank() == 0) app::fsi_table().print_xml(std::cout, "Case");
+    if (comm.getRank() == 0) setup::fsi_table().print_xml(std::cout, "Case");
     return;
   }
-  const bool is_foreign = app::has_list(command.case_file, "System", comm);
-  const Teuchos::ParameterList list = app::read_case(
-      command, is_foreign ? app::system_solvers_table() : table_for(command.case_file, comm), comm);
+  const bool is_foreign = setup::has_list(command.case_file, "System", comm);
+  const Teuchos::ParameterList list = setup::read_case(
+      command, is_foreign ? setup::system_solvers_table() : table_for(command.case_file, comm),
+      comm);
   if (comm.getRank() == 0) std::cout << params::to_xml(list);
 }
 
-int check(const app::CommandLine& command, const std::string& name) {
+int check(const setup::CommandLine& command, const std::string& name) {
   const CommPtr comm = all_ranks();
-  const bool is_foreign = app::has_list(command.case_file, "System", *comm);
-  const Teuchos::ParameterList list = app::read_case(
-      command, is_foreign ? app::system_solvers_table() : table_for(command.case_file, *comm),
+  const bool is_foreign = setup::has_list(command.case_file, "System", *comm);
+  const Teuchos::ParameterList list = setup::read_case(
+      command, is_foreign ? setup::system_solvers_table() : table_for(command.case_file, *comm),
       *comm);
   if (is_foreign) {
     systems::read_system(list.sublist("System"), comm);
   } else {
-    const app::Domain domain = app::load_domain(list, comm);
-    app::print_extent(domain.extent, name, *comm);
-    app::check_fields(list, domain);
-    app::print_expectations(list, domain);
+    const run::Domain domain = run::load_domain(list, comm);
+    run::print_extent(domain.extent, name, *comm);
+    run::check_fields(list, domain);
+    run::print_expectations(list, domain);
   }
   if (comm->getRank() == 0)
     std::cout << command.case_file << ": the case and its " << (is_foreign ? "files" : "mesh")
               << " are valid." << std::endl;
-  return app::exit_done;
+  return run::exit_done;
 }
 
 }  // namespace
@@ -93,11 +94,11 @@ int main(int argc, char** argv) {
   const Session session;
   const bool is_root = all_ranks()->getRank() == 0;
   return app::guarded(name, *all_ranks(), [&] {
-    const app::CommandLine command = app::parse(argc, argv, name, sentence);
-    if (command.help && is_root) std::cout << app::usage(name, sentence);
+    const setup::CommandLine command = setup::parse(argc, argv, name, sentence);
+    if (command.help && is_root) std::cout << setup::usage(name, sentence);
     if (command.reference) on_root(*all_ranks(), [&] { print_reference(command.case_file); });
     if (command.print_defaults) print_defaults(command, *all_ranks());
-    if (command.help || command.reference || command.print_defaults) return app::exit_done;
+    if (command.help || command.reference || command.print_defaults) return run::exit_done;
     return check(command, name);
   });
 }

@@ -15,7 +15,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/session.hpp"
-#include "tunica/base/standard_output.hpp"
+#include "tunica/io/messages.hpp"
 #include "tunica/params/nearest.hpp"
 #include "tunica_mesh/commands.hpp"
 
@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
   try {
     std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
     run({argv + 1, argv + argc});
-    const std::string lost = tunica::lost_output();
+    const std::string lost = tunica::io::lost_output();
     if (!lost.empty()) std::cerr << "tunica-mesh: " << lost << "\n";
     return lost.empty() ? 0 : 3;
   } catch (const tunica::Error& error) {

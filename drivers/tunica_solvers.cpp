@@ -9,15 +9,15 @@
 #include <iostream>
 #include <memory>
 
-#include "tunica/app/prestress.hpp"
-#include "tunica/app/run.hpp"
-#include "tunica/app/run_log.hpp"
-#include "tunica/app/schema.hpp"
+#include "tunica/app/program.hpp"
 #include "tunica/compare/solver_table.hpp"
 #include "tunica/compare/system_capture.hpp"
 #include "tunica/compare/system_export.hpp"
 #include "tunica/coupling/registry.hpp"
 #include "tunica/io/matrix_market.hpp"
+#include "tunica/run/field_problems.hpp"
+#include "tunica/run/run_log.hpp"
+#include "tunica/setup/schema.hpp"
 #include "tunica/systems/read_system.hpp"
 
 namespace {
@@ -29,7 +29,7 @@ struct Complete {};
 
 /// Marches until the wanted coupling iteration is over. Not converging before it is a result.
 Outcome march_to_wanted(compare::SystemCapture& capture, coupling::Scheme& scheme,
-                        stepping::Clock clock, app::RunLog& log) {
+                        stepping::Clock clock, run::RunLog& log) {
   scheme.watch_newton([&](const std::string& field, const nonlinear::NewtonStep& step) {
     log.newton(field, step);
   });
@@ -47,14 +47,14 @@ Outcome march_to_wanted(compare::SystemCapture& capture, coupling::Scheme& schem
           if (is_solved && capture.is_complete(clock.step(), k)) throw Complete();
           capture.enter(clock.step(), k + 1);
         });
-    log.step(clock, app::summary_of(report, scheme.fields()), {});
+    log.step(clock, run::summary_of(report, scheme.fields()), {});
     if (!report.is_accepted) return Outcome::failure(report.reason);
   }
   return Outcome::success();
 }
 
-Outcome march(const Teuchos::ParameterList& resolved, const app::Domain& domain,
-              app::RunOutput& output) {
+Outcome march(const Teuchos::ParameterList& resolved, const run::Domain& domain,
+              run::RunOutput& output) {
   Teuchos::ParameterList list(resolved);
   Teuchos::ParameterList& coupling = list.sublist("Coupling");
   if (coupling::is_monolithic(coupling))
@@ -62,17 +62,11 @@ Outcome march(const Teuchos::ParameterList& resolved, const app::Domain& domain,
   else
     coupling.set("halvings", 0);  // a system that cannot be solved is a result
 
-  // 1. The coupled problem of the case, as in tunica_fsi.cpp.
-  problems::FluidProblem fluid(list.sublist("Fluid"), *domain.fluid);
-  problems::SolidProblem wall(list.sublist("Wall"), *domain.wall);
-  const Outcome stressed = app::take_prestress(list.sublist("Wall"), output, wall, &fluid);
-  if (stressed.is_failure() || !output.stopped.empty()) return stressed;
-  problems::MeshMotion motion(list.sublist("Mesh Motion"), *domain.fluid, domain.interface_surfaces,
-                              fluid.staying_surfaces(), fluid.time_scheme());
-  const stepping::Clock clock(list.sublist("Time"));
-  const std::unique_ptr<coupling::Scheme> scheme = coupling::make_scheme(
-      coupling,
-      {*domain.interface, fluid, wall, motion, domain.common ? &*domain.common : nullptr});
+  // 1. The coupled problem of the case.
+  run::FieldProblems fields(list, domain);
+  const Outcome started = fields.start(output);
+  if (started.is_failure() || !output.stopped.empty()) return started;
+  coupling::Scheme& scheme = *fields.scheme;
 
   // 2. Every wanted system is written and goes through all settings before it is solved.
   const CommPtr comm = domain.fluid->comm;
@@ -83,13 +77,13 @@ Outcome march(const Teuchos::ParameterList& resolved, const app::Domain& domain,
     files.write(system);
     files.write(system, table.run(system));
   });
-  for (const auto& [field, source] : scheme->systems()) capture.watch(field, *source);
+  for (const auto& [field, source] : scheme.systems()) capture.watch(field, *source);
 
   // 3. March as far as needed.
-  app::RunLog log(output, comm->getRank() == 0, scheme->fields(), scheme->stages());
+  run::RunLog log(output, comm->getRank() == 0, scheme.fields(), scheme.stages());
   Outcome outcome = Outcome::success();
   try {
-    outcome = march_to_wanted(capture, *scheme, clock, log);
+    outcome = march_to_wanted(capture, scheme, stepping::Clock(list.sublist("Time")), log);
   } catch (const Complete&) {  // what was wanted is in the table
   }
 
@@ -102,7 +96,7 @@ Outcome march(const Teuchos::ParameterList& resolved, const app::Domain& domain,
 }
 
 /// A system from files in the place of a coupled problem.
-std::function<Outcome(app::RunOutput&)> load_system(const Teuchos::ParameterList& list,
+std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList& list,
                                                     const CommPtr& comm) {
   const auto system =
       std::make_shared<systems::System>(systems::read_system(list.sublist("System"), comm));
@@ -110,7 +104,7 @@ std::function<Outcome(app::RunOutput&)> load_system(const Teuchos::ParameterList
     std::cout << "system: " << system->K(0, 0)->getGlobalNumRows() << " vector and "
               << system->K(1, 1)->getGlobalNumRows()
               << " scalar unknowns\nranks: " << comm->getSize() << std::endl;
-  return [system, list, comm](app::RunOutput& output) {
+  return [system, list, comm](run::RunOutput& output) {
     compare::SolverTable table(list, output.folder, output.record, comm->getRank() == 0);
     const auto best =
         table.run({"system", 0, 0, 0, &system->K, &system->b, &linear::no_operators()});
@@ -129,6 +123,7 @@ int main(int argc, char** argv) {
   return tunica::app::run_program(
       argc, argv,
       {"tunica-solvers", "Compares settings of linear solvers on the systems of a coupled problem.",
-       tunica::app::solvers_table()},
-      march, tunica::app::Alternative{"System", tunica::app::system_solvers_table(), load_system});
+       tunica::setup::solvers_table()},
+      march,
+      tunica::app::Alternative{"System", tunica::setup::system_solvers_table(), load_system});
 }

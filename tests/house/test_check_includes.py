@@ -24,6 +24,9 @@ CASES = {
         {"src/tunica/kernels/tet4.hpp": '#include "tunica/base/types.hpp"\n'}, "src/tunica/kernels/tet4.hpp:1: kernels/ knows neither"),
     "physics in a solver": ({"src/tunica/linear/ilu.hpp": '#include "tunica/kernels/tet4.hpp"\n'}, "src/tunica/linear/ilu.hpp:1: linear/ includes kernels/, which"),
     "Tpetra in the application": ({"src/tunica/app/run.cpp": "Tpetra::Map<> m;\n"}, "src/tunica/app/run.cpp:1: names Tpetra"),
+    "a line that no caller can take": ({"src/tunica/app/run.cpp": "std::cout << 1;\n"}, "src/tunica/app/run.cpp:1: writes to a standard stream"),
+    "a line by printf": ({"src/tunica/app/run.cpp": 'printf("1");\n'}, "src/tunica/app/run.cpp:1: writes to a standard stream"),
+    "a text by snprintf": ({"src/tunica/app/run.cpp": 'std::snprintf(a, 1, "1");\n'}, None),
     "physics in the smoothers": ({"src/tunica/smoothers/vanka/x.hpp": '#include "tunica/mesh/m.hpp"\n', "src/tunica/mesh/m.hpp": ""},
                                  "src/tunica/smoothers/vanka/x.hpp:1: smoothers/ includes mesh/"),
     "files in an installed part that it must do without": (

@@ -4,16 +4,16 @@
 #include <sstream>
 
 #include "field_of.hpp"
-#include "tunica/app/case.hpp"
-#include "tunica/app/schema.hpp"
+#include "tunica/setup/case.hpp"
+#include "tunica/setup/schema.hpp"
 
 namespace tunica::verify {
 
 /// A shipped case of a wall alone.
 inline Teuchos::ParameterList case_of(const std::string& file) {
-  app::CommandLine command;
+  setup::CommandLine command;
   command.case_file = TUNICA_CASES "/" + file;
-  return app::read_case(command, app::solid_table(), *Tpetra::getDefaultComm());
+  return setup::read_case(command, setup::solid_table(), *Tpetra::getDefaultComm());
 }
 
 /// Inner radius by pressure, of tests/data/inflation.csv.

@@ -4,19 +4,19 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "field_of.hpp"
-#include "tunica/app/case.hpp"
-#include "tunica/app/schema.hpp"
 #include "tunica/mesh/block.hpp"
 #include "tunica/problems/solid_problem.hpp"
+#include "tunica/setup/case.hpp"
+#include "tunica/setup/schema.hpp"
 
 namespace {
 
 using namespace tunica;
 
 Teuchos::ParameterList wall_list(const std::string& file) {
-  app::CommandLine command;
+  setup::CommandLine command;
   command.case_file = TUNICA_CASES "/" + file;
-  return app::read_case(command, app::solid_table(), *Tpetra::getDefaultComm()).sublist("Wall");
+  return setup::read_case(command, setup::solid_table(), *Tpetra::getDefaultComm()).sublist("Wall");
 }
 
 /// xml/block.xml without what holds the top, and with a pressure in the place of the load.

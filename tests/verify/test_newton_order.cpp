@@ -5,9 +5,9 @@
 
 #include "fluid_on_cube.hpp"
 #include "quarter_tube.hpp"
-#include "tunica/app/case.hpp"
-#include "tunica/app/schema.hpp"
 #include "tunica/problems/solid_problem.hpp"
+#include "tunica/setup/case.hpp"
+#include "tunica/setup/schema.hpp"
 
 namespace {
 
@@ -25,10 +25,10 @@ double last_exponent(const nonlinear::NewtonReport& report, std::ostream& out) {
 }
 
 TEUCHOS_UNIT_TEST(newton, converges_quadratically_on_an_inflated_wall) {
-  app::CommandLine command;
+  setup::CommandLine command;
   command.case_file = TUNICA_CASES "/inflation.xml";
   Teuchos::ParameterList list =
-      app::read_case(command, app::solid_table(), *Tpetra::getDefaultComm());
+      setup::read_case(command, setup::solid_table(), *Tpetra::getDefaultComm());
   list.sublist("Wall").sublist("Newton").set("relative increment", 1e-12);
   list.sublist("Wall").sublist("Newton").set("absolute increment", 0.0);
   list.sublist("Wall").set("stabilisation residual", std::string("linear"));  // F that stays

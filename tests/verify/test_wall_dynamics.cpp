@@ -6,10 +6,10 @@
 
 #include "field_of.hpp"
 #include "quarter_tube.hpp"
-#include "tunica/app/case.hpp"
-#include "tunica/app/schema.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/problems/solid_problem.hpp"
+#include "tunica/setup/case.hpp"
+#include "tunica/setup/schema.hpp"
 
 namespace {
 

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <iostream>
 #include <thread>
 
-#include "tunica/app/fatal_signals.hpp"
 #include "tunica/base/attempt.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/failed_ranks.hpp"
 #include "tunica/base/out_of_memory.hpp"
-#include "tunica/base/standard_output.hpp"
+#include "tunica/io/messages.hpp"
+#include "tunica/run/fatal_signals.hpp"
 
 namespace tunica::app {
 
@@ -31,8 +29,8 @@ struct Ending {
 [[noreturn]] void abort_all() {
   int is_running = 0;
   MPI_Initialized(&is_running);
-  if (is_running != 0) MPI_Abort(MPI_COMM_WORLD, exit_fault);
-  std::_Exit(exit_fault);
+  if (is_running != 0) MPI_Abort(MPI_COMM_WORLD, run::exit_fault);
+  std::_Exit(run::exit_fault);
 }
 
 int end(const Comm& comm, const Ending& ending) {
@@ -43,10 +41,10 @@ int end(const Comm& comm, const Ending& ending) {
   const std::string mine = "rank " + std::to_string(rank);
   const bool is_named = have_all_failed || ending.message.find(mine) != std::string::npos;
   if (speaker == rank)
-    std::cerr << ending.message << (is_named ? "" : " (on " + mine + " alone)") << std::endl;
+    io::print_error_line(ending.message + (is_named ? "" : " (on " + mine + " alone)"));
   const int worst = static_cast<int>(all[speaker]);
-  if (have_all_failed && worst != exit_fault) return worst;
-  if (size == 1) return exit_fault;
+  if (have_all_failed && worst != run::exit_fault) return worst;
+  if (size == 1) return run::exit_fault;
   if (speaker != rank) std::this_thread::sleep_for(patience);  // it speaks before all end
   abort_all();
 }
@@ -56,13 +54,13 @@ Ending ending_of() {
   try {
     throw;
   } catch (const Error& error) {
-    return {exit_bad_input, error.what()};
+    return {run::exit_bad_input, error.what()};
   } catch (const MachineFault& fault) {
-    return {exit_fault, fault.what()};
+    return {run::exit_fault, fault.what()};
   } catch (const std::exception& error) {
-    return {exit_fault, is_out_of_memory(error) ? out_of_memory_text() : words_of_exception()};
+    return {run::exit_fault, is_out_of_memory(error) ? out_of_memory_text() : words_of_exception()};
   } catch (...) {
-    return {exit_fault, words_of_exception()};
+    return {run::exit_fault, words_of_exception()};
   }
 }
 
@@ -72,7 +70,7 @@ Ending ending_of() {
   try {
     if (std::current_exception()) throw;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "tunica: ended in: %s\n", error.what());
+    io::print_last_words("tunica: ended in", error.what());
   } catch (...) {
   }
   abort_all();
@@ -83,21 +81,21 @@ void mpi_failed(MPI_Comm*, int* code, ...) {
   char text[MPI_MAX_ERROR_STRING] = "";
   int length = 0;
   MPI_Error_string(*code, text, &length);
-  std::fprintf(stderr, "tunica: ended in MPI: %s\n", text);
+  io::print_last_words("tunica: ended in MPI", text);
   abort_all();
 }
 
 /// The status of a program, and a fault of the machine where its words are lost.
 int with_output(const std::string& program, int status) {
-  const std::string lost = lost_output();
+  const std::string lost = io::lost_output();
   if (lost.empty()) return status;
-  std::cerr << program << ": " << lost << std::endl;
-  return status == exit_done ? exit_fault : status;
+  io::print_error_line(program + ": " + lost);
+  return status == run::exit_done ? run::exit_fault : status;
 }
 
 void watch_ends(const std::string& program, int rank) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
-  catch_fatal_signals(program, rank);
+  run::catch_fatal_signals(program, rank);
   set_memory_aside();
   std::set_terminate(terminated);
   MPI_Errhandler handler;

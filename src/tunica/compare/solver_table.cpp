@@ -1,14 +1,15 @@
 #include "tunica/compare/solver_table.hpp"
 
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
+#include "tunica/base/formatted.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/coupling/monolithic.hpp"
 #include "tunica/coupling/registry.hpp"
 #include "tunica/io/atomic_file.hpp"
+#include "tunica/io/messages.hpp"
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/solid_problem.hpp"
 
@@ -164,8 +165,8 @@ std::optional<BestSolution> SolverTable::run(const LinearSystem& system) {
   }
   save();
   if (is_root_)
-    std::cout << system.name() << ": " << settings_.at(system.field).size() << " settings, "
-              << watch.seconds() << " s" << std::endl;
+    io::print_line(formatted("%s: %zu settings, %g s", system.name().c_str(),
+                             settings_.at(system.field).size(), watch.seconds()));
   return best;
 }
 
@@ -196,8 +197,9 @@ void SolverTable::save() const {
 
 void SolverTable::print() const {
   if (!is_root_) return;
-  for (const auto& [field, settings] : settings_) std::cout << text_of(rows_, field);
-  std::cout << std::flush;
+  std::string text;
+  for (const auto& [field, settings] : settings_) text += text_of(rows_, field);
+  io::print_line(text);
 }
 
 }  // namespace tunica::compare

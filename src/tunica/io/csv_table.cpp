@@ -3,12 +3,11 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <stdexcept>
 
 #include "tunica/io/atomic_file.hpp"
+#include "tunica/io/messages.hpp"
 
 namespace tunica::io {
 
@@ -58,9 +57,9 @@ void CsvTable::keep(const std::string& heading, int kept_step) {
   if (is_another) {
     const Result<std::string> old_path = set_aside(path_);
     if (old_path.is_failure()) throw std::runtime_error(old_path.reason());
-    std::cerr << "warning: " << path_
-              << " has other columns than before and begins anew; its rows are in "
-              << old_path.value() << std::endl;
+    print_error_line("warning: " + path_ +
+                     " has other columns than before and begins anew; its rows are in " +
+                     old_path.value());
   }
   const Outcome written = kept.commit();
   if (written.is_failure()) throw std::runtime_error(written.reason());

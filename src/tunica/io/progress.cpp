@@ -1,10 +1,10 @@
 #include "tunica/io/progress.hpp"
 
-#include <cstdio>
 #include <optional>
 #include <vector>
 
 #include "tunica/base/timer.hpp"
+#include "tunica/io/messages.hpp"
 
 namespace tunica::io {
 
@@ -22,11 +22,10 @@ Progress& progress() {
   return of_process;
 }
 
-void print_line(const std::string& words) {
+void print_in_scopes(const std::string& words) {
   std::string line;
   for (const std::string& scope : progress().scopes) line += scope + ": ";
-  std::printf("%s%s\n", line.c_str(), words.c_str());
-  std::fflush(stdout);
+  print_line(line + words);
   restart_progress_interval();
 }
 
@@ -37,11 +36,11 @@ ProgressScope::~ProgressScope() { progress().scopes.pop_back(); }
 
 void report_progress(const std::function<std::string()>& how_far) {
   const Progress& now = progress();
-  if (now.interval && now.since_last_line.seconds() >= *now.interval) print_line(how_far());
+  if (now.interval && now.since_last_line.seconds() >= *now.interval) print_in_scopes(how_far());
 }
 
 void announce(const std::string& words) {
-  if (progress().interval) print_line(words);
+  if (progress().interval) print_in_scopes(words);
 }
 
 void restart_progress_interval() { progress().since_last_line = Stopwatch(); }

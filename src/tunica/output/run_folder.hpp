@@ -7,7 +7,7 @@ namespace tunica::output {
 
 /// The folder that receives everything a run writes.
 ///
-/// Files that are there stay until a writer of this run replaces the one of its name: app/ asks
+/// Files that are there stay until a writer of this run replaces the one of its name: run/ asks
 /// first whether it may. Only a run that is restarted adds to them.
 class RunFolder {
 public:

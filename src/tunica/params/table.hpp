@@ -23,7 +23,7 @@ Range non_negative();                    ///< [0, ∞)
 Range between(double low, double high);  ///< [low, high]
 
 /// The declaration of one parameter list: its keys with type, default, range, unit and a
-/// sentence each. Classes declare a Table next to their options; app/ assembles the whole.
+/// sentence each. Classes declare a Table next to their options; setup/ assembles the whole.
 ///
 /// A key without a default (std::nullopt) is required.
 class Table {

@@ -1,0 +1,29 @@
+#pragma once
+#include <functional>
+#include <string>
+
+namespace tunica::io {
+
+/// Where the library's lines for people go.
+struct MessageSink {
+  std::function<void(const std::string& text)> output;  ///< what a run does; text ends its line
+  std::function<void(const std::string& text)> error;   ///< warnings, and why a run ends
+};
+
+/// From now on all lines of this process go there; a function that is empty restores the standard
+/// stream. Nothing in the library writes to a stream by itself. Not collective.
+void redirect_messages(MessageSink sink);
+
+/// A line, or several, on standard output, and on the error stream: the end of the last one is
+/// added where it lacks, and they are seen at once. Not collective.
+void print_line(const std::string& text);
+void print_error_line(const std::string& text);
+
+/// For a process that can neither allocate nor throw: to the error stream, whatever the sink.
+void print_last_words(const char* where, const char* words) noexcept;
+
+/// What becomes of words that nobody could take down: a sentence where standard output has refused
+/// any, as on a full disk; empty otherwise. For the end of a program.
+std::string lost_output();
+
+}  // namespace tunica::io

@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+
+#include "tunica/fields/field_mesh.hpp"
+
+namespace tunica::judge {
+
+/// What a run with monolithic coupling and its default solver takes, by two straight lines:
+///
+///   memory of a rank = m₀ + m₁ T      seconds of a step = s₁ T
+///
+///   T   tetrahedra that a rank knows: those it counts and those of others around its vertices
+///
+/// The memory is fitted to a straight tube of 39 thousand to 2.5 million tetrahedra on 1 to 16
+/// ranks; docs/cluster.md has the runs and how far they are off. The seconds are those of one
+/// machine and between those of a pulse in a thick tube, 6 Newton steps with 7 linear iterations,
+/// and of vessels of 200,000 tetrahedra at steps of 5 ms, 4 to 7 with 18 to 31: within a factor of
+/// 2 of either.
+struct Cost {
+  double memory_of_rank = 0.0;   ///< that needs most [MB]
+  double memory_of_all = 0.0;    ///< [MB]
+  double seconds_of_step = 0.0;  ///< with a core for each rank
+};
+
+/// mesh: of both fields. Collective.
+Cost expected_cost(const fields::FieldMesh& mesh);
+
+/// A line of it.
+std::string text_of(const Cost& cost, int ranks);
+
+}  // namespace tunica::judge

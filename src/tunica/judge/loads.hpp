@@ -1,0 +1,62 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tunica/judge/vessel.hpp"
+
+namespace tunica::judge {
+
+/// What a resolved case drives its vessel by, in the time of the run.
+struct Loads {
+  double end = 0.0;        ///< of the run [ms]
+  bool are_zero = true;    ///< nothing pushes, pulls or flows
+  bool has_data = false;   ///< some come from files, which are not looked at
+  double peak_flow = 0.0;  ///< largest that is prescribed through an opening [mm³/ms]
+  double flow_area = 0.0;  ///< of this opening [mm²]
+  std::string flow_surface{};
+  double flow_table = 0.0;    ///< the shortest of a flow or velocity without a period; 0: none [ms]
+  double peak_speed = 0.0;    ///< largest mean velocity that is prescribed [mm/ms]
+  double course_speed = 0.0;  ///< the same in all of the amplitudes' courses
+  std::string speed_surface{};       ///< of that
+  double peak_pressure = 0.0;        ///< largest on openings of the fluid and on the wall [kPa]
+  std::string pressure_surface{};    ///< with the list that names it
+  double pressure_difference = 0.0;  ///< largest between openings [kPa]
+  /// Of openings with a pressure in the beginning, given or that of an outlet [kPa].
+  std::vector<std::pair<std::string, double>> first_pressures{};
+  /// Of the case on the wall, as they are at the start; a traction by its length [kPa].
+  struct OnWall {
+    std::string surface;
+    bool is_pressure;
+    double first;
+  };
+  std::vector<OnWall> on_wall{};
+  std::vector<std::string> bare{};  ///< openings without a condition: zero pressure
+  bool has_outlets = false;         ///< some answer the flow with a pressure
+  /// Where all that flows in leaves through outlets: means over the period of what is given, or
+  /// over the run.
+  struct Balance {
+    double inflow;     ///< mean [mm³/ms]
+    double pressure;   ///< mean to which they let it settle [kPa]
+    double mean_flow;  ///< what they expect together [mm³/ms]; 0: not all of them do
+  };
+  std::optional<Balance> balance{};
+  double impulse = 0.0;           ///< largest that it gives: its integral over time [kPa ms]
+  std::vector<double> periods{};  ///< of the amplitudes, each once [ms]
+  /// Of the fastest amplitude that changes in the run: the range of its whole course over its
+  /// largest slope; 0: all are constant [ms]. A run of a few steps makes no load fast.
+  double rise = 0.0;
+  /// What fixed steps do not see of an amplitude: how far it strays within one from a straight
+  /// line, over its largest value. Tables of steps count where they change faster than that.
+  double missed = 0.0;
+  /// How far a spline goes beyond the values of its table, over their range.
+  double overshoot = 0.0;
+};
+
+/// Amplitudes count at their kinks and at 2000 times. What an opening's traction does beside
+/// pressing is left out; what an outlet makes of the flow counts in the balance alone.
+Loads loads_of(const Teuchos::ParameterList& list, const std::vector<Vessel::Opening>& openings);
+
+}  // namespace tunica::judge

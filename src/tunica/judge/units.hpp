@@ -1,0 +1,10 @@
+#pragma once
+#include "tunica/judge/loads.hpp"
+
+namespace tunica::judge {
+
+/// Values of a resolved case that look as if they were in other units than mm, ms, mg and kPa: a
+/// line each with what is usual and the factor that was probably forgotten.
+std::vector<std::string> doubts_of_units(const Teuchos::ParameterList& list, const Loads& loads);
+
+}  // namespace tunica::judge

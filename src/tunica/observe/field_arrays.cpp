@@ -1,0 +1,265 @@
+#include "tunica/observe/field_arrays.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tunica/assembly/gather.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/kernels/deformation.hpp"
+#include "tunica/kernels/principal_axes.hpp"
+#include "tunica/kernels/wall_stress.hpp"
+
+namespace tunica::observe {
+
+namespace {
+
+output::Array vector_array(const std::string& name, const std::vector<Vec3>& values, int count) {
+  output::Array array{name, 3, {}};
+  for (int a = 0; a < count; ++a)
+    array.values.insert(array.values.end(), values[a].begin(), values[a].end());
+  return array;
+}
+
+output::Array dof_array(const std::string& name, int components, const Vector& v) {
+  const auto view = v.getLocalViewHost(read_only);
+  return {name, components, {view.data(), view.data() + view.extent(0)}};
+}
+
+}  // namespace
+
+output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name) {
+  output::Grid grid;
+  grid.name = name;
+  grid.regions = mesh.regions;
+  grid.points_global = static_cast<long long>(mesh.node_map->getGlobalNumElements());
+  // Points are numbered rank by rank; where the mesh is split its nodes are not.
+  const Map points(grid.points_global, mesh.n_owned, 0, mesh.comm);
+  grid.first_point = mesh.n_owned > 0 ? points.getMinGlobalIndex() : 0;
+  Vector numbers(mesh.node_map);
+  {
+    const auto view = numbers.getLocalViewHost(overwrite_all);
+    for (int a = 0; a < mesh.n_owned; ++a) view(a, 0) = static_cast<double>(grid.first_point + a);
+  }
+  const std::vector<double> number = fields::ghosted_scalars(mesh, numbers);
+  grid.points.assign(mesh.x.begin(), mesh.x.begin() + mesh.n_owned);
+  grid.vertex.assign(mesh.vertex.begin(), mesh.vertex.begin() + mesh.n_owned);
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    if (!mesh.is_owned[e]) continue;
+    auto& tet = grid.tets.emplace_back();
+    for (int a = 0; a < 4; ++a) tet[a] = static_cast<long long>(number[mesh.tets[e][a]]);
+    grid.tet_number.push_back(mesh.tet_number[e]);
+    grid.region.push_back(mesh.region[e]);
+    grid.partition.push_back(mesh.comm->getRank());
+  }
+  return grid;
+}
+
+std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
+                                        const std::vector<Vec3>& mesh_displacement) {
+  std::vector<output::Array> arrays{dof_array("velocity", 3, fluid.state()["velocity"]),
+                                    dof_array("pressure", 1, fluid.state()["pressure"])};
+  if (!mesh_displacement.empty())
+    arrays.push_back(vector_array("displacement", mesh_displacement, fluid.mesh().n_owned));
+  return arrays;
+}
+
+namespace {
+
+constexpr const char* wall_arrays_key = "wall arrays";
+
+/// One of the wall's elements as it is deformed.
+struct Strained {
+  materials::Frame frame;
+  std::vector<Vec3> fibres;  ///< directions in the deformed wall, as long as they are stretched
+  Mat3 F;                    ///< deformation gradient
+  Sym3 sigma;                ///< Cauchy stress [kPa]
+};
+
+using Numbers = std::vector<double>;
+
+template <class Values>
+void append(const Values& values, Numbers& array) {
+  array.insert(array.end(), values.begin(), values.end());
+}
+
+void stress(const Strained& element, Numbers& array) { append(element.sigma, array); }
+void von_mises(const Strained& element, Numbers& array) {
+  array.push_back(kernels::von_mises(element.sigma));
+}
+void principal_stress(const Strained& element, Numbers& array) {
+  append(kernels::principal_values(element.sigma), array);
+}
+void principal_stretch(const Strained& element, Numbers& array) {
+  for (const double squared : kernels::principal_values(kernels::right_cauchy_green(element.F)))
+    array.push_back(std::sqrt(squared));
+}
+void circumferential(const Strained& element, Numbers& array) {
+  append(element.frame.circumferential, array);
+}
+void axial(const Strained& element, Numbers& array) { append(element.frame.axial, array); }
+/// Zero where a layer has none.
+template <std::size_t f>
+void fibre(const Strained& element, Numbers& array) {
+  append(f < element.fibres.size() ? element.fibres[f] : Vec3{}, array);
+}
+template <std::size_t f>
+void fibre_stress(const Strained& element, Numbers& array) {
+  const Vec3 along = f < element.fibres.size() ? element.fibres[f] : Vec3{};
+  const double squared = dot(along, along);
+  array.push_back(squared > 0.0 ? dot(along, kernels::apply(element.sigma, along)) / squared : 0.0);
+}
+
+/// An array with values per element of the wall.
+struct WallArray {
+  const char* name;
+  const char* kind;  ///< the word of "wall arrays" that asks for it
+  int components;
+  void (*append)(const Strained&, Numbers&);
+  bool needs_frames = false;
+};
+
+/// In their order in files.
+const std::vector<WallArray>& registered_wall_arrays() {
+  static const std::vector<WallArray> all = {
+      {"cauchy_stress", "stress", 6, stress},
+      {"von_mises", "stress", 1, von_mises},
+      {"principal_stress", "principal", 3, principal_stress},
+      {"principal_stretch", "principal", 3, principal_stretch},
+      {"circumferential", "fibres", 3, circumferential, true},
+      {"axial", "fibres", 3, axial, true},
+      {"fibre_1", "fibres", 3, fibre<0>, true},
+      {"fibre_2", "fibres", 3, fibre<1>, true},
+      {"fibre_stress_1", "fibres", 1, fibre_stress<0>, true},
+      {"fibre_stress_2", "fibres", 1, fibre_stress<1>, true},
+  };
+  return all;
+}
+
+std::vector<std::string> kinds_of_wall_arrays() {
+  std::vector<std::string> kinds;
+  for (const WallArray& array : registered_wall_arrays())
+    if (std::find(kinds.begin(), kinds.end(), array.kind) == kinds.end())
+      kinds.push_back(array.kind);
+  return kinds;
+}
+
+}  // namespace
+
+void add_wall_array_keys(params::Table& table) {
+  table
+      .names(
+          wall_arrays_key, kinds_of_wall_arrays(),
+          "what fields.h5 has of the wall's elements: stress (cauchy_stress, von_mises), "
+          "principal (principal_stress, principal_stretch, the largest first), fibres (fibre_1, "
+          "fibre_2 in the deformed wall, as long as they are stretched; fibre_stress_1, "
+          "fibre_stress_2 along them; circumferential and axial in the unloaded one); and at the "
+          "nodes, each layer for itself, the stress as it is recovered from the elements around "
+          "them: recovered_stress, recovered_von_mises, recovered_principal_stress, "
+          "recovered_fibre_stress_1, recovered_fibre_stress_2, with stress_error, the root mean "
+          "square of what the elements' stress differs from it")
+      .check([](const Teuchos::ParameterList& list, const std::string& path) {
+        const std::vector<std::string> kinds = kinds_of_wall_arrays();
+        for (const auto& kind : list.get<Teuchos::Array<std::string>>(wall_arrays_key))
+          TUNICA_CHECK(std::find(kinds.begin(), kinds.end(), kind) != kinds.end(),
+                       path + ": \"" + wall_arrays_key + "\" holds \"" + kind +
+                           "\", expected stress, principal or fibres.");
+      });
+}
+
+WallOutput::WallOutput(const problems::SolidProblem& wall, const Teuchos::ParameterList& output)
+    : wall_(&wall), recovery_(wall) {
+  const auto kinds = output.get<Teuchos::Array<std::string>>(wall_arrays_key);
+  kinds_.assign(kinds.begin(), kinds.end());
+}
+
+bool WallOutput::has(const std::string& kind) const {
+  return std::find(kinds_.begin(), kinds_.end(), kind) != kinds_.end();
+}
+
+GridFields WallOutput::fields() const {
+  GridFields found{"wall", node_arrays(), cell_arrays()};
+  if (kinds_.empty()) return found;
+  const problems::NodalStress nodal = recovery_.recover();
+  add_recovered(nodal, found);
+  return found;
+}
+
+std::vector<output::Array> WallOutput::node_arrays() const {
+  const fields::SplitMesh* split = recovery_.split();
+  const int n_points = recovery_.mesh().n_owned;
+  const auto at_points = [&](const std::vector<Vec3>& nodal) {
+    std::vector<Vec3> values;
+    for (int a = 0; a < n_points; ++a) values.push_back(nodal[fields::host_of(a, split)]);
+    return values;
+  };
+  output::Array pressure = dof_array("pressure", 1, wall_->state()["pressure"]);
+  if (split != wall_->split()) {  // continuous between layers
+    const Numbers nodal = std::move(pressure.values);
+    pressure.values.clear();
+    for (int a = 0; a < n_points; ++a) pressure.values.push_back(nodal[split->node[a]]);
+  }
+  return {vector_array("displacement", at_points(wall_->displacement()), n_points), pressure,
+          vector_array("velocity", at_points(wall_->velocity()), n_points)};
+}
+
+void WallOutput::add_recovered(const problems::NodalStress& nodal, GridFields& fields) const {
+  output::Array stress{"recovered_stress", 6, {}}, size{"recovered_von_mises", 1, {}},
+      principal{"recovered_principal_stress", 3, {}};
+  for (const Sym3& sigma : nodal.stress) {
+    append(sigma, stress.values);
+    size.values.push_back(kernels::von_mises(sigma));
+    append(kernels::principal_values(sigma), principal.values);
+  }
+  if (has("stress")) {
+    output::Array error{"stress_error", 1, {}};
+    for (std::size_t e = 0; e < nodal.error.size(); ++e)
+      if (wall_->mesh().is_owned[e]) error.values.push_back(nodal.error[e]);
+    fields.points.push_back(std::move(stress));
+    fields.points.push_back(std::move(size));
+    fields.cells.push_back(std::move(error));
+  }
+  if (has("principal")) fields.points.push_back(std::move(principal));
+  if (!has("fibres")) return;
+  for (std::size_t f = 0; f < nodal.fibres.size() && !nodal.fibres[f].empty(); ++f) {
+    output::Array along{"recovered_fibre_stress_" + std::to_string(f + 1), 1, {}};
+    for (std::size_t a = 0; a < nodal.stress.size(); ++a) {
+      const Vec3& fibre = nodal.fibres[f][a];
+      along.values.push_back(dot(fibre, kernels::apply(nodal.stress[a], fibre)));
+    }
+    fields.points.push_back(std::move(along));
+  }
+}
+
+std::vector<output::Array> WallOutput::cell_arrays() const {
+  const problems::SolidProblem& wall = *wall_;
+  const fields::FieldMesh& mesh = wall.mesh();
+  const auto d = fields::ghosted_vectors(mesh, wall.state()["displacement"]);
+  const auto p = fields::ghosted_scalars(wall.scalar_mesh(), wall.state()["pressure"]);
+  const auto n_elements =
+      static_cast<std::size_t>(std::count(mesh.is_owned.begin(), mesh.is_owned.end(), 1));
+  std::vector<const WallArray*> chosen;
+  std::vector<output::Array> arrays;
+  for (const WallArray& array : registered_wall_arrays()) {
+    if (!has(array.kind) || (array.needs_frames && wall.elements().frames.empty())) continue;
+    chosen.push_back(&array);
+    arrays.push_back({array.name, array.components, {}});
+    arrays.back().values.reserve(array.components * n_elements);
+  }
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    if (!mesh.is_owned[e]) continue;
+    const kernels::Tet4 T = wall.elements().geometry[e];
+    const materials::HyperelasticLaw& law = *wall.elements().layer(e).law;
+    const materials::Frame frame = wall.elements().frame(e);
+    const auto d_e = wall.elements().displacement(e, assembly::gather(d, mesh.tets[e]));
+    Strained element{frame, law.fibre_directions(frame), kernels::deformation_gradient(T, d_e),
+                     kernels::cauchy_stress(T, d_e, assembly::gather(p, wall.scalar_mesh().tets[e]),
+                                            law, frame)};
+    for (Vec3& fibre : element.fibres) fibre = element.F * fibre;
+    for (std::size_t k = 0; k < chosen.size(); ++k) chosen[k]->append(element, arrays[k].values);
+  }
+  return arrays;
+}
+
+}  // namespace tunica::observe

@@ -1,0 +1,70 @@
+#include "tunica/observe/surface_report.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <algorithm>
+
+#include "tunica/base/error.hpp"
+
+namespace tunica::observe {
+
+namespace {
+
+constexpr const char* surfaces_key = "surfaces";
+constexpr const char* every = "all";
+constexpr const char* none = "none";
+
+std::vector<std::string> names_of(const Teuchos::ParameterList& output) {
+  return output.get<Teuchos::Array<std::string>>(surfaces_key).toVector();
+}
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void check_names(const Teuchos::ParameterList& output, const std::string& path) {
+  const std::vector<std::string> names = names_of(output);
+  for (const char* word : {every, none})
+    TUNICA_CHECK(!holds(names, word) || names.size() == 1,
+                 path + ": \"" + surfaces_key + "\" holds \"" + word +
+                     "\" beside other names. Let it stand "
+                     "alone, or name the surfaces.");
+}
+
+std::vector<int> chosen(const std::vector<std::string>& names, const fields::FieldMesh& mesh) {
+  std::vector<int> surfaces;
+  for (const int s : fields::bounding_surfaces(mesh))
+    if (holds(names, every) || holds(names, mesh.surfaces[s])) surfaces.push_back(s);
+  return surfaces;
+}
+
+}  // namespace
+
+void add_surface_keys(params::Table& table) {
+  table
+      .names(surfaces_key, std::vector<std::string>{every},
+             "surfaces whose area, flow, pressure, forces and displacement become columns of "
+             "steps.csv; all or none")
+      .check(check_names);
+}
+
+std::vector<std::string> named_surfaces(const Teuchos::ParameterList& output) {
+  const std::vector<std::string> names = names_of(output);
+  return holds(names, every) || holds(names, none) ? std::vector<std::string>{} : names;
+}
+
+SurfaceReport::SurfaceReport(const Teuchos::ParameterList& output, const fields::FieldMesh* fluid,
+                             const fields::FieldMesh* wall) {
+  if (fluid != nullptr) fluid_ = chosen(names_of(output), *fluid);
+  if (wall != nullptr) wall_ = chosen(names_of(output), *wall);
+}
+
+discretisation::Observables SurfaceReport::observe(problems::FluidProblem* fluid,
+                                                   problems::SolidProblem* wall) const {
+  discretisation::Observables found;
+  if (!wall_.empty()) found = wall->observe_surfaces(wall_);
+  if (fluid_.empty()) return found;
+  for (const discretisation::Observable& o : fluid->observe_surfaces(fluid_)) found.push_back(o);
+  return found;
+}
+
+}  // namespace tunica::observe

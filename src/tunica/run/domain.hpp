@@ -1,0 +1,46 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <memory>
+#include <optional>
+
+#include "tunica/base/memory.hpp"
+#include "tunica/fields/field_mesh.hpp"
+#include "tunica/fields/interface_transfer.hpp"
+#include "tunica/judge/vessel.hpp"
+#include "tunica/observe/probes.hpp"
+
+namespace tunica::run {
+
+/// The calling rank's shares of the fields that a case has.
+struct Domain {
+  std::optional<fields::FieldMesh> fluid, wall;
+  std::optional<fields::FieldMesh> common;  ///< of both, where the coupling needs it
+  std::optional<fields::InterfaceTransfer> interface;
+  std::string fingerprint;              ///< of the mesh
+  Vec3 extent;                          ///< of the mesh, in mm
+  std::vector<int> interface_surfaces;  ///< indices into FieldMesh::surfaces
+  observe::Probes probes;
+  judge::Vessel vessel;
+  MemoryByPhase memory;  ///< up to the fields
+};
+
+/// Reads and checks the mesh against the case (names of regions and surfaces, conforming
+/// interface, number of ranks, probes within their fields), partitions it and builds the fields.
+/// Throws Error on all ranks alike. Collective.
+Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm);
+
+/// What the case amounts to, and where it is known what a run takes, on rank 0's screen: for those
+/// who look before they run. Collective.
+void print_expectations(const Teuchos::ParameterList& list, const Domain& domain);
+
+/// What a run would find on that domain before its first step: the directions of the wall's fibres,
+/// the conditions of all surfaces with their files, and check_held(); and in its steps: flows
+/// through a fluid that no surface lets out, which do not balance. Throws Error on all ranks alike.
+/// Collective.
+void check_fields(const Teuchos::ParameterList& list, const Domain& domain);
+
+/// Throws Error where the case seeks equilibria of a wall that may move as a rigid body: in
+/// statics, and for a prestress. Collective.
+void check_held(const Teuchos::ParameterList& list, const Domain& domain);
+
+}  // namespace tunica::run

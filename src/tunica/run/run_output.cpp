@@ -1,0 +1,78 @@
+#include "tunica/run/run_output.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <filesystem>
+
+#include "tunica/base/agreement.hpp"
+#include "tunica/io/atomic_file.hpp"
+#include "tunica/params/read_xml.hpp"
+#include "tunica/run/results_folder.hpp"
+
+namespace tunica::run {
+
+namespace {
+
+/// What begins now, with the history of a run that goes on taken over. On rank 0.
+output::Leg next_leg(RunOutput& output, const std::string& case_file) {
+  const std::string& folder = output.folder.path();
+  const std::vector<output::Leg> history = history_of(folder);
+  if (!output.restart || history.empty()) {
+    remove_parameters(folder, history, case_file);
+    const std::string name = name_for_parameters(folder, case_file);
+    return {output.steps_done(), "", 1, name.empty() ? name_for_changed(folder, "case.xml") : name};
+  }
+  output.record.take_over(history);
+  output::Leg leg{output.steps_done()};
+  for (const params::Difference& change : output.restart->changes)
+    leg.changes.push_back({change.path, change.before, change.after});
+  leg.parameters = leg.changes.empty() ? output::leg_of_step(history, leg.after_step).parameters
+                                       : name_for_changed(folder, history.front().parameters);
+  return leg;
+}
+
+/// A key of the list "Output" that not every case has.
+int of_output(const Teuchos::ParameterList& list, const std::string& key) {
+  const Teuchos::ParameterList& output = list.sublist("Output");
+  return output.isParameter(key) ? output.get<int>(key) : 0;
+}
+
+bool has_asked_times_in(const Teuchos::ParameterList& output) {
+  return output.isParameter("fields at") &&
+         (!output.get<Teuchos::Array<double>>("fields at").empty() ||
+          output.get<double>("fields interval") > 0.0);
+}
+
+}  // namespace
+
+std::string folder_of(const Teuchos::ParameterList& list) {
+  return list.sublist("Output").get<std::string>("folder");
+}
+
+void enter(const std::string& folder, const setup::CommandLine& command, const Comm& comm,
+           io::FolderLock& lock) {
+  lock_results_folder(lock, folder, comm);
+  check_results_folder(folder, command, command.program, comm);
+}
+
+RunOutput::RunOutput(const setup::CommandLine& command, const Teuchos::ParameterList& list,
+                     const CommPtr& comm, io::FolderLock& lock, std::optional<Restart> from,
+                     const Stopwatch& started)
+    : folder(folder_of(list), comm),
+      record(folder.file("run.json"), command.program, TUNICA_VERSION, comm),
+      fields_every(of_output(list, "fields every")),
+      checkpoint_every(of_output(list, "checkpoint every")),
+      compression(of_output(list, "compression")),
+      has_asked_times(has_asked_times_in(list.sublist("Output"))), restart(std::move(from)),
+      parameters(params::to_xml(list)), since_start(started) {
+  enter(folder.path(), command, *comm, lock);  // again, for it may be new
+  record.set("case", "file", command.case_file);
+  on_root_or_fault(*comm, [&] {
+    const output::Leg leg = next_leg(*this, command.case_file);
+    record.begin_leg(leg);
+    const std::string path = folder.file(leg.parameters);
+    const bool is_kept = restart && std::filesystem::exists(path);
+    return is_kept ? Outcome::success() : io::replace_file(path, parameters);
+  });
+}
+
+}  // namespace tunica::run

@@ -1,0 +1,50 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "tunica/base/timer.hpp"
+#include "tunica/io/folder_lock.hpp"
+#include "tunica/output/run_folder.hpp"
+#include "tunica/output/run_record.hpp"
+#include "tunica/run/restart.hpp"
+#include "tunica/setup/command_line.hpp"
+
+namespace tunica::run {
+
+/// What every run writes beside its tables. Made when the case and the mesh are known to be
+/// good, so that a bad input leaves nothing behind.
+struct RunOutput {
+  /// lock: of the folder, taken if it was there before. Throws Error where another run has begun in
+  /// it meanwhile.
+  RunOutput(const setup::CommandLine& command, const Teuchos::ParameterList& list,
+            const CommPtr& comm, io::FolderLock& lock, std::optional<Restart> from = {},
+            const Stopwatch& since_start = {});
+
+  int steps_done() const { return restart ? restart->head.step : 0; }
+
+  output::RunFolder folder;
+  output::RunRecord record;
+  int fields_every, checkpoint_every;
+  int compression;                             ///< of the fields
+  bool has_asked_times;                        ///< the case wants fields at times
+  std::optional<Restart> restart;              ///< from where the run goes on
+  std::string parameters;                      ///< the resolved case, XML
+  std::string fingerprint{};                   ///< of the mesh
+  std::map<std::string, std::string> files{};  ///< see output::CheckpointHead
+  int unconverged_steps = 0;                   ///< that were accepted
+  int steps_of_traffic = 0;                    ///< behind the first of this program
+  Stopwatch since_start;                       ///< of the program
+  bool resumes_prestress = false;              ///< from where an earlier run has left its search
+  std::string stopped{};  ///< why the run ends before its end; empty if it does not
+};
+
+/// Keeps others out of the folder, and looks whether the run may write there. Collective.
+void enter(const std::string& folder, const setup::CommandLine& command, const Comm& comm,
+           io::FolderLock& lock);
+
+/// The folder of the results of a resolved case.
+std::string folder_of(const Teuchos::ParameterList& list);
+
+}  // namespace tunica::run

@@ -1,0 +1,206 @@
+#include "tunica/run/time_march.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <cmath>
+#include <sstream>
+
+#include "tunica/base/error.hpp"
+#include "tunica/io/progress.hpp"
+#include "tunica/output/traffic_report.hpp"
+#include "tunica/stepping/time_function.hpp"
+#include "tunica/stepping/wall_limit.hpp"
+
+namespace tunica::run {
+
+namespace {
+
+/// The times at which a resolved "Output" list asks for the fields, up to the end of the run [ms].
+std::vector<double> asked_for(const Teuchos::ParameterList& output, double end) {
+  std::vector<double> times = output.get<Teuchos::Array<double>>("fields at").toVector();
+  const double interval = output.get<double>("fields interval");
+  if (interval > 0.0)
+    for (int k = 1; k * interval < end; ++k) times.push_back(k * interval);
+  return times;
+}
+
+Parts with_their_parts(const Parts& parts) {
+  Parts all;
+  for (const auto& [name, part] : parts) {
+    all.emplace_back(name, part);
+    for (const auto& [inner, its_part] : part->inner_parts())
+      all.emplace_back(name + " " + inner, its_part);
+  }
+  return all;
+}
+
+}  // namespace
+
+stepping::StepControl step_control(const Teuchos::ParameterList& list) {
+  const Teuchos::ParameterList& time = list.sublist("Time");
+  const stepping::StepControlOptions options = stepping::step_control_options(time);
+  const bool hits_kinks = options.is_adaptive && time.get<bool>("hit kinks");
+  return {
+      options, hits_kinks ? stepping::kinks(list, options.end) : std::vector<double>(),
+      options.pseudo_time ? std::vector<double>() : asked_for(list.sublist("Output"), options.end)};
+}
+
+double wall_limit(const Teuchos::ParameterList& list) {
+  return stepping::seconds_of(list.sublist("Time").get<std::string>("wall limit"));
+}
+
+TimeMarch::TimeMarch(const Teuchos::ParameterList& list, const Parts& parts, RunOutput& output)
+    : output_(&output), parts_(with_their_parts(parts)), control_(step_control(list)),
+      made_(control_.clock()) {
+  if (control_.fixed_step() == 0.0) tolerance_ = problems::step_tolerance(list.sublist("Time"));
+}
+
+Outcome TimeMarch::outcome() const {
+  if (is_stopped_ || !control_.is_steady_sought() || control_.is_steady())
+    return Outcome::success();
+  std::ostringstream reason;
+  reason << "the flow is not steady after " << made_.step() << " steps: the last one, of "
+         << made_.step_size() << " ms, has changed it by " << eta_ << " times what is permitted";
+  return Outcome::failure(reason.str());
+}
+
+void TimeMarch::judge(problems::FluidProblem& fluid) {
+  if (tolerance_)
+    errors_.emplace_back("fluid steps", std::make_unique<problems::StepError>(fluid, *tolerance_));
+}
+
+void TimeMarch::judge(problems::SolidProblem& wall) {
+  if (tolerance_)
+    errors_.emplace_back("wall steps", std::make_unique<problems::StepError>(wall, *tolerance_));
+}
+
+Parts TimeMarch::parts() const {
+  Parts all(parts_);
+  for (const auto& [name, error] : errors_) all.emplace_back(name, error.get());
+  return all;
+}
+
+TimeMarch::Numbers TimeMarch::save() const {
+  Numbers numbers = control_.save();
+  numbers["counts"] = {double(counts_.failed), double(counts_.inaccurate),
+                       double(counts_.unconverged), double(counts_.over_tolerance)};
+  return numbers;
+}
+
+void TimeMarch::restore(const Numbers& numbers) {
+  control_.restore(numbers);
+  made_ = control_.clock();
+  const std::vector<double>& counts = numbers.at("counts");
+  counts_ = {int(counts.at(0)), int(counts.at(1)), int(counts.at(2)), int(counts.at(3))};
+}
+
+std::vector<fields::State> TimeMarch::save_parts() const {
+  std::vector<fields::State> states;
+  const int every = output_->checkpoint_every;
+  const bool may_be_written = every > 0 && !made_.is_every(every);  // otherwise it is, or unwanted
+  if (control_.may_repeat() || may_be_written)
+    for (const auto& [name, part] : parts()) states.push_back(part->save());
+  return states;
+}
+
+int TimeMarch::last_ended() const {
+  return is_in_step_ ? static_cast<int>(numbers_before_.at("steps").at(0))
+                     : control_.clock().step() - 1;
+}
+
+double TimeMarch::time_of_last() const {
+  return (is_in_step_ ? numbers_before_ : save()).at("start").at(0);
+}
+
+TimeMarch::Place TimeMarch::undo() {
+  if (is_in_step_) restore_parts();
+  return {last_ended(), time_of_last(), is_in_step_ ? numbers_before_ : save()};
+}
+
+void TimeMarch::restore_parts() const {
+  auto state = before_.begin();
+  for (const auto& [name, part] : parts()) part->restore(*state++);
+}
+
+void TimeMarch::tell_repeat(const RunLog& log, const std::string& reason) const {
+  std::ostringstream text;
+  text << "step " << control_.clock().step() << " is repeated with " << control_.clock().step_size()
+       << " ms: " << reason;
+  log.note(text.str());
+}
+
+bool TimeMarch::is_too_inaccurate(StepSummary& step, const RunLog& log) {
+  problems::StepError::Estimate worst;
+  for (const auto& [name, error] : errors_) {
+    const problems::StepError::Estimate one = error->estimate(control_.clock());
+    if (!(one.eta <= worst.eta)) worst = one;
+  }
+  step.error = worst.ratio;
+  eta_ = worst.eta;
+  if (eta_ <= 1.0 || control_.is_steady_sought()) return false;
+  std::ostringstream reason;
+  reason << "time " << control_.clock().time() << " ms: the error estimate is " << worst.ratio
+         << " times what is permitted";
+  if (control_.shorten(eta_)) {
+    tell_repeat(log, reason.str());
+    return true;
+  }
+  log.warn(reason.str() + ", with the smallest step");
+  ++counts_.over_tolerance;
+  return false;
+}
+
+bool TimeMarch::is_to_repeat(StepSummary& step, const RunLog& log) {
+  eta_ = tolerance_ ? 1.0 : 0.0;  // nobody knows: no longer steps
+  if (tolerance_) step.error = std::nan("");
+  if (step.is_converged) {
+    const bool repeats = !errors_.empty() && is_too_inaccurate(step, log);
+    counts_.inaccurate += repeats;
+    return repeats;
+  }
+  if (!control_.cut()) return false;
+  tell_repeat(log, step.reason);
+  ++counts_.failed;
+  return true;
+}
+
+void TimeMarch::accept(const StepSummary& step) {
+  for (const auto& [name, error] : errors_) error->accept();
+  if (!step.is_converged) ++counts_.unconverged;
+  control_.advance(eta_);
+}
+
+StepSummary TimeMarch::make_step(const Solve& solve, RunLog& log) {
+  const bool is_first = !has_made_step_;
+  if (is_first) output_->record.note_memory("solvers");
+  before_ = save_parts();
+  numbers_before_ = save();
+  is_in_step_ = true;
+  StepSummary step;
+  for (int attempt = 1;; ++attempt) {
+    made_ = control_.clock();
+    const io::ProgressScope scope("step " + std::to_string(made_.step()));
+    step = solve(made_, attempt);
+    step.rejected = attempt - 1;
+    if (!is_to_repeat(step, log)) break;
+    restore_parts();
+  }
+  if (step.is_accepted) accept(step);
+  if (control_.is_done()) made_.end_here();  // as one may know only now
+  const auto note = [&](const char* what, int count) { output_->record.set("steps", what, count); };
+  note("accepted", control_.clock().step() - 1);
+  note("accepted unconverged", counts_.unconverged);
+  note("accepted over the error tolerance", counts_.over_tolerance);
+  note("failed and repeated", counts_.failed);
+  note("inaccurate and repeated", counts_.inaccurate);
+  output_->unconverged_steps = counts_.unconverged;
+  if (is_first) {
+    output_->record.note_memory("first step");
+    output::restart_traffic();
+  } else {
+    ++output_->steps_of_traffic;
+  }
+  has_made_step_ = true;
+  return step;
+}
+
+}  // namespace tunica::run

@@ -1,0 +1,65 @@
+#include "tunica/setup/case.hpp"
+
+#include <Teuchos_XMLParameterListHelpers.hpp>
+#include <filesystem>
+
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
+#include "tunica/io/messages.hpp"
+#include "tunica/params/read_xml.hpp"
+#include "tunica/setup/one_field.hpp"
+#include "tunica/stepping/time_function.hpp"
+
+namespace tunica::setup {
+
+namespace {
+
+Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Table& table) {
+  Teuchos::ParameterList list = params::read_xml(command.case_file);
+  const std::string remark = leave_one_field(list, command.program);
+  if (!remark.empty()) io::print_line("note: " + remark);
+  for (const std::string& assignment : command.set) params::set_from_text(list, table, assignment);
+  const std::filesystem::path folder =
+      std::filesystem::absolute(command.case_file).lexically_normal().parent_path();
+  try {
+    table.resolve(list, "", folder.string());
+    stepping::inline_files(list);
+  } catch (const Error& error) {
+    throw Error(command.case_file + ": " + error.what());
+  }
+  TUNICA_CHECK(!command.steps || list.isSublist("Time"), "--steps: this case has no time steps.");
+  TUNICA_CHECK(
+      command.export_folder.empty() || list.sublist("Solvers").isParameter("export folder"),
+      "--export: this case has no systems to export.");
+  if (command.steps) list.sublist("Time").set("steps", *command.steps);
+  if (!command.output.empty()) list.sublist("Output").set("folder", command.output);
+  if (!command.export_folder.empty())
+    list.sublist("Solvers").set("export folder", command.export_folder);
+  return list;
+}
+
+}  // namespace
+
+Teuchos::ParameterList read_case(const CommandLine& command, const params::Table& table,
+                                 const Comm& comm) {
+  Teuchos::ParameterList list;
+  std::string text;
+  on_root(comm, [&] {
+    list = read_on_root(command, table);
+    text = params::to_xml(list);
+  });
+  broadcast(comm, text);
+  if (comm.getRank() != 0) list = *Teuchos::getParametersFromXmlString(text);
+  return list;
+}
+
+bool has_list(const std::string& file, const std::string& name, const Comm& comm) {
+  std::string found;
+  on_root(comm, [&] {
+    if (params::read_xml(file).isSublist(name)) found = name;
+  });
+  broadcast(comm, found);
+  return !found.empty();
+}
+
+}  // namespace tunica::setup

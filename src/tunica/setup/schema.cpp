@@ -1,0 +1,159 @@
+#include "tunica/setup/schema.hpp"
+
+#include <Teuchos_Array.hpp>
+
+#include "tunica/base/error.hpp"
+#include "tunica/base/formatted.hpp"
+#include "tunica/base/told_apart.hpp"
+#include "tunica/compare/solver_table.hpp"
+#include "tunica/compare/system_capture.hpp"
+#include "tunica/compare/system_export.hpp"
+#include "tunica/coupling/registry.hpp"
+#include "tunica/mesh/distributed/partition_slab.hpp"
+#include "tunica/observe/field_arrays.hpp"
+#include "tunica/observe/probes.hpp"
+#include "tunica/observe/surface_report.hpp"
+#include "tunica/observe/wall_shear.hpp"
+#include "tunica/problems/fluid_problem.hpp"
+#include "tunica/problems/mesh_motion.hpp"
+#include "tunica/problems/solid_problem.hpp"
+#include "tunica/stepping/step_control.hpp"
+#include "tunica/systems/read_system.hpp"
+
+namespace tunica::setup {
+
+namespace {
+
+params::Table mesh_table() {
+  params::Table table("The mesh of fluid and wall.");
+  table
+      .file("file", std::nullopt,
+            "Gmsh 2.2 or 4.1, Netgen .vol, or our HDF5; lengths in mm, or see scale")
+      .number("scale", 1.0, params::positive(), "",
+              "the vertices are multiplied by it; 1000 for a mesh in m, 10 for one in cm")
+      .choice("partitioner", "automatic", mesh::partitioner_names(),
+              "who cuts the mesh for several ranks: metis, for which one rank has all of it; "
+              "geometric, by planes and without; automatic, the first up to 100,000 tetrahedra");
+  return table;
+}
+
+params::Table output_table(bool has_fluid, bool has_wall) {
+  params::Table table("What a run leaves behind.");
+  table.text("folder", "results", "folder of the results; --output overrides it")
+      .integer("fields every", 1, params::non_negative(),
+               "write the fields after every so many steps; 0 never")
+      .numbers("fields at", std::vector<double>{}, params::positive(), 0, "ms",
+               "times at which the fields are written, too; a step ends there")
+      .number("fields interval", 0.0, params::non_negative(), "ms",
+              "the same at every multiple of this time; 0 never")
+      .integer("compression", 0, params::between(0, 9),
+               "of the fields in fields.h5, without loss: 1 fast to 9 small; 0 none")
+      .integer("checkpoint every", 1, params::non_negative(),
+               "write a checkpoint for --restart after every so many steps; 0 never")
+      .number("progress every", 5.0, params::non_negative(), "s",
+              "on the screen, a line about so often from within a long step: its Newton step, "
+              "iteration and residual; 0: each iteration");
+  observe::add_surface_keys(table);
+  if (has_wall) observe::add_wall_array_keys(table);
+  if (has_fluid) observe::add_wall_shear_keys(table);
+  return table;
+}
+
+/// The wanted step and iteration must come to pass.
+void check_wish(const Teuchos::ParameterList& list, const std::string&) {
+  const auto check = [&](const char* key, const std::string& where, const char* limit) {
+    const int wanted = list.sublist("Solvers").get<int>(key);
+    const int most = list.sublist(where).get<int>(limit);
+    TUNICA_CHECK(wanted <= most || most == 0,
+                 std::string("Solvers: \"") + key + "\" is " + std::to_string(wanted) + ", but " +
+                     where + " / " + limit + " is " + std::to_string(most) + ".");
+  };
+  check("step", "Time", "steps");
+  if (!coupling::is_monolithic(list.sublist("Coupling")))
+    check("coupling iteration", "Coupling", "max iterations");
+}
+
+/// Walls are not sought in pseudo-time, which has no instants at which fields could be wanted.
+void check_steady(const Teuchos::ParameterList& list, const std::string&) {
+  if (list.sublist("Time").get<std::string>("step control") != "steady") return;
+  TUNICA_CHECK(
+      !list.isSublist("Wall"),
+      "Time: \"step control\" = \"steady\" is for a fluid alone, in tunica-fluid. A wall with "
+      "\"analysis\" = \"static\" is in equilibrium in each step.");
+  const Teuchos::ParameterList& output = list.sublist("Output");
+  TUNICA_CHECK(output.get<Teuchos::Array<double>>("fields at").empty() &&
+                   output.get<double>("fields interval") == 0.0,
+               "Output: \"fields at\" and \"fields interval\" mean nothing on the way to a steady "
+               "flow; the last step is always written.");
+}
+
+/// Times at which fields are wanted are kept in memory.
+void check_interval(const Teuchos::ParameterList& list, const std::string&) {
+  constexpr double most = 1e6;
+  const double interval = list.sublist("Output").get<double>("fields interval");
+  const double end = stepping::step_control_options(list.sublist("Time")).end;
+  const auto [found, least] = told_apart(interval, end / most);
+  TUNICA_CHECK(interval == 0.0 || interval * most >= end,
+               "Output: \"fields interval\" is " + found + formatted(" ms in a run of %g", end) +
+                   " ms, expected at least " + least + " ms.");
+}
+
+/// Keys that every case has.
+params::Table common_table(const std::string& sentence, bool has_fluid, bool has_wall) {
+  params::Table table(sentence);
+  table.sublist("Mesh", mesh_table())
+      .sublist("Time", stepping::time_table())
+      .sublist("Output", output_table(has_fluid, has_wall))
+      .entries("Probes", observe::probe_table(has_fluid, has_wall),
+               "points whose values become columns of steps.csv")
+      .check(check_steady)
+      .check(check_interval);
+  return table;
+}
+
+}  // namespace
+
+params::Table fsi_table() {
+  params::Table table = common_table("A fluid-structure interaction problem.", true, true);
+  table.sublist("Fluid", problems::fluid_table())
+      .sublist("Wall", problems::solid_table())
+      .sublist("Mesh Motion", problems::mesh_motion_table())
+      .sublist("Coupling", coupling::coupling_table());
+  return table;
+}
+
+params::Table solid_table() {
+  params::Table table = common_table("A wall alone.", false, true);
+  table.sublist("Wall", problems::solid_table());
+  return table;
+}
+
+params::Table fluid_table() {
+  params::Table table = common_table("A fluid alone, in a rigid domain.", true, false);
+  table.sublist("Fluid", problems::fluid_table());
+  return table;
+}
+
+params::Table solvers_table() {
+  params::Table solvers("What tunica-solvers compares, and on which linear systems.");
+  compare::add_capture_keys(solvers);
+  compare::add_setting_keys(solvers);
+  compare::add_export_keys(solvers);
+  params::Table table = fsi_table();
+  table.sublist("Solvers", solvers).check(check_wish);
+  return table;
+}
+
+params::Table system_solvers_table() {
+  params::Table solvers("What tunica-solvers compares.");
+  compare::add_system_setting_keys(solvers);
+  params::Table output("What a run leaves behind.");
+  output.text("folder", "results", "folder of the results; --output overrides it");
+  params::Table table("A linear system of another program.");
+  table.sublist("System", systems::system_table())
+      .sublist("Solvers", solvers)
+      .sublist("Output", output);
+  return table;
+}
+
+}  // namespace tunica::setup
