@@ -148,7 +148,7 @@ Result<Prestress> PrestressSearch::run() {
       if (watch_->goes_on(point_, found_)) continue;
       return Result<Prestress>::failure(stopped);
     }
-    const bool is_cut = verdict.cause == Cause::nonlinear && point_.step > first / 64.0;
+    const bool is_cut = verdict.cause == Cause::nonlinear && point_.step > first / 16.0;
     if (!is_cut) return Result<Prestress>::failure(failure(load, verdict));
     go_back_to(before);
     method_->undo_load();
