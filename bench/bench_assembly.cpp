@@ -34,12 +34,12 @@ struct Fields {
           Teuchos::ParameterList("Linear Solver").set("preconditioner", "none");
     setup::fsi_table().resolve(list, "", "/");
     domain = run::load_domain(list, Tpetra::getDefaultComm());
-    fluid = std::make_unique<problems::FluidProblem>(list.sublist("Fluid"), *domain.fluid);
-    wall = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), *domain.wall);
+    fluid = std::make_unique<problems::FluidProblem>(list.sublist("Fluid"), domain.mesh("fluid"));
+    wall = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), domain.mesh("wall"));
     const stepping::Clock clock(list.sublist("Time"));
     fluid->begin_step(clock);
     wall->begin_step(clock);
-    const std::vector<Vec3> at_rest(domain.fluid->n_nodes());
+    const std::vector<Vec3> at_rest(domain.mesh("fluid").n_nodes());
     if (fluid->set_domain(at_rest, at_rest).is_failure()) throw std::logic_error("inverted");
     fluid->prepare();
   }

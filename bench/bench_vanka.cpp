@@ -71,7 +71,7 @@ struct Wall {
           Teuchos::ParameterList("Linear Solver").set("preconditioner", "none");
     setup::fsi_table().resolve(list, "", "/");
     domain = run::load_domain(list, Tpetra::getDefaultComm());
-    problem = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), *domain.wall);
+    problem = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), domain.mesh("wall"));
     problem->begin_step(stepping::Clock(list.sublist("Time")));
     problem->jacobian(problem->state());
     merged = std::make_unique<algebra::MergedMatrix>(problem->last_jacobian());

@@ -69,7 +69,7 @@ Outcome march(const Teuchos::ParameterList& resolved, const run::Domain& domain,
   coupling::Scheme& scheme = *fields.scheme;
 
   // 2. Every wanted system is written and goes through all settings before it is solved.
-  const CommPtr comm = domain.fluid->comm;
+  const CommPtr comm = domain.comm;
   const Teuchos::ParameterList& solvers = list.sublist("Solvers");
   const compare::SystemExport files(solvers.get<std::string>("export folder"), output.record, comm);
   compare::SolverTable table(list, output.folder, output.record, comm->getRank() == 0);

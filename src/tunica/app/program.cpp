@@ -42,8 +42,7 @@ void describe(std::ostream& out, const std::string& name, const fields::FieldMes
 
 void describe_domain(const run::Domain& domain, const Comm& comm) {
   std::ostringstream text;
-  if (domain.fluid) describe(text, "fluid", *domain.fluid);
-  if (domain.wall) describe(text, "wall", *domain.wall);
+  for (const auto& [name, mesh] : domain.meshes) describe(text, name, mesh);
   if (domain.interface) text << "interface: " << domain.interface->n_total() << " vertices\n";
   text << "ranks: " << comm.getSize();
   const std::string doubt =
@@ -57,19 +56,17 @@ void record_sizes(const run::Domain& domain, output::RunRecord& record) {
     record.set("sizes", name + " vertices", global_nodes(mesh));
     record.set("sizes", name + " tetrahedra", global_tets(mesh));
   };
-  if (domain.fluid) put("fluid", *domain.fluid);
-  if (domain.wall) put("wall", *domain.wall);
+  for (const auto& [name, mesh] : domain.meshes) put(name, mesh);
   if (domain.interface) record.set("sizes", "interface vertices", domain.interface->n_total());
 }
 
 /// What the rank with most of each has: what it computes, and what it gets from others.
 void record_shares(const run::Domain& domain, const Comm& comm, output::RunRecord& record) {
   int owned = 0, ghosts = 0, tets = 0;
-  for (const auto* mesh : {&domain.fluid, &domain.wall}) {
-    if (!*mesh) continue;
-    owned += (*mesh)->n_owned;
-    ghosts += (*mesh)->n_nodes() - (*mesh)->n_owned;
-    tets += static_cast<int>((*mesh)->tets.size());
+  for (const auto& [name, mesh] : domain.meshes) {
+    owned += mesh.n_owned;
+    ghosts += mesh.n_nodes() - mesh.n_owned;
+    tets += static_cast<int>(mesh.tets.size());
   }
   const auto put = [&](const char* what, int mine) {
     record.set("largest share", what, static_cast<long long>(global_max(comm, mine)));
@@ -176,10 +173,8 @@ int solve(const Program& program, const setup::CommandLine& command, const March
   if (is_root) judge::print_brief(judge::sanity_of(list, domain.vessel));
   if (is_root) io::show_progress(list.sublist("Output").get<double>("progress every"));
   linear::check_direct_solver(comm);
-  run::RunOutput output(command, list, comm, lock, restart, set_up);
-  output.fingerprint = domain.fingerprint;
+  run::RunOutput output(command, list, domain, lock, restart, set_up);
   output.resumes_prestress = begun.has_value();
-  on_root(*comm, [&] { output.files = run::hashes_of_files(list); });
   record_sizes(domain, output.record);
   record_shares(domain, *comm, output.record);
   for (const auto& [phase, peaks] : domain.memory.phases())

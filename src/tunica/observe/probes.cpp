@@ -1,20 +1,18 @@
 #include "tunica/observe/probes.hpp"
 
 #include <Teuchos_Array.hpp>
-#include <cmath>
+#include <algorithm>
 #include <sstream>
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/observe/field_kinds.hpp"
+#include "tunica/observe/fluid_field.hpp"
+#include "tunica/observe/wall_field.hpp"
 
 namespace tunica::observe {
 
 namespace {
-
-constexpr const char* fluid_pressure = "fluid pressure";
-constexpr const char* fluid_velocity = "fluid velocity";
-constexpr const char* wall_displacement = "wall displacement";
-constexpr const char* radial_displacement = "radial displacement";
 
 /// A probe may lie outside the mesh by no more than this part of the nearest element's edge. It is
 /// then moved to the surface.
@@ -35,88 +33,89 @@ void check_place(const fields::Place& place, const Vec3& position, const std::st
   TUNICA_CHECK(place.distance <= tolerance * place.element_length, text.str());
 }
 
-double distance_from_axis(const Vec3& x) { return std::hypot(x[0], x[1]); }
-
-bool is_velocity(const std::string& quantity) { return quantity.rfind(fluid_velocity, 0) == 0; }
-bool is_of_fluid(const std::string& quantity) {
-  return quantity == fluid_pressure || is_velocity(quantity);
+const Quantity* find(const std::vector<Quantity>& all, const std::string& name) {
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Quantity& quantity) { return quantity.name == name; });
+  return found == all.end() ? nullptr : &*found;
 }
 
-std::string unit_of(const std::string& quantity) {
-  return quantity == fluid_pressure ? "_kPa" : is_velocity(quantity) ? "_mm_per_ms" : "_mm";
-}
+/// Whose quantity it is, and on which mesh that field lives.
+struct Target {
+  std::string field, region;
+  Quantity quantity;
+};
 
-/// Of a quantity that ends in the name of a component.
-double component(const std::string& quantity, const Vec3& v) { return v[quantity.back() - 'x']; }
-
-double wall_value(const std::string& quantity, const Vec3& x, const Vec3& d) {
-  if (quantity == wall_displacement) return norm(d);
-  if (quantity == radial_displacement) return distance_from_axis(x + d) - distance_from_axis(x);
-  return component(quantity, d);
+Target target_of(const Teuchos::ParameterList& the_case, const std::string& probe) {
+  const Teuchos::ParameterList& entry = the_case.sublist("Probes").sublist(probe);
+  const auto& name = entry.get<std::string>("quantity");
+  const std::vector<Quantity> of_fluid = fluid_quantities(), of_wall = wall_quantities();
+  if (const Quantity* known = find(of_fluid, name)) return {"fluid", "fluid", *known};
+  if (const Quantity* known = find(of_wall, name)) return {"wall", "wall", *known};
+  const auto& field = entry.get<std::string>("field");
+  const std::string where = "Probes / " + probe + ": ";
+  TUNICA_CHECK(the_case.isSublist("Fields") && the_case.sublist("Fields").isSublist(field),
+               where + "\"quantity\" is \"" + name + "\", of a field in the list Fields, but \"" +
+                   field + "\" is none of them. Give its name as \"field\".");
+  const FieldKind& kind = kind_of(the_case.sublist("Fields").sublist(field));
+  const Quantity* known = find(kind.quantities, name);
+  TUNICA_CHECK(known != nullptr,
+               where + "a field of the kind \"" + kind.name + "\" has no \"" + name + "\".");
+  return {field, kind.region, *known};
 }
 
 }  // namespace
 
 params::Table probe_table(bool has_fluid, bool has_wall) {
-  std::vector<std::string> quantities;
-  const auto add_components = [&](const std::string& of) {
-    for (const char* i : {" x", " y", " z"}) quantities.push_back(of + i);
+  std::vector<std::string> names;
+  const auto add = [&names](const std::vector<Quantity>& quantities) {
+    for (const Quantity& quantity : quantities) names.push_back(quantity.name);
   };
-  if (has_fluid) quantities.push_back(fluid_pressure);
-  if (has_wall) quantities.insert(quantities.end(), {wall_displacement, radial_displacement});
-  if (has_fluid) add_components(fluid_velocity);
-  if (has_wall) add_components(wall_displacement);
+  if (has_fluid) add(fluid_quantities());
+  if (has_wall) add(wall_quantities());
+  const std::size_t n_own = names.size();
+  for (const FieldKind& kind : field_kinds())
+    if (kind.region == "fluid" ? has_fluid : has_wall) add(kind.quantities);
   params::Table table("A point whose value becomes a column of steps.csv.");
   table
       .choice(
-          "quantity", std::nullopt, quantities,
+          "quantity", std::nullopt, names,
           "fluid pressure [kPa], length of the wall's displacement, change of the distance from "
           "the z axis [mm], or a component of the fluid's velocity [mm/ms] or of the wall's "
           "displacement [mm]")
       .numbers("position", std::nullopt, params::any(), 3, "mm",
                "in the undeformed field, where the value is interpolated");
+  if (names.size() > n_own)
+    table.text("field", "", "name in the list Fields, of a quantity that fluid and wall have not");
   return table;
 }
 
-Probes::Probes(const Teuchos::ParameterList& list, const fields::FieldMesh* fluid,
-               const fields::FieldMesh* wall) {
+Probes::Probes(const Teuchos::ParameterList& the_case,
+               const std::map<std::string, fields::FieldMesh>& meshes) {
+  const Teuchos::ParameterList& list = the_case.sublist("Probes");
   for (auto it = list.begin(); it != list.end(); ++it) {
     const std::string& name = list.name(it);
-    const Teuchos::ParameterList& entry = list.sublist(name);
-    const auto& x = entry.get<Teuchos::Array<double>>("position");
+    const auto& x = list.sublist(name).get<Teuchos::Array<double>>("position");
     const Vec3 position{x[0], x[1], x[2]};
-    const auto& quantity = entry.get<std::string>("quantity");
-    const bool is_fluid = is_of_fluid(quantity);
-    const fields::FieldMesh* mesh = is_fluid ? fluid : wall;
-    TUNICA_ASSERT(mesh != nullptr, "probe_table() permits only quantities of the case's fields");
-    probes_.push_back({name, quantity, fields::locate(*mesh, position)});
-    check_place(probes_.back().place, position, name, is_fluid ? "fluid" : "wall");
+    const Target target = target_of(the_case, name);
+    const fields::Place place = fields::locate(meshes.at(target.region), position);
+    check_place(place, position, name, target.region);
+    probes_.push_back({name, target.field, target.quantity, place});
   }
 }
 
-discretisation::Observables Probes::observe(const problems::FluidProblem* fluid,
-                                            const problems::SolidProblem* wall) const {
+discretisation::Observables Probes::observe(
+    const std::vector<std::unique_ptr<Field>>& fields) const {
   if (probes_.empty()) return {};
-  std::vector<double> p;
-  std::vector<Vec3> u, d;
-  if (fluid != nullptr) u = fields::ghosted_vectors(fluid->mesh(), fluid->state()["velocity"]);
-  if (fluid != nullptr) p = fields::ghosted_scalars(fluid->mesh(), fluid->state()["pressure"]);
-  if (wall != nullptr) d = fields::ghosted_vectors(wall->mesh(), wall->state()["displacement"]);
-  const Comm& comm = fluid != nullptr ? *fluid->mesh().comm : *wall->mesh().comm;
+  std::map<std::string, Sampler> samplers;
+  for (const auto& field : fields) samplers[field->name()] = field->sampler();
   discretisation::Observables found;
   for (const Probe& probe : probes_) {
-    std::string column = probe.quantity + "_" + probe.name + unit_of(probe.quantity);
+    std::string column = probe.quantity.name + "_" + probe.name + "_" + probe.quantity.unit;
     for (char& c : column)
       if (c == ' ') c = '_';
-    const fields::Place& at = probe.place;
-    double value = 0.0;
-    if (at.is_here && probe.quantity == fluid_pressure)
-      value = at.value(p);
-    else if (at.is_here && is_velocity(probe.quantity))
-      value = component(probe.quantity, at.value(u));
-    else if (at.is_here)
-      value = wall_value(probe.quantity, at.value(wall->mesh().x), at.value(d));
-    found.push_back({column, global_sum(comm, value)});
+    const double value =
+        probe.place.is_here ? samplers.at(probe.field)(probe.quantity.name, probe.place) : 0.0;
+    found.push_back({column, global_sum(*fields.front()->mesh().comm, value)});
   }
   return found;
 }

@@ -1,7 +1,8 @@
 #pragma once
-#include "tunica/fields/locate.hpp"
-#include "tunica/problems/fluid_problem.hpp"
-#include "tunica/problems/solid_problem.hpp"
+#include <map>
+
+#include "tunica/observe/field.hpp"
+#include "tunica/params/table.hpp"
 
 namespace tunica::observe {
 
@@ -12,19 +13,19 @@ params::Table probe_table(bool has_fluid, bool has_wall);
 class Probes {
 public:
   Probes() = default;
-  /// list: the resolved "Probes" list; a field that the case lacks is null. Throws Error on all
-  /// ranks alike where a point lies outside its field. Collective.
-  Probes(const Teuchos::ParameterList& list, const fields::FieldMesh* fluid,
-         const fields::FieldMesh* wall);
+  /// the_case: resolved; meshes: of fluid and wall, by these names, as far as the case has
+  /// them. Throws Error on all ranks alike where a point lies outside its field. Collective.
+  Probes(const Teuchos::ParameterList& the_case,
+         const std::map<std::string, fields::FieldMesh>& meshes);
 
   /// One value per probe. Collective.
-  discretisation::Observables observe(const problems::FluidProblem* fluid,
-                                      const problems::SolidProblem* wall) const;
+  discretisation::Observables observe(const std::vector<std::unique_ptr<Field>>& fields) const;
 
 private:
   struct Probe {
     std::string name;
-    std::string quantity;
+    std::string field;
+    Quantity quantity;
     fields::Place place;
   };
   std::vector<Probe> probes_;

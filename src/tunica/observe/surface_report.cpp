@@ -52,18 +52,19 @@ std::vector<std::string> named_surfaces(const Teuchos::ParameterList& output) {
   return holds(names, every) || holds(names, none) ? std::vector<std::string>{} : names;
 }
 
-SurfaceReport::SurfaceReport(const Teuchos::ParameterList& output, const fields::FieldMesh* fluid,
-                             const fields::FieldMesh* wall) {
-  if (fluid != nullptr) fluid_ = chosen(names_of(output), *fluid);
-  if (wall != nullptr) wall_ = chosen(names_of(output), *wall);
+SurfaceReport::SurfaceReport(const Teuchos::ParameterList& output,
+                             const std::vector<std::unique_ptr<Field>>& fields) {
+  for (const auto& field : fields)
+    fields_.emplace_back(field.get(), chosen(names_of(output), field->mesh()));
 }
 
-discretisation::Observables SurfaceReport::observe(problems::FluidProblem* fluid,
-                                                   problems::SolidProblem* wall) const {
+discretisation::Observables SurfaceReport::observe() const {
   discretisation::Observables found;
-  if (!wall_.empty()) found = wall->observe_surfaces(wall_);
-  if (fluid_.empty()) return found;
-  for (const discretisation::Observable& o : fluid->observe_surfaces(fluid_)) found.push_back(o);
+  for (const auto& [field, surfaces] : fields_) {
+    if (surfaces.empty()) continue;
+    for (const discretisation::Observable& o : field->observe_surfaces(surfaces))
+      found.push_back(o);
+  }
   return found;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "tunica/problems/fluid_problem.hpp"
-#include "tunica/problems/solid_problem.hpp"
+#include "tunica/observe/field.hpp"
+#include "tunica/params/table.hpp"
 
 namespace tunica::observe {
 
@@ -12,16 +12,16 @@ std::vector<std::string> named_surfaces(const Teuchos::ParameterList& output);
 /// The columns of steps.csv for the surfaces of a case, in the order of the mesh.
 class SurfaceReport {
 public:
-  /// output: the resolved "Output" list; a field that the case lacks is null. Collective.
-  SurfaceReport(const Teuchos::ParameterList& output, const fields::FieldMesh* fluid,
-                const fields::FieldMesh* wall);
+  /// output: the resolved "Output" list. The fields must outlive the object. Collective.
+  SurfaceReport(const Teuchos::ParameterList& output,
+                const std::vector<std::unique_ptr<Field>>& fields);
 
   /// At the end of a step. Collective.
-  discretisation::Observables observe(problems::FluidProblem* fluid,
-                                      problems::SolidProblem* wall) const;
+  discretisation::Observables observe() const;
 
 private:
-  std::vector<int> fluid_, wall_;  ///< indices into FieldMesh::surfaces
+  /// A field and the surfaces of it that are reported: indices into FieldMesh::surfaces.
+  std::vector<std::pair<Field*, std::vector<int>>> fields_;
 };
 
 }  // namespace tunica::observe

@@ -168,17 +168,14 @@ std::string with_file(const std::string& message, const std::string& file) {
 
 void make_fields(const Teuchos::ParameterList& list, const mesh::Share& share,
                  const Regions& regions, Domain& domain) {
-  if (!regions.fluid.empty()) domain.fluid = fields::make_field_mesh(share, regions.fluid);
-  if (!regions.wall.empty()) domain.wall = fields::make_field_mesh(share, regions.wall);
+  if (!regions.fluid.empty())
+    domain.meshes.emplace("fluid", fields::make_field_mesh(share, regions.fluid));
+  if (!regions.wall.empty())
+    domain.meshes.emplace("wall", fields::make_field_mesh(share, regions.wall));
   if (!list.isSublist("Coupling") || !coupling::is_monolithic(list.sublist("Coupling"))) return;
   std::vector<int> all(regions.fluid);
   all.insert(all.end(), regions.wall.begin(), regions.wall.end());
   domain.common = fields::make_field_mesh(share, all);
-}
-
-observe::Probes probes_of(const Teuchos::ParameterList& list, const Domain& domain) {
-  const auto pointer = [](const auto& mesh) { return mesh ? &*mesh : nullptr; };
-  return observe::Probes(list.sublist("Probes"), pointer(domain.fluid), pointer(domain.wall));
 }
 
 }  // namespace
@@ -188,6 +185,7 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
   const Teuchos::ParameterList& options = list.sublist("Mesh");
   const auto& file = options.get<std::string>("file");
   Domain domain;
+  domain.comm = comm;
   try {
     domain.memory.end("program", *comm);
     fault_point("mesh reading");
@@ -214,9 +212,10 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
     domain.memory.end("fields", *comm);
     for (const std::string& name : requirements.interface)
       domain.interface_surfaces.push_back(mesh::surface_index(share.mesh, name));
-    if (domain.fluid && domain.wall)
-      domain.interface.emplace(*domain.fluid, *domain.wall, domain.interface_surfaces);
-    domain.probes = probes_of(list, domain);
+    if (domain.has("fluid") && domain.has("wall"))
+      domain.interface.emplace(domain.mesh("fluid"), domain.mesh("wall"),
+                               domain.interface_surfaces);
+    domain.probes = observe::Probes(list, domain.meshes);
   } catch (const Error& error) {
     throw Error(with_file(error.what(), file));
   }
@@ -224,11 +223,10 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
 }
 
 void print_expectations(const Teuchos::ParameterList& list, const Domain& domain) {
-  const fields::FieldMesh& mesh = domain.fluid ? *domain.fluid : *domain.wall;
-  const bool is_root = mesh.comm->getRank() == 0;
+  const bool is_root = domain.comm->getRank() == 0;
   if (is_root) judge::print_table(judge::sanity_of(list, domain.vessel));
   if (!domain.common) return;
-  const std::string cost = text_of(judge::expected_cost(*domain.common), mesh.comm->getSize());
+  const std::string cost = text_of(judge::expected_cost(*domain.common), domain.comm->getSize());
   if (is_root) io::print_line(cost);
 }
 
@@ -251,11 +249,12 @@ void check_flows(discretisation::Fluid& fluid, const stepping::StepControlOption
 void check_fields(const Teuchos::ParameterList& list, const Domain& domain) {
   const bool is_monolithic =
       list.isSublist("Coupling") && coupling::is_monolithic(list.sublist("Coupling"));
-  if (domain.wall)
-    const discretisation::Solid wall(list.sublist("Wall"), *domain.wall,
-                                     problems::frames_of_wall(list.sublist("Wall"), *domain.wall));
-  if (domain.fluid) {
-    discretisation::Fluid fluid(list.sublist("Fluid"), *domain.fluid);
+  if (domain.has("wall"))
+    const discretisation::Solid wall(
+        list.sublist("Wall"), domain.mesh("wall"),
+        problems::frames_of_wall(list.sublist("Wall"), domain.mesh("wall")));
+  if (domain.has("fluid")) {
+    discretisation::Fluid fluid(list.sublist("Fluid"), domain.mesh("fluid"));
     // One whose wall moves with it within a step is not closed.
     if (!is_monolithic) check_flows(fluid, stepping::step_control_options(list.sublist("Time")));
   }
@@ -263,13 +262,13 @@ void check_fields(const Teuchos::ParameterList& list, const Domain& domain) {
 }
 
 void check_held(const Teuchos::ParameterList& list, const Domain& domain) {
-  if (!domain.wall) return;
+  if (!domain.has("wall")) return;
   const Teuchos::ParameterList& wall = list.sublist("Wall");
   const bool is_static = wall.get<std::string>("analysis") == "static";
   if (!is_static && !problems::wants_prestress(wall)) return;
   const auto conditions = boundary::conditions_of(wall.sublist("Surfaces"));
-  const boundary::SurfaceTerms terms(conditions, boundary::wall_conditions(), *domain.wall);
-  const std::string free = boundary::free_rigid_motions(terms, *domain.wall);
+  const boundary::SurfaceTerms terms(conditions, boundary::wall_conditions(), domain.mesh("wall"));
+  const std::string free = boundary::free_rigid_motions(terms, domain.mesh("wall"));
   TUNICA_CHECK(free.empty(), "Wall / Surfaces: nothing holds the wall against " + free + ", but " +
                                  (is_static ? "\"analysis\" = \"static\"" : "its prestress") +
                                  " is an equilibrium, of which there are then many. Give a surface "

@@ -1,5 +1,6 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -13,8 +14,9 @@ namespace tunica::run {
 
 /// The calling rank's shares of the fields that a case has.
 struct Domain {
-  std::optional<fields::FieldMesh> fluid, wall;
-  std::optional<fields::FieldMesh> common;  ///< of both, where the coupling needs it
+  CommPtr comm;
+  std::map<std::string, fields::FieldMesh> meshes;  ///< "fluid", "wall"
+  std::optional<fields::FieldMesh> common;          ///< of both, where the coupling needs it
   std::optional<fields::InterfaceTransfer> interface;
   std::string fingerprint;              ///< of the mesh
   Vec3 extent;                          ///< of the mesh, in mm
@@ -22,6 +24,11 @@ struct Domain {
   observe::Probes probes;
   judge::Vessel vessel;
   MemoryByPhase memory;  ///< up to the fields
+
+  bool has(const std::string& field) const { return meshes.count(field) > 0; }
+  const fields::FieldMesh& mesh(const std::string& field) const { return meshes.at(field); }
+  /// Of the fluid where there is one.
+  const fields::FieldMesh& first_mesh() const { return meshes.begin()->second; }
 };
 
 /// Reads and checks the mesh against the case (names of regions and surfaces, conforming

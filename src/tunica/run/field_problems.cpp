@@ -20,10 +20,10 @@ Teuchos::ParameterList fluid_list(const Teuchos::ParameterList& list) {
 
 FieldProblems::FieldProblems(const Teuchos::ParameterList& the_case, const Domain& of_case)
     : list(the_case), domain(&of_case) {
-  if (domain->fluid)
-    fluid = std::make_unique<problems::FluidProblem>(fluid_list(list), *domain->fluid);
-  if (domain->wall)
-    wall = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), *domain->wall);
+  if (domain->has("fluid"))
+    fluid = std::make_unique<problems::FluidProblem>(fluid_list(list), domain->mesh("fluid"));
+  if (domain->has("wall"))
+    wall = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), domain->mesh("wall"));
   // Wrong names in the lists of a solver are told before anything is solved.
   if (fluid && !wall) fluid->linear_solver();
   if (wall && !fluid) wall->linear_solver();
@@ -35,8 +35,8 @@ Outcome FieldProblems::start(RunOutput& output) {
     if (stressed.is_failure() || !output.stopped.empty()) return stressed;
   }
   if (!fluid || !wall) return Outcome::success();
-  motion = std::make_unique<problems::MeshMotion>(list.sublist("Mesh Motion"), *domain->fluid,
-                                                  domain->interface_surfaces,
+  motion = std::make_unique<problems::MeshMotion>(list.sublist("Mesh Motion"),
+                                                  domain->mesh("fluid"), domain->interface_surfaces,
                                                   fluid->staying_surfaces(), fluid->time_scheme());
   scheme = coupling::make_scheme(
       list.sublist("Coupling"),

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "tunica/observe/field_arrays.hpp"
+#include "tunica/observe/field.hpp"
 #include "tunica/output/field_writer.hpp"
 #include "tunica/run/run_output.hpp"
 #include "tunica/stepping/clock.hpp"

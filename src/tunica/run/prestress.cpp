@@ -154,8 +154,8 @@ std::string about_stop(int signal, double kept, bool has_checkpoints) {
 
 std::optional<output::CheckpointHead> begun_prestress(const Teuchos::ParameterList& list,
                                                       const Domain& domain) {
-  if (!domain.wall) return {};
-  const Comm& comm = *domain.wall->comm;
+  if (!domain.has("wall")) return {};
+  const Comm& comm = *domain.comm;
   const std::string folder = list.sublist("Output").get<std::string>("folder");
   const std::string path = folder + "/" + file_name;
   bool is_there = false;

@@ -46,7 +46,7 @@ std::string fields_text(bool has_fluid, bool has_wall) {
 
 void check_fit(const output::CheckpointFile& file, const std::string& path,
                const Teuchos::ParameterList& list, const Domain& domain) {
-  const bool has_fluid = domain.fluid.has_value(), has_wall = domain.wall.has_value();
+  const bool has_fluid = domain.has("fluid"), has_wall = domain.has("wall");
   TUNICA_CHECK(file.has("fluid") == has_fluid && file.has("wall") == has_wall,
                "--restart: " + path + " holds " + fields_text(file.has("fluid"), file.has("wall")) +
                    ", but this case has " + fields_text(has_fluid, has_wall) + ".");
@@ -84,7 +84,7 @@ void check_fit(const output::CheckpointFile& file, const std::string& path,
 }  // namespace
 
 Restart find_restart(const Teuchos::ParameterList& list, const Domain& domain) {
-  const CommPtr comm = domain.fluid ? domain.fluid->comm : domain.wall->comm;
+  const CommPtr& comm = domain.comm;
   Restart restart;
   on_root(*comm,
           [&] { restart.file = newest_whole(list.sublist("Output").get<std::string>("folder")); });

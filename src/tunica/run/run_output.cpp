@@ -6,6 +6,7 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/params/read_xml.hpp"
+#include "tunica/run/restart_changes.hpp"
 #include "tunica/run/results_folder.hpp"
 
 namespace tunica::run {
@@ -73,6 +74,14 @@ RunOutput::RunOutput(const setup::CommandLine& command, const Teuchos::Parameter
     const bool is_kept = restart && std::filesystem::exists(path);
     return is_kept ? Outcome::success() : io::replace_file(path, parameters);
   });
+}
+
+RunOutput::RunOutput(const setup::CommandLine& command, const Teuchos::ParameterList& list,
+                     const Domain& domain, io::FolderLock& lock, std::optional<Restart> from,
+                     const Stopwatch& started)
+    : RunOutput(command, list, domain.comm, lock, std::move(from), started) {
+  fingerprint = domain.fingerprint;
+  on_root(*domain.comm, [&] { files = hashes_of_files(list); });
 }
 
 }  // namespace tunica::run

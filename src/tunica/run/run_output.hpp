@@ -21,6 +21,10 @@ struct RunOutput {
   RunOutput(const setup::CommandLine& command, const Teuchos::ParameterList& list,
             const CommPtr& comm, io::FolderLock& lock, std::optional<Restart> from = {},
             const Stopwatch& since_start = {});
+  /// Of a case on its domain.
+  RunOutput(const setup::CommandLine& command, const Teuchos::ParameterList& list,
+            const Domain& domain, io::FolderLock& lock, std::optional<Restart> from = {},
+            const Stopwatch& since_start = {});
 
   int steps_done() const { return restart ? restart->head.step : 0; }
 

@@ -1,11 +1,14 @@
 #include "tunica/run/simulation.hpp"
 
+#include <iterator>
+#include <map>
 #include <optional>
 
 #include "tunica/base/error.hpp"
-#include "tunica/base/told_apart.hpp"
+#include "tunica/observe/field_kinds.hpp"
+#include "tunica/observe/fluid_field.hpp"
 #include "tunica/observe/surface_report.hpp"
-#include "tunica/observe/wall_shear.hpp"
+#include "tunica/observe/wall_field.hpp"
 #include "tunica/run/checkpoints.hpp"
 #include "tunica/run/field_problems.hpp"
 #include "tunica/run/field_series.hpp"
@@ -16,88 +19,105 @@ namespace tunica::run {
 
 namespace {
 
-const fields::FieldMesh* pointer(const std::optional<fields::FieldMesh>& mesh) {
-  return mesh ? &*mesh : nullptr;
+/// As they stand in tables and files: the wall before the fluid, then those of the list "Fields".
+std::vector<std::unique_ptr<observe::Field>> fields_of(const FieldProblems& problems) {
+  std::vector<std::unique_ptr<observe::Field>> all;
+  if (problems.wall)
+    all.push_back(
+        std::make_unique<observe::WallField>(*problems.wall, problems.list.sublist("Output")));
+  if (problems.fluid)
+    all.push_back(std::make_unique<observe::FluidField>(problems.list, *problems.fluid,
+                                                        problems.motion.get()));
+  if (!problems.list.isSublist("Fields")) return all;
+  const Teuchos::ParameterList& more = problems.list.sublist("Fields");
+  const observe::Surroundings others{problems.list, problems.fluid.get(), problems.wall.get(),
+                                     problems.motion.get()};
+  for (auto it = more.begin(); it != more.end(); ++it) {
+    const std::string& name = more.name(it);
+    const observe::FieldKind& kind = observe::kind_of(more.sublist(name));
+    all.push_back(kind.make(name, more.sublist(name), problems.domain->mesh(kind.region), others));
+  }
+  return all;
 }
 
 }  // namespace
 
 struct Simulation::Impl {
   Impl(const Teuchos::ParameterList& list, const Domain& domain, RunOutput& to)
-      : fields(list, domain), output(&to),
-        comm(domain.fluid ? domain.fluid->comm : domain.wall->comm) {}
+      : problems(list, domain), output(&to), comm(domain.comm) {}
 
-  bool is_coupled() const { return fields.scheme != nullptr; }
+  bool is_coupled() const { return problems.scheme != nullptr; }
   bool is_begun() const { return log.has_value(); }
 
+  problems::FieldProblem& alone() const {
+    if (problems.fluid) return *problems.fluid;
+    return *problems.wall;
+  }
   void record_unknowns() const;
-  Parts parts() const;
+  observe::Parts parts() const;
   void open_files();
   StepSummary solve(const stepping::Clock& clock, int attempt);
   StepSummary solve_coupled(const stepping::Clock& clock);
   template <class Problem>
   StepSummary solve_alone(Problem& problem, const std::string& name, const stepping::Clock& clock);
+  void solve_behind(const stepping::Clock& clock, StepSummary& step);
   StepSummary make_step();
   void observe();
-  std::vector<output::Grid> grids() const;
-  std::vector<observe::GridFields> arrays() const;
   void write_fields();
 
-  FieldProblems fields;
+  FieldProblems problems;
   RunOutput* output;
   CommPtr comm;
 
   // from begin() on
-  std::optional<observe::WallShear> shear;
+  std::vector<std::unique_ptr<observe::Field>> fields;
   std::optional<TimeMarch> march;
   std::optional<observe::SurfaceReport> surfaces;
   std::optional<Checkpoints> checkpoints;
   std::optional<RunLog> log;
   std::optional<Watch> watch;
-  std::optional<observe::WallOutput> wall_output;
   std::optional<FieldSeries> series;
   discretisation::Observables observed;
 };
 
 void Simulation::Impl::record_unknowns() const {
-  if (!is_coupled()) {
-    const std::string name = fields.fluid ? "fluid" : "wall";
-    const problems::FieldProblem& field =
-        fields.fluid ? static_cast<const problems::FieldProblem&>(*fields.fluid) : *fields.wall;
-    return tell_unknowns(output->record, name, *field.space());
-  }
-  for (const auto& [name, system] : fields.scheme->systems())
+  if (!is_coupled())
+    return tell_unknowns(output->record, problems.fluid ? "fluid" : "wall", *alone().space());
+  for (const auto& [name, system] : problems.scheme->systems())
     tell_unknowns(output->record, name, *system->last_jacobian().space());
 }
 
 /// All that a step changes and the next one needs.
-Parts Simulation::Impl::parts() const {
-  Parts all;
-  if (fields.fluid) all.emplace_back("fluid", fields.fluid.get());
-  if (fields.wall) all.emplace_back("wall", fields.wall.get());
-  if (is_coupled()) all.emplace_back("mesh motion", fields.motion.get());
-  if (is_coupled()) all.emplace_back("coupling", fields.scheme.get());
+observe::Parts Simulation::Impl::parts() const {
+  observe::Parts all;
+  for (const auto& field : fields)
+    for (const auto& part : field->parts()) all.push_back(part);
+  if (is_coupled()) all.emplace_back("coupling", problems.scheme.get());
   return all;
 }
 
 void Simulation::Impl::open_files() {
-  const std::vector<std::string> alone{fields.fluid ? "fluid" : "wall"};
-  log.emplace(*output, comm->getRank() == 0, is_coupled() ? fields.scheme->fields() : alone,
-              is_coupled() ? fields.scheme->stages() : std::vector<std::string>());
-  watch.emplace(fields.list);
-  if (fields.wall) wall_output.emplace(*fields.wall, fields.list.sublist("Output"));
-  series.emplace(*output, grids(), comm);
+  const std::vector<std::string> one{problems.fluid ? "fluid" : "wall"};
+  log.emplace(*output, comm->getRank() == 0, is_coupled() ? problems.scheme->fields() : one,
+              is_coupled() ? problems.scheme->stages() : std::vector<std::string>());
+  watch.emplace(problems.list);
+  std::vector<output::Grid> grids;
+  for (const auto& field : fields)
+    if (field->grid_name() == field->name()) grids.push_back(field->grid());
+  series.emplace(*output, grids, comm);
 }
 
 StepSummary Simulation::Impl::solve(const stepping::Clock& clock, int attempt) {
   log->begin({clock.step(), clock.time(), is_coupled() ? 1 : 0, attempt});
-  if (is_coupled()) return solve_coupled(clock);
-  return fields.fluid ? solve_alone(*fields.fluid, "fluid", clock)
-                      : solve_alone(*fields.wall, "wall", clock);
+  StepSummary step = is_coupled()     ? solve_coupled(clock)
+                     : problems.fluid ? solve_alone(*problems.fluid, "fluid", clock)
+                                      : solve_alone(*problems.wall, "wall", clock);
+  solve_behind(clock, step);
+  return step;
 }
 
 StepSummary Simulation::Impl::solve_coupled(const stepping::Clock& clock) {
-  coupling::Scheme& scheme = *fields.scheme;
+  coupling::Scheme& scheme = *problems.scheme;
   const Outcome begun = scheme.begin_step(clock);
   if (begun.is_failure()) return summary_of(begun, scheme.fields());
   const coupling::Report report = scheme.solve_step(
@@ -115,56 +135,65 @@ StepSummary Simulation::Impl::solve_alone(Problem& problem, const std::string& n
   return summary_of(report, name, clock);
 }
 
+/// The fields that nothing else solves for: each looks at those before it.
+void Simulation::Impl::solve_behind(const stepping::Clock& clock, StepSummary& step) {
+  for (const auto& field : fields) {
+    const std::string name = field->name();
+    const auto watch_newton = [&](const nonlinear::NewtonStep& of) { log->newton(name, of); };
+    if (!step.is_accepted) {  // its columns are there all the same
+      if (field->is_solved_behind()) step.fields.push_back({name});
+      continue;
+    }
+    const std::optional<nonlinear::NewtonReport> report = field->solve(clock, watch_newton);
+    if (!report) continue;
+    const StepSummary own = summary_of(*report, name, clock);
+    step.fields.push_back(own.fields.front());
+    if (own.is_converged) continue;
+    step.is_converged = step.is_accepted = false;
+    step.reason = own.reason;
+  }
+}
+
 StepSummary Simulation::Impl::make_step() {
   StepSummary step = march->make_step(
       [this](const stepping::Clock& clock, int attempt) { return solve(clock, attempt); }, *log);
   const stepping::Clock& clock = march->clock();
-  if (shear && step.is_accepted) shear->accept(clock);
+  if (step.is_accepted)
+    for (const auto& field : fields) field->accept(clock);
   observe();
   log->step(clock, step, observed);
   const std::function<std::vector<judge::LayerVolume>()> volumes = [this] {
-    return judge::layer_volumes(*fields.wall);
+    return judge::layer_volumes(*problems.wall);
   };
-  watch->tell(*log, clock, step, observed, is_coupled() ? &fields.fluid->mesh() : nullptr,
-              is_coupled() ? fields.motion->displacement() : std::vector<Vec3>(),
-              fields.wall ? volumes : nullptr);
+  watch->tell(*log, clock, step, observed, is_coupled() ? &problems.fluid->mesh() : nullptr,
+              is_coupled() ? problems.motion->displacement() : std::vector<Vec3>(),
+              problems.wall ? volumes : nullptr);
   return step;
 }
 
 void Simulation::Impl::observe() {
-  const observe::Probes& probes = fields.domain->probes;
   observed.clear();
   const auto add = [this](const discretisation::Observables& more) {
     observed.insert(observed.end(), more.begin(), more.end());
   };
-  if (fields.wall) add(fields.wall->observe());
-  if (fields.fluid) add(fields.fluid->observe());
-  if (shear) add(shear->observe());
-  add(probes.observe(fields.fluid.get(), fields.wall.get()));
-  add(surfaces->observe(fields.fluid.get(), fields.wall.get()));
-}
-
-std::vector<output::Grid> Simulation::Impl::grids() const {
-  std::vector<output::Grid> all;
-  if (fields.fluid) all.push_back(observe::grid_of(fields.fluid->mesh(), "fluid"));
-  if (fields.wall) all.push_back(wall_output->grid());
-  return all;
-}
-
-std::vector<observe::GridFields> Simulation::Impl::arrays() const {
-  std::vector<observe::GridFields> all;
-  if (fields.fluid) {
-    std::vector<output::Array> of_fluid = observe::fluid_arrays(
-        *fields.fluid, is_coupled() ? fields.motion->displacement() : std::vector<Vec3>());
-    for (output::Array& array : shear->arrays()) of_fluid.push_back(std::move(array));
-    all.push_back({"fluid", std::move(of_fluid), {}});
-  }
-  if (fields.wall) all.push_back(wall_output->fields());
-  return all;
+  for (const auto& field : fields) add(field->observe());
+  add(problems.domain->probes.observe(fields));
+  add(surfaces->observe());
 }
 
 void Simulation::Impl::write_fields() {
-  if (series->is_due(march->clock())) series->write(march->clock(), arrays());
+  if (!series->is_due(march->clock())) return;
+  std::map<std::string, observe::GridFields> grids;
+  for (const auto& field : fields) {
+    observe::GridFields own = field->arrays();
+    observe::GridFields& all = grids.try_emplace(own.grid).first->second;
+    all.grid = own.grid;
+    std::move(own.points.begin(), own.points.end(), std::back_inserter(all.points));
+    std::move(own.cells.begin(), own.cells.end(), std::back_inserter(all.cells));
+  }
+  std::vector<observe::GridFields> list;
+  for (auto& [name, grid] : grids) list.push_back(std::move(grid));
+  series->write(march->clock(), std::move(list));
 }
 
 Simulation::Simulation(const Teuchos::ParameterList& list, const Domain& domain, RunOutput& output)
@@ -174,33 +203,26 @@ Simulation::~Simulation() = default;
 
 Outcome Simulation::begin() {
   Impl& run = *impl_;
-  FieldProblems& fields = run.fields;
+  FieldProblems& problems = run.problems;
   TUNICA_CHECK(!run.is_begun(), "a simulation begins once");
-  const Outcome started = fields.start(*run.output);
+  const Outcome started = problems.start(*run.output);
   if (started.is_failure() || !run.output->stopped.empty()) return started;
   run.record_unknowns();
-  Parts parts = run.parts();
-  if (fields.fluid) {
-    run.shear.emplace(fields.list, *fields.fluid);
-    parts.emplace_back("wall shear", &*run.shear);
-  }
-  run.march.emplace(fields.list, parts, *run.output);
-  if (fields.fluid) run.march->judge(*fields.fluid);
-  if (fields.wall) run.march->judge(*fields.wall);
-  run.surfaces.emplace(fields.list.sublist("Output"), pointer(fields.domain->fluid),
-                       pointer(fields.domain->wall));
-  run.checkpoints.emplace(*run.output, *run.march, wall_limit(fields.list), run.comm);
+  run.fields = fields_of(problems);
+  run.march.emplace(problems.list, run.parts(), *run.output);
+  for (const auto& field : run.fields) run.march->judge(*field);
+  run.surfaces.emplace(problems.list.sublist("Output"), run.fields);
+  run.checkpoints.emplace(*run.output, *run.march, wall_limit(problems.list), run.comm);
   run.checkpoints->begin();
   run.open_files();
   const auto watch_newton = [&run](const std::string& field, const nonlinear::NewtonStep& step) {
     run.log->newton(field, step);
   };
   if (run.is_coupled())
-    fields.scheme->watch_newton(watch_newton);
-  else if (fields.fluid)
-    fields.fluid->watch_newton([=](const auto& step) { watch_newton("fluid", step); });
+    problems.scheme->watch_newton(watch_newton);
   else
-    fields.wall->watch_newton([=](const auto& step) { watch_newton("wall", step); });
+    run.alone().watch_newton([watch_newton, name = problems.fluid ? "fluid" : "wall"](
+                                 const auto& step) { watch_newton(name, step); });
   return Outcome::success();
 }
 
@@ -225,11 +247,9 @@ Outcome Simulation::finish() {
   Impl& run = *impl_;
   if (!run.is_begun()) return Outcome::success();
   run.series->finish();
-  if (run.fields.fluid)
-    record_assembly(run.output->record, "fluid", run.fields.fluid->jacobian_throughput(),
-                    *run.comm);
-  if (run.fields.wall)
-    record_assembly(run.output->record, "wall", run.fields.wall->jacobian_throughput(), *run.comm);
+  for (const auto& field : run.fields)
+    if (field->throughput() != nullptr)
+      record_assembly(run.output->record, field->name(), *field->throughput(), *run.comm);
   return run.march->outcome();
 }
 
@@ -247,16 +267,16 @@ const discretisation::Observables& Simulation::observed() const { return impl_->
 
 std::vector<std::string> Simulation::field_names() const {
   std::vector<std::string> names;
-  if (impl_->fields.fluid) names.emplace_back("fluid");
-  if (impl_->fields.wall) names.emplace_back("wall");
+  for (const auto& field : impl_->fields) names.push_back(field->name());
   return names;
 }
 
-const problems::FieldProblem& Simulation::field(const std::string& name) const {
-  if (name == "fluid" && impl_->fields.fluid) return *impl_->fields.fluid;
-  if (name == "wall" && impl_->fields.wall) return *impl_->fields.wall;
+observe::Field& Simulation::field(const std::string& name) const {
   std::string names;
-  for (const std::string& known : field_names()) names += (names.empty() ? "" : ", ") + known;
+  for (const auto& field : impl_->fields) {
+    if (field->name() == name) return *field;
+    names += (names.empty() ? "" : ", ") + field->name();
+  }
   throw Error("the case has no field \"" + name + "\", but: " + names);
 }
 

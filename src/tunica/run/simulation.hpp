@@ -4,13 +4,9 @@
 #include <vector>
 
 #include "tunica/base/outcome.hpp"
-#include "tunica/discretisation/observable.hpp"
+#include "tunica/observe/field.hpp"
 #include "tunica/run/domain.hpp"
 #include "tunica/run/run_output.hpp"
-
-namespace tunica::problems {
-class FieldProblem;
-}
 
 namespace tunica::run {
 
@@ -56,10 +52,10 @@ public:
   /// What the row of the last step in steps.csv has of the fields.
   const discretisation::Observables& observed() const;
 
-  /// "fluid", "wall"
+  /// "wall", "fluid", and the names in the list "Fields"; from begin() on.
   std::vector<std::string> field_names() const;
   /// Throws Error, with the names there are, where the case has no such field.
-  const problems::FieldProblem& field(const std::string& name) const;
+  observe::Field& field(const std::string& name) const;
 
 private:
   struct Impl;

@@ -63,14 +63,10 @@ Outcome TimeMarch::outcome() const {
   return Outcome::failure(reason.str());
 }
 
-void TimeMarch::judge(problems::FluidProblem& fluid) {
-  if (tolerance_)
-    errors_.emplace_back("fluid steps", std::make_unique<problems::StepError>(fluid, *tolerance_));
-}
-
-void TimeMarch::judge(problems::SolidProblem& wall) {
-  if (tolerance_)
-    errors_.emplace_back("wall steps", std::make_unique<problems::StepError>(wall, *tolerance_));
+void TimeMarch::judge(observe::Field& field) {
+  if (!tolerance_) return;
+  if (auto error = field.step_error(*tolerance_))
+    errors_.emplace_back(field.name() + " steps", std::move(error));
 }
 
 Parts TimeMarch::parts() const {

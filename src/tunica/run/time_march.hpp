@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "tunica/observe/field.hpp"
 #include "tunica/problems/step_error.hpp"
 #include "tunica/run/run_log.hpp"
 #include "tunica/stepping/step_control.hpp"
 
 namespace tunica::run {
 
-/// What must be there again when a step is repeated, or a run goes on: parts by name.
-using Parts = std::vector<std::pair<std::string, fields::Restartable*>>;
+using observe::Parts;
 
 /// The step control of a resolved case, which knows when its loads have kinks.
 stepping::StepControl step_control(const Teuchos::ParameterList& list);
@@ -32,8 +32,7 @@ public:
 
   /// The accuracy of a field counts where steps are adaptive, how much it changes where a steady
   /// flow is sought. While it stands at its start.
-  void judge(problems::FluidProblem& fluid);
-  void judge(problems::SolidProblem& wall);
+  void judge(observe::Field& field);
 
   /// All that a run needs to go on: the parts, theirs, and what the accuracy is judged by.
   Parts parts() const;

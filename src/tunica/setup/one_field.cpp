@@ -1,6 +1,11 @@
 #include "tunica/setup/one_field.hpp"
 
+#include <algorithm>
 #include <vector>
+
+#include "tunica/observe/field_kinds.hpp"
+#include "tunica/observe/fluid_field.hpp"
+#include "tunica/observe/wall_field.hpp"
 
 namespace tunica::setup {
 
@@ -16,6 +21,32 @@ std::vector<std::string> lists_in(const Teuchos::ParameterList& list) {
 bool has_text(const Teuchos::ParameterList& list, const std::string& key, const std::string& part) {
   return list.isType<std::string>(key) &&
          list.get<std::string>(key).find(part) != std::string::npos;
+}
+
+/// The region that the fields of a kind live on; empty for one that nobody knows.
+std::string region_of(const Teuchos::ParameterList& entry) {
+  for (const observe::FieldKind& kind : observe::field_kinds())
+    if (entry.isType<std::string>("kind") && entry.get<std::string>("kind") == kind.name)
+      return kind.region;
+  return "";
+}
+
+bool has_quantity(const std::vector<observe::Quantity>& all, const std::string& name) {
+  return std::any_of(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
+}
+
+/// True where a probe may stay with this region: what no field has is an error that its check
+/// tells.
+bool asks_of(const Teuchos::ParameterList& list, const std::string& probe,
+             const std::string& region) {
+  const Teuchos::ParameterList& entry = list.sublist("Probes").sublist(probe);
+  const std::string name =
+      entry.isType<std::string>("quantity") ? entry.get<std::string>("quantity") : "";
+  if (has_quantity(observe::fluid_quantities(), name)) return region == "fluid";
+  if (has_quantity(observe::wall_quantities(), name)) return region == "wall";
+  for (const observe::FieldKind& kind : observe::field_kinds())
+    if (has_quantity(kind.quantities, name)) return kind.region == region;
+  return true;
 }
 
 /// Surfaces that fluid and wall share; a wall forgets them.
@@ -48,9 +79,12 @@ std::string leave_one_field(Teuchos::ParameterList& list, const std::string& pro
     }
   if (list.isSublist("Probes"))
     for (const std::string& name : lists_in(list.sublist("Probes"))) {
-      const bool is_of_fluid = has_text(list.sublist("Probes").sublist(name), "quantity", "fluid");
-      if (is_of_fluid == is_wall) list.sublist("Probes").remove(name);
+      if (!asks_of(list, name, is_wall ? "wall" : "fluid")) list.sublist("Probes").remove(name);
     }
+  if (list.isSublist("Fields"))
+    for (const std::string& name : lists_in(list.sublist("Fields")))
+      if (region_of(list.sublist("Fields").sublist(name)) == (is_wall ? "fluid" : "wall"))
+        list.sublist("Fields").remove(name);
   if (is_wall && list.isSublist("Output")) list.sublist("Output").remove("averages from", false);
   const std::string parted = part_from_interface(list.sublist(is_wall ? "Wall" : "Fluid"), is_wall);
   return program + " ignores " + gone + " of this case and solves the " +

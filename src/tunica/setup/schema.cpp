@@ -10,9 +10,10 @@
 #include "tunica/compare/system_export.hpp"
 #include "tunica/coupling/registry.hpp"
 #include "tunica/mesh/distributed/partition_slab.hpp"
-#include "tunica/observe/field_arrays.hpp"
+#include "tunica/observe/field_kinds.hpp"
 #include "tunica/observe/probes.hpp"
 #include "tunica/observe/surface_report.hpp"
+#include "tunica/observe/wall_field.hpp"
 #include "tunica/observe/wall_shear.hpp"
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/mesh_motion.hpp"
@@ -108,6 +109,7 @@ params::Table common_table(const std::string& sentence, bool has_fluid, bool has
                "points whose values become columns of steps.csv")
       .check(check_steady)
       .check(check_interval);
+  observe::add_field_entries(has_fluid, has_wall, table);
   return table;
 }
 

@@ -1,7 +1,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/base/error.hpp"
+#include "tunica/observe/fluid_field.hpp"
 #include "tunica/observe/probes.hpp"
+#include "tunica/observe/wall_field.hpp"
 #include "unit/problems/lists.hpp"
 
 namespace {
@@ -12,7 +14,8 @@ using test::SmallTube;
 
 void add_probe(Teuchos::ParameterList& list, const std::string& name, const std::string& quantity,
                const Vec3& position) {
-  test::set_vector(list.sublist(name).set("quantity", quantity), "position", position);
+  test::set_vector(list.sublist("Probes").sublist(name).set("quantity", quantity), "position",
+                   position);
 }
 
 Vec3 displacement(const Vec3& x) {
@@ -38,13 +41,31 @@ struct LinearFields {
     fluid.restore(of_fluid);
     wall.restore(of_wall);
   }
+  /// As a run has them.
+  std::vector<std::unique_ptr<observe::Field>> as_fields() {
+    Teuchos::ParameterList the_case;
+    params::Table output("");
+    observe::add_wall_shear_keys(output);
+    observe::add_wall_array_keys(output);
+    output.resolve(the_case.sublist("Output"), "", "");
+    the_case.sublist("Time").set<std::string>("step control", "fixed");
+    std::vector<std::unique_ptr<observe::Field>> all;
+    all.push_back(std::make_unique<observe::WallField>(wall, the_case.sublist("Output")));
+    all.push_back(std::make_unique<observe::FluidField>(the_case, fluid, nullptr));
+    return all;
+  }
+
   SmallTube tube;
   problems::FluidProblem fluid;
   problems::SolidProblem wall;
 };
 
+std::map<std::string, fields::FieldMesh> meshes_of(const SmallTube& tube) {
+  return {{"fluid", tube.fluid}, {"wall", tube.wall}};
+}
+
 TEUCHOS_UNIT_TEST(probes, linear_fields_are_exact_between_the_vertices) {
-  const LinearFields run;
+  LinearFields run;
   const Vec3 in_fluid{0.31, -0.27, 1.234}, in_wall{1.5, 0.2, 0.777}, vertex{1.43, 0.0, 1.0};
   Teuchos::ParameterList list;
   add_probe(list, "a", "fluid pressure", in_fluid);
@@ -53,8 +74,8 @@ TEUCHOS_UNIT_TEST(probes, linear_fields_are_exact_between_the_vertices) {
   add_probe(list, "d", "wall displacement", vertex);
   add_probe(list, "e", "wall displacement y", in_wall);
   add_probe(list, "f", "fluid velocity z", in_fluid);
-  const Probes probes(list, &run.tube.fluid, &run.tube.wall);
-  const auto found = probes.observe(&run.fluid, &run.wall);
+  const Probes probes(list, meshes_of(run.tube));
+  const auto found = probes.observe(run.as_fields());
   TEST_EQUALITY(found.size(), 6);
   TEST_COMPARE(
       std::abs(test::observed(found, "wall_displacement_y_e_mm") - displacement(in_wall)[1]), <,
@@ -82,7 +103,7 @@ TEUCHOS_UNIT_TEST(probes, one_outside_its_field_is_refused_with_key_and_distance
     Teuchos::ParameterList list;
     add_probe(list, "here", quantity, position);
     try {
-      Probes(list, &tube.fluid, &tube.wall);
+      Probes(list, meshes_of(tube));
     } catch (const Error& error) {
       return error.what();
     }

@@ -25,7 +25,7 @@ std::string said_of(const std::string& ends, const std::string& time = "") {
   setup::fluid_table().resolve(list, "", "");
   const test::SmallTube tube;
   run::Domain domain;
-  domain.fluid = tube.fluid;
+  domain.meshes.emplace("fluid", tube.fluid);
   try {
     run::check_fields(list, domain);
   } catch (const Error& error) {

@@ -1,59 +1,14 @@
-#include <Teuchos_DefaultMpiComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
-#include <fstream>
-#include <sstream>
 
 #include "tunica/base/error.hpp"
-#include "tunica/io/messages.hpp"
-#include "tunica/problems/field_problem.hpp"
-#include "tunica/run/simulation.hpp"
-#include "tunica/setup/case.hpp"
-#include "tunica/setup/schema.hpp"
-#include "unit/io/scratch.hpp"
+#include "unit/run/whole_run.hpp"
 
 namespace {
 
 using namespace tunica;
-
-/// Takes what the library says while it lives.
-class Quiet {
-public:
-  Quiet() {
-    const auto keep = [this](const std::string& line) { said += line; };
-    io::redirect_messages({keep, keep});
-  }
-  ~Quiet() { io::redirect_messages({}); }
-
-  std::string said;
-};
-
-/// A case with all that a simulation of it needs.
-struct Whole {
-  Whole(const std::string& file, const std::vector<std::string>& set, const std::string& folder,
-        const CommPtr& comm)
-      : command(command_for(file, set, folder)),
-        list(setup::read_case(command, setup::fsi_table(), *comm)),
-        domain(run::load_domain(list, comm)), output(command, list, comm, lock),
-        simulation(list, domain, output) {}
-
-  static setup::CommandLine command_for(const std::string& file,
-                                        const std::vector<std::string>& set,
-                                        const std::string& folder) {
-    setup::CommandLine command{};
-    command.program = "tunica-fsi";
-    command.case_file = TUNICA_MESHES "/../xml/" + file;
-    command.output = folder;
-    command.set = set;
-    return command;
-  }
-
-  setup::CommandLine command;
-  Teuchos::ParameterList list;
-  run::Domain domain;
-  io::FolderLock lock;
-  run::RunOutput output;
-  run::Simulation simulation;
-};
+using test::Quiet;
+using test::steps_of;
+using test::Whole;
 
 const std::vector<std::string> monolithic{"Time/steps=2", "Coupling/scheme=monolithic"};
 const std::vector<std::string> partitioned{"Time/steps=2", "Fluid/viscosity=0.008"};
@@ -64,23 +19,6 @@ Whole first(const std::string& folder, const CommPtr& comm) {
 }
 Whole second(const std::string& folder, const CommPtr& comm) {
   return Whole("pulse-tiny.xml", partitioned, output::test::scratch(folder), comm);
-}
-
-/// steps.csv without the column of seconds.
-std::string steps_of(const Whole& run) {
-  std::ifstream file(run.output.folder.file("steps.csv"));
-  std::string line, text;
-  int seconds = -1;
-  while (std::getline(file, line)) {
-    std::istringstream cells(line);
-    std::string cell;
-    for (int column = 0; std::getline(cells, cell, ','); ++column) {
-      if (cell == "seconds") seconds = column;
-      if (column != seconds) text += cell + ",";
-    }
-    text += "\n";
-  }
-  return text;
 }
 
 std::string alone(Whole run) {
@@ -125,13 +63,14 @@ TEUCHOS_UNIT_TEST(simulation, one_runs_on_the_ranks_that_it_is_given) {
 TEUCHOS_UNIT_TEST(simulation, fields_are_known_by_name) {
   const Quiet quiet;
   Whole run = first("fields", output::test::world());
-  TEST_EQUALITY(run.simulation.field("fluid").mesh().n_owned, run.domain.fluid->n_owned);
-  TEST_EQUALITY(run.simulation.field("wall").mesh().n_owned, run.domain.wall->n_owned);
+  TEST_ASSERT(run.simulation.begin().is_success());
+  TEST_EQUALITY(run.simulation.field("fluid").mesh().n_owned, run.domain.mesh("fluid").n_owned);
+  TEST_EQUALITY(run.simulation.field("wall").mesh().n_owned, run.domain.mesh("wall").n_owned);
   try {
     run.simulation.field("blood");
     TEST_ASSERT(false);
   } catch (const Error& error) {
-    TEST_ASSERT(std::string(error.what()).find("fluid, wall") != std::string::npos);
+    TEST_ASSERT(std::string(error.what()).find("wall, fluid") != std::string::npos);
   }
 }
 

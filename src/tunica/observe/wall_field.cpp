@@ -1,4 +1,4 @@
-#include "tunica/observe/field_arrays.hpp"
+#include "tunica/observe/wall_field.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>
@@ -10,64 +10,17 @@
 #include "tunica/kernels/deformation.hpp"
 #include "tunica/kernels/principal_axes.hpp"
 #include "tunica/kernels/wall_stress.hpp"
+#include "tunica/observe/arrays.hpp"
 
 namespace tunica::observe {
 
 namespace {
 
-output::Array vector_array(const std::string& name, const std::vector<Vec3>& values, int count) {
-  output::Array array{name, 3, {}};
-  for (int a = 0; a < count; ++a)
-    array.values.insert(array.values.end(), values[a].begin(), values[a].end());
-  return array;
-}
-
-output::Array dof_array(const std::string& name, int components, const Vector& v) {
-  const auto view = v.getLocalViewHost(read_only);
-  return {name, components, {view.data(), view.data() + view.extent(0)}};
-}
-
-}  // namespace
-
-output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name) {
-  output::Grid grid;
-  grid.name = name;
-  grid.regions = mesh.regions;
-  grid.points_global = static_cast<long long>(mesh.node_map->getGlobalNumElements());
-  // Points are numbered rank by rank; where the mesh is split its nodes are not.
-  const Map points(grid.points_global, mesh.n_owned, 0, mesh.comm);
-  grid.first_point = mesh.n_owned > 0 ? points.getMinGlobalIndex() : 0;
-  Vector numbers(mesh.node_map);
-  {
-    const auto view = numbers.getLocalViewHost(overwrite_all);
-    for (int a = 0; a < mesh.n_owned; ++a) view(a, 0) = static_cast<double>(grid.first_point + a);
-  }
-  const std::vector<double> number = fields::ghosted_scalars(mesh, numbers);
-  grid.points.assign(mesh.x.begin(), mesh.x.begin() + mesh.n_owned);
-  grid.vertex.assign(mesh.vertex.begin(), mesh.vertex.begin() + mesh.n_owned);
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    if (!mesh.is_owned[e]) continue;
-    auto& tet = grid.tets.emplace_back();
-    for (int a = 0; a < 4; ++a) tet[a] = static_cast<long long>(number[mesh.tets[e][a]]);
-    grid.tet_number.push_back(mesh.tet_number[e]);
-    grid.region.push_back(mesh.region[e]);
-    grid.partition.push_back(mesh.comm->getRank());
-  }
-  return grid;
-}
-
-std::vector<output::Array> fluid_arrays(const problems::FluidProblem& fluid,
-                                        const std::vector<Vec3>& mesh_displacement) {
-  std::vector<output::Array> arrays{dof_array("velocity", 3, fluid.state()["velocity"]),
-                                    dof_array("pressure", 1, fluid.state()["pressure"])};
-  if (!mesh_displacement.empty())
-    arrays.push_back(vector_array("displacement", mesh_displacement, fluid.mesh().n_owned));
-  return arrays;
-}
-
-namespace {
-
 constexpr const char* wall_arrays_key = "wall arrays";
+constexpr const char* length = "wall displacement";
+constexpr const char* radial = "radial displacement";
+
+double distance_from_axis(const Vec3& x) { return std::hypot(x[0], x[1]); }
 
 /// One of the wall's elements as it is deformed.
 struct Strained {
@@ -168,17 +121,42 @@ void add_wall_array_keys(params::Table& table) {
       });
 }
 
-WallOutput::WallOutput(const problems::SolidProblem& wall, const Teuchos::ParameterList& output)
+std::vector<Quantity> wall_quantities() {
+  std::vector<Quantity> all{{length, "mm"}, {radial, "mm"}};
+  for (const char* i : {" x", " y", " z"}) all.push_back({std::string(length) + i, "mm"});
+  return all;
+}
+
+WallField::WallField(problems::SolidProblem& wall, const Teuchos::ParameterList& output)
     : wall_(&wall), recovery_(wall) {
   const auto kinds = output.get<Teuchos::Array<std::string>>(wall_arrays_key);
   kinds_.assign(kinds.begin(), kinds.end());
 }
 
-bool WallOutput::has(const std::string& kind) const {
+output::Grid WallField::grid() { return grid_of(recovery_.mesh(), "wall"); }
+
+bool WallField::has(const std::string& kind) const {
   return std::find(kinds_.begin(), kinds_.end(), kind) != kinds_.end();
 }
 
-GridFields WallOutput::fields() const {
+std::unique_ptr<problems::StepError> WallField::step_error(
+    const problems::StepTolerance& tolerance) {
+  return std::make_unique<problems::StepError>(*wall_, tolerance);
+}
+
+Sampler WallField::sampler() {
+  const auto d = fields::ghosted_vectors(wall_->mesh(), wall_->state()["displacement"]);
+  const fields::FieldMesh* mesh = &wall_->mesh();
+  return [d, mesh](const std::string& quantity, const fields::Place& at) {
+    const Vec3 moved = at.value(d);
+    if (quantity == length) return norm(moved);
+    if (quantity != radial) return moved[quantity.back() - 'x'];
+    const Vec3 x = at.value(mesh->x);
+    return distance_from_axis(x + moved) - distance_from_axis(x);
+  };
+}
+
+GridFields WallField::arrays() {
   GridFields found{"wall", node_arrays(), cell_arrays()};
   if (kinds_.empty()) return found;
   const problems::NodalStress nodal = recovery_.recover();
@@ -186,7 +164,7 @@ GridFields WallOutput::fields() const {
   return found;
 }
 
-std::vector<output::Array> WallOutput::node_arrays() const {
+std::vector<output::Array> WallField::node_arrays() const {
   const fields::SplitMesh* split = recovery_.split();
   const int n_points = recovery_.mesh().n_owned;
   const auto at_points = [&](const std::vector<Vec3>& nodal) {
@@ -204,7 +182,7 @@ std::vector<output::Array> WallOutput::node_arrays() const {
           vector_array("velocity", at_points(wall_->velocity()), n_points)};
 }
 
-void WallOutput::add_recovered(const problems::NodalStress& nodal, GridFields& fields) const {
+void WallField::add_recovered(const problems::NodalStress& nodal, GridFields& fields) const {
   output::Array stress{"recovered_stress", 6, {}}, size{"recovered_von_mises", 1, {}},
       principal{"recovered_principal_stress", 3, {}};
   for (const Sym3& sigma : nodal.stress) {
@@ -232,7 +210,7 @@ void WallOutput::add_recovered(const problems::NodalStress& nodal, GridFields& f
   }
 }
 
-std::vector<output::Array> WallOutput::cell_arrays() const {
+std::vector<output::Array> WallField::cell_arrays() const {
   const problems::SolidProblem& wall = *wall_;
   const fields::FieldMesh& mesh = wall.mesh();
   const auto d = fields::ghosted_vectors(mesh, wall.state()["displacement"]);
