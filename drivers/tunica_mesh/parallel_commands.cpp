@@ -8,7 +8,7 @@
 #include "tunica/base/rows.hpp"
 #include "tunica/mesh/distributed/refine.hpp"
 #include "tunica/mesh/distributed/share.hpp"
-#include "tunica/mesh/gmsh.hpp"
+#include "tunica/mesh/formats/gmsh.hpp"
 #include "tunica/mesh/validate.hpp"
 #include "tunica/mesh/write.hpp"
 #include "tunica_mesh/report.hpp"

@@ -6,9 +6,9 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/mesh/distributed/text_mesh.hpp"
-#include "tunica/mesh/gmsh.hpp"
-#include "tunica/mesh/hdf5.hpp"
-#include "tunica/mesh/netgen.hpp"
+#include "tunica/mesh/formats/gmsh.hpp"
+#include "tunica/mesh/formats/hdf5.hpp"
+#include "tunica/mesh/formats/netgen.hpp"
 #include "tunica/mesh/validate.hpp"
 
 namespace tunica::mesh {

@@ -6,7 +6,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/mesh/disc.hpp"
 #include "tunica/mesh/faces.hpp"
-#include "tunica/mesh/number_tags.hpp"
+#include "tunica/mesh/formats/number_tags.hpp"
 #include "tunica/mesh/text.hpp"
 #include "tunica/mesh/validate.hpp"
 

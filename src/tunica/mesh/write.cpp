@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "tunica/base/error.hpp"
-#include "tunica/mesh/gmsh.hpp"
-#include "tunica/mesh/hdf5.hpp"
+#include "tunica/mesh/formats/gmsh.hpp"
+#include "tunica/mesh/formats/hdf5.hpp"
 
 namespace tunica::mesh {
 

@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "helpers.hpp"
-#include "tunica/mesh/gmsh.hpp"
-#include "tunica/mesh/hdf5.hpp"
+#include "tunica/mesh/formats/gmsh.hpp"
+#include "tunica/mesh/formats/hdf5.hpp"
 #include "tunica/mesh/read.hpp"
 #include "tunica/mesh/write.hpp"
 

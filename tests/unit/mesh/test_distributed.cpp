@@ -11,7 +11,7 @@
 #include "tunica/mesh/distributed/refine.hpp"
 #include "tunica/mesh/distributed/rows.hpp"
 #include "tunica/mesh/distributed/share.hpp"
-#include "tunica/mesh/hdf5.hpp"
+#include "tunica/mesh/formats/hdf5.hpp"
 #include "tunica/mesh/validate.hpp"
 #include "tunica/mesh/write.hpp"
 #include "world.hpp"

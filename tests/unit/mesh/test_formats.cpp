@@ -5,11 +5,11 @@
 
 #include "helpers.hpp"
 #include "tunica/mesh/faces.hpp"
-#include "tunica/mesh/gmsh.hpp"
-#include "tunica/mesh/hdf5.hpp"
+#include "tunica/mesh/formats/gmsh.hpp"
+#include "tunica/mesh/formats/hdf5.hpp"
+#include "tunica/mesh/formats/text_scanner.hpp"
 #include "tunica/mesh/number_runs.hpp"
 #include "tunica/mesh/read.hpp"
-#include "tunica/mesh/text_scanner.hpp"
 #include "tunica/mesh/write.hpp"
 
 using namespace tunica::mesh;

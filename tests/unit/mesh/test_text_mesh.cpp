@@ -4,7 +4,7 @@
 #include "helpers.hpp"
 #include "tunica/base/portion.hpp"
 #include "tunica/mesh/distributed/text_mesh.hpp"
-#include "tunica/mesh/gmsh.hpp"
+#include "tunica/mesh/formats/gmsh.hpp"
 #include "tunica/mesh/read.hpp"
 #include "world.hpp"
 

@@ -15,7 +15,7 @@
 #include "tunica/mesh/distributed/broadcast.hpp"
 #include "tunica/mesh/distributed/rows.hpp"
 #include "tunica/mesh/distributed/text_mesh.hpp"
-#include "tunica/mesh/hdf5.hpp"
+#include "tunica/mesh/formats/hdf5.hpp"
 #include "tunica/mesh/read.hpp"
 
 namespace tunica::mesh {

@@ -11,7 +11,7 @@
 #include "tunica/mesh/distributed/broadcast.hpp"
 #include "tunica/mesh/distributed/rows.hpp"
 #include "tunica/mesh/faces.hpp"
-#include "tunica/mesh/number_tags.hpp"
+#include "tunica/mesh/formats/number_tags.hpp"
 #include "tunica/mesh/read.hpp"
 #include "tunica/mesh/text.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/io/hdf5_arrays.hpp"
+#include "tunica/mesh/formats/text_scanner.hpp"
 #include "tunica/mesh/text.hpp"
-#include "tunica/mesh/text_scanner.hpp"
 #include "tunica/mesh/wall/box_tree.hpp"
 #include "tunica/mesh/wall/local_radius.hpp"
 

@@ -1,7 +1,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "tunica/mesh/gmsh_reader.hpp"
+#include "tunica/mesh/formats/gmsh_reader.hpp"
 
 namespace tunica::mesh {
 

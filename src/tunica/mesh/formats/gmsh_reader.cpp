@@ -1,9 +1,9 @@
-#include "tunica/mesh/gmsh_reader.hpp"
+#include "tunica/mesh/formats/gmsh_reader.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 
-#include "tunica/mesh/gmsh.hpp"
+#include "tunica/mesh/formats/gmsh.hpp"
 
 namespace tunica::mesh {
 namespace {

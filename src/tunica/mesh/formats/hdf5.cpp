@@ -1,4 +1,4 @@
-#include "tunica/mesh/hdf5.hpp"
+#include "tunica/mesh/formats/hdf5.hpp"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "tunica/mesh/number_tags.hpp"
+#include "tunica/mesh/formats/number_tags.hpp"
 
 namespace tunica::mesh {
 

@@ -2,7 +2,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/io/atomic_file.hpp"
-#include "tunica/mesh/gmsh.hpp"
+#include "tunica/mesh/formats/gmsh.hpp"
 
 namespace tunica::mesh {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "tunica/mesh/distributed/row_stream.hpp"
+#include "tunica/mesh/formats/text_scanner.hpp"
 #include "tunica/mesh/number_runs.hpp"
-#include "tunica/mesh/text_scanner.hpp"
 
 namespace tunica::mesh {
 

@@ -1,8 +1,8 @@
-#include "tunica/mesh/netgen.hpp"
+#include "tunica/mesh/formats/netgen.hpp"
 
 #include <cctype>
 
-#include "tunica/mesh/text_scanner.hpp"
+#include "tunica/mesh/formats/text_scanner.hpp"
 
 namespace tunica::mesh {
 namespace {

@@ -1,4 +1,4 @@
-#include "tunica/mesh/text_scanner.hpp"
+#include "tunica/mesh/formats/text_scanner.hpp"
 
 #include <algorithm>
 #include <cctype>
