@@ -10,7 +10,11 @@ set(TUNICA_MULTIGRID_FOLDERS params multigrid)
 set(TUNICA_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Tunica)
 set(TUNICA_SHARE_DIR ${CMAKE_INSTALL_DATADIR}/tunica)
 
-# The library of a folder and its headers, as Tunica::FOLDER.
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt TUNICA_PUBLIC_HEADERS REGEX "^tunica/")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+  ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt)
+
+# The library of a folder and its public headers, as Tunica::FOLDER.
 function(tunica_install_library name)
   set(part fsi)
   if(name IN_LIST TUNICA_SMOOTHERS_FOLDERS)
@@ -21,9 +25,13 @@ function(tunica_install_library name)
   set_target_properties(tunica_${name} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS tunica_${name} EXPORT Tunica-${part}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${part})
-  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tunica/${name} COMPONENT ${part}
-    FILES_MATCHING PATTERN "*.hpp")
+  foreach(header IN LISTS TUNICA_PUBLIC_HEADERS)
+    if(header MATCHES "^tunica/${name}/")
+      get_filename_component(folder ${header} DIRECTORY)
+      install(FILES ${PROJECT_SOURCE_DIR}/src/${header}
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} COMPONENT ${part})
+    endif()
+  endforeach()
   if(part STREQUAL fsi)
     set_property(GLOBAL APPEND PROPERTY TUNICA_FSI_LIBRARIES tunica_${name})
   endif()

@@ -14,7 +14,7 @@ USER = """cmake_minimum_required(VERSION 3.21)
 project(user LANGUAGES CXX)
 set(CMAKE_CXX_EXTENSIONS OFF)
 find_package(Tunica 0.1 REQUIRED COMPONENTS fsi)
-add_executable(user tunica_check.cpp)
+add_executable(user tunica_fsi.cpp)
 target_link_libraries(user PRIVATE Tunica::fsi)
 """
 
@@ -24,10 +24,10 @@ def link_all(verdict, prefix, case, scratch):
     folder = scratch / "user"
     folder.mkdir()
     (folder / "CMakeLists.txt").write_text(USER)
-    shutil.copy(SOURCE / "drivers" / "tunica_check.cpp", folder)
+    shutil.copy(SOURCE / "drivers" / "tunica_fsi.cpp", folder)
     must([CMAKE, "-S", folder, "-B", folder / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}"], scratch)
     must([CMAKE, "--build", folder / "build"], scratch)
-    run = Run(command(folder / "build" / "user", [case]), scratch)
+    run = Run(command(folder / "build" / "user", [case, "--dry-run"]), scratch)
     verdict.claim(run.status == 0, f"a program links all of Tunica {run.err}")
 
 

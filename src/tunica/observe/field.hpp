@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tunica/base/timer.hpp"
 #include "tunica/discretisation/observable.hpp"
 #include "tunica/fields/locate.hpp"
 #include "tunica/fields/state.hpp"

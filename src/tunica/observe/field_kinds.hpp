@@ -3,7 +3,12 @@
 
 #include "tunica/observe/field.hpp"
 #include "tunica/params/table.hpp"
-#include "tunica/problems/mesh_motion.hpp"
+
+namespace tunica::problems {
+class FluidProblem;
+class MeshMotion;
+class SolidProblem;
+}  // namespace tunica::problems
 
 namespace tunica::observe {
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tunica/problems/fluid_problem.hpp"
+#include "tunica/problems/solid_problem.hpp"
+
 namespace tunica::problems {
 
 StepTolerance step_tolerance(const Teuchos::ParameterList& time) {

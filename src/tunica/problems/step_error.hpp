@@ -1,13 +1,19 @@
 #pragma once
+#include <Teuchos_ParameterList.hpp>
 #include <deque>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "tunica/problems/fluid_problem.hpp"
-#include "tunica/problems/solid_problem.hpp"
+#include "tunica/fields/state.hpp"
+#include "tunica/stepping/clock.hpp"
+#include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::problems {
+
+class FieldProblem;
+class FluidProblem;
+class SolidProblem;
 
 /// What is permitted: see StepError.
 struct StepTolerance {
