@@ -40,7 +40,8 @@ struct Fields {
     fluid->begin_step(clock);
     wall->begin_step(clock);
     const std::vector<Vec3> at_rest(domain.mesh("fluid").n_nodes());
-    if (fluid->set_domain(at_rest, at_rest).is_failure()) throw std::logic_error("inverted");
+    if (fluid->field().set_domain(at_rest, at_rest).is_failure())
+      throw std::logic_error("inverted");
     fluid->prepare();
   }
 };

@@ -33,7 +33,7 @@ inline stepping::History mesh_at_rest(const problems::FluidProblem& fluid) {
 inline void solve_moving_step(problems::FluidProblem& fluid, const stepping::Clock& clock,
                               const std::vector<Vec3>& d, stepping::History& mesh) {
   fluid.begin_step(clock);
-  const Outcome placed = fluid.set_domain(d, fluid.time_scheme().pasts(mesh));
+  const Outcome placed = fluid.field().set_domain(d, fluid.time_scheme().pasts(mesh));
   TUNICA_CHECK(placed.is_success(), placed.reason());
   const nonlinear::NewtonReport report = fluid.solve();
   TUNICA_CHECK(report.is_converged, report.reason);

@@ -38,12 +38,12 @@ FlowErrors flow_errors(const problems::FluidProblem& fluid, const Exact& exact) 
       double p_h = 0.0;
       for (int a = 0; a < 4; ++a) {
         const int node = mesh.tets[e][a];
-        x += point.N[a] * fluid.positions()[node];
+        x += point.N[a] * fluid.field().positions()[node];
         u_h += point.N[a] * u[node];
         p_h += point.N[a] * p[node];
       }
       const Flow flow = exact(x);
-      const double dV = point.weight * fluid.elements().geometry[e].volume;
+      const double dV = point.weight * fluid.field().elements().geometry[e].volume;
       volume += dV;
       u2 += dV * dot(u_h - flow.u, u_h - flow.u);
       p1 += dV * (p_h - flow.p);

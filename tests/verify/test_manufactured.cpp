@@ -57,8 +57,8 @@ FlowErrors errors_on_cube(Kind kind, int n, const stepping::Clock& times) {
   problems::FluidProblem fluid(verify::enclosed_fluid(density, viscosity), field);
   const auto u = [kind](const Vec3& x, double time) { return flow_at(kind, x, time).u; };
   fluid.set_initial_velocity([u](const Vec3& x) { return u(x, 0.0); });
-  fluid.set_boundary_velocity(u);
-  fluid.set_body_force([kind](const Vec3& x, double time) {
+  fluid.field().set_boundary_velocity(u);
+  fluid.field().set_body_force([kind](const Vec3& x, double time) {
     return verify::body_force(flow_at(kind, x, time), density, viscosity);
   });
   for (stepping::Clock clock = times; !clock.is_done(); clock.advance()) {

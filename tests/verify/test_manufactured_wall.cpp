@@ -105,7 +105,7 @@ Teuchos::ParameterList options(const Newmark& scheme, const std::string& method,
 }
 
 void march(problems::SolidProblem& wall, int steps) {
-  wall.set_body_force(body_force);
+  wall.field().set_body_force(body_force);
   for (stepping::Clock clock(duration / steps, steps); !clock.is_done(); clock.advance()) {
     wall.begin_step(clock);
     const nonlinear::NewtonReport report = wall.solve();
@@ -135,7 +135,7 @@ Errors errors_of(const problems::SolidProblem& wall) {
         d_h += point.N[b] * d[node];
         p_h += point.N[b] * p[node];
       }
-      const double dV = point.weight * wall.elements().geometry[e].volume;
+      const double dV = point.weight * wall.field().elements().geometry[e].volume;
       const Vec3 error = d_h - g(duration) * shape(X);
       d2 += dV * dot(error, error);
       p2 += dV * std::pow(p_h - pressure(X, duration), 2);

@@ -78,8 +78,8 @@ std::vector<Vec3> motion(const fields::FieldMesh& mesh, double time) {
 void march(Kind kind, problems::FluidProblem& fluid, const stepping::Clock& times) {
   const auto u = [kind](const Vec3& x, double time) { return flow_at(kind, x, time).u; };
   fluid.set_initial_velocity([u](const Vec3& x) { return u(x, 0.0); });
-  fluid.set_boundary_velocity(u);
-  fluid.set_body_force([kind](const Vec3& x, double time) {
+  fluid.field().set_boundary_velocity(u);
+  fluid.field().set_body_force([kind](const Vec3& x, double time) {
     return verify::body_force(flow_at(kind, x, time), density, viscosity);
   });
   stepping::History past = verify::mesh_at_rest(fluid);

@@ -49,10 +49,10 @@ Worst worst_of(problems::FluidProblem& fluid, const boundary::VectorField& u, co
     verify::solve_moving_step(fluid, clock, d, past);
     const auto u_h = fields::ghosted_vectors(mesh, fluid.state()[0]);
     const auto p_h = fields::ghosted_scalars(mesh, fluid.state()[1]);
-    const auto offset = [&](int a) { return p_h[a] - dot(grad_p, fluid.positions()[a]); };
+    const auto offset = [&](int a) { return p_h[a] - dot(grad_p, fluid.field().positions()[a]); };
     const double constant = verify::mean_over_nodes(mesh, offset);
     for (int a = 0; a < mesh.n_owned; ++a) {
-      const Vec3 exact = u(fluid.positions()[a], clock.time());
+      const Vec3 exact = u(fluid.field().positions()[a], clock.time());
       worst.u = std::max(worst.u, norm(u_h[a] - exact));
       worst.p = std::max(worst.p, std::abs(offset(a) - constant));
     }
@@ -79,7 +79,7 @@ TEUCHOS_UNIT_TEST(moving_mesh, uniform_flow_stays_uniform) {
     problems::FluidProblem fluid(options(scheme), field);
     fluid.set_initial_velocity([](const Vec3&) { return U; });
     const auto u = [](const Vec3&, double) { return U; };
-    fluid.set_boundary_velocity(u);
+    fluid.field().set_boundary_velocity(u);
     const Worst worst = worst_of(fluid, u, {});
     out << scheme << ": velocity " << worst.u << ", pressure " << worst.p << "\n";
     TEST_COMPARE(worst.u, <, 1e-12);
@@ -93,8 +93,9 @@ TEUCHOS_UNIT_TEST(moving_mesh, linear_steady_flow_is_exact) {
     problems::FluidProblem fluid(options(scheme), field);
     fluid.set_initial_velocity([](const Vec3& x) { return A * x; });
     const auto u = [](const Vec3& x, double) { return A * x; };
-    fluid.set_boundary_velocity(u);
-    fluid.set_body_force([](const Vec3& x, double) { return A * (A * x) + 1.0 / density * g; });
+    fluid.field().set_boundary_velocity(u);
+    fluid.field().set_body_force(
+        [](const Vec3& x, double) { return A * (A * x) + 1.0 / density * g; });
     const Worst worst = worst_of(fluid, u, g);
     out << scheme << ": velocity " << worst.u << ", pressure " << worst.p << "\n";
     TEST_COMPARE(worst.u, <, 1e-11);

@@ -51,7 +51,7 @@ TEUCHOS_UNIT_TEST(newton, converges_quadratically_on_a_convective_flow) {
                                  entry("absolute increment", "double", "0") +
                                  entry("linear tolerance", "double", "1e-11")),
       field);
-  fluid.set_boundary_velocity([](const Vec3& x, double) {
+  fluid.field().set_boundary_velocity([](const Vec3& x, double) {
     const double lid = x[2] > 0.999 ? 16.0 * x[0] * (1.0 - x[0]) * x[1] * (1.0 - x[1]) : 0.0;
     return Vec3{lid, 0.3 * lid, 0.0};
   });

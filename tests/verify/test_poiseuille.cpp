@@ -65,7 +65,7 @@ double developed_flow(const problems::FluidProblem& fluid) {
       mean += 0.25 * u[a];
     }
     if (mesh.is_owned[e] && centre[2] > 2.0 * R && centre[2] < 4.0 * R)
-      sum += fluid.elements().geometry[e].volume * mean[2];
+      sum += fluid.field().elements().geometry[e].volume * mean[2];
   }
   return global_sum(*mesh.comm, sum) / (2.0 * R);
 }
@@ -118,7 +118,7 @@ Flow flow_on(int n, const std::string& residual = "viscous",
   const double exact = std::acos(-1.0) * std::pow(R, 4) * G / (8.0 * viscosity);
   double volume = 0.0, h2_volume = 0.0;
   for (std::size_t e = 0; e < field.tets.size(); ++e) {
-    const double V = fluid.elements().geometry[e].volume;
+    const double V = fluid.field().elements().geometry[e].volume;
     volume += V;
     h2_volume += V * std::pow(kernels::element_length(V), 2);
   }

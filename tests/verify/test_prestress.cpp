@@ -72,7 +72,7 @@ Found find(const Imaged& imaged, double step, double last, Teuchos::FancyOStream
   };
   const auto prestress = problems::find_prestress(list, wall, watch);
   TUNICA_CHECK(prestress.is_success(), prestress.reason());
-  TUNICA_CHECK(wall.set_prestretch(prestress.value().prestretch).is_success(), "inverted");
+  TUNICA_CHECK(wall.field().set_prestretch(prestress.value().prestretch).is_success(), "inverted");
   wall.take(prestress.value().state);
   out << found.iterations << " iterations, det G " << found.least_det << " to " << found.most_det
       << "; pressure, radius:";

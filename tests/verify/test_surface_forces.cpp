@@ -97,8 +97,8 @@ TEUCHOS_UNIT_TEST(surface_forces, linear_flows_have_their_exact_forces_wherever_
     TEST_EQUALITY(count, by_triangles ? 6 * 2 * 9 : 6);
     problems::FluidProblem fluid(given_all_around(field), field);
     fluid.set_initial_velocity(flow);
-    fluid.set_boundary_velocity([](const Vec3& x, double) { return flow(x); });
-    fluid.set_body_force([](const Vec3&, double) { return body_force; });
+    fluid.field().set_boundary_velocity([](const Vec3& x, double) { return flow(x); });
+    fluid.field().set_body_force([](const Vec3&, double) { return body_force; });
     fluid.begin_step(stepping::Clock(0.5, 1));
     TEST_ASSERT(fluid.solve().is_converged);
     std::vector<double> exact(8 * count, 0.0);  // pressure force, viscous force, area, ∫ p dA
@@ -138,7 +138,7 @@ TEUCHOS_UNIT_TEST(surface_forces, planes_of_symmetry_take_no_force_along_themsel
   for (Vec3& x : turned.vertices) x = {c * x[0] - s * x[1], s * x[0] + c * x[1], x[2]};
   const fields::FieldMesh field = verify::field_of(turned);
   problems::FluidProblem fluid(given_all_around(field, plane), field);
-  fluid.set_boundary_velocity([c, s](const Vec3& X, double) {
+  fluid.field().set_boundary_velocity([c, s](const Vec3& X, double) {
     const double x = c * X[0] + s * X[1], y = -s * X[0] + c * X[1];
     return Vec3{0.0, 0.0, (1.0 - x * x) * (2.0 - y * y)};
   });
@@ -221,7 +221,7 @@ TEUCHOS_UNIT_TEST(surface_forces, forces_and_change_of_momentum_balance) {
       Vec3 change{};
       for (std::size_t e = 0; e < field.tets.size(); ++e) {
         if (!field.is_owned[e]) continue;
-        const kernels::Tet4& T = fluid.elements().geometry[e];
+        const kernels::Tet4& T = fluid.field().elements().geometry[e];
         Vec3 mean{}, rate{}, convection{};
         for (const int node : field.tets[e]) {
           mean += 0.25 * u[node];

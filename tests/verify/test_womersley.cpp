@@ -95,7 +95,7 @@ private:
         z += 0.25 * mesh.x[a][2];
         mean += 0.25 * u[a][2];
       }
-      if (z > 2.0 * R && z < 4.0 * R) sum += fluid_->elements().geometry[e].volume * mean;
+      if (z > 2.0 * R && z < 4.0 * R) sum += fluid_->field().elements().geometry[e].volume * mean;
     }
     return sum / (2.0 * R);
   }

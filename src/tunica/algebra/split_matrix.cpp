@@ -27,6 +27,42 @@ struct Places {
   }
 };
 
+void check_order(const Places& rows, const BlockSpace& space) {
+  for (int b = 0; b < space.n_blocks(); ++b)
+    for (std::size_t r = 0; r < rows.numbers[b].size(); ++r)
+      if (space[b].map->getLocalElement(rows.numbers[b][r]) != static_cast<int>(r))
+        throw std::logic_error("SplitMatrix: block \"" + space[b].name +
+                               "\" has its rows in another order");
+}
+
+/// The graphs of all blocks, row by row of them.
+struct Graphs {
+  std::vector<RowStart> row_start;
+  std::vector<LocalColumns> columns;
+
+  Graphs(const CrsMatrix& merged, const Places& rows, const Places& of_columns, int n_blocks) {
+    const auto from = merged.getLocalMatrixHost().graph;
+    for (int i = 0; i < n_blocks; ++i)
+      for (int j = 0; j < n_blocks; ++j)
+        row_start.emplace_back("row start", rows.numbers[i].size() + 1);
+    const auto for_each_entry = [&](const auto& work) {
+      const int n_rows = static_cast<int>(rows.block.size());
+      for (int r = 0; r < n_rows; ++r)
+        for (auto k = from.row_map(r); k < from.row_map(r + 1); ++k) {
+          const int c = from.entries(k);
+          work(n_blocks * rows.block[r] + of_columns.block[c], rows.place[r], of_columns.place[c]);
+        }
+    };
+    for_each_entry([&](int block, int row, int) { ++row_start[block](row + 1); });
+    std::vector<std::size_t> next(row_start.size(), 0);
+    for (const RowStart& start : row_start) {
+      for (std::size_t r = 1; r < start.extent(0); ++r) start(r) += start(r - 1);
+      columns.emplace_back("columns", start(start.extent(0) - 1));
+    }
+    for_each_entry([&](int block, int, int column) { columns[block](next[block]++) = column; });
+  }
+};
+
 }  // namespace
 
 SplitMatrix::SplitMatrix(const CrsMatrix& merged, const BlockSpace& space)
@@ -35,44 +71,16 @@ SplitMatrix::SplitMatrix(const CrsMatrix& merged, const BlockSpace& space)
   const Places rows(*merged.getRowMap(), layout), columns(*merged.getColMap(), layout);
   row_block_ = rows.block;
   column_block_ = columns.block;
-  for (int b = 0; b < n_blocks_; ++b)
-    for (std::size_t r = 0; r < rows.numbers[b].size(); ++r)
-      if (space[b].map->getLocalElement(rows.numbers[b][r]) != static_cast<int>(r))
-        throw std::logic_error("SplitMatrix: block \"" + space[b].name +
-                               "\" has its rows in another order");
-  const auto from = merged.getLocalMatrixHost().graph;
-
-  std::vector<RowStart> row_start;
-  for (int i = 0; i < n_blocks_; ++i)
-    for (int j = 0; j < n_blocks_; ++j)
-      row_start.emplace_back("row start", rows.numbers[i].size() + 1);
-  const auto index = [&](int r, std::size_t c) {
-    return n_blocks_ * rows.block[r] + columns.block[from.entries(c)];
-  };
-  const int n_rows = static_cast<int>(rows.block.size());
-  for (int r = 0; r < n_rows; ++r)
-    for (auto k = from.row_map(r); k < from.row_map(r + 1); ++k)
-      ++row_start[index(r, k)](rows.place[r] + 1);
-  std::vector<LocalColumns> entries;
-  std::vector<std::size_t> next(row_start.size(), 0);
-  for (const RowStart& start : row_start) {
-    for (std::size_t r = 1; r < start.extent(0); ++r) start(r) += start(r - 1);
-    entries.emplace_back("columns", start(start.extent(0) - 1));
-  }
-  for (int r = 0; r < n_rows; ++r)
-    for (auto k = from.row_map(r); k < from.row_map(r + 1); ++k) {
-      const int b = index(r, k);
-      entries[b](next[b]++) = columns.place[from.entries(k)];
-    }
-
+  check_order(rows, space);
+  const Graphs graphs(merged, rows, columns, n_blocks_);
   std::vector<Teuchos::RCP<const Map>> column_maps;
   for (int j = 0; j < n_blocks_; ++j)
     column_maps.push_back(map_of(columns.numbers[j], space.comm()));
   for (int i = 0; i < n_blocks_; ++i)
     for (int j = 0; j < n_blocks_; ++j) {
       const int b = n_blocks_ * i + j;
-      blocks_.push_back(matrix_on(
-          static_graph(space[i].map, column_maps[j], row_start[b], entries[b], space[j].map)));
+      blocks_.push_back(matrix_on(static_graph(space[i].map, column_maps[j], graphs.row_start[b],
+                                               graphs.columns[b], space[j].map)));
     }
   refresh();
 }

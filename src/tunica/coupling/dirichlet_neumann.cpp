@@ -37,8 +37,8 @@ Outcome DirichletNeumann::begin(const stepping::Clock& clock) {
 Outcome DirichletNeumann::set_preconditioner(const stepping::Clock& clock) {
   const fields::FieldMesh& mesh = fluid_->mesh();
   // ρ (u − ũ)/Δt with u = (d − d̃)/Δt on the interface
-  const double mass = fluid_->density() * std::pow(fluid_->time_scheme().rate(), 2);
-  AddedMassModel model{mesh.x, {}, fluid_->open_surfaces(), mass, {}};
+  const double mass = fluid_->field().density() * std::pow(fluid_->time_scheme().rate(), 2);
+  AddedMassModel model{mesh.x, {}, fluid_->field().open_surfaces(), mass, {}};
   for (int a = 0; a < mesh.n_nodes(); ++a) model.positions[a] += motion_->old_displacement()[a];
   model.area = boundary::nodal_areas(mesh, model.positions, interface_->surfaces);
   const auto compliance = wall_compliance(*interface_, model.area, *wall_);
@@ -97,7 +97,8 @@ Outcome DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& ite
   if (moved.is_failure()) return moved.at("the mesh motion");
   // F_f(u, p; d_f) = 0, u = (d − d̃)/Δt_e on the interface
   const Stopwatch flowing;
-  const Outcome placed = fluid_->set_domain(motion_->displacement(), motion_->past_displacement());
+  const Outcome placed =
+      fluid_->field().set_domain(motion_->displacement(), motion_->past_displacement());
   if (placed.is_failure()) return placed.at("the fluid's mesh");
   nonlinear::NewtonReport& report = iteration.solve("fluid");
   report = fluid_->solve();
@@ -111,7 +112,7 @@ Outcome DirichletNeumann::evaluate(const InterfaceVector& d, Iteration& iteratio
   if (const Outcome flow = move_and_flow(d, iteration); flow.is_failure()) return flow;
   // F_s(d, p) = f with f = −R_u of the fluid
   const Stopwatch watch;
-  wall_->set_nodal_force(interface_->to_wall(interface_->from_fluid(fluid_->reaction())));
+  wall_->field().set_nodal_force(interface_->to_wall(interface_->from_fluid(fluid_->reaction())));
   nonlinear::NewtonReport& report = iteration.solve("wall");
   report = wall_->solve();
   iteration.seconds("wall") = watch.seconds();

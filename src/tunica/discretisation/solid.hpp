@@ -79,6 +79,11 @@ public:
   Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
 
 private:
+  struct Summary;
+  /// A local element with its values at the vertices.
+  void add_element(std::size_t e, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,
+                   Summary& s) const;
+  static Observables observables_of(const Summary& s, const Comm& comm, bool has_interface);
   void set_elements();
   void follow_prestretch();
   void set_coefficients();

@@ -10,59 +10,15 @@
 
 namespace tunica::discretisation {
 
-namespace {
-
 /// Extremes and sums on one rank.
-struct Summary {
+struct Solid::Summary {
   double displacement = 0.0, interface_displacement = 0.0;
   double low_pressure = 1e300, high_pressure = -1e300;
   double low_J = 1e300, high_J = -1e300;
   double elastic = 0.0, volumetric = 0.0, kinetic = 0.0, stabilisation = 0.0;
 };
 
-}  // namespace
-
-// For the balance that the energies close see fluid_observables.cpp. The elastic energy is that
-// of the isochoric law, the volumetric one ∫ p²/(2κ) dV; the velocity is that of the last
-// accepted step. What PSPG takes out moves the subscales and swings there; without inertia of
-// theirs it vanishes with Δt and is not counted.
-
-Observables Solid::observe(const algebra::BlockVector& x) const {
-  const Comm& comm = *mesh_->comm;
-  const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, x[0]);
-  const std::vector<double> p = fields::ghosted_scalars(scalar_mesh(), x[1]);
-  const int n_surfaces = static_cast<int>(mesh_->surfaces.size());
-  bool has_interface = false;
-  for (int k = 0; k < n_surfaces; ++k) has_interface |= surfaces_.is_interface(k);
-  Summary s;
-  for (int a = 0; a < mesh_->n_owned; ++a) {
-    s.displacement = std::max(s.displacement, norm(d[a]));
-    for (int k = 0; k < n_surfaces; ++k)
-      if (surfaces_.is_interface(k) && mesh_->is_on(a, k))
-        s.interface_displacement = std::max(s.interface_displacement, norm(d[a]));
-  }
-  for (int a = 0; a < scalar_mesh().n_owned; ++a) {
-    s.low_pressure = std::min(s.low_pressure, p[a]);
-    s.high_pressure = std::max(s.high_pressure, p[a]);
-  }
-  for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
-    const auto de = elements_.displacement(e, assembly::gather(d, mesh_->tets[e]));
-    const kernels::Tet4 T = elements_.geometry[e];
-    const double J = kernels::solid_jacobian_determinant(T, de);
-    s.low_J = std::min(s.low_J, J);
-    s.high_J = std::max(s.high_J, J);
-    if (!mesh_->is_owned[e]) continue;
-    const auto pe = assembly::gather(p, scalar_mesh().tets[e]);
-    const double V = T.volume;
-    const Sym3 C = kernels::right_cauchy_green(kernels::deformation_gradient(T, de));
-    const assembly::SolidLayer& layer = elements_.layer(e);
-    s.elastic += V * layer.law->energy(C, elements_.frame(e));
-    s.volumetric += 0.5 * layer.coefficients.inv_kappa * kernels::squared_norm(V, pe);
-    s.kinetic += 0.5 * layer.density *
-                 kernels::squared_norm(V, assembly::gather(velocity(), mesh_->tets[e]));
-    if (subscales_ && is_nearly_incompressible(e))
-      s.stabilisation += kernels::subscale_power(T, de, pe, subscales_->history()[0][e]);
-  }
+Observables Solid::observables_of(const Summary& s, const Comm& comm, bool has_interface) {
   Observables found{{"max_displacement_wall_mm", global_max(comm, s.displacement)},
                     {"min_det_F", global_min(comm, s.low_J)},
                     {"max_det_F", global_max(comm, s.high_J)},
@@ -75,6 +31,34 @@ Observables Solid::observe(const algebra::BlockVector& x) const {
   if (has_interface)
     found.insert(found.begin() + 1,
                  {"max_displacement_interface_mm", global_max(comm, s.interface_displacement)});
+  return found;
+}
+
+// For the balance that the energies close see fluid_observables.cpp. The elastic energy is that
+// of the isochoric law, the volumetric one ∫ p²/(2κ) dV; the velocity is that of the last
+// accepted step. What PSPG takes out moves the subscales and swings there; without inertia of
+// theirs it vanishes with Δt and is not counted.
+
+Observables Solid::observe(const algebra::BlockVector& x) const {
+  const std::vector<Vec3> d = fields::ghosted_vectors(*mesh_, x[0]);
+  const std::vector<double> p = fields::ghosted_scalars(scalar_mesh(), x[1]);
+  std::vector<int> interfaces;
+  for (int k = 0; k < static_cast<int>(mesh_->surfaces.size()); ++k)
+    if (surfaces_.is_interface(k)) interfaces.push_back(k);
+  Summary s;
+  for (int a = 0; a < mesh_->n_owned; ++a) {
+    s.displacement = std::max(s.displacement, norm(d[a]));
+    if (mesh_->is_on_any(a, interfaces))
+      s.interface_displacement = std::max(s.interface_displacement, norm(d[a]));
+  }
+  for (int a = 0; a < scalar_mesh().n_owned; ++a) {
+    s.low_pressure = std::min(s.low_pressure, p[a]);
+    s.high_pressure = std::max(s.high_pressure, p[a]);
+  }
+  for (std::size_t e = 0; e < mesh_->tets.size(); ++e)
+    add_element(e, assembly::gather(d, mesh_->tets[e]), assembly::gather(p, scalar_mesh().tets[e]),
+                s);
+  Observables found = observables_of(s, *mesh_->comm, !interfaces.empty());
   boundary::Surroundings here = surroundings();
   here.u = &d;
   here.w = &velocity();
@@ -82,6 +66,25 @@ Observables Solid::observe(const algebra::BlockVector& x) const {
   surfaces_.observe_whole(here, of_surfaces);
   for (const auto& [name, value] : of_surfaces) found.push_back({name, value});
   return found;
+}
+
+void Solid::add_element(std::size_t e, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,
+                        Summary& s) const {
+  const auto de = elements_.displacement(e, d);
+  const kernels::Tet4 T = elements_.geometry[e];
+  const double J = kernels::solid_jacobian_determinant(T, de);
+  s.low_J = std::min(s.low_J, J);
+  s.high_J = std::max(s.high_J, J);
+  if (!mesh_->is_owned[e]) return;
+  const double V = T.volume;
+  const Sym3 C = kernels::right_cauchy_green(kernels::deformation_gradient(T, de));
+  const assembly::SolidLayer& layer = elements_.layer(e);
+  s.elastic += V * layer.law->energy(C, elements_.frame(e));
+  s.volumetric += 0.5 * layer.coefficients.inv_kappa * kernels::squared_norm(V, p);
+  s.kinetic +=
+      0.5 * layer.density * kernels::squared_norm(V, assembly::gather(velocity(), mesh_->tets[e]));
+  if (subscales_ && is_nearly_incompressible(e))
+    s.stabilisation += kernels::subscale_power(T, de, p, subscales_->history()[0][e]);
 }
 
 // A surface that holds the wall takes from it the sum of the nodal reactions, minus the momentum

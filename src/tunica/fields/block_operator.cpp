@@ -197,6 +197,46 @@ private:
   std::vector<int> components_;
 };
 
+/// Where a neighbour's unknowns stand in a row: the first of its columns.
+struct MergedEntry {
+  int column, block;
+  std::size_t k;  ///< in the graph of the pair of blocks
+};
+
+/// graph: that of a pair of blocks. The rows of an owned node, in the order of columns.
+template <class GraphOf>
+void find_row(const GraphOf& graph, const MergedColumns& numbers, int n_blocks, int block, int node,
+              std::vector<MergedEntry>& row) {
+  row.clear();
+  for (int c = 0; c < n_blocks; ++c) {
+    const NodeGraph& own = graph(block, c);
+    for (std::size_t k = own.row_start[node]; k < own.row_start[node + 1]; ++k)
+      row.push_back({numbers.first(c, own.columns[k]), c, k});
+  }
+  std::sort(row.begin(), row.end(),
+            [](const MergedEntry& x, const MergedEntry& y) { return x.column < y.column; });
+}
+
+template <class GraphOf>
+algebra::RowStart merged_row_start(const BlockOperator& K, const GraphOf& graph,
+                                   const algebra::DofLayout& layout, const MergedColumns& numbers) {
+  algebra::RowStart row_start("row start", n_local(*numbers.rows()) + 1);
+  std::size_t longest = 0;
+  for (int b = 0; b < K.n_blocks(); ++b)
+    for (int a = 0; a < K.mesh_of(b).n_owned; ++a) {
+      std::size_t length = 0;
+      for (int c = 0; c < K.n_blocks(); ++c) length += layout.components(c) * graph(b, c).length(a);
+      longest = std::max(longest, length);
+      for (int i = 0; i < layout.components(b); ++i)
+        row_start(numbers.first(b, a) + i + 1) = length;
+    }
+  TUNICA_CHECK(global_max(*K.mesh().comm, static_cast<double>(longest)) <=
+                   std::numeric_limits<std::int16_t>::max(),
+               "a vertex of the mesh has more than 8,000 neighbours");
+  for (std::size_t r = 1; r < row_start.extent(0); ++r) row_start(r) += row_start(r - 1);
+  return row_start;
+}
+
 }  // namespace
 
 /// Between the nodes of two blocks each, by whether these are on the split mesh; the same without
@@ -239,53 +279,28 @@ void BlockOperator::make_merged(const Graphs& graphs) {
   const auto graph = [&](int row, int column) -> const NodeGraph& {
     return graphs(*space(), row, column);
   };
-  const auto for_each_row = [this](const auto& work) {
-    for (int b = 0; b < n_blocks(); ++b)
-      for (int a = 0; a < mesh_of(b).n_owned; ++a) work(b, a);
-  };
-
-  algebra::RowStart row_start("row start", n_local(*numbers.rows()) + 1);
-  std::size_t longest = 0;
-  for_each_row([&](int b, int a) {
-    std::size_t length = 0;
-    for (int c = 0; c < n_blocks(); ++c) length += layout.components(c) * graph(b, c).length(a);
-    longest = std::max(longest, length);
-    for (int i = 0; i < layout.components(b); ++i) row_start(numbers.first(b, a) + i + 1) = length;
-  });
-  TUNICA_CHECK(global_max(*mesh_->comm, static_cast<double>(longest)) <=
-                   std::numeric_limits<std::int16_t>::max(),
-               "a vertex of the mesh has more than 8,000 neighbours");
-  for (std::size_t r = 1; r < row_start.extent(0); ++r) row_start(r) += row_start(r - 1);
+  const algebra::RowStart row_start = merged_row_start(*this, graph, layout, numbers);
   algebra::LocalColumns columns("columns", row_start(row_start.extent(0) - 1));
-
   rows_.resize(n_blocks());
   std::vector<std::vector<std::int16_t>> places;  // per pair of blocks and column of its graph
   for (int b = 0; b < n_blocks(); ++b)
     for (int c = 0; c < n_blocks(); ++c) places.emplace_back(graph(b, c).columns.size());
-  struct Entry {
-    int column, block;
-    std::size_t k;  ///< in the graph
-  };
-  std::vector<Entry> row;
-  for_each_row([&](int b, int a) {
-    row.clear();
-    for (int c = 0; c < n_blocks(); ++c)
-      for (std::size_t k = graph(b, c).row_start[a]; k < graph(b, c).row_start[a + 1]; ++k)
-        row.push_back({numbers.first(c, graph(b, c).columns[k]), c, k});
-    std::sort(row.begin(), row.end(),
-              [](const Entry& x, const Entry& y) { return x.column < y.column; });
-    const std::size_t start = row_start(numbers.first(b, a)),
-                      length = row_start(numbers.first(b, a) + 1) - start;
-    rows_[b].start.push_back(start);
-    rows_[b].length.push_back(length);
-    std::size_t place = 0;
-    for (const Entry& entry : row) {
-      places[b * n_blocks() + entry.block][entry.k] = static_cast<std::int16_t>(place);
-      for (int j = 0; j < layout.components(entry.block); ++j, ++place)
-        for (int i = 0; i < layout.components(b); ++i)
-          columns(start + i * length + place) = entry.column + j;
+  std::vector<MergedEntry> row;
+  for (int b = 0; b < n_blocks(); ++b)
+    for (int a = 0; a < mesh_of(b).n_owned; ++a) {
+      find_row(graph, numbers, n_blocks(), b, a, row);
+      const std::size_t start = row_start(numbers.first(b, a)),
+                        length = row_start(numbers.first(b, a) + 1) - start;
+      rows_[b].start.push_back(start);
+      rows_[b].length.push_back(length);
+      std::size_t place = 0;
+      for (const MergedEntry& entry : row) {
+        places[b * n_blocks() + entry.block][entry.k] = static_cast<std::int16_t>(place);
+        for (int j = 0; j < layout.components(entry.block); ++j, ++place)
+          for (int i = 0; i < layout.components(b); ++i)
+            columns(start + i * length + place) = entry.column + j;
+      }
     }
-  });
   store_merged(algebra::matrix_on(
       algebra::static_graph(numbers.rows(), numbers.map(), row_start, columns, numbers.rows())));
   columns_ = merged()->getLocalMatrixHost().graph.entries.data();

@@ -139,14 +139,14 @@ std::vector<LayerVolume> layer_volumes(const problems::SolidProblem& wall) {
   std::vector<int> is_counted(mesh.regions.size(), 0);
   for (std::size_t e = 0; e < mesh.tets.size(); ++e)
     if (is_counted[mesh.region[e]] == 0 &&
-        is_nearly_incompressible(*wall.elements().layer(e).law,
-                                 1.0 / wall.elements().layer(e).coefficients.inv_kappa))
+        is_nearly_incompressible(*wall.field().elements().layer(e).law,
+                                 1.0 / wall.field().elements().layer(e).coefficients.inv_kappa))
       is_counted[mesh.region[e]] = 1;
   std::vector<LayerVolume> volumes;
   for (std::size_t r = 0; r < is_counted.size(); ++r)
     if (global_max(*mesh.comm, double(is_counted[r])) > 0.0)
       volumes.push_back(
-          layer_volume(mesh, static_cast<int>(r), wall.elements().geometry, d, is_at_edge));
+          layer_volume(mesh, static_cast<int>(r), wall.field().elements().geometry, d, is_at_edge));
   return volumes;
 }
 

@@ -224,60 +224,99 @@ TauDerivative fluid_tau_derivative(const Tet4& T, const Vec3& velocity,
   return {factor * q_by_volume, factor * q_by_velocity};
 }
 
-void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
-                             double tau, const TauDerivative& derivative, ShapeJacobian& K) {
-  const Point<double> x = evaluate(T, s, c, tau);
-  const double V = T.volume, m = V / 20.0, mu_V = c.viscosity * V;
-  const Vec3 grad_p = x.h + c.density * c.inv_dt * s.subscale + s.viscous;
-  const Vec3 m_sum = x.m[0] + x.m[1] + x.m[2] + x.m[3];
-  const Vec3 r_sum = m_sum + 4.0 * x.h;
-  const double div_u = x.G[0][0] + x.G[1][1] + x.G[2][2];
-  Mat3 stress;  // μ (G + Gᵀ) − p̄ I
+namespace {
+
+/// What all pairs of vertices share.
+struct ShapePoint {
+  Point<double> x;
+  double V, m, mu_V, tau, div_u;
+  Vec3 grad_p, m_sum, r_sum;
+  Mat3 stress;  ///< μ (G + Gᵀ) − p̄ I
+};
+
+/// The derivatives by the place of vertex b that all rows share.
+struct MovedVertex {
+  double t[4], t_sum = 0.0;
+  Vec3 stress_N, t_r;  ///< τ ∫ t_b r
+  double N_r;
+  Vec3 log_tau;  ///< dτ/τ
+};
+
+ShapePoint shape_point(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau) {
+  ShapePoint p{};
+  p.x = evaluate(T, s, c, tau);
+  p.V = T.volume;
+  p.m = p.V / 20.0;
+  p.mu_V = c.viscosity * p.V;
+  p.tau = tau;
+  p.grad_p = p.x.h + c.density * c.inv_dt * s.subscale + s.viscous;
+  p.m_sum = p.x.m[0] + p.x.m[1] + p.x.m[2] + p.x.m[3];
+  p.r_sum = p.m_sum + 4.0 * p.x.h;
+  p.div_u = p.x.G[0][0] + p.x.G[1][1] + p.x.G[2][2];
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      stress[i][j] = c.viscosity * (x.G[i][j] + x.G[j][i]) - (i == j ? x.p_mean : 0.0);
+      p.stress[i][j] = c.viscosity * (p.x.G[i][j] + p.x.G[j][i]) - (i == j ? p.x.p_mean : 0.0);
+  return p;
+}
+
+MovedVertex moved_vertex(const Tet4& T, const ShapePoint& p, const FluidCoefficients& c,
+                         const TauDerivative& derivative, int b) {
+  const Point<double>& x = p.x;
+  const Vec3& Nb = T.grad_N[b];
+  MovedVertex v{};
+  for (int k = 0; k < 4; ++k) v.t_sum += v.t[k] = x.s[b][k] + (k == b ? c.inv_dt : 0.0);
+  v.stress_N = p.stress * Nb;
+  v.t_r = x.sums * v.t_sum * p.r_sum;
+  for (int k = 0; k < 4; ++k) v.t_r += x.products * v.t[k] * (x.m[k] + x.h);
+  v.N_r = dot(Nb, p.r_sum);
+  for (int j = 0; j < 3; ++j)
+    v.log_tau[j] =
+        (derivative.by_volume * Nb[j] - 0.25 * c.inv_dt * derivative.by_velocity[j]) / p.tau;
+  return v;
+}
+
+/// The rows of vertex a by the place of vertex b.
+void add_shape_pair(const Tet4& T, const ShapePoint& p, const FluidCoefficients& c,
+                    const MovedVertex& v, int a, int b, ShapeJacobian& K) {
+  const Point<double>& x = p.x;
+  const Vec3 &Na = T.grad_N[a], &Nb = T.grad_N[b];
+  const double* sa = x.s[a];
+  const double Na_Nb = dot(Na, Nb);
+  const Vec3 stress_Na = p.stress * Na;
+  const double st = x.sums * x.s_sum[a] * v.t_sum + x.products * (sa[0] * v.t[0] + sa[1] * v.t[1] +
+                                                                  sa[2] * v.t[2] + sa[3] * v.t[3]);
+  const double inertia = c.density * (p.m * (v.t_sum + v.t[a]) + st) + p.mu_V * Na_Nb;
+  const Vec3 galerkin = p.m * (p.m_sum + x.m[a]) + p.V * stress_Na;
+  Vec3 streamline = x.sums * x.s_sum[a] * p.r_sum;  // τ ∫ s_a r
+  for (int k = 0; k < 4; ++k) streamline += x.products * sa[k] * (x.m[k] + x.h);
+  const double tau_sa = (4.0 * x.sums + x.products) * x.s_sum[a];  // τ ∫ s_a
+  const double pspg = -0.25 * p.V * p.tau / c.density;
+  const double Na_r = dot(Na, p.r_sum);
+  for (int j = 0; j < 3; ++j) {
+    const Vec3 Gj{x.G[0][j], x.G[1][j], x.G[2][j]};
+    const double Gj_Na = dot(Gj, Na), Gj_Nb = dot(Gj, Nb);
+    for (int i = 0; i < 3; ++i)
+      K.u[a][b][i][j] = Nb[j] * (galerkin[i] + streamline[i]) + v.log_tau[j] * streamline[i] -
+                        inertia * Gj[i] - p.mu_V * Gj_Na * Nb[i] -
+                        Na[j] * (p.V * v.stress_N[i] + v.t_r[i]) - tau_sa * p.grad_p[j] * Nb[i];
+    if (c.has_skew_convection)  // d(V div u) = V (∂_j N_b div u − G_j·∇N_b)
+      for (int i = 0; i < 3; ++i)
+        K.u[a][b][i][j] += 0.5 * c.density * (Nb[j] * p.div_u - Gj_Nb) * x.Nu[a][i];
+    // dΣr = −ρ t_sum G_j − 4 ∂_j p ∇N_b
+    const double Na_dr = -c.density * v.t_sum * Gj_Na - 4.0 * p.grad_p[j] * Na_Nb;
+    K.p[a][b][j] = -0.25 * p.V * (Nb[j] * p.div_u - Gj_Nb) +
+                   pspg * ((Nb[j] + v.log_tau[j]) * Na_r - Na[j] * v.N_r + Na_dr);
+  }
+}
+
+}  // namespace
+
+void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
+                             double tau, const TauDerivative& derivative, ShapeJacobian& K) {
+  const ShapePoint p = shape_point(T, s, c, tau);
   for (int b = 0; b < 4; ++b) {
-    const Vec3& Nb = T.grad_N[b];
-    double t[4], t_sum = 0.0;
-    for (int k = 0; k < 4; ++k) t_sum += t[k] = x.s[b][k] + (k == b ? c.inv_dt : 0.0);
-    const Vec3 stress_Nb = stress * Nb;
-    Vec3 t_r = x.sums * t_sum * r_sum;  // τ ∫ t_b r
-    for (int k = 0; k < 4; ++k) t_r += x.products * t[k] * (x.m[k] + x.h);
-    const double Nb_r = dot(Nb, r_sum);
-    Vec3 log_tau;  // dτ/τ
-    for (int j = 0; j < 3; ++j)
-      log_tau[j] =
-          (derivative.by_volume * Nb[j] - 0.25 * c.inv_dt * derivative.by_velocity[j]) / tau;
-    for (int a = 0; a < 4; ++a) {
-      const Vec3& Na = T.grad_N[a];
-      const double* sa = x.s[a];
-      const double Na_Nb = dot(Na, Nb);
-      const Vec3 stress_Na = stress * Na;
-      const double st = x.sums * x.s_sum[a] * t_sum +
-                        x.products * (sa[0] * t[0] + sa[1] * t[1] + sa[2] * t[2] + sa[3] * t[3]);
-      const double inertia = c.density * (m * (t_sum + t[a]) + st) + mu_V * Na_Nb;
-      const Vec3 galerkin = m * (m_sum + x.m[a]) + V * stress_Na;
-      Vec3 streamline = x.sums * x.s_sum[a] * r_sum;  // τ ∫ s_a r
-      for (int k = 0; k < 4; ++k) streamline += x.products * sa[k] * (x.m[k] + x.h);
-      const double tau_sa = (4.0 * x.sums + x.products) * x.s_sum[a];  // τ ∫ s_a
-      const double pspg = -0.25 * V * tau / c.density;
-      const double Na_r = dot(Na, r_sum);
-      for (int j = 0; j < 3; ++j) {
-        const Vec3 Gj{x.G[0][j], x.G[1][j], x.G[2][j]};
-        const double Gj_Na = dot(Gj, Na), Gj_Nb = dot(Gj, Nb);
-        for (int i = 0; i < 3; ++i)
-          K.u[a][b][i][j] = Nb[j] * (galerkin[i] + streamline[i]) + log_tau[j] * streamline[i] -
-                            inertia * Gj[i] - mu_V * Gj_Na * Nb[i] -
-                            Na[j] * (V * stress_Nb[i] + t_r[i]) - tau_sa * grad_p[j] * Nb[i];
-        if (c.has_skew_convection)  // d(V div u) = V (∂_j N_b div u − G_j·∇N_b)
-          for (int i = 0; i < 3; ++i)
-            K.u[a][b][i][j] += 0.5 * c.density * (Nb[j] * div_u - Gj_Nb) * x.Nu[a][i];
-        // dΣr = −ρ t_sum G_j − 4 ∂_j p ∇N_b
-        const double Na_dr = -c.density * t_sum * Gj_Na - 4.0 * grad_p[j] * Na_Nb;
-        K.p[a][b][j] = -0.25 * V * (Nb[j] * div_u - Gj_Nb) +
-                       pspg * ((Nb[j] + log_tau[j]) * Na_r - Na[j] * Nb_r + Na_dr);
-      }
-    }
+    const MovedVertex v = moved_vertex(T, p, c, derivative, b);
+    for (int a = 0; a < 4; ++a) add_shape_pair(T, p, c, v, a, b, K);
   }
 }
 

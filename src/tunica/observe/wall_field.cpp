@@ -220,17 +220,18 @@ std::vector<output::Array> WallField::cell_arrays() const {
   std::vector<const WallArray*> chosen;
   std::vector<output::Array> arrays;
   for (const WallArray& array : registered_wall_arrays()) {
-    if (!has(array.kind) || (array.needs_frames && wall.elements().frames.empty())) continue;
+    if (!has(array.kind) || (array.needs_frames && wall.field().elements().frames.empty()))
+      continue;
     chosen.push_back(&array);
     arrays.push_back({array.name, array.components, {}});
     arrays.back().values.reserve(array.components * n_elements);
   }
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
-    const kernels::Tet4 T = wall.elements().geometry[e];
-    const materials::HyperelasticLaw& law = *wall.elements().layer(e).law;
-    const materials::Frame frame = wall.elements().frame(e);
-    const auto d_e = wall.elements().displacement(e, assembly::gather(d, mesh.tets[e]));
+    const kernels::Tet4 T = wall.field().elements().geometry[e];
+    const materials::HyperelasticLaw& law = *wall.field().elements().layer(e).law;
+    const materials::Frame frame = wall.field().elements().frame(e);
+    const auto d_e = wall.field().elements().displacement(e, assembly::gather(d, mesh.tets[e]));
     Strained element{frame, law.fibre_directions(frame), kernels::deformation_gradient(T, d_e),
                      kernels::cauchy_stress(T, d_e, assembly::gather(p, wall.scalar_mesh().tets[e]),
                                             law, frame)};

@@ -16,7 +16,7 @@ namespace {
 
 /// Cut apart where pressures jump: at the interface, and where the wall has two.
 std::unique_ptr<fields::SplitMesh> mesh_of_pressures(const CoupledProblem::Parts& parts) {
-  std::vector<int> part = parts.wall.pressure_parts();
+  std::vector<int> part = parts.wall.field().pressure_parts();
   for (int& p : part) p += 1;  // the lumen comes first
   return fields::split_mesh(parts.mesh, part);
 }
@@ -25,7 +25,8 @@ constexpr const char* name_of_fluid = "lumen";
 constexpr const char* name_of_wall = "wall";
 
 fields::MeshParts parts_of_mesh(const CoupledProblem::Parts& parts) {
-  fields::MeshParts named{{name_of_fluid, name_of_wall, "interface"}, parts.wall.pressure_parts()};
+  fields::MeshParts named{{name_of_fluid, name_of_wall, "interface"},
+                          parts.wall.field().pressure_parts()};
   for (int& part : named.of_region) part = part < 0 ? 0 : 1;
   named.is_solid.assign(named.of_region.begin(), named.of_region.end());
   return named;
@@ -73,7 +74,7 @@ public:
     p.fluid_->hold_prescribed(y);
     velocity.scale(p.dt_);
     p.motion_->extend_increment(p.product_tolerance_, velocity, d);  // d = E Δt y
-    p.fluid_->shape_jacobian().add_product(d, F);
+    p.fluid_->field().shape_jacobian().add_product(d, F);
     p.fluid_part_->add(F, result);
   }
 
@@ -114,13 +115,14 @@ void CoupledProblem::tie_fields() {
     bool meets = false;
     for (const int a : interface_->wall_nodes)
       meets = meets || wall_->mesh().is_on(a, static_cast<int>(s));
-    TUNICA_CHECK(!wall_->moves_as_one(static_cast<int>(s)) ||
+    TUNICA_CHECK(!wall_->field().moves_as_one(static_cast<int>(s)) ||
                      global_max(*mesh_->comm, meets ? 1.0 : 0.0) == 0.0,
                  "Wall / Surfaces / " + mesh_->surfaces[s] +
                      ": nodes of the interface cannot move as one where Coupling / scheme is "
                      "\"monolithic\"; use \"dirichlet-neumann\", or \"clamped\" or \"held\".");
   }
-  fluid_->release_interface(seen_by_fluid(*interface_, fluid_->mesh(), wall_->constraints()));
+  fluid_->field().release_interface(
+      seen_by_fluid(*interface_, fluid_->mesh(), wall_->constraints()));
   fluid_place_ = fields::place_in(fluid_->mesh(), *mesh_);
   wall_place_ = fields::place_in(wall_->mesh(), *mesh_);
   fluid_part_ =
@@ -146,7 +148,7 @@ void CoupledProblem::set_reference() {
 Outcome CoupledProblem::begin_step(const stepping::Clock& clock) {
   fluid_->begin_step(clock);
   wall_->begin_step(clock);
-  wall_->set_nodal_force(std::vector<Vec3>(wall_->mesh().n_owned));
+  wall_->field().set_nodal_force(std::vector<Vec3>(wall_->mesh().n_owned));
   rule_ = nonlinear::JacobianRule(newton_.jacobian_cost);  // as the fields' begin_step()
   solver_->forget();
   dt_ = 1.0 / fluid_->time_scheme().rate();
@@ -156,8 +158,8 @@ Outcome CoupledProblem::begin_step(const stepping::Clock& clock) {
   seconds_ = {};
   if (!is_extrapolated_) return Outcome::success();  // the domain follows the guess
   const Outcome placed =
-      fluid_->set_domain(motion_->predicted_displacement(), motion_->past_displacement());
-  fluid_->fix_coefficients();
+      fluid_->field().set_domain(motion_->predicted_displacement(), motion_->past_displacement());
+  fluid_->field().fix_coefficients();
   return placed.at("the fluid's mesh");
 }
 
@@ -174,7 +176,8 @@ Outcome CoupledProblem::follow_wall(const ExtensionAccuracy& accuracy) {
   const Outcome moved = motion_->extend(interface_->to_fluid(interface_->from_wall(d)), accuracy);
   seconds_.motion += watch.seconds();
   if (moved.is_failure()) return moved.at("the mesh motion");
-  const Outcome placed = fluid_->set_domain(motion_->displacement(), motion_->past_displacement());
+  const Outcome placed =
+      fluid_->field().set_domain(motion_->displacement(), motion_->past_displacement());
   has_followed_ = placed.is_success();
   followed_.assign(wall_x_["displacement"]);
   return placed.at("the fluid's mesh");
@@ -192,7 +195,7 @@ Outcome CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVe
   read(x);
   if (!is_extrapolated_) {
     if (const Outcome outcome = follow_wall(mesh_accuracy_); outcome.is_failure()) return outcome;
-    fluid_->prescribe(fluid_x_);  // a flow rate through an opening that has changed
+    fluid_->field().prescribe(fluid_x_);  // a flow rate through an opening that has changed
   }
   const Stopwatch flowing;
   if (const Outcome outcome = fluid_->residual(fluid_x_, fluid_F_); outcome.is_failure())
@@ -214,7 +217,7 @@ void CoupledProblem::jacobian(const algebra::BlockVector& x) {
     if (!is_domain_of_wall())
       if (const Outcome outcome = follow_wall(mesh_accuracy_); outcome.is_failure())
         throw std::logic_error("a Jacobian where there is no residual: " + outcome.reason());
-    fluid_->prescribe(fluid_x_);
+    fluid_->field().prescribe(fluid_x_);
   }
   jacobian_fluid_x_.assign(fluid_x_);
   jacobian_wall_x_.assign(wall_x_);
@@ -224,7 +227,7 @@ void CoupledProblem::jacobian(const algebra::BlockVector& x) {
   seconds_.matrix += opening.seconds();
   const Stopwatch flowing;
   fluid_->add_jacobian(fluid_x_, {K_.get(), &fluid_place_, fluid_part_.get()});
-  if (knows_domain_) fluid_->assemble_shape_jacobian(fluid_x_);
+  if (knows_domain_) fluid_->field().assemble_shape_jacobian(fluid_x_);
   seconds_.fluid += flowing.seconds();
   const Stopwatch straining;
   wall_->add_jacobian(wall_x_, {K_.get(), &wall_place_, wall_part_.get()});
@@ -342,14 +345,14 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
   const io::ProgressScope scope("fluid and wall");
   algebra::BlockVector x(space());
   wall_x_.assign(wall);
-  wall_->prescribe(wall_x_);
+  wall_->field().prescribe(wall_x_);
   if (!is_extrapolated_)  // what is prescribed may depend on where the domain lies
     if (const Outcome outcome = follow_wall({mesh_accuracy_.tolerance}); outcome.is_failure())
       return {{false, outcome.reason(), {}}, false};
   // y of the wall, which is that of the interface
   for (int b = 0; b < wall_x_.n_blocks(); ++b) wall_x_[b].update(-1.0, reference_[b], 1.0);
   fluid_x_.assign(fluid);
-  fluid_->prescribe(fluid_x_);
+  fluid_->field().prescribe(fluid_x_);
   fluid_part_->insert(fluid_x_, x);
   wall_part_->insert(wall_x_, x);
   const bool knew = knows_domain_;
@@ -364,7 +367,7 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
   }
   if (solution.is_taken) {
     read(x);
-    if (!is_extrapolated_) fluid_->prescribe(fluid_x_);
+    if (!is_extrapolated_) fluid_->field().prescribe(fluid_x_);
     fluid_->take(fluid_x_);
     wall_->take(wall_x_);
   }
@@ -372,7 +375,7 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
 }
 
 Outcome CoupledProblem::accept() {
-  wall_->set_nodal_force(interface_->to_wall(interface_->from_fluid(fluid_->reaction())));
+  wall_->field().set_nodal_force(interface_->to_wall(interface_->from_fluid(fluid_->reaction())));
   fluid_->end_step();
   wall_->end_step();
   if (is_extrapolated_)

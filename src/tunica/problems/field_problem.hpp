@@ -85,8 +85,6 @@ protected:
   nonlinear::NewtonReport find_state(const nonlinear::NewtonOptions& options);
   const nonlinear::NewtonOptions& newton() const { return newton_; }
 
-  discretisation::MixedField& discretisation() { return *field_; }
-
   algebra::BlockVector x_;
 
 private:
@@ -100,6 +98,24 @@ private:
   nonlinear::JacobianRule rule_;
   Teuchos::ParameterList solver_list_;
   std::unique_ptr<linear::LinearSolver> solver_;  ///< null before it is asked for
+};
+
+/// A problem whose field is known by its own type.
+template <class Field>
+class ProblemOf : public FieldProblem {
+public:
+  Field& field() { return *own_; }
+  const Field& field() const { return *own_; }
+
+protected:
+  ProblemOf(std::unique_ptr<Field> field, const Teuchos::ParameterList& list)
+      : ProblemOf(field.get(), std::move(field), list) {}
+
+private:
+  ProblemOf(Field* own, std::unique_ptr<Field>&& field, const Teuchos::ParameterList& list)
+      : FieldProblem(std::move(field), list), own_(own) {}
+
+  Field* const own_;  ///< that of the base
 };
 
 }  // namespace tunica::problems

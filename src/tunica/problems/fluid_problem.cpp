@@ -5,18 +5,13 @@
 namespace tunica::problems {
 
 FluidProblem::FluidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
-    : FluidProblem(std::make_unique<discretisation::Fluid>(list, mesh), list) {}
-
-FluidProblem::FluidProblem(std::unique_ptr<discretisation::Fluid> fluid,
-                           const Teuchos::ParameterList& list)
-    : FieldProblem(std::move(fluid), list),
-      fluid_(static_cast<discretisation::Fluid*>(&discretisation())) {}
+    : ProblemOf(std::make_unique<discretisation::Fluid>(list, mesh), list) {}
 
 nonlinear::NewtonReport FluidProblem::solve() {
   const io::ProgressScope scope("fluid");
   prepare();
   const nonlinear::NewtonReport report = find_state();
-  if (report.is_converged) fluid_->fix_pressure_level(x_);
+  if (report.is_converged) field().fix_pressure_level(x_);
   return report;
 }
 
@@ -24,7 +19,7 @@ void FluidProblem::set_initial_velocity(const std::function<Vec3(const Vec3& x)>
   std::vector<Vec3> values(mesh().n_nodes());
   for (int a = 0; a < mesh().n_nodes(); ++a) values[a] = u(mesh().x[a]);
   fields::store(values, mesh(), x_["velocity"]);
-  fluid_->start_from(x_);
+  field().start_from(x_);
 }
 
 void FluidProblem::set_initial_pressure(double p) { x_["pressure"].putScalar(p); }

@@ -77,9 +77,9 @@ ParameterList static_list(const ParameterList& list) {
 }  // namespace
 
 PrestressBalance::PrestressBalance(const ParameterList& list, const SolidProblem& wall)
-    : wall_(static_list(list), wall.mesh(), wall.frames()),
+    : wall_(static_list(list), wall.mesh(), wall.field().frames()),
       tolerance_(list.sublist("Prestress").get<double>("linear tolerance")) {
-  wall_.stay_on_mesh();
+  wall_.field().stay_on_mesh();
 }
 
 Outcome PrestressBalance::residual(double load, const algebra::BlockVector& state,

@@ -120,7 +120,7 @@ PrestressSearch::PrestressSearch(const Teuchos::ParameterList& list, const Solid
   if (from.load > 0.0) {
     point_ = from;
     method_->start_from(from.shape);
-    go_back_to({wall.prestretch(), wall.state()});
+    go_back_to({wall.field().prestretch(), wall.state()});
   }
   std::vector<int> surfaces;
   for (const std::string& name : prestress_surfaces(list))
@@ -160,7 +160,7 @@ Result<Prestress> PrestressSearch::run() {
 void PrestressSearch::go_back_to(const Prestress& point) {
   found_.prestretch = point.prestretch;
   found_.state["pressure"].assign(point.state["pressure"]);
-  const Outcome outcome = balance_.wall().set_prestretch(point.prestretch);
+  const Outcome outcome = balance_.wall().field().set_prestretch(point.prestretch);
   TUNICA_CHECK(outcome.is_success(), outcome.reason());
 }
 
@@ -208,7 +208,7 @@ PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
 
 PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
   algebra::BlockVector R(wall_->space()), dx(wall_->space());
-  Outcome begun = balance_.wall().set_prestretch(found_.prestretch);
+  Outcome begun = balance_.wall().field().set_prestretch(found_.prestretch);
   if (begun.is_success()) begun = balance_.residual(now.load, found_.state, R);
   if (begun.is_failure()) return {Cause::nonlinear, begun.reason()};
   const double before = R["displacement"].norm2();
@@ -223,7 +223,7 @@ PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
     for (Vec3& s : shorter) s = part * s;
     if (try_step(shorter, dx, part, before, now)) return {};
   }
-  const Outcome back = balance_.wall().set_prestretch(found_.prestretch);
+  const Outcome back = balance_.wall().field().set_prestretch(found_.prestretch);
   TUNICA_CHECK(back.is_success(), back.reason());
   if (now.goal > 0.0 && now.moved <= now.goal) return {};  // nothing is left but round-off
   return {Cause::nonlinear, refusal_};
@@ -235,7 +235,7 @@ bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockV
   state.assign(found_.state);
   state["pressure"].update(-part, dx["pressure"], 1.0);
   std::vector<Mat3> G = method_->prestretch_after(s, found_.prestretch);
-  Outcome outcome = balance_.wall().set_prestretch(G);
+  Outcome outcome = balance_.wall().field().set_prestretch(G);
   if (outcome.is_success()) outcome = balance_.residual(now.load, state, R);
   if (outcome.is_failure()) {
     refusal_ = outcome.reason();

@@ -21,17 +21,12 @@ SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::Fie
 
 SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
                            std::vector<materials::Frame> frames)
-    : SolidProblem(std::make_unique<discretisation::Solid>(list, mesh, std::move(frames)), list) {}
-
-SolidProblem::SolidProblem(std::unique_ptr<discretisation::Solid> wall,
-                           const Teuchos::ParameterList& list)
-    : FieldProblem(std::move(wall), list),
-      wall_(static_cast<discretisation::Solid*>(&discretisation())) {}
+    : ProblemOf(std::make_unique<discretisation::Solid>(list, mesh, std::move(frames)), list) {}
 
 nonlinear::NewtonReport SolidProblem::solve() {
   const io::ProgressScope scope("wall");
-  prescribe(x_);
-  return wall_->has_stress_residual() && wall_->is_static() ? find_equilibrium() : find_state();
+  field().prescribe(x_);
+  return field().has_stress_residual() && field().is_static() ? find_equilibrium() : find_state();
 }
 
 /// The stress that drives the subscales is renewed until it changes by no more than this.
@@ -61,7 +56,7 @@ nonlinear::NewtonReport SolidProblem::find_equilibrium() {
   bool has_settled = false;
   double least = 1e300;
   for (int pass = 0, grown = 0; report.is_converged && pass < most_passes && grown < 3; ++pass) {
-    const double change = wall_->renew_stress_force(x_);
+    const double change = field().renew_stress_force(x_);
     has_settled = change < settled;
     if (has_settled) break;
     if (change >= least) ++grown;
@@ -69,7 +64,7 @@ nonlinear::NewtonReport SolidProblem::find_equilibrium() {
     go_on(1.0, newton().absolute_increment);  // one step
   }
   if (!has_settled) {
-    const bool had_any = wall_->leave_out_stress_force();
+    const bool had_any = field().leave_out_stress_force();
     if (!report.is_converged && !had_any) return report;
     io::announce(
         "the stress that drives the wall's subscales does not settle: this step does without");
@@ -89,7 +84,7 @@ constexpr double usable_residual = 1e-2;
 Result<std::vector<Vec3>> SolidProblem::solve_linearised(const std::vector<Vec3>& force) {
   jacobian(x_);
   algebra::BlockVector b(space()), x(space());
-  wall_->load_of(force, b);
+  field().load_of(force, b);
   try {
     const linear::SolveReport report = linear_solver().solve(b, x, 1e-8);
     const bool is_near = report.true_residual < usable_residual;
@@ -105,7 +100,7 @@ std::vector<Vec3> SolidProblem::displacement() const {
 }
 
 std::vector<Vec3> SolidProblem::velocity() const {
-  const std::vector<Vec3>& v = wall_->velocity();
+  const std::vector<Vec3>& v = field().velocity();
   return {v.begin(), v.begin() + mesh().n_owned};
 }
 

@@ -19,7 +19,7 @@ std::vector<int> layers_of_regions(const SolidProblem& wall) {
   const fields::FieldMesh& mesh = wall.mesh();
   std::vector<int> layers(mesh.regions.size(), -1);
   for (std::size_t e = 0; e < mesh.tets.size(); ++e)
-    layers[mesh.region[e]] = wall.elements().layer_number[e];
+    layers[mesh.region[e]] = wall.field().elements().layer_number[e];
   for (int& layer : layers) layer = static_cast<int>(global_max(*mesh.comm, double(layer)));
   return layers;
 }
@@ -44,7 +44,7 @@ double product(const Sym3& a, const Sym3& b) {
 /// Per local element: σ and, with frames, a ⊗ a/|a|² of each family.
 std::vector<double> elementwise(const SolidProblem& wall, int columns) {
   const fields::FieldMesh& mesh = wall.mesh();
-  const assembly::SolidElements& elements = wall.elements();
+  const assembly::SolidElements& elements = wall.field().elements();
   const auto d = fields::ghosted_vectors(mesh, wall.state()["displacement"]);
   const auto p = fields::ghosted_scalars(wall.scalar_mesh(), wall.state()["pressure"]);
   std::vector<double> values(columns * mesh.tets.size(), 0.0);
@@ -85,7 +85,7 @@ StressRecovery::StressRecovery(const SolidProblem& wall) : wall_(&wall) {
 }
 
 NodalStress StressRecovery::recover() const {
-  const bool has_fibres = !wall_->elements().frames.empty();
+  const bool has_fibres = !wall_->field().elements().frames.empty();
   const int columns = has_fibres ? 6 * (1 + families) : 6;
   const std::vector<double> of_elements = elementwise(*wall_, columns);
   const std::vector<double> at_nodes = patches_->at_nodes(columns, of_elements);

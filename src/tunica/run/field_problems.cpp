@@ -35,9 +35,9 @@ Outcome FieldProblems::start(RunOutput& output) {
     if (stressed.is_failure() || !output.stopped.empty()) return stressed;
   }
   if (!fluid || !wall) return Outcome::success();
-  motion = std::make_unique<problems::MeshMotion>(list.sublist("Mesh Motion"),
-                                                  domain->mesh("fluid"), domain->interface_surfaces,
-                                                  fluid->staying_surfaces(), fluid->time_scheme());
+  motion = std::make_unique<problems::MeshMotion>(
+      list.sublist("Mesh Motion"), domain->mesh("fluid"), domain->interface_surfaces,
+      fluid->field().staying_surfaces(), fluid->time_scheme());
   scheme = coupling::make_scheme(
       list.sublist("Coupling"),
       {*domain->interface, *fluid, *wall, *motion, domain->common ? &*domain->common : nullptr});

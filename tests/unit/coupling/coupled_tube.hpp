@@ -15,8 +15,8 @@ struct CoupledTube {
       : tube(comm), mesh(fields::make_field_mesh(tube.share, {0, 1, 2})),
         interface(tube.fluid, tube.wall, {tube.surface("interface")}),
         fluid(fluid_list(), tube.fluid), wall(wall_list(end, outer), tube.wall),
-        motion(motion_list(), tube.fluid, {tube.surface("interface")}, fluid.staying_surfaces(),
-               fluid.time_scheme()),
+        motion(motion_list(), tube.fluid, {tube.surface("interface")},
+               fluid.field().staying_surfaces(), fluid.time_scheme()),
         problem(coupling_list(geometry), {mesh, interface, fluid, wall, motion}) {}
 
   static Teuchos::ParameterList fluid_list() {

@@ -36,7 +36,7 @@ TEUCHOS_UNIT_TEST(call_order, a_fluid_says_what_has_to_come_first) {
   const auto jacobian = [&] { fluid.jacobian(fluid.state()); };
   const auto move = [&] {
     const std::vector<Vec3> d(tube.fluid.n_nodes());
-    static_cast<void>(fluid.set_domain(d, d));
+    static_cast<void>(fluid.field().set_domain(d, d));
   };
   const auto end = [&] { fluid.end_step(); };
   const std::vector<std::function<void()>> calls{residual, jacobian, end, [&] { fluid.prepare(); }};
@@ -50,7 +50,7 @@ TEUCHOS_UNIT_TEST(call_order, a_fluid_says_what_has_to_come_first) {
   jacobian();
   move();  // a new domain has other coefficients
   TEST_ASSERT(names(test::complaint<std::logic_error>(jacobian), "prescribe()"));
-  fluid.fix_coefficients();
+  fluid.field().fix_coefficients();
   jacobian();
   end();
   move();  // where it was extrapolated, to the wall as it was found

@@ -251,10 +251,10 @@ TEUCHOS_UNIT_TEST(fibre_frames, a_law_with_fibres_needs_a_frame_and_others_get_n
   TEST_ASSERT(text.find("has fibres") != std::string::npos);
   list.sublist("Fibre Frame").set("kind", std::string("tube"));
   const problems::SolidProblem with(test::resolved(list, problems::solid_table()), tube.wall);
-  TEST_EQUALITY(with.elements().frames.size(), tube.wall.tets.size());
+  TEST_EQUALITY(with.field().elements().frames.size(), tube.wall.tets.size());
   list.sublist("Layers").sublist("media").set("law", std::string("neo-hookean"));
   const problems::SolidProblem without(test::resolved(list, problems::solid_table()), tube.wall);
-  TEST_ASSERT(without.elements().frames.empty());
+  TEST_ASSERT(without.field().elements().frames.empty());
 }
 
 // All vertices of a single layer lie on one of its sides: nothing is left to solve between them.

@@ -41,7 +41,8 @@ TEUCHOS_UNIT_TEST(fluid_problem, jacobian_is_the_derivative_of_the_residual) {
   FluidProblem fluid(open_tube(), tube.fluid);
   fluid.set_initial_velocity([](const Vec3& x) { return Vec3{0.1 * x[1], -0.2, 0.3 + x[0]}; });
   fluid.begin_step(stepping::Clock(0.125, 1));
-  TEST_ASSERT(fluid.set_domain(bulge(tube.fluid, 0.05), bulge(tube.fluid, 0.03)).is_success());
+  TEST_ASSERT(
+      fluid.field().set_domain(bulge(tube.fluid, 0.05), bulge(tube.fluid, 0.03)).is_success());
   fluid.prepare();
   const auto x = test::scattered(tube.fluid, 1);  // flow in and out at both ends
   const std::vector<int> interface(1, tube.surface("interface"));
@@ -70,7 +71,8 @@ TEUCHOS_UNIT_TEST(fluid_problem, jacobian_with_a_windkessel_is_the_derivative_of
   const SmallTube tube;
   FluidProblem fluid(tube_with_windkessel(), tube.fluid);
   fluid.begin_step(stepping::Clock(0.125, 1));
-  TEST_ASSERT(fluid.set_domain(bulge(tube.fluid, 0.05), bulge(tube.fluid, 0.03)).is_success());
+  TEST_ASSERT(
+      fluid.field().set_domain(bulge(tube.fluid, 0.05), bulge(tube.fluid, 0.03)).is_success());
   fluid.prepare();
   const auto x = test::scattered(tube.fluid, 1);
   const std::vector<int> held{tube.surface("interface"), tube.surface("inlet")};
@@ -226,7 +228,7 @@ TEUCHOS_UNIT_TEST(fluid_problem, the_interface_has_the_velocity_of_the_mesh) {
   FluidProblem fluid(open_tube(), tube.fluid);
   fluid.begin_step(stepping::Clock(0.5, 1));
   const auto d = bulge(tube.fluid, 0.02), d_old = bulge(tube.fluid, 0.01);
-  TEST_ASSERT(fluid.set_domain(d, d_old).is_success());
+  TEST_ASSERT(fluid.field().set_domain(d, d_old).is_success());
   fluid.prepare();
   const auto u = fields::ghosted_vectors(tube.fluid, fluid.state()[0]);
   for (int a = 0; a < tube.fluid.n_owned; ++a)
@@ -244,14 +246,15 @@ TEUCHOS_UNIT_TEST(fluid_problem, an_inverted_element_is_named_on_all_ranks) {
       if (norm(mesh.x[a] - Vec3{0, 0, 1}) < 1e-9) d[a] = {0.3, 0.1, 2.5};
     return d;
   };
-  const auto here = fluid.set_domain(push(tube.fluid), push(tube.fluid));
+  const auto here = fluid.field().set_domain(push(tube.fluid), push(tube.fluid));
   FluidProblem reference(open_tube(), serial.fluid);
   reference.begin_step(stepping::Clock(0.5, 1));
-  const auto alone = reference.set_domain(push(serial.fluid), push(serial.fluid));
+  const auto alone = reference.field().set_domain(push(serial.fluid), push(serial.fluid));
   TEST_ASSERT(here.is_failure() && alone.is_failure());
   TEST_EQUALITY(here.reason(), alone.reason());
   TEST_ASSERT(here.reason().find("element ") == 0);
-  TEST_ASSERT(fluid.set_domain(bulge(tube.fluid, 0.0), bulge(tube.fluid, 0.0)).is_success());
+  TEST_ASSERT(
+      fluid.field().set_domain(bulge(tube.fluid, 0.0), bulge(tube.fluid, 0.0)).is_success());
 }
 
 TEUCHOS_UNIT_TEST(fluid_problem, a_position_that_is_no_number_is_named) {
@@ -260,7 +263,7 @@ TEUCHOS_UNIT_TEST(fluid_problem, a_position_that_is_no_number_is_named) {
   fluid.begin_step(stepping::Clock(0.5, 1));
   std::vector<Vec3> d(tube.fluid.n_nodes());
   d[0][0] = std::nan("");
-  TEST_ASSERT(fluid.set_domain(d, d).reason().find("nan") != std::string::npos);
+  TEST_ASSERT(fluid.field().set_domain(d, d).reason().find("nan") != std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(check_inversion, the_most_inverted_element_of_all_ranks_is_chosen) {

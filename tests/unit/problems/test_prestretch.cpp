@@ -54,7 +54,8 @@ TEUCHOS_UNIT_TEST(prestretch, jacobian_is_the_derivative_of_the_residual) {
   const SmallTube tube;
   for (const std::string analysis : {"dynamic", "static"}) {
     SolidProblem wall(artery(analysis), tube.wall);
-    TEST_ASSERT(wall.set_prestretch(gradients(tube.wall, on_nodes(tube, 7, 0.03))).is_success());
+    TEST_ASSERT(
+        wall.field().set_prestretch(gradients(tube.wall, on_nodes(tube, 7, 0.03))).is_success());
     wall.begin_step(stepping::Clock(0.125, 1));
     const auto x = test::free_part(tube.wall, test::scattered(wall, 1, 0.01), ends_of(tube));
     const auto v = test::free_part(tube.wall, test::scattered(wall, 2), ends_of(tube));
@@ -74,14 +75,14 @@ TEUCHOS_UNIT_TEST(prestretch, of_a_shape_is_as_if_the_wall_were_meshed_in_that_s
 
   SolidProblem from_shape(list, tube.wall);
   // Directions of the shape's fibres in the image: there the prestretch takes them back.
-  std::vector<materials::Frame> frames = from_shape.frames();
+  std::vector<materials::Frame> frames = from_shape.field().frames();
   const std::vector<Mat3> G = gradients(tube.wall, e);
   for (std::size_t t = 0; t < frames.size(); ++t) {
     frames[t].circumferential = unit(G[t] * frames[t].circumferential);
     frames[t].axial = unit(G[t] * frames[t].axial);
   }
   SolidProblem pushed(list, image, frames);
-  TEST_ASSERT(pushed.set_prestretch(G).is_success());
+  TEST_ASSERT(pushed.field().set_prestretch(G).is_success());
 
   algebra::BlockVector D =
       test::free_part(tube.wall, test::scattered(pushed, 5, 0.02), ends_of(tube));
@@ -112,9 +113,9 @@ TEUCHOS_UNIT_TEST(prestretch, of_a_shape_is_as_if_the_wall_were_meshed_in_that_s
 TEUCHOS_UNIT_TEST(prestretch, jacobian_on_the_mesh_is_the_derivative_by_the_prestretch) {
   const SmallTube tube;
   SolidProblem wall(artery("static"), tube.wall);
-  wall.stay_on_mesh();
+  wall.field().stay_on_mesh();
   const std::vector<Mat3> G = gradients(tube.wall, on_nodes(tube, 7, 0.03));
-  TEST_ASSERT(wall.set_prestretch(G).is_success());  // gives fibres their directions
+  TEST_ASSERT(wall.field().set_prestretch(G).is_success());  // gives fibres their directions
   const std::vector<Vec3> s = on_nodes(tube, 4, 1.0);
   algebra::BlockVector x(wall.space()), v(wall.space()), Kv(wall.space());
   x[1].assign(test::scattered(wall, 6, 0.1)[1]);
@@ -129,12 +130,12 @@ TEUCHOS_UNIT_TEST(prestretch, jacobian_on_the_mesh_is_the_derivative_by_the_pres
     for (Vec3& m : moved) m = sign * h * m;
     std::vector<Mat3> stretched = gradients(tube.wall, moved);
     for (std::size_t e = 0; e < G.size(); ++e) stretched[e] = symmetric_part(stretched[e]) * G[e];
-    TEST_ASSERT(wall.set_prestretch(stretched).is_success());
+    TEST_ASSERT(wall.field().set_prestretch(stretched).is_success());
     wall.begin_step(stepping::Clock(1.0, 1));
     R.emplace_back(wall.space());
     TEST_ASSERT(wall.residual(x, R.back()).is_success());
   }
-  TEST_ASSERT(wall.set_prestretch(G).is_success());
+  TEST_ASSERT(wall.field().set_prestretch(G).is_success());
   wall.begin_step(stepping::Clock(1.0, 1));
   wall.jacobian(x);
   wall.apply_jacobian(v, Kv);
@@ -153,12 +154,13 @@ TEUCHOS_UNIT_TEST(prestretch, stays_with_the_wall_where_it_is_saved) {
   list.sublist("Prestress").set("pressure", 1.0);
   SolidProblem wall(list, tube.wall), other(list, tube.wall);
   const std::vector<Mat3> G = gradients(tube.wall, on_nodes(tube, 7, 0.03));
-  TEST_ASSERT(wall.set_prestretch(G).is_success());
+  TEST_ASSERT(wall.field().set_prestretch(G).is_success());
   for (const auto& [name, part] : other.inner_parts())
     TEST_EQUALITY(part->restore(wall.inner_parts().at(name)->save()), "");
-  TEST_ASSERT(other.prestretch() == G);  // of shared elements, too
+  TEST_ASSERT(other.field().prestretch() == G);  // of shared elements, too
   for (std::size_t e = 0; e < G.size(); ++e)
-    TEST_ASSERT(other.elements().frames[e].axial == wall.elements().frames[e].axial);
+    TEST_ASSERT(other.field().elements().frames[e].axial ==
+                wall.field().elements().frames[e].axial);
   Teuchos::ParameterList without = artery("dynamic");
   SolidProblem plain(without, tube.wall);
   TEST_THROW(plain.restore(wall.save()), Error);
@@ -171,7 +173,7 @@ TEUCHOS_UNIT_TEST(prestretch, that_inverts_an_element_is_refused_with_its_place)
   for (std::size_t e = 0; e < G.size(); ++e)
     if (tube.wall.tet_number[e] == tube.wall.tet_number[0] && tube.wall.comm->getRank() == 0)
       G[e][0][0] = -0.5;
-  const std::string reason = wall.set_prestretch(G).reason();
+  const std::string reason = wall.field().set_prestretch(G).reason();
   TEST_INEQUALITY(reason.find("is inverted (det G = -0.5)"), std::string::npos);
   TEST_INEQUALITY(reason.find(" of \""), std::string::npos);
 }

@@ -149,7 +149,7 @@ TEUCHOS_UNIT_TEST(solid_problem, a_wall_that_falls_freely_has_the_energy_of_its_
   list.sublist("Newmark").set("beta", 0.25).set("gamma", 0.5);
   SolidProblem wall(resolved(list), tube.wall);
   const Vec3 g{0.1, 0.0, -0.2};
-  wall.set_body_force([g](const Vec3&, double) { return g; });
+  wall.field().set_body_force([g](const Vec3&, double) { return g; });
   wall.begin_step(stepping::Clock(0.5, 1));
   TEST_ASSERT(wall.solve().is_converged);
   wall.end_step();
@@ -176,7 +176,7 @@ TEUCHOS_UNIT_TEST(solid_problem, a_traction_and_its_nodal_forces_do_the_same) {
     for (const int a : face.nodes)
       if (a < tube.wall.n_owned) force[a] += area / 3.0 * t;
   }
-  by_forces.set_nodal_force(force);
+  by_forces.field().set_nodal_force(force);
   for (SolidProblem* wall : {&by_traction, &by_forces}) {
     wall->begin_step(stepping::Clock(0.125, 1));
     TEST_ASSERT(wall->solve().is_converged);
@@ -216,7 +216,7 @@ TEUCHOS_UNIT_TEST(solid_problem, layers_have_their_own_density_bulk_modulus_and_
   list.set("time scheme", std::string("newmark"));
   SolidProblem wall(resolved(list), tube.wall);
   wall.begin_step(stepping::Clock(0.5, 1));
-  const auto& elements = wall.elements();
+  const auto& elements = wall.field().elements();
   for (std::size_t e = 0; e < tube.wall.tets.size(); ++e) {
     const bool is_media = tube.wall.regions[tube.wall.region[e]] == "media";
     const auto c = elements.coefficients(e);
@@ -237,7 +237,7 @@ TEUCHOS_UNIT_TEST(solid_problem, the_papers_stabilisation_ignores_inertia) {
   list.set("stabilisation modulus factor", 0.5);
   SolidProblem wall(resolved(list), tube.wall);
   wall.begin_step(stepping::Clock(0.5, 1));
-  const auto& elements = wall.elements();
+  const auto& elements = wall.field().elements();
   for (std::size_t e = 0; e < tube.wall.tets.size(); ++e) {
     const double h = kernels::element_length(elements.geometry[e].volume);
     TEST_FLOATING_EQUALITY(elements.tau[e], h * h / (4.0 * 0.5 * 6.6), 1e-13);
@@ -254,7 +254,7 @@ TEUCHOS_UNIT_TEST(solid_problem, stabilisation_is_weaker_where_materials_meet_on
   const auto weak = [&](const Teuchos::ParameterList& wanted) {
     SolidProblem wall(resolved(wanted), field);
     wall.begin_step(stepping::Clock(0.5, 1));
-    const auto& elements = wall.elements();
+    const auto& elements = wall.field().elements();
     std::vector<char> is_weak;
     for (std::size_t e = 0; e < field.tets.size(); ++e) {
       const double h = kernels::element_length(elements.geometry[e].volume);

@@ -38,7 +38,7 @@ TEUCHOS_UNIT_TEST(surface_report, a_fluid_at_rest_weighs_upon_its_box) {
     test::condition(list, surface, "no slip");
   FluidProblem fluid = fluid_of(tube, list);
   const Vec3 g{0.02, 0.0, -0.01};
-  fluid.set_body_force([g](const Vec3&, double) { return g; });
+  fluid.field().set_body_force([g](const Vec3&, double) { return g; });
   fluid.begin_step(stepping::Clock(0.5, 1));
   TEST_ASSERT(fluid.solve().is_converged);
   const auto found = fluid.observe_surfaces(surfaces_of(tube));
@@ -100,7 +100,7 @@ TEUCHOS_UNIT_TEST(surface_report, area_and_inflow_are_those_of_the_deformed_surf
   fluid.begin_step(stepping::Clock(0.5, 1));
   std::vector<Vec3> d;
   for (const Vec3& x : tube.fluid.x) d.push_back(0.1 * x);
-  TEST_ASSERT(fluid.set_domain(d, d).is_success());
+  TEST_ASSERT(fluid.field().set_domain(d, d).is_success());
   const auto found = fluid.observe_surfaces(surfaces_of(tube));
   const auto expect = [&](const std::string& name, double value) {
     TEST_FLOATING_EQUALITY(test::observed(found, name), value, 1e-12);

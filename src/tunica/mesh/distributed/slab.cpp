@@ -130,17 +130,9 @@ long long bytes_of(const Slab& slab) {
          4096 * (regions + surfaces) + (1 << 20);
 }
 
-}  // namespace
-
-void write_slab(const Slab& slab, const std::string& path) {
-  const CommPtr& comm = slab.comm;
+void write_rows(const Slab& slab, io::Hdf5File& file) {
   const Place place = slab.place();
   const Mesh& mesh = slab.rows;
-  io::AtomicFile named(path);  // removes the draft where it does not come to its name
-  const std::string draft = io::AtomicFile::draft_of(path);
-  io::Hdf5File(draft, io::Hdf5File::Mode::create, 0, comm).close();
-  io::Hdf5File file(draft, io::Hdf5File::Mode::extend, bytes_of(slab), comm);
-  file.attribute("/", "format", std::string(hdf5_format));
   const auto rows = [](long long total, long long first, std::size_t count, int columns) {
     return io::Hdf5File::Rows{total, first, static_cast<long long>(count), columns};
   };
@@ -155,30 +147,51 @@ void write_slab(const Slab& slab, const std::string& path) {
   file.write("triangle_surface",
              rows(slab.triangles, place.first_triangle, mesh.triangles.size(), 1),
              mesh.triangle_surface.data());
-  const auto write_tags = [&](const std::vector<Tag>& tags, const std::string& kind) {
-    std::vector<int> ids;
-    std::vector<std::string> names;
-    for (const Tag& tag : tags) {
-      ids.push_back(tag.id);
-      names.push_back(tag.name);
-    }
-    const auto n = static_cast<long long>(ids.size());
-    file.write(kind + "_ids", {n, 0, comm->getRank() == 0 ? n : 0, 1}, ids.data());
-    file.write(kind + "_names", names);
-  };
-  write_tags(mesh.regions, "region");
-  write_tags(mesh.surfaces, "surface");
-  if (!mesh.tet_vectors.empty()) {
-    std::vector<std::string> names;
-    for (const TetVectors& vectors : mesh.tet_vectors) names.push_back(vectors.name);
-    file.write("tet_vector_names", names);
-    std::vector<io::Hdf5File::Part> parts;
-    const auto fields = static_cast<long long>(names.size());
-    for (long long k = 0; k < fields; ++k)
-      parts.push_back({k * slab.tets + place.first_tet, static_cast<long long>(mesh.tets.size()),
-                       reinterpret_cast<const double*>(mesh.tet_vectors[k].values.data())});
-    file.write("tet_vectors", fields * slab.tets, 3, parts);
+}
+
+/// kind: "region" or "surface". Rank 0 has the numbers.
+void write_tags(const std::vector<Tag>& tags, const std::string& kind, bool is_root,
+                io::Hdf5File& file) {
+  std::vector<int> ids;
+  std::vector<std::string> names;
+  for (const Tag& tag : tags) {
+    ids.push_back(tag.id);
+    names.push_back(tag.name);
   }
+  const auto n = static_cast<long long>(ids.size());
+  file.write(kind + "_ids", {n, 0, is_root ? n : 0, 1}, ids.data());
+  file.write(kind + "_names", names);
+}
+
+void write_tet_vectors(const Slab& slab, io::Hdf5File& file) {
+  const Mesh& mesh = slab.rows;
+  const Place place = slab.place();
+  std::vector<std::string> names;
+  for (const TetVectors& vectors : mesh.tet_vectors) names.push_back(vectors.name);
+  file.write("tet_vector_names", names);
+  std::vector<io::Hdf5File::Part> parts;
+  const auto fields = static_cast<long long>(names.size());
+  for (long long k = 0; k < fields; ++k)
+    parts.push_back({k * slab.tets + place.first_tet, static_cast<long long>(mesh.tets.size()),
+                     reinterpret_cast<const double*>(mesh.tet_vectors[k].values.data())});
+  file.write("tet_vectors", fields * slab.tets, 3, parts);
+}
+
+}  // namespace
+
+void write_slab(const Slab& slab, const std::string& path) {
+  const CommPtr& comm = slab.comm;
+  const Mesh& mesh = slab.rows;
+  const bool is_root = comm->getRank() == 0;
+  io::AtomicFile named(path);  // removes the draft where it does not come to its name
+  const std::string draft = io::AtomicFile::draft_of(path);
+  io::Hdf5File(draft, io::Hdf5File::Mode::create, 0, comm).close();
+  io::Hdf5File file(draft, io::Hdf5File::Mode::extend, bytes_of(slab), comm);
+  file.attribute("/", "format", std::string(hdf5_format));
+  write_rows(slab, file);
+  write_tags(mesh.regions, "region", is_root, file);
+  write_tags(mesh.surfaces, "surface", is_root, file);
+  if (!mesh.tet_vectors.empty()) write_tet_vectors(slab, file);
   file.close();
   on_root_or_fault(*comm, [&] { return named.commit_to_disk(); });
 }
