@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "tunica/base/reduce.hpp"
-#include "tunica/smoothers/dense/dense_inverse.hpp"
+#include "tunica/smoothers/dense/dense.hpp"
 
 namespace tunica::linear {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tunica/smoothers/dense/dense_inverse.hpp"
+#include "tunica/smoothers/dense/dense.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {

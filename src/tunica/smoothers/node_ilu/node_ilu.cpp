@@ -10,7 +10,7 @@
 #include "tunica/algebra/columns.hpp"
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/base/agreement.hpp"
-#include "tunica/smoothers/dense/dense_inverse.hpp"
+#include "tunica/smoothers/dense/dense.hpp"
 #include "tunica/smoothers/node_ilu/node_blocks.hpp"
 #include "tunica/smoothers/node_ilu/node_ilu_sweeps.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tunica/smoothers/vanka/prefetch.hpp"
+#include "tunica/smoothers/vanka/patch_rows.hpp"
 #include "tunica/smoothers/vanka/vanka_patches.hpp"
 
 namespace tunica::smoothers {

@@ -13,4 +13,8 @@ struct DenseScratch {
 /// columns at a time with row exchanges. False where a pivot is zero or not a number.
 bool invert_dense(int n, double* a, DenseScratch& scratch);
 
+/// y = M x, M of n rows and columns, column by column.
+void dense_product(int n, const double* M, const double* x, double* y);
+void dense_product(int n, const float* M, const double* x, double* y);
+
 }  // namespace tunica::smoothers
