@@ -7,7 +7,7 @@ namespace tunica::boundary {
 /// Takes out the energy that inflow through an open surface brings in:
 ///
 ///   R[a] −= β ρ ∫ N_a (c·n)₋ u da,   c = u − w,  (x)₋ = min(x, 0)
-class Backflow final : public BoundaryTerm {
+class Backflow final : public FaceLoad {
 public:
   explicit Backflow(double beta) : beta_(beta) {}
 

@@ -36,21 +36,31 @@ struct CommonMotion {
   std::function<double(double time)> value;  ///< of the component [mm], or of the force [mN]
 };
 
-/// What happens on one surface of a field. A term adds to residual and Jacobian, or prescribes
-/// components of the vector unknown, or both. A condition of a case may be made of several terms.
-///
-/// Most terms are sums over faces: add() and observe(). One that looks at the surface as a whole,
-/// at the flow through it, has add_whole() and observe_whole() instead, and one that remembers
-/// something from step to step a state.
+/// What happens on one surface of a field. A term is one or several of the following four, from
+/// which it derives; a condition of a case may be made of several terms.
 class BoundaryTerm {
 public:
   virtual ~BoundaryTerm() = default;
+};
+using Terms = std::vector<std::unique_ptr<BoundaryTerm>>;
 
-  /// True where the term makes a profile of the whole section of a vessel: no plane of symmetry may
-  /// cut its surface.
-  virtual bool wants_whole_section() const { return false; }
+/// A term that prescribes the vector unknown, or a part of it, at the nodes of its surface.
+class Constraint : public virtual BoundaryTerm {
+public:
   /// Components of the vector unknown that the term prescribes at its nodes.
   virtual std::vector<int> prescribed_components() const { return {}; }
+  /// Comes before prescribed() of the same surroundings. Collective.
+  virtual void prepare(const Surroundings&) {}
+  /// Their values; of the others it says nothing.
+  virtual Vec3 prescribed(const Surroundings&, int /*node*/) const { return {}; }
+  /// Where surfaces meet, the value of the term with the higher one holds.
+  virtual int precedence() const { return 0; }
+  /// Directions along which the vector unknown stays zero at its nodes, of length 1.
+  virtual std::vector<Vec3> held_directions() const { return {}; }
+  /// Components that the surface's nodes have in common, as far as no other term prescribes them.
+  /// The term outlives what it returns.
+  virtual std::vector<CommonMotion> common_motions() const { return {}; }
+
   /// True where these values are zero at all times.
   virtual bool prescribes_zero() const { return false; }
   /// True where a fluid sticks to its surface: it has the velocity of the wall there, or none.
@@ -58,35 +68,32 @@ public:
   /// True where what the term gives a fluid belongs to places: its surface does not stretch when
   /// its rim moves.
   virtual bool keeps_place() const { return false; }
-  /// Directions along which the vector unknown stays zero at its nodes, of length 1.
-  virtual std::vector<Vec3> held_directions() const { return {}; }
+  /// True where the term makes a profile of the whole section of a vessel: no plane of symmetry may
+  /// cut its surface.
+  virtual bool wants_whole_section() const { return false; }
+};
+
+/// A term that is a sum over the faces of its surface.
+class FaceLoad : public virtual BoundaryTerm {
+public:
+  /// Adds the part of one face to the residual, and to the Jacobian where K is not null.
+  virtual void add(const Surroundings&, const fields::Face&, assembly::NodalResidual&,
+                   assembly::BlockAssembler* K) const = 0;
+  /// Adds the derivative of add() with respect to where the fluid's mesh lies, w included.
+  virtual void add_shape(const Surroundings&, const fields::Face&,
+                         assembly::FluidShapeMatrix&) const {}
+  /// Adds what one face does, by names of observables.
+  virtual void observe(const Surroundings&, const fields::Face&,
+                       std::map<std::string, double>& /*sums*/) const {}
   /// Directions along which springs of the term resist a displacement of the face.
   virtual std::vector<Vec3> sprung_directions(const fields::FieldMesh&, const fields::Face&) const {
     return {};
   }
-  /// Comes before prescribed() of the same surroundings. Collective.
-  virtual void prepare(const Surroundings&) {}
-  /// Their values; of the others it says nothing.
-  virtual Vec3 prescribed(const Surroundings&, int /*node*/) const { return {}; }
-  /// Where surfaces meet, the value of the term with the higher one holds.
-  virtual int precedence() const { return 0; }
+};
 
-  /// Components that the surface's nodes have in common, as far as no other term prescribes them.
-  /// The term outlives what it returns.
-  virtual std::vector<CommonMotion> common_motions() const { return {}; }
-
-  /// Adds the part of one face to the residual, and to the Jacobian where K is not null.
-  virtual void add(const Surroundings&, const fields::Face&, assembly::NodalResidual&,
-                   assembly::BlockAssembler* /*K*/) const {}
-
-  /// Adds the derivative of add() with respect to where the fluid's mesh lies, w included.
-  virtual void add_shape(const Surroundings&, const fields::Face&,
-                         assembly::FluidShapeMatrix&) const {}
-
-  /// Adds what one face does, by names of observables.
-  virtual void observe(const Surroundings&, const fields::Face&,
-                       std::map<std::string, double>& /*sums*/) const {}
-
+/// A term that looks at its surface as a whole, at the flow through it.
+class WholeLoad : public virtual BoundaryTerm {
+public:
   /// How many products s w vᵀ add_whole() gives the Jacobian, always.
   virtual int rank() const { return 0; }
   /// Adds the part of the whole surface to the residual on owned nodes, and the products to the
@@ -97,7 +104,11 @@ public:
   virtual void add_whole_shape(const Surroundings&, assembly::FluidShapeMatrix&) const {}
   /// Adds what the whole surface does, by names of observables, the same on all ranks. Collective.
   virtual void observe_whole(const Surroundings&, std::map<std::string, double>& /*found*/) const {}
+};
 
+/// A term that remembers something from step to step, or follows the time scheme of its field.
+class Remembering : public virtual BoundaryTerm {
+public:
   /// The scheme by which the state moves; outlives the term. Comes before all that follows.
   virtual void follow(const stepping::TimeScheme&) {}
   /// A step begins, of the scheme's present size, or begins again.
@@ -109,7 +120,5 @@ public:
   virtual std::vector<double> state() const { return {}; }
   virtual void restore(const std::vector<double>& /*state*/) {}
 };
-
-using Terms = std::vector<std::unique_ptr<BoundaryTerm>>;
 
 }  // namespace tunica::boundary

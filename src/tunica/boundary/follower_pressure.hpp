@@ -7,7 +7,7 @@ namespace tunica::boundary {
 /// A pressure on the wall that follows its deformed surface and pushes against the outward normal:
 ///
 ///   R[a] += ∫ N_a p n da,   with its derivative by the displacement
-class FollowerPressure final : public BoundaryTerm {
+class FollowerPressure final : public FaceLoad {
 public:
   /// list: a resolved list with "pressure" [kPa] and "Amplitude".
   explicit FollowerPressure(const Teuchos::ParameterList& list);

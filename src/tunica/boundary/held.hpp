@@ -5,7 +5,7 @@ namespace tunica::boundary {
 
 /// Components of the vector unknown, displacement or velocity, that stay zero; all of them where a
 /// wall is clamped. Or the one along the normal of a plane, so that its nodes slide in it.
-class Held final : public BoundaryTerm {
+class Held final : public Constraint {
 public:
   /// directions: of length 1.
   explicit Held(std::vector<int> components, std::vector<Vec3> directions = {})

@@ -7,7 +7,7 @@ namespace tunica::boundary {
 /// A surface of the wall that moves as one in some components, as if a plate were glued to it that
 /// does not turn: by a displacement that is given, or under a force that it takes beside the loads
 /// on it.
-class Moved final : public BoundaryTerm {
+class Moved final : public Constraint {
 public:
   /// list: the resolved list of one of the conditions below.
   Moved(const Teuchos::ParameterList& list, bool has_force);

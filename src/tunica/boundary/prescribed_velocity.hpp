@@ -8,7 +8,7 @@
 namespace tunica::boundary {
 
 /// All components of the fluid's velocity are given, where the surface was undeformed.
-class GivenVelocity : public BoundaryTerm {
+class GivenVelocity : public Constraint {
 public:
   bool keeps_place() const override { return true; }
   std::vector<int> prescribed_components() const override { return {0, 1, 2}; }

@@ -11,7 +11,7 @@ namespace tunica::boundary {
 ///   P  N⊗N with the unit normal N of the undeformed surface, or the unit tensor
 ///
 /// On the undeformed surface, where springs are relaxed. Source: [MX1], with P the unit tensor.
-class Support final : public BoundaryTerm {
+class Support final : public FaceLoad, public WholeLoad, public Remembering {
 public:
   /// list: a resolved list of support_condition().
   Support(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface);

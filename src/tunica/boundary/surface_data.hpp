@@ -35,7 +35,7 @@ private:
 };
 
 /// The surface's velocity, from a file.
-class VelocityData final : public BoundaryTerm {
+class VelocityData final : public Constraint {
 public:
   explicit VelocityData(SurfaceData data) : data_(std::move(data)) {}
   bool keeps_place() const override { return true; }
@@ -49,7 +49,7 @@ private:
 };
 
 /// Components of the surface's displacement, from a file.
-class DisplacementData final : public BoundaryTerm {
+class DisplacementData final : public Constraint {
 public:
   DisplacementData(SurfaceData data, std::vector<int> components)
       : data_(std::move(data)), components_(std::move(components)) {}

@@ -14,7 +14,9 @@ SurfaceTerms::SurfaceTerms(const std::vector<Condition>& conditions,
                            const std::vector<ConditionEntry>& registry,
                            const fields::FieldMesh& mesh)
     : mesh_(&mesh), kept_(conditions), conditions_(mesh.surfaces.size()),
-      terms_(mesh.surfaces.size()), fixed_(mesh.n_nodes()) {
+      constraints_(mesh.surfaces.size()), face_loads_(mesh.surfaces.size()),
+      whole_loads_(mesh.surfaces.size()), remembering_(mesh.surfaces.size()),
+      fixed_(mesh.n_nodes()) {
   for (const Condition& condition : kept_) {
     const int surface = mesh.surface_index(condition.surface);
     if (surface < 0) continue;
@@ -22,13 +24,21 @@ SurfaceTerms::SurfaceTerms(const std::vector<Condition>& conditions,
     const auto entry = std::find_if(registry.begin(), registry.end(),
                                     [&](const ConditionEntry& e) { return e.name == kind; });
     conditions_[surface].push_back(&condition);
-    for (auto& term : entry->make(condition.list, mesh, surface)) {
-      highest_precedence_ = std::max(highest_precedence_, term->precedence());
-      terms_[surface].push_back(std::move(term));
-    }
+    for (auto& term : entry->make(condition.list, mesh, surface)) take(std::move(term), surface);
   }
   check_sections();
   constrain();
+}
+
+void SurfaceTerms::take(std::unique_ptr<BoundaryTerm> term, int surface) {
+  if (auto* constraint = dynamic_cast<Constraint*>(term.get())) {
+    highest_precedence_ = std::max(highest_precedence_, constraint->precedence());
+    constraints_[surface].push_back(constraint);
+  }
+  if (auto* load = dynamic_cast<FaceLoad*>(term.get())) face_loads_[surface].push_back(load);
+  if (auto* load = dynamic_cast<WholeLoad*>(term.get())) whole_loads_[surface].push_back(load);
+  if (auto* one = dynamic_cast<Remembering*>(term.get())) remembering_[surface].push_back(one);
+  terms_.push_back(std::move(term));
 }
 
 void SurfaceTerms::check_sections() const {
@@ -36,10 +46,10 @@ void SurfaceTerms::check_sections() const {
     const int held = prescribes(s, 0) + prescribes(s, 1) + prescribes(s, 2);
     return held == 1 || held == 2 || has_held_directions(s);
   };
-  const int n = static_cast<int>(terms_.size());
+  const int n = static_cast<int>(constraints_.size());
   for (int s = 0; s < n; ++s) {
     const auto wants = [](const auto& term) { return term->wants_whole_section(); };
-    if (std::none_of(terms_[s].begin(), terms_[s].end(), wants)) continue;
+    if (std::none_of(constraints_[s].begin(), constraints_[s].end(), wants)) continue;
     for (int t = 0; t < n; ++t) {
       if (!is_plane(t)) continue;
       double meets = 0.0;
@@ -63,12 +73,12 @@ bool SurfaceTerms::has_condition(int surface, const std::string& kind) const {
 }
 
 bool SurfaceTerms::sticks(int surface) const {
-  const Terms& terms = terms_[surface];
+  const auto& terms = constraints_[surface];
   return std::any_of(terms.begin(), terms.end(), [](const auto& term) { return term->sticks(); });
 }
 
 bool SurfaceTerms::is_natural(int surface) const {
-  const Terms& terms = terms_[surface];
+  const auto& terms = constraints_[surface];
   return std::all_of(terms.begin(), terms.end(), [](const auto& term) {
     return term->prescribed_components().empty() && term->held_directions().empty() &&
            term->common_motions().empty();
@@ -76,7 +86,7 @@ bool SurfaceTerms::is_natural(int surface) const {
 }
 
 bool SurfaceTerms::prescribes(int surface, int component) const {
-  const Terms& terms = terms_[surface];
+  const auto& terms = constraints_[surface];
   return std::any_of(terms.begin(), terms.end(), [component](const auto& term) {
     std::vector<int> components = term->prescribed_components();
     for (const CommonMotion& motion : term->common_motions())
@@ -87,7 +97,7 @@ bool SurfaceTerms::prescribes(int surface, int component) const {
 
 bool SurfaceTerms::keeps_place(int surface) const {
   std::set<int> zero;
-  for (const auto& term : terms_[surface]) {
+  for (const auto& term : constraints_[surface]) {
     if (term->keeps_place()) return true;
     if (!term->prescribes_zero()) continue;
     for (const int i : term->prescribed_components()) zero.insert(i);
@@ -96,13 +106,13 @@ bool SurfaceTerms::keeps_place(int surface) const {
 }
 
 bool SurfaceTerms::moves_as_one(int surface) const {
-  const Terms& terms = terms_[surface];
+  const auto& terms = constraints_[surface];
   return std::any_of(terms.begin(), terms.end(),
                      [](const auto& term) { return !term->common_motions().empty(); });
 }
 
 bool SurfaceTerms::has_held_directions(int surface) const {
-  const Terms& terms = terms_[surface];
+  const auto& terms = constraints_[surface];
   return std::any_of(terms.begin(), terms.end(),
                      [](const auto& term) { return !term->held_directions().empty(); });
 }
@@ -110,7 +120,7 @@ bool SurfaceTerms::has_held_directions(int surface) const {
 std::vector<Vec3> SurfaceTerms::sprung_directions(const fields::FieldMesh& mesh,
                                                   const fields::Face& face) const {
   std::vector<Vec3> all;
-  for (const auto& term : terms_[face.surface])
+  for (const auto& term : face_loads_[face.surface])
     for (const Vec3& v : term->sprung_directions(mesh, face)) all.push_back(v);
   return all;
 }
@@ -119,7 +129,7 @@ Vec3 SurfaceTerms::free_part(int surface, const Vec3& v) const {
   assembly::Constraints fixed(1);
   for (int i = 0; i < 3; ++i)
     if (prescribes(surface, i)) fixed.fix_component(0, i);
-  for (const auto& term : terms_[surface])
+  for (const auto& term : constraints_[surface])
     for (const Vec3& n : term->held_directions()) fixed.fix_direction(0, n);
   return fixed.project(0, v);
 }
@@ -131,8 +141,8 @@ void SurfaceTerms::constrain() {
       if (mesh_->is_on(a, static_cast<int>(s))) fix(a);
   };
   std::vector<Vec3> given(mesh_->n_nodes());  // 1 for components with values, of terms in part
-  for (std::size_t s = 0; s < terms_.size(); ++s)
-    for (const auto& term : terms_[s]) {
+  for (std::size_t s = 0; s < constraints_.size(); ++s)
+    for (const auto& term : constraints_[s]) {
       const std::vector<int> components = term->prescribed_components();
       const bool gives_some = components.size() < 3 && !term->prescribes_zero();
       at_nodes_of(s, [&](int a) {
@@ -143,8 +153,8 @@ void SurfaceTerms::constrain() {
       });
     }
   bool is_clear = true;
-  for (std::size_t s = 0; s < terms_.size(); ++s)
-    for (const auto& term : terms_[s])
+  for (std::size_t s = 0; s < constraints_.size(); ++s)
+    for (const auto& term : constraints_[s])
       for (const Vec3& n : term->held_directions())
         at_nodes_of(s, [&](int a) {
           fixed_.fix_direction(a, n);
@@ -158,8 +168,8 @@ void SurfaceTerms::constrain() {
 
 std::vector<std::pair<int, CommonMotion>> SurfaceTerms::common_motions() const {
   std::vector<std::pair<int, CommonMotion>> all;
-  for (std::size_t s = 0; s < terms_.size(); ++s)
-    for (const auto& term : terms_[s])
+  for (std::size_t s = 0; s < constraints_.size(); ++s)
+    for (const auto& term : constraints_[s])
       for (const CommonMotion& motion : term->common_motions())
         all.emplace_back(static_cast<int>(s), motion);
   return all;
@@ -167,12 +177,12 @@ std::vector<std::pair<int, CommonMotion>> SurfaceTerms::common_motions() const {
 
 // On nodes that are held across the axes u ← g + P (u − g), g the prescribed components.
 void SurfaceTerms::impose(const Surroundings& s, Vector& u) {
-  for (const Terms& terms : terms_)
+  for (const auto& terms : constraints_)
     for (const auto& term : terms) term->prepare(s);
   const auto values = u.getLocalViewHost(read_write);
   for (int precedence = 0; precedence <= highest_precedence_; ++precedence)
-    for (std::size_t k = 0; k < terms_.size(); ++k)
-      for (const auto& term : terms_[k]) {
+    for (std::size_t k = 0; k < constraints_.size(); ++k)
+      for (const auto& term : constraints_[k]) {
         const std::vector<int> components = term->prescribed_components();
         if (components.empty() || term->precedence() != precedence) continue;
         for (int a = 0; a < mesh_->n_owned; ++a) {
@@ -193,22 +203,22 @@ void SurfaceTerms::impose(const Surroundings& s, Vector& u) {
 void SurfaceTerms::add(const Surroundings& s, assembly::NodalResidual& R,
                        assembly::BlockAssembler* K) const {
   for (const fields::Face& face : mesh_->faces)
-    for (const auto& term : terms_[face.surface]) term->add(s, face, R, K);
-  for (const Terms& terms : terms_)
-    for (const auto& term : terms) term->add_whole(s, R, K);
+    for (const FaceLoad* load : face_loads_[face.surface]) load->add(s, face, R, K);
+  for (const auto& loads : whole_loads_)
+    for (const WholeLoad* load : loads) load->add_whole(s, R, K);
 }
 
 void SurfaceTerms::add_shape(const Surroundings& s, assembly::FluidShapeMatrix& S) const {
   for (const fields::Face& face : mesh_->faces)
-    for (const auto& term : terms_[face.surface]) term->add_shape(s, face, S);
-  for (const Terms& terms : terms_)
-    for (const auto& term : terms) term->add_whole_shape(s, S);
+    for (const FaceLoad* load : face_loads_[face.surface]) load->add_shape(s, face, S);
+  for (const auto& loads : whole_loads_)
+    for (const WholeLoad* load : loads) load->add_whole_shape(s, S);
 }
 
 int SurfaceTerms::rank() const {
   int sum = 0;
-  for (const Terms& terms : terms_)
-    for (const auto& term : terms) sum += term->rank();
+  for (const auto& loads : whole_loads_)
+    for (const WholeLoad* load : loads) sum += load->rank();
   return sum;
 }
 
@@ -216,8 +226,8 @@ Vec3 SurfaceTerms::load(const Surroundings& s, int surface) const {
   assembly::NodalResidual R(*mesh_);
   for (const fields::Face& face : mesh_->faces)
     if (face.surface == surface)
-      for (const auto& term : terms_[surface]) term->add(s, face, R, nullptr);
-  for (const auto& term : terms_[surface]) term->add_whole(s, R, nullptr);
+      for (const FaceLoad* load : face_loads_[surface]) load->add(s, face, R, nullptr);
+  for (const WholeLoad* load : whole_loads_[surface]) load->add_whole(s, R, nullptr);
   Vec3 load{};
   for (const Vec3& r : R.u) load += -1.0 * r;
   return load;
@@ -225,33 +235,33 @@ Vec3 SurfaceTerms::load(const Surroundings& s, int surface) const {
 
 void SurfaceTerms::observe(const Surroundings& s, const fields::Face& face,
                            std::map<std::string, double>& sums) const {
-  for (const auto& term : terms_[face.surface]) term->observe(s, face, sums);
+  for (const FaceLoad* load : face_loads_[face.surface]) load->observe(s, face, sums);
 }
 
 void SurfaceTerms::observe_whole(const Surroundings& s,
                                  std::map<std::string, double>& found) const {
-  for (const Terms& terms : terms_)
-    for (const auto& term : terms) term->observe_whole(s, found);
+  for (const auto& loads : whole_loads_)
+    for (const WholeLoad* load : loads) load->observe_whole(s, found);
 }
 
 void SurfaceTerms::follow(const stepping::TimeScheme& scheme) {
-  for (const Terms& terms : terms_)
-    for (const auto& term : terms) term->follow(scheme);
+  for (const auto& terms : remembering_)
+    for (Remembering* term : terms) term->follow(scheme);
 }
 
 void SurfaceTerms::begin_step() {
-  for (const Terms& terms : terms_)
-    for (const auto& term : terms) term->begin_step();
+  for (const auto& terms : remembering_)
+    for (Remembering* term : terms) term->begin_step();
 }
 
 void SurfaceTerms::end_step(const Surroundings& s) {
-  for (const Terms& terms : terms_)
-    for (const auto& term : terms) term->end_step(s);
+  for (const auto& terms : remembering_)
+    for (Remembering* term : terms) term->end_step(s);
 }
 
 std::vector<double> SurfaceTerms::state_of(int surface) const {
   std::vector<double> all;
-  for (const auto& term : terms_[surface]) {
+  for (const Remembering* term : remembering_[surface]) {
     const std::vector<double> one = term->state();
     all.insert(all.end(), one.begin(), one.end());
   }
@@ -266,14 +276,14 @@ std::string SurfaceTerms::name_of_state(int surface) const {
 }
 
 void SurfaceTerms::save(fields::State& state) const {
-  for (int k = 0; k < static_cast<int>(terms_.size()); ++k)
+  for (int k = 0; k < static_cast<int>(remembering_.size()); ++k)
     if (const std::vector<double> values = state_of(k); !values.empty())
       state.numbers[name_of_state(k)] = values;
 }
 
 std::string SurfaceTerms::restore(const fields::State& state) {
   std::string remark;
-  for (int k = 0; k < static_cast<int>(terms_.size()); ++k) {
+  for (int k = 0; k < static_cast<int>(remembering_.size()); ++k) {
     const std::size_t size = state_of(k).size();
     if (size == 0) continue;
     const auto found = state.numbers.find(name_of_state(k));
@@ -286,7 +296,7 @@ std::string SurfaceTerms::restore(const fields::State& state) {
                      std::to_string(found->second.size()) + " numbers, expected " +
                      std::to_string(size) + ": a run goes on with the time scheme it began with.");
     auto next = found->second.begin();
-    for (const auto& term : terms_[k]) {
+    for (const auto& term : remembering_[k]) {
       const auto count = static_cast<std::ptrdiff_t>(term->state().size());
       term->restore({next, next + count});
       next += count;

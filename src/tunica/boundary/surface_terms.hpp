@@ -54,7 +54,7 @@ public:
                std::map<std::string, double>& sums) const;
   void observe_whole(const Surroundings& s, std::map<std::string, double>& found) const;
 
-  /// The states of the terms, see BoundaryTerm.
+  /// The states of the terms, see Remembering.
   void follow(const stepping::TimeScheme& scheme);
   void begin_step();
   void end_step(const Surroundings& s);
@@ -64,6 +64,7 @@ public:
   std::string restore(const fields::State& state);
 
 private:
+  void take(std::unique_ptr<BoundaryTerm> term, int surface);
   /// Throws Error where a component is given along the normal of a plane. Collective.
   void constrain();
   /// Throws Error where a profile would be made of a part of a section. Collective.
@@ -75,7 +76,12 @@ private:
   const fields::FieldMesh* mesh_;
   std::vector<Condition> kept_;
   std::vector<std::vector<const Condition*>> conditions_;  ///< per surface
-  std::vector<Terms> terms_;                               ///< per surface
+  Terms terms_;
+  /// What they are, per surface.
+  std::vector<std::vector<Constraint*>> constraints_;
+  std::vector<std::vector<FaceLoad*>> face_loads_;
+  std::vector<std::vector<WholeLoad*>> whole_loads_;
+  std::vector<std::vector<Remembering*>> remembering_;
   assembly::Constraints fixed_;
   int highest_precedence_ = 0;
 };

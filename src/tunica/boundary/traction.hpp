@@ -11,7 +11,7 @@ namespace tunica::boundary {
 ///   t  amplitude(time) times the traction given, or −p n  kPa
 ///
 /// On the fluid's surface where it lies at present; on the undeformed wall (a dead load).
-class Traction : public BoundaryTerm {
+class Traction : public FaceLoad {
 public:
   /// list: the resolved list of one of the conditions below.
   Traction(const Teuchos::ParameterList& list, bool on_undeformed);

@@ -24,7 +24,7 @@ namespace tunica::boundary {
 ///
 /// C = 0 leaves a resistance R_p + R_d. The flow counts where the surface lies at present, and what
 /// a moving surface sweeps does not pass it. Source: [VC1], coupled implicitly.
-class Windkessel final : public BoundaryTerm {
+class Windkessel final : public WholeLoad, public Remembering {
 public:
   /// list: a resolved list of windkessel_condition().
   Windkessel(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface);

@@ -14,7 +14,7 @@ using boundary::SurfaceTerms;
 using test::SmallTube;
 
 /// As one adds a term: a bed of springs, R[a] += k A/3 u[a], of the stiffness that the list gives.
-class Springs final : public boundary::BoundaryTerm {
+class Springs final : public boundary::FaceLoad {
 public:
   explicit Springs(double k) : stiffness_(k) {}
 
@@ -38,7 +38,7 @@ private:
 
 /// As one adds a term of the whole surface with a memory: R[a] += s Q³ A_a for the flow Q = Σ
 /// A_a·u_a, where s is the sum of the flows of the steps accepted.
-class Memory final : public boundary::BoundaryTerm {
+class Memory final : public boundary::WholeLoad, public boundary::Remembering {
 public:
   explicit Memory(int surface) : surface_(surface) {}
 
