@@ -98,20 +98,8 @@ Teuchos::RCP<const Vector> hosts_of(const LinearSystem& system) {
   return (*system.K->space())[1].nodes.hosts;
 }
 
-std::string state_of(const LinearSystem& system, const output::RunRecord& record) {
-  const Json run = Json::parse(record.text());
-  const auto nodes = static_cast<long long>(system.mesh->node_map->getGlobalNumElements());
-  const bool is_wall = system.field == "wall";
-  Json out;
-  for (const char* section : {"program", "case", "ranks", "versions"})
-    out[section] = run.at(section);
-  out["field"] = system.field;
-  out["step"] = system.step;
-  out["coupling iteration"] = system.coupling_iteration;
-  out["newton step"] = system.newton_step;
-  out["sizes"] = {{"nodes", nodes},
-                  {"vector unknowns", 3 * nodes},
-                  {"scalar unknowns", (*system.K->space())[1].map->getGlobalNumElements()}};
+/// What a reader of the files must know of the system.
+void describe(const LinearSystem& system, Json& out) {
   out["operator"] =
       "K = [A B1T; B2 -C]; constrained rows and columns keep their diagonal only; nodes that "
       "slide in a plane across the axes have P K P + s (I - P), P = I - n nT";
@@ -132,6 +120,23 @@ std::string state_of(const LinearSystem& system, const output::RunRecord& record
         "between fluid and wall; "
         "scalar_nodes.mtx has the node of each scalar unknown, from 0";
   out["meaning"] = "K x = rhs = residual of Newton's method; its full step is -x";
+}
+
+std::string state_of(const LinearSystem& system, const output::RunRecord& record) {
+  const Json run = Json::parse(record.text());
+  const auto nodes = static_cast<long long>(system.mesh->node_map->getGlobalNumElements());
+  const bool is_wall = system.field == "wall";
+  Json out;
+  for (const char* section : {"program", "case", "ranks", "versions"})
+    out[section] = run.at(section);
+  out["field"] = system.field;
+  out["step"] = system.step;
+  out["coupling iteration"] = system.coupling_iteration;
+  out["newton step"] = system.newton_step;
+  out["sizes"] = {{"nodes", nodes},
+                  {"vector unknowns", 3 * nodes},
+                  {"scalar unknowns", (*system.K->space())[1].map->getGlobalNumElements()}};
+  describe(system, out);
   out["units"] = {{"base", "mm, ms, mg"},
                   {"coordinates", "mm, undeformed mesh"},
                   {"vector unknowns", is_wall ? "mm" : "mm/ms"},

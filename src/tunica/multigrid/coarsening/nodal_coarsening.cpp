@@ -206,6 +206,22 @@ Vector NodalCoarsening::numbers_of_hosts(int level) {
   return result;
 }
 
+std::vector<char> NodalCoarsening::chosen_nodes(const Level& level,
+                                                const Teuchos::RCP<const Vector>& first,
+                                                double value) const {
+  const auto set_by = [&](const Vector& order) {
+    return algebra::independent_set(*level.nodes,
+                                    first.is_null() ? order : first_without(value, *first, order));
+  };
+  // Which order leaves fewer nodes differs from mesh to mesh by up to a factor of two; else that of
+  // the mesh needs fewer iterations (walls of 25 : 1: 20 for 27, a coupled system 6 for 9).
+  std::vector<char> is_coarse =
+      much_smaller(*level.nodes, set_by(*level.order),
+                   set_by(most_neighbours_first(*level.nodes, *level.order)));
+  leave_out_single_nodes(*level.nodes, is_coarse);
+  return is_coarse;
+}
+
 void NodalCoarsening::coarsen() {
   Level& level = levels_.back();
   Hosts hosts;
@@ -221,16 +237,7 @@ void NodalCoarsening::coarsen() {
   } else if (!level.between.is_null()) {
     first = level.between;
   }
-  const auto set_by = [&](const Vector& order) {
-    return algebra::independent_set(*level.nodes,
-                                    first.is_null() ? order : first_without(value, *first, order));
-  };
-  // Which order leaves fewer nodes differs from mesh to mesh by up to a factor of two; else that of
-  // the mesh needs fewer iterations (walls of 25 : 1: 20 for 27, a coupled system 6 for 9).
-  std::vector<char> is_coarse =
-      much_smaller(*level.nodes, set_by(*level.order),
-                   set_by(most_neighbours_first(*level.nodes, *level.order)));
-  leave_out_single_nodes(*level.nodes, is_coarse);
+  const std::vector<char> is_coarse = chosen_nodes(level, first, value);
   const CoarseNumbers coarse(*level.nodes, is_coarse, hosts);
   level.P = averaging(*level.nodes, coarse, flags_between(*level.nodes, level.between));
   level.numbers = coarse.of_row;

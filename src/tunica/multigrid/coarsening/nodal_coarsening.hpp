@@ -65,6 +65,9 @@ private:
   };
 
   const Level& at(int level);
+  /// Those that become nodes of the next level, those first of which the vector has another value.
+  std::vector<char> chosen_nodes(const Level& level, const Teuchos::RCP<const Vector>& first,
+                                 double value) const;
   void coarsen();
   Vector numbers_of_hosts(int level);
 
