@@ -61,25 +61,27 @@ void print_defaults(const setup::CommandLine& command, const Comm& comm) {
     return;
   }
   const bool is_foreign = setup::has_list(command.case_file, "System", comm);
-  const Teuchos::ParameterList list = setup::read_case(
-      command, is_foreign ? setup::system_solvers_table() : table_for(command.case_file, comm),
-      comm);
+  const Teuchos::ParameterList list =
+      setup::read_case(
+          command, is_foreign ? setup::system_solvers_table() : table_for(command.case_file, comm),
+          comm)
+          .list;
   if (comm.getRank() == 0) std::cout << params::to_xml(list);
 }
 
 int check(const setup::CommandLine& command, const std::string& name) {
   const CommPtr comm = all_ranks();
   const bool is_foreign = setup::has_list(command.case_file, "System", *comm);
-  const Teuchos::ParameterList list = setup::read_case(
+  const setup::Case the_case = setup::read_case(
       command, is_foreign ? setup::system_solvers_table() : table_for(command.case_file, *comm),
       *comm);
   if (is_foreign) {
-    systems::read_system(list.sublist("System"), comm);
+    systems::read_system(the_case.list.sublist("System"), comm);
   } else {
-    const run::Domain domain = run::load_domain(list, comm);
+    const run::Domain domain = run::load_domain(the_case, comm);
     run::print_extent(domain.extent, name, *comm);
-    run::check_fields(list, domain);
-    run::print_expectations(list, domain);
+    run::check_fields(the_case, domain);
+    run::print_expectations(the_case, domain);
   }
   if (comm->getRank() == 0)
     std::cout << command.case_file << ": the case and its " << (is_foreign ? "files" : "mesh")

@@ -11,8 +11,7 @@ namespace {
 
 using namespace tunica;
 
-Outcome march(const Teuchos::ParameterList& the_case, const run::Domain& domain,
-              run::RunOutput& output) {
+Outcome march(const setup::Case& the_case, const run::Domain& domain, run::RunOutput& output) {
   // 1. The fluid, the wall and the motion of the mesh, and the scheme that couples them.
   run::Simulation simulation(the_case, domain, output);
 

@@ -10,8 +10,7 @@ namespace {
 
 using namespace tunica;
 
-Outcome march(const Teuchos::ParameterList& the_case, const run::Domain& domain,
-              run::RunOutput& output) {
+Outcome march(const setup::Case& the_case, const run::Domain& domain, run::RunOutput& output) {
   // 1. The wall.
   run::Simulation simulation(the_case, domain, output);
 

@@ -53,9 +53,8 @@ Outcome march_to_wanted(compare::SystemCapture& capture, coupling::Scheme& schem
   return Outcome::success();
 }
 
-Outcome march(const Teuchos::ParameterList& resolved, const run::Domain& domain,
-              run::RunOutput& output) {
-  Teuchos::ParameterList list(resolved);
+Outcome march(const setup::Case& the_case, const run::Domain& domain, run::RunOutput& output) {
+  Teuchos::ParameterList list(the_case.list);
   Teuchos::ParameterList& coupling = list.sublist("Coupling");
   if (coupling::is_monolithic(coupling))
     list.sublist("Solvers").set("coupling iteration", 1);  // there is one

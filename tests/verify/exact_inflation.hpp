@@ -13,7 +13,7 @@ namespace tunica::verify {
 inline Teuchos::ParameterList case_of(const std::string& file) {
   setup::CommandLine command;
   command.case_file = TUNICA_CASES "/" + file;
-  return setup::read_case(command, setup::solid_table(), *Tpetra::getDefaultComm());
+  return setup::read_case(command, setup::solid_table(), *Tpetra::getDefaultComm()).list;
 }
 
 /// Inner radius by pressure, of tests/data/inflation.csv.

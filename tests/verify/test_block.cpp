@@ -16,7 +16,8 @@ using namespace tunica;
 Teuchos::ParameterList wall_list(const std::string& file) {
   setup::CommandLine command;
   command.case_file = TUNICA_CASES "/" + file;
-  return setup::read_case(command, setup::solid_table(), *Tpetra::getDefaultComm()).sublist("Wall");
+  return setup::read_case(command, setup::solid_table(), *Tpetra::getDefaultComm())
+      .list.sublist("Wall");
 }
 
 /// xml/block.xml without what holds the top, and with a pressure in the place of the load.

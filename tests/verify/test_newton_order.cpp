@@ -28,7 +28,7 @@ TEUCHOS_UNIT_TEST(newton, converges_quadratically_on_an_inflated_wall) {
   setup::CommandLine command;
   command.case_file = TUNICA_CASES "/inflation.xml";
   Teuchos::ParameterList list =
-      setup::read_case(command, setup::solid_table(), *Tpetra::getDefaultComm());
+      setup::read_case(command, setup::solid_table(), *Tpetra::getDefaultComm()).list;
   list.sublist("Wall").sublist("Newton").set("relative increment", 1e-12);
   list.sublist("Wall").sublist("Newton").set("absolute increment", 0.0);
   list.sublist("Wall").set("stabilisation residual", std::string("linear"));  // F that stays

@@ -146,13 +146,14 @@ int solve(const Program& program, const setup::CommandLine& command, const March
           const CommPtr& comm) {
   const Stopwatch set_up;
   const bool is_root = comm->getRank() == 0;
-  const Teuchos::ParameterList list = setup::read_case(command, program.table, *comm);
+  const setup::Case the_case = setup::read_case(command, program.table, *comm);
+  const Teuchos::ParameterList& list = the_case.list;
   io::FolderLock lock;
   if (!command.dry_run) {
     catch_early_notice();
     run::enter(run::folder_of(list), command, *comm, lock);
   }
-  const run::Domain domain = run::load_domain(list, comm);
+  const run::Domain domain = run::load_domain(the_case, comm);
   run::print_extent(domain.extent, program.name, *comm);
   describe_domain(domain, *comm);
   std::optional<run::Restart> restart;
@@ -165,12 +166,12 @@ int solve(const Program& program, const setup::CommandLine& command, const March
   }
   if (restart && is_over(restart->head, list, *comm)) return run::exit_done;
   if (command.dry_run) {
-    run::check_fields(list, domain);
-    run::print_expectations(list, domain);
+    run::check_fields(the_case, domain);
+    run::print_expectations(the_case, domain);
     return run::exit_done;
   }
-  run::check_held(list, domain);
-  if (is_root) judge::print_brief(judge::sanity_of(list, domain.vessel));
+  run::check_held(the_case, domain);
+  if (is_root) judge::print_brief(judge::sanity_of(the_case, domain.vessel));
   if (is_root) io::show_progress(list.sublist("Output").get<double>("progress every"));
   linear::check_direct_solver(comm);
   run::RunOutput output(command, list, domain, lock, restart, set_up);
@@ -180,13 +181,13 @@ int solve(const Program& program, const setup::CommandLine& command, const March
   for (const auto& [phase, peaks] : domain.memory.phases())
     output.record.set(output::memory_section, phase, peaks);
   output.record.add_time("set-up", set_up.seconds());
-  return conclude(program, output, *comm, [&] { return march(list, domain, output); });
+  return conclude(program, output, *comm, [&] { return march(the_case, domain, output); });
 }
 
 int solve(const Program& program, const setup::CommandLine& command, const Alternative& alternative,
           const CommPtr& comm) {
   const Stopwatch set_up;
-  const Teuchos::ParameterList list = setup::read_case(command, alternative.table, *comm);
+  const Teuchos::ParameterList list = setup::read_case(command, alternative.table, *comm).list;
   io::FolderLock lock;
   if (!command.dry_run) run::enter(run::folder_of(list), command, *comm, lock);
   const auto work = alternative.load(list, comm);

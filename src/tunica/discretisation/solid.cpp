@@ -26,13 +26,17 @@ std::unique_ptr<fields::SplitMesh> mesh_of_pressures(const SolidOptions& options
 
 Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
              std::vector<materials::Frame> frames)
+    : Solid(solid_options(list), list, mesh, std::move(frames)) {}
+
+Solid::Solid(SolidOptions options, const Teuchos::ParameterList& list,
+             const fields::FieldMesh& mesh, std::vector<materials::Frame> frames)
     : MixedField(mesh, {{{"displacement", 3}, {"pressure", 1}},
                         boundary::conditions_of(list.sublist("Surfaces")),
                         boundary::wall_conditions(),
                         stepping::make_wall_scheme(list),
-                        mesh_of_pressures(solid_options(list), mesh),
+                        mesh_of_pressures(options, mesh),
                         true}),
-      options_(solid_options(list)), prestretch_(mesh, [this] { follow_prestretch(); }),
+      options_(std::move(options)), prestretch_(mesh, [this] { follow_prestretch(); }),
       nodal_force_(mesh.n_owned) {
   local_.r.assign(mesh.n_nodes(), Vec3{});
   local_.d.resize(mesh.n_nodes());

@@ -79,6 +79,8 @@ public:
   Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
 
 private:
+  Solid(SolidOptions options, const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+        std::vector<materials::Frame> frames);
   struct Summary;
   /// A local element with its values at the vertices.
   void add_element(std::size_t e, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,

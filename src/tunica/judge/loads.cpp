@@ -150,12 +150,12 @@ void visit_opening(const boundary::Condition& c, double area, const std::vector<
 }
 
 /// What presses on the openings, in time.
-std::vector<Course> visit_fluid(const Teuchos::ParameterList& fluid,
+std::vector<Course> visit_fluid(const setup::Case::Fluid& fluid,
                                 const std::vector<Vessel::Opening>& openings,
                                 const std::vector<double>& times, Loads& loads) {
   Driven driven;
   std::vector<std::string> named;
-  for (const boundary::Condition& c : boundary::conditions_of(fluid.sublist("Surfaces"))) {
+  for (const boundary::Condition& c : fluid.conditions) {
     named.push_back(c.surface);
     visit_opening(c, area_of(openings, c.surface), times, driven, loads);
   }
@@ -169,10 +169,9 @@ std::vector<Course> visit_fluid(const Teuchos::ParameterList& fluid,
   return driven.pressing;
 }
 
-void visit_wall(const Teuchos::ParameterList& wall, const std::vector<double>& times,
-                Loads& loads) {
+void visit_wall(const setup::Case::Wall& wall, const std::vector<double>& times, Loads& loads) {
   using Kind = boundary::Drive::Kind;
-  for (const boundary::Condition& c : boundary::conditions_of(wall.sublist("Surfaces"))) {
+  for (const boundary::Condition& c : wall.conditions) {
     const boundary::Drive drive = c.drive(boundary::Field::wall);
     const Course course(c.list, drive.size);
     const double peak = course.peak(times);
@@ -182,8 +181,7 @@ void visit_wall(const Teuchos::ParameterList& wall, const std::vector<double>& t
     if (drive.kind == Kind::file) loads.has_data = true;
     if (peak > 0.0) loads.are_zero = false;
   }
-  const auto imaged = wall.sublist("Prestress").get<double>("pressure");
-  note_pressure(imaged, "Wall / Prestress", loads);
+  note_pressure(wall.prestress, "Wall / Prestress", loads);
 }
 
 void note_difference(const std::vector<Course>& pressing, const std::vector<double>& times,
@@ -286,16 +284,16 @@ void visit_amplitudes(const Teuchos::ParameterList& list, double dt, Loads& load
 
 }  // namespace
 
-Loads loads_of(const Teuchos::ParameterList& list, const std::vector<Vessel::Opening>& openings) {
+Loads loads_of(const setup::Case& the_case, const std::vector<Vessel::Opening>& openings) {
   Loads loads;
-  const auto time = stepping::step_control_options(list.sublist("Time"));
+  const stepping::StepControlOptions& time = *the_case.time;
   const bool is_fixed = !time.is_adaptive && !time.pseudo_time;
   loads.end = time.end;
-  const std::vector<double> times = sample_times(list, loads.end);
-  if (list.isSublist("Fluid"))
-    note_difference(visit_fluid(list.sublist("Fluid"), openings, times, loads), times, loads);
-  if (list.isSublist("Wall")) visit_wall(list.sublist("Wall"), times, loads);
-  visit_amplitudes(list, is_fixed ? time.first_step : 0.0, loads);
+  const std::vector<double> times = sample_times(the_case.list, loads.end);
+  if (the_case.fluid)
+    note_difference(visit_fluid(*the_case.fluid, openings, times, loads), times, loads);
+  if (the_case.wall) visit_wall(*the_case.wall, times, loads);
+  visit_amplitudes(the_case.list, is_fixed ? time.first_step : 0.0, loads);
   loads.are_zero =
       loads.are_zero && !loads.has_data && loads.peak_pressure == 0.0 && loads.peak_flow == 0.0;
   return loads;

@@ -1,11 +1,11 @@
 #pragma once
-#include <Teuchos_ParameterList.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tunica/judge/vessel.hpp"
+#include "tunica/setup/case.hpp"
 
 namespace tunica::judge {
 
@@ -57,6 +57,6 @@ struct Loads {
 
 /// Amplitudes count at their kinks and at 2000 times. What an opening's traction does beside
 /// pressing is left out; what an outlet makes of the flow counts in the balance alone.
-Loads loads_of(const Teuchos::ParameterList& list, const std::vector<Vessel::Opening>& openings);
+Loads loads_of(const setup::Case& the_case, const std::vector<Vessel::Opening>& openings);
 
 }  // namespace tunica::judge

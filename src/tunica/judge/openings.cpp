@@ -76,12 +76,11 @@ void doubt_prestress(const Loads& loads, const Vessel& vessel, double imaged, do
 
 // The prestress bears the pressure of the image; pressures of the case on the same surfaces take
 // its place when the run begins, all else adds to it.
-void doubt_loads_on_wall(const Teuchos::ParameterList& list, const Loads& loads, bool is_coupled,
+void doubt_loads_on_wall(const setup::Case::Wall& wall, const Loads& loads, bool is_coupled,
                          Doubts& doubts) {
-  const Teuchos::ParameterList& wall = list.sublist("Wall");
-  const auto imaged = wall.sublist("Prestress").get<double>("pressure");
+  const double imaged = wall.prestress;
   if (imaged == 0.0) return;
-  const std::vector<std::string> bearing = problems::prestress_surfaces(wall);
+  const std::vector<std::string>& bearing = wall.prestress_surfaces;
   for (const Loads::OnWall& load : loads.on_wall) {
     if (std::count(bearing.begin(), bearing.end(), load.surface) == 0) continue;
     const char* const surface = load.surface.c_str();
@@ -128,19 +127,17 @@ void doubt_frame(const Teuchos::ParameterList& frame, const Vessel& vessel, Doub
 
 }  // namespace
 
-std::vector<std::string> doubts_of_openings(const Teuchos::ParameterList& list,
-                                            const Vessel& vessel, const Loads& loads,
-                                            double modulus) {
+std::vector<std::string> doubts_of_openings(const setup::Case& the_case, const Vessel& vessel,
+                                            const Loads& loads, double modulus) {
   Doubts doubts;
   doubt_outlets(loads, doubts);
   const bool is_coupled = vessel.wall && vessel.fluid;
-  const double imaged =
-      is_coupled ? list.sublist("Wall").sublist("Prestress").get<double>("pressure") : 0.0;
+  const double imaged = is_coupled ? the_case.wall->prestress : 0.0;
   doubt_bare(loads, imaged, doubts);
-  if (vessel.wall) doubt_loads_on_wall(list, loads, is_coupled, doubts);
+  if (vessel.wall) doubt_loads_on_wall(*the_case.wall, loads, is_coupled, doubts);
   if (!is_coupled) return doubts;
   doubt_prestress(loads, vessel, imaged, modulus, doubts);
-  doubt_frame(list.sublist("Wall").sublist("Fibre Frame"), vessel, doubts);
+  doubt_frame(the_case.list.sublist("Wall").sublist("Fibre Frame"), vessel, doubts);
   return doubts;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
-#include <Teuchos_ParameterList.hpp>
 #include <string>
 #include <vector>
 
 #include "tunica/judge/loads.hpp"
 #include "tunica/judge/vessel.hpp"
+#include "tunica/setup/case.hpp"
 
 namespace tunica::judge {
 
@@ -12,8 +12,7 @@ namespace tunica::judge {
 /// that were forgotten, pressures that begin beside those under which the wall was imaged, ends
 /// that a fibre frame does not know. A line each, with the cure.
 /// list: the resolved case. modulus: E of the wall, 0 where there is none [kPa].
-std::vector<std::string> doubts_of_openings(const Teuchos::ParameterList& list,
-                                            const Vessel& vessel, const Loads& loads,
-                                            double modulus);
+std::vector<std::string> doubts_of_openings(const setup::Case& the_case, const Vessel& vessel,
+                                            const Loads& loads, double modulus);
 
 }  // namespace tunica::judge

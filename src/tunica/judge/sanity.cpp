@@ -19,16 +19,16 @@ namespace {
 
 class Judge {
 public:
-  Judge(const Teuchos::ParameterList& list, const Vessel& vessel)
-      : list_(list), vessel_(vessel), loads_(loads_of(list, vessel.openings)),
-        time_(stepping::step_control_options(list.sublist("Time"))) {
-    if (vessel.fluid) fluid_ = discretisation::fluid_options(list.sublist("Fluid"));
-    if (vessel.wall) wall_ = discretisation::solid_options(list.sublist("Wall"));
-    is_static_ = vessel.wall && list.sublist("Wall").get<std::string>("analysis") == "static";
+  Judge(const setup::Case& the_case, const Vessel& vessel)
+      : case_(the_case), vessel_(vessel), loads_(loads_of(the_case, vessel.openings)),
+        time_(*the_case.time) {
+    if (vessel.fluid) fluid_ = the_case.fluid->options;
+    if (vessel.wall) wall_ = the_case.wall->options;
+    is_static_ = vessel.wall && wall_.is_static;
   }
 
   Sanity verdict() {
-    doubts_ = doubts_of_units(list_, loads_);  // first, as others follow from them
+    doubts_ = doubts_of_units(case_, loads_);  // first, as others follow from them
     if (vessel_.fluid) mesh("fluid", *vessel_.fluid);
     if (vessel_.wall) mesh("wall", *vessel_.wall);
     shape();
@@ -64,7 +64,7 @@ private:
   void waves();
   void brief();
 
-  const Teuchos::ParameterList& list_;
+  const setup::Case& case_;
   const Vessel& vessel_;
   Loads loads_;
   stepping::StepControlOptions time_;
@@ -145,7 +145,7 @@ void Judge::stiffness() {
     const double E = found_.modulus, h = vessel_.thickness, R = vessel_.radius;
     found_.wave_speed = std::sqrt(E * h / (2.0 * fluid_.density * R));
     row("wave speed, Moens-Korteweg", formatted("%.3g mm/ms", found_.wave_speed), "2 to 15 mm/ms");
-    const double borne = list_.sublist("Wall").sublist("Prestress").get<double>("pressure");
+    const double borne = case_.wall->prestress;
     const double strain = (loads_.peak_pressure - borne) * R / (E * h);
     if (strain > 0.0) row("p R/(E h), strain around", formatted("%.2g", strain), "below 0.3");
     if (strain > 1.0)
@@ -159,7 +159,7 @@ void Judge::stiffness() {
 }
 
 void Judge::held() {
-  for (const auto& c : boundary::conditions_of(list_.sublist("Wall").sublist("Surfaces")))
+  for (const auto& c : case_.wall->conditions)
     if (c.kind() != "traction" && c.kind() != "pressure" &&
         c.kind() != boundary::interface_condition)
       return;
@@ -198,7 +198,7 @@ void Judge::openings() {
         formatted("%.3g mm^3/ms, %.3g kPa = %.3g mmHg", loads_.balance->inflow,
                   loads_.balance->pressure, loads_.balance->pressure * 7.50062),
         "8 to 18 kPa");
-  for (const std::string& doubt : doubts_of_openings(list_, vessel_, loads_, found_.modulus))
+  for (const std::string& doubt : doubts_of_openings(case_, vessel_, loads_, found_.modulus))
     doubts_.push_back(doubt);
 }
 
@@ -342,19 +342,18 @@ void print_doubts(const Sanity& sanity) {
 
 }  // namespace
 
-VesselSurfaces vessel_surfaces(const Teuchos::ParameterList& list) {
+VesselSurfaces vessel_surfaces(const setup::Case& the_case) {
   VesselSurfaces surfaces;
   std::vector<boundary::Condition> of_fluid;
-  if (list.isSublist("Fluid"))
-    of_fluid = boundary::conditions_of(list.sublist("Fluid").sublist("Surfaces"));
+  if (the_case.fluid) of_fluid = the_case.fluid->conditions;
   for (const boundary::Condition& c : of_fluid) {
     if (c.kind() == "no slip" || c.kind() == boundary::interface_condition)
       surfaces.lumen_sides.push_back(c.surface);
     else if (c.kind() == "held")
       surfaces.lumen_planes.push_back(c.surface);
   }
-  if (!list.isSublist("Wall")) return surfaces;
-  for (const auto& c : boundary::conditions_of(list.sublist("Wall").sublist("Surfaces"))) {
+  if (!the_case.wall) return surfaces;
+  for (const auto& c : the_case.wall->conditions) {
     const std::string kind = c.kind();
     if (kind == "pressure" || kind == boundary::interface_condition)
       surfaces.wall_inside.push_back(c.surface);
@@ -364,8 +363,8 @@ VesselSurfaces vessel_surfaces(const Teuchos::ParameterList& list) {
   return surfaces;
 }
 
-Sanity sanity_of(const Teuchos::ParameterList& list, const Vessel& vessel) {
-  return Judge(list, vessel).verdict();
+Sanity sanity_of(const setup::Case& the_case, const Vessel& vessel) {
+  return Judge(the_case, vessel).verdict();
 }
 
 void print_table(const Sanity& sanity) {

@@ -1,10 +1,10 @@
 #pragma once
-#include <Teuchos_ParameterList.hpp>
 #include <string>
 #include <vector>
 
 #include "tunica/judge/loads.hpp"
 #include "tunica/judge/vessel.hpp"
+#include "tunica/setup/case.hpp"
 
 namespace tunica::judge {
 
@@ -32,11 +32,10 @@ struct Sanity {
   double modulus = 0.0, wave_speed = 0.0, steps_per_transit = 0.0;
 };
 
-/// The surfaces of a resolved case by what they are to its vessel.
-VesselSurfaces vessel_surfaces(const Teuchos::ParameterList& list);
+/// The surfaces of a case by what they are to its vessel.
+VesselSurfaces vessel_surfaces(const setup::Case& the_case);
 
-/// list: the resolved case.
-Sanity sanity_of(const Teuchos::ParameterList& list, const Vessel& vessel);
+Sanity sanity_of(const setup::Case& the_case, const Vessel& vessel);
 
 /// The table and the doubts, or a line and the doubts.
 void print_table(const Sanity& sanity);

@@ -48,19 +48,19 @@ void doubt(const std::string& what, double value, const Quantity& quantity,
 
 }  // namespace
 
-std::vector<std::string> doubts_of_units(const Teuchos::ParameterList& list, const Loads& loads) {
+std::vector<std::string> doubts_of_units(const setup::Case& the_case, const Loads& loads) {
   std::vector<std::string> doubts;
-  if (list.isSublist("Fluid")) {
-    const discretisation::FluidOptions fluid = discretisation::fluid_options(list.sublist("Fluid"));
+  if (the_case.fluid) {
+    const discretisation::FluidOptions& fluid = the_case.fluid->options;
     doubt("Fluid / density", fluid.density, density, doubts);
     doubt("Fluid / viscosity", fluid.viscosity, viscosity, doubts);
-    for (const auto& c : boundary::conditions_of(list.sublist("Fluid").sublist("Surfaces")))
+    for (const auto& c : the_case.fluid->conditions)
       if (const auto outlet = c.drive(boundary::Field::fluid).outlet)
         doubt("Fluid / Surfaces / " + c.surface + ": the time constant", outlet->time_constant,
               decay, doubts);
   }
-  if (list.isSublist("Wall"))
-    for (const auto& layer : discretisation::solid_options(list.sublist("Wall")).layers) {
+  if (the_case.wall)
+    for (const auto& layer : the_case.wall->options.layers) {
       const std::string where = "Wall / Layers / " + layer.region;
       doubt(where + " / density", layer.density, density, doubts);
       doubt(where + ": Young's modulus at small strain",

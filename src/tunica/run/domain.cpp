@@ -37,28 +37,24 @@ struct MeshRequirements {
   std::vector<std::string> interface;
 };
 
-MeshRequirements mesh_requirements_of(const Teuchos::ParameterList& list) {
+MeshRequirements mesh_requirements_of(const setup::Case& the_case) {
   MeshRequirements requirements;
-  requirements.reported_surfaces = observe::named_surfaces(list.sublist("Output"));
+  requirements.reported_surfaces = observe::named_surfaces(the_case.list.sublist("Output"));
   std::vector<std::string> on_fluid, on_wall;
-  if (list.isSublist("Fluid")) {
-    const Teuchos::ParameterList& fluid = list.sublist("Fluid");
-    requirements.fluid_regions = discretisation::fluid_options(fluid).regions;
-    const auto conditions = boundary::conditions_of(fluid.sublist("Surfaces"));
-    for (const auto& c : conditions) requirements.fluid_surfaces.push_back(c.surface);
-    on_fluid = boundary::interface_surfaces(conditions);
+  if (the_case.fluid) {
+    requirements.fluid_regions = the_case.fluid->options.regions;
+    for (const auto& c : the_case.fluid->conditions)
+      requirements.fluid_surfaces.push_back(c.surface);
+    on_fluid = boundary::interface_surfaces(the_case.fluid->conditions);
   }
-  if (list.isSublist("Wall")) {
-    const Teuchos::ParameterList& wall = list.sublist("Wall");
-    requirements.wall_regions = discretisation::solid_options(wall).regions();
-    const auto conditions = boundary::conditions_of(wall.sublist("Surfaces"));
-    for (const auto& c : conditions) requirements.wall_surfaces.push_back(c.surface);
-    on_wall = boundary::interface_surfaces(conditions);
-    requirements.frame_surfaces = problems::frame_surfaces(wall.sublist("Fibre Frame"));
-    if (problems::wants_prestress(wall))
-      requirements.prestress_surfaces = problems::prestress_surfaces(wall);
+  if (the_case.wall) {
+    requirements.wall_regions = the_case.wall->options.regions();
+    for (const auto& c : the_case.wall->conditions) requirements.wall_surfaces.push_back(c.surface);
+    on_wall = boundary::interface_surfaces(the_case.wall->conditions);
+    requirements.frame_surfaces = the_case.wall->frame_surfaces;
+    requirements.prestress_surfaces = the_case.wall->prestress_surfaces;
   }
-  if (!list.isSublist("Fluid") || !list.isSublist("Wall")) {
+  if (!the_case.is_coupled()) {
     TUNICA_CHECK(on_fluid.empty() && on_wall.empty(),
                  "Surfaces: the condition \"interface\" needs both fluid and wall.");
     return requirements;
@@ -180,9 +176,9 @@ void make_fields(const Teuchos::ParameterList& list, const mesh::Share& share,
 
 }  // namespace
 
-Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
-  const MeshRequirements requirements = mesh_requirements_of(list);
-  const Teuchos::ParameterList& options = list.sublist("Mesh");
+Domain load_domain(const setup::Case& the_case, const CommPtr& comm) {
+  const MeshRequirements requirements = mesh_requirements_of(the_case);
+  const Teuchos::ParameterList& options = the_case.list.sublist("Mesh");
   const auto& file = options.get<std::string>("file");
   Domain domain;
   domain.comm = comm;
@@ -205,26 +201,26 @@ Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm) {
     domain.memory.end("shares", *comm);
     check_case(share, requirements, regions);
     domain.vessel =
-        judge::vessel_of(share, regions.fluid, regions.wall, judge::vessel_surfaces(list));
+        judge::vessel_of(share, regions.fluid, regions.wall, judge::vessel_surfaces(the_case));
     domain.memory.end("checks", *comm);
     fault_point("field mesh");
-    make_fields(list, share, regions, domain);
+    make_fields(the_case.list, share, regions, domain);
     domain.memory.end("fields", *comm);
     for (const std::string& name : requirements.interface)
       domain.interface_surfaces.push_back(mesh::surface_index(share.mesh, name));
     if (domain.has("fluid") && domain.has("wall"))
       domain.interface.emplace(domain.mesh("fluid"), domain.mesh("wall"),
                                domain.interface_surfaces);
-    domain.probes = observe::Probes(list, domain.meshes);
+    domain.probes = observe::Probes(the_case.list, domain.meshes);
   } catch (const Error& error) {
     throw Error(with_file(error.what(), file));
   }
   return domain;
 }
 
-void print_expectations(const Teuchos::ParameterList& list, const Domain& domain) {
+void print_expectations(const setup::Case& the_case, const Domain& domain) {
   const bool is_root = domain.comm->getRank() == 0;
-  if (is_root) judge::print_table(judge::sanity_of(list, domain.vessel));
+  if (is_root) judge::print_table(judge::sanity_of(the_case, domain.vessel));
   if (!domain.common) return;
   const std::string cost = text_of(judge::expected_cost(*domain.common), domain.comm->getSize());
   if (is_root) io::print_line(cost);
@@ -246,7 +242,8 @@ void check_flows(discretisation::Fluid& fluid, const stepping::StepControlOption
 
 }  // namespace
 
-void check_fields(const Teuchos::ParameterList& list, const Domain& domain) {
+void check_fields(const setup::Case& the_case, const Domain& domain) {
+  const Teuchos::ParameterList& list = the_case.list;
   const bool is_monolithic =
       list.isSublist("Coupling") && coupling::is_monolithic(list.sublist("Coupling"));
   if (domain.has("wall"))
@@ -256,18 +253,17 @@ void check_fields(const Teuchos::ParameterList& list, const Domain& domain) {
   if (domain.has("fluid")) {
     discretisation::Fluid fluid(list.sublist("Fluid"), domain.mesh("fluid"));
     // One whose wall moves with it within a step is not closed.
-    if (!is_monolithic) check_flows(fluid, stepping::step_control_options(list.sublist("Time")));
+    if (!is_monolithic) check_flows(fluid, *the_case.time);
   }
-  check_held(list, domain);
+  check_held(the_case, domain);
 }
 
-void check_held(const Teuchos::ParameterList& list, const Domain& domain) {
-  if (!domain.has("wall")) return;
-  const Teuchos::ParameterList& wall = list.sublist("Wall");
-  const bool is_static = wall.get<std::string>("analysis") == "static";
-  if (!is_static && !problems::wants_prestress(wall)) return;
-  const auto conditions = boundary::conditions_of(wall.sublist("Surfaces"));
-  const boundary::SurfaceTerms terms(conditions, boundary::wall_conditions(), domain.mesh("wall"));
+void check_held(const setup::Case& the_case, const Domain& domain) {
+  if (!the_case.wall) return;
+  const bool is_static = the_case.wall->options.is_static;
+  if (!is_static && the_case.wall->prestress == 0.0) return;
+  const boundary::SurfaceTerms terms(the_case.wall->conditions, boundary::wall_conditions(),
+                                     domain.mesh("wall"));
   const std::string free = boundary::free_rigid_motions(terms, domain.mesh("wall"));
   TUNICA_CHECK(free.empty(), "Wall / Surfaces: nothing holds the wall against " + free + ", but " +
                                  (is_static ? "\"analysis\" = \"static\"" : "its prestress") +

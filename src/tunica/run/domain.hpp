@@ -1,5 +1,4 @@
 #pragma once
-#include <Teuchos_ParameterList.hpp>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,6 +8,7 @@
 #include "tunica/fields/interface_transfer.hpp"
 #include "tunica/judge/vessel.hpp"
 #include "tunica/observe/probes.hpp"
+#include "tunica/setup/case.hpp"
 
 namespace tunica::run {
 
@@ -34,20 +34,20 @@ struct Domain {
 /// Reads and checks the mesh against the case (names of regions and surfaces, conforming
 /// interface, number of ranks, probes within their fields), partitions it and builds the fields.
 /// Throws Error on all ranks alike. Collective.
-Domain load_domain(const Teuchos::ParameterList& list, const CommPtr& comm);
+Domain load_domain(const setup::Case& the_case, const CommPtr& comm);
 
 /// What the case amounts to, and where it is known what a run takes, on rank 0's screen: for those
 /// who look before they run. Collective.
-void print_expectations(const Teuchos::ParameterList& list, const Domain& domain);
+void print_expectations(const setup::Case& the_case, const Domain& domain);
 
 /// What a run would find on that domain before its first step: the directions of the wall's fibres,
 /// the conditions of all surfaces with their files, and check_held(); and in its steps: flows
 /// through a fluid that no surface lets out, which do not balance. Throws Error on all ranks alike.
 /// Collective.
-void check_fields(const Teuchos::ParameterList& list, const Domain& domain);
+void check_fields(const setup::Case& the_case, const Domain& domain);
 
 /// Throws Error where the case seeks equilibria of a wall that may move as a rigid body: in
 /// statics, and for a prestress. Collective.
-void check_held(const Teuchos::ParameterList& list, const Domain& domain);
+void check_held(const setup::Case& the_case, const Domain& domain);
 
 }  // namespace tunica::run

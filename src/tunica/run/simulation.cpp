@@ -43,8 +43,8 @@ std::vector<std::unique_ptr<observe::Field>> fields_of(const FieldProblems& prob
 }  // namespace
 
 struct Simulation::Impl {
-  Impl(const Teuchos::ParameterList& list, const Domain& domain, RunOutput& to)
-      : problems(list, domain), output(&to), comm(domain.comm) {}
+  Impl(const setup::Case& the_case, const Domain& domain, RunOutput& to)
+      : problems(the_case.list, domain), output(&to), comm(domain.comm), watch(the_case) {}
 
   bool is_coupled() const { return problems.scheme != nullptr; }
   bool is_begun() const { return log.has_value(); }
@@ -68,6 +68,7 @@ struct Simulation::Impl {
   FieldProblems problems;
   RunOutput* output;
   CommPtr comm;
+  Watch watch;
 
   // from begin() on
   std::vector<std::unique_ptr<observe::Field>> fields;
@@ -75,7 +76,6 @@ struct Simulation::Impl {
   std::optional<observe::SurfaceReport> surfaces;
   std::optional<Checkpoints> checkpoints;
   std::optional<RunLog> log;
-  std::optional<Watch> watch;
   std::optional<FieldSeries> series;
   discretisation::Observables observed;
 };
@@ -100,7 +100,6 @@ void Simulation::Impl::open_files() {
   const std::vector<std::string> one{problems.fluid ? "fluid" : "wall"};
   log.emplace(*output, comm->getRank() == 0, is_coupled() ? problems.scheme->fields() : one,
               is_coupled() ? problems.scheme->stages() : std::vector<std::string>());
-  watch.emplace(problems.list);
   std::vector<output::Grid> grids;
   for (const auto& field : fields)
     if (field->grid_name() == field->name()) grids.push_back(field->grid());
@@ -165,9 +164,9 @@ StepSummary Simulation::Impl::make_step() {
   const std::function<std::vector<judge::LayerVolume>()> volumes = [this] {
     return judge::layer_volumes(*problems.wall);
   };
-  watch->tell(*log, clock, step, observed, is_coupled() ? &problems.fluid->mesh() : nullptr,
-              is_coupled() ? problems.motion->displacement() : std::vector<Vec3>(),
-              problems.wall ? volumes : nullptr);
+  watch.tell(*log, clock, step, observed, is_coupled() ? &problems.fluid->mesh() : nullptr,
+             is_coupled() ? problems.motion->displacement() : std::vector<Vec3>(),
+             problems.wall ? volumes : nullptr);
   return step;
 }
 
@@ -196,8 +195,8 @@ void Simulation::Impl::write_fields() {
   series->write(march->clock(), std::move(list));
 }
 
-Simulation::Simulation(const Teuchos::ParameterList& list, const Domain& domain, RunOutput& output)
-    : impl_(std::make_unique<Impl>(list, domain, output)) {}
+Simulation::Simulation(const setup::Case& the_case, const Domain& domain, RunOutput& output)
+    : impl_(std::make_unique<Impl>(the_case, domain, output)) {}
 
 Simulation::~Simulation() = default;
 

@@ -12,7 +12,7 @@ namespace tunica::run {
 
 /// A case on its domain, taken through time: a fluid, a wall, or both coupled.
 ///
-///   run::Simulation simulation(list, domain, output);
+///   run::Simulation simulation(the_case, domain, output);
 ///   Outcome outcome = simulation.begin();
 ///   while (outcome.is_success() && !simulation.is_done()) outcome = simulation.step();
 ///   return outcome.is_success() ? simulation.finish() : outcome;
@@ -21,9 +21,9 @@ namespace tunica::run {
 /// own. All calls are collective over the ranks of the domain.
 class Simulation {
 public:
-  /// list: the resolved case, see setup::read_case(). domain and output must outlive the object.
+  /// the_case: see setup::read_case(). domain and output must outlive the object.
   /// Throws Error where the case cannot be solved on the domain.
-  Simulation(const Teuchos::ParameterList& list, const Domain& domain, RunOutput& output);
+  Simulation(const setup::Case& the_case, const Domain& domain, RunOutput& output);
   ~Simulation();
 
   /// The state before the first step: the prestress of a wall is found, or the newest checkpoint is

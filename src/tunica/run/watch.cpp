@@ -21,8 +21,8 @@ double volume(const std::array<Vec3, 4>& x) { return signed_volume(x[0], x[1], x
 /// Zero where the element is inverted.
 double quality(const std::array<Vec3, 4>& x) { return volume(x) > 0.0 ? mesh::quality(x) : 0.0; }
 
-bool has_nearly_incompressible_layers(const Teuchos::ParameterList& wall) {
-  const auto layers = discretisation::solid_options(wall).layers;
+bool has_nearly_incompressible_layers(const setup::Case::Wall& wall) {
+  const std::vector<discretisation::Layer>& layers = wall.options.layers;
   return std::any_of(layers.begin(), layers.end(), [](const discretisation::Layer& layer) {
     return judge::is_nearly_incompressible(*discretisation::law_of(layer), layer.bulk_modulus);
   });
@@ -51,16 +51,15 @@ Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<V
           global_min(*mesh.comm, worst.part_of_volume)};
 }
 
-Watch::Watch(const Teuchos::ParameterList& list) {
-  if (list.isSublist("Wall"))
-    has_nearly_incompressible_ = has_nearly_incompressible_layers(list.sublist("Wall"));
-  if (list.isSublist("Fluid"))
-    for (const auto& c : boundary::conditions_of(list.sublist("Fluid").sublist("Surfaces")))
+Watch::Watch(const setup::Case& the_case) {
+  if (the_case.wall) has_nearly_incompressible_ = has_nearly_incompressible_layers(*the_case.wall);
+  if (the_case.fluid)
+    for (const auto& c : the_case.fluid->conditions)
       if (!c.list.isParameter("backflow stabilisation") ||
           c.list.get<double>("backflow stabilisation") > 0.0)
         guarded_.insert(c.surface);
-  if (!list.isSublist("Coupling")) return;
-  const Teuchos::ParameterList& coupling = list.sublist("Coupling");
+  if (!the_case.list.isSublist("Coupling")) return;
+  const Teuchos::ParameterList& coupling = the_case.list.sublist("Coupling");
   if (coupling::is_monolithic(coupling))
     most_newton_ = coupling.sublist("Newton").get<int>("max iterations");
   else

@@ -9,6 +9,7 @@
 #include "tunica/fields/field_mesh.hpp"
 #include "tunica/judge/volume.hpp"
 #include "tunica/run/run_log.hpp"
+#include "tunica/setup/case.hpp"
 
 namespace tunica::run {
 
@@ -24,8 +25,7 @@ Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<V
 /// that comes back through an outlet, a lumen whose mesh is bent badly, iterations near their cap.
 class Watch {
 public:
-  /// list: the resolved case.
-  explicit Watch(const Teuchos::ParameterList& list);
+  explicit Watch(const setup::Case& the_case);
 
   /// What is new at the end of an accepted step: a line each, with the cure. d: displacement of the
   /// fluid's mesh at its local nodes, empty where it stands still. wall: asked only where it does

@@ -1,17 +1,49 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "tunica/base/types.hpp"
+#include "tunica/boundary/registry.hpp"
+#include "tunica/discretisation/fluid_options.hpp"
+#include "tunica/discretisation/solid_options.hpp"
 #include "tunica/params/table.hpp"
 #include "tunica/setup/command_line.hpp"
+#include "tunica/stepping/step_control.hpp"
 
 namespace tunica::setup {
 
+/// A resolved case, of which what is asked for at more than one place is decoded once.
+struct Case {
+  struct Fluid {
+    discretisation::FluidOptions options;
+    std::vector<boundary::Condition> conditions;
+  };
+  struct Wall {
+    discretisation::SolidOptions options;
+    std::vector<boundary::Condition> conditions;
+    std::vector<std::string> frame_surfaces;  ///< that the fibres' directions are found by
+    /// Of the image [kPa], zero where the mesh is free of stress, and the surfaces that bear it.
+    double prestress = 0.0;
+    std::vector<std::string> prestress_surfaces;
+  };
+
+  /// resolved: see params::Table::resolve().
+  Case(const Teuchos::ParameterList& resolved);  // NOLINT: a list is a case that is not decoded yet
+
+  bool is_coupled() const { return fluid && wall; }
+
+  Teuchos::ParameterList list;
+  std::optional<Fluid> fluid;
+  std::optional<Wall> wall;
+  std::optional<stepping::StepControlOptions> time;  ///< of a case with time steps
+};
+
 /// Reads and validates the whole case, with the assignments of the command line, before
-/// anything else is opened. Every parameter of the result is resolved. Rank 0 reads; where
+/// anything else is opened. Every parameter of its list is resolved. Rank 0 reads; where
 /// that fails all ranks throw the same Error, which names the file. Collective.
-Teuchos::ParameterList read_case(const CommandLine& command, const params::Table& table,
-                                 const Comm& comm);
+Case read_case(const CommandLine& command, const params::Table& table, const Comm& comm);
 
 /// True where the XML file has such a list at the top. Throws as read_case() does. Collective.
 bool has_list(const std::string& file, const std::string& name, const Comm& comm);

@@ -339,6 +339,8 @@ TEUCHOS_UNIT_TEST(sanity, ends_that_a_fibre_frame_does_not_know_are_doubted) {
   Teuchos::ParameterList& frame = list.sublist("Wall").sublist("Fibre Frame");
   const auto only = [](const char* name) { return Teuchos::Array<std::string>(1, name); };
   frame.set("kind", "laplace");
+  frame.set("inner surfaces", only("interface"));
+  frame.set("outer surfaces", only("outer"));
   frame.set("start surfaces", only("struct_in"));
   frame.set("end surfaces", only("struct_out"));
   judge::Vessel fork = ideal_tube();

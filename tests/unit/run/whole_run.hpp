@@ -28,11 +28,11 @@ struct Whole {
   Whole(const std::string& file, const std::vector<std::string>& set, const std::string& folder,
         const CommPtr& comm, bool goes_on = false)
       : command(command_for(file, set, folder, goes_on)),
-        list(setup::read_case(command, setup::fsi_table(), *comm)),
-        domain(run::load_domain(list, comm)),
+        the_case(setup::read_case(command, setup::fsi_table(), *comm)), list(the_case.list),
+        domain(run::load_domain(the_case, comm)),
         output(command, list, domain, lock,
                goes_on ? std::make_optional(run::find_restart(list, domain)) : std::nullopt),
-        simulation(list, domain, output) {}
+        simulation(the_case, domain, output) {}
 
   static setup::CommandLine command_for(const std::string& file,
                                         const std::vector<std::string>& set,
@@ -47,7 +47,8 @@ struct Whole {
   }
 
   setup::CommandLine command;
-  Teuchos::ParameterList list;
+  setup::Case the_case;
+  const Teuchos::ParameterList& list;
   run::Domain domain;
   io::FolderLock lock;
   run::RunOutput output;

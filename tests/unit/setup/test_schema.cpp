@@ -94,7 +94,7 @@ TEUCHOS_UNIT_TEST(schema, a_resolved_case_resolves_to_itself) {
   for (const std::string name : {"pulse-tiny.xml", "reference-tube.xml"}) {
     setup::CommandLine command;
     command.case_file = xml_folder + "/" + name;
-    auto list = setup::read_case(command, setup::fsi_table(), *Tpetra::getDefaultComm());
+    auto list = setup::read_case(command, setup::fsi_table(), *Tpetra::getDefaultComm()).list;
     Teuchos::ParameterList again(list);
     setup::fsi_table().resolve(again, "", "");
     TEST_ASSERT(Teuchos::haveSameValues(list, again));
@@ -162,7 +162,7 @@ TEUCHOS_UNIT_TEST(read_case, all_ranks_receive_the_same_list) {
   command.set = {"Fluid/density=1.06", "Wall/Layers/media/c10=4"};
   command.steps = 3;
   command.output = "elsewhere";
-  const auto list = setup::read_case(command, setup::fsi_table(), *Tpetra::getDefaultComm());
+  const auto list = setup::read_case(command, setup::fsi_table(), *Tpetra::getDefaultComm()).list;
   TEST_EQUALITY(list.sublist("Fluid").get<double>("density"), 1.06);
   TEST_EQUALITY(list.sublist("Wall").sublist("Layers").sublist("media").get<double>("c10"), 4.0);
   TEST_EQUALITY(list.sublist("Time").get<int>("steps"), 3);
@@ -177,7 +177,7 @@ TEUCHOS_UNIT_TEST(read_case, the_export_folder_of_the_command_line_wins) {
   command.set = {"Solvers/export folder=here"};
   const Comm& comm = *Tpetra::getDefaultComm();
   const auto folder = [&] {
-    const auto list = setup::read_case(command, setup::solvers_table(), comm);
+    const auto list = setup::read_case(command, setup::solvers_table(), comm).list;
     return list.sublist("Solvers").get<std::string>("export folder");
   };
   TEST_EQUALITY(folder(), "here");
@@ -189,6 +189,23 @@ TEUCHOS_UNIT_TEST(read_case, a_fault_of_the_file_is_thrown_on_all_ranks) {
   setup::CommandLine command;
   command.case_file = "there-is-no-such.xml";
   TEST_THROW(setup::read_case(command, setup::fsi_table(), *Tpetra::getDefaultComm()), Error);
+}
+
+TEUCHOS_UNIT_TEST(Case, knows_what_its_lists_say) {
+  setup::CommandLine command{};
+  command.program = "tunica-fsi";
+  command.case_file = TUNICA_MESHES "/../xml/pulse-tiny.xml";
+  command.set = {"Wall/Prestress/pressure=10.67", "Fluid/viscosity=0.004"};
+  const setup::Case the_case =
+      setup::read_case(command, setup::fsi_table(), *Tpetra::getDefaultComm());
+  TEST_ASSERT(the_case.is_coupled());
+  TEST_EQUALITY(the_case.fluid->options.viscosity, 0.004);
+  TEST_EQUALITY(the_case.wall->prestress, 10.67);
+  TEST_EQUALITY(the_case.wall->prestress_surfaces.size(), 1);
+  TEST_EQUALITY(the_case.wall->prestress_surfaces.at(0), "interface");
+  TEST_EQUALITY(the_case.fluid->conditions.size(),
+                the_case.list.sublist("Fluid").sublist("Surfaces").numParams());
+  TEST_EQUALITY(the_case.time->first_step, the_case.list.sublist("Time").get<double>("step size"));
 }
 
 }  // namespace
