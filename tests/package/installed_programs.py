@@ -10,25 +10,18 @@ import tempfile
 from installation import CMAKE, SOURCE, Run, Verdict, install_and_move, must
 from runs import command
 
-USER = """cmake_minimum_required(VERSION 3.21)
-project(user LANGUAGES CXX)
-set(CMAKE_CXX_EXTENSIONS OFF)
-find_package(Tunica 0.1 REQUIRED COMPONENTS fsi)
-add_executable(user tunica_fsi.cpp)
-target_link_libraries(user PRIVATE Tunica::fsi)
-"""
 
-
-def link_all(verdict, prefix, case, scratch):
-    """One of our drivers as a program of somebody else."""
-    folder = scratch / "user"
-    folder.mkdir()
-    (folder / "CMakeLists.txt").write_text(USER)
-    shutil.copy(SOURCE / "drivers" / "tunica_fsi.cpp", folder)
+def run_the_example(verdict, prefix, case, scratch):
+    """examples/fsi knows nothing of the source tree."""
+    folder = scratch / "fsi"
+    shutil.copytree(SOURCE / "examples" / "fsi", folder)
     must([CMAKE, "-S", folder, "-B", folder / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}"], scratch)
     must([CMAKE, "--build", folder / "build"], scratch)
-    run = Run(command(folder / "build" / "user", [case, "--dry-run"]), scratch)
-    verdict.claim(run.status == 0, f"a program links all of Tunica {run.err}")
+    run = Run(command(folder / "build" / "fsi", [case, scratch / "side-by-side"], 2), scratch)
+    lines = run.out.splitlines()
+    verdict.claim(run.status == 0 and len(lines) > 2, f"two vessels run side by side {run.err}")
+    moved = [[float(word) for word in line.split(":")[1].replace("mm", "").split("and")] for line in lines]
+    verdict.claim(all(soft > stiff > 0.0 for soft, stiff in moved), f"the softer wall moves further: {lines[-1:]}")
 
 
 def main():
@@ -45,7 +38,7 @@ def main():
             check = Run(command(programs / "tunica-check", [case]), scratch)
             verdict.claim(check.status == 0, f"{case.name} is valid {check.err}")
 
-        link_all(verdict, prefix, shared / "xml" / "pulse-tiny.xml", scratch)
+        run_the_example(verdict, prefix, shared / "xml" / "pulse-tiny.xml", scratch)
         run = Run(command(programs / "tunica-fsi", [shared / "xml" / "pulse-tiny.xml", "--steps", "1",
                                                     "--output", scratch / "out"], 2), scratch)
         verdict.claim(run.status == 0, f"the pulse runs on 2 ranks {run.err}")
