@@ -39,19 +39,21 @@ params::Table table_for(const std::string& file, const Comm& comm) {
 }
 
 void print_reference(const std::string& list) {
-  std::ostringstream own;
-  setup::solvers_table().print_markdown(own, "Case");
+  const params::Table table = setup::solvers_table();
   if (!list.empty()) {
-    std::cout << params::section_of(own.str(), list);
+    std::ostringstream full;
+    table.print_markdown(full, "Case");
+    std::cout << params::section_of(full.str(), list);
     return;
   }
   std::cout << "# Parameters\n\n"
                "Printed by `tunica-check --reference`. `tunica-solvers` reads all lists, "
                "`tunica-fsi` leaves out\nSolvers, `tunica-solid` also Fluid, Mesh Motion and "
-               "Coupling, `tunica-fluid` Wall, Mesh Motion and\nCoupling.\n\n"
-            << own.str();
-  std::cout << "\n`tunica-solvers` on a linear system of another program reads these instead.\n\n";
-  setup::system_solvers_table().print_markdown(std::cout, "System Case");
+               "Coupling, `tunica-fluid` Wall, Mesh Motion and\nCoupling. A table that stands at "
+               "several places is printed once;\n`tunica-check --reference Fluid/Newton` prints it "
+               "in full anywhere.\n\n";
+  const params::Table of_system = setup::system_solvers_table();
+  params::print_reference(std::cout, {{"Case", &table}, {"System Case", &of_system}});
 }
 
 /// The case completed, or every key there is.

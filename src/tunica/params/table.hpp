@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tunica::params {
@@ -92,6 +93,11 @@ public:
 private:
   std::unique_ptr<Content> content_;
 };
+
+/// The sections of several tables. What stands at more than one place is printed once, elsewhere a
+/// reference to it and the defaults that are others there.
+void print_reference(std::ostream& out,
+                     const std::vector<std::pair<std::string, const Table*>>& tables);
 
 struct Table::Case {
   std::string value;

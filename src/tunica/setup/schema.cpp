@@ -151,7 +151,8 @@ params::Table system_solvers_table() {
   compare::add_system_setting_keys(solvers);
   params::Table output("What a run leaves behind.");
   output.text("folder", "results", "folder of the results; --output overrides it");
-  params::Table table("A linear system of another program.");
+  params::Table table(
+      "A linear system of another program, which tunica-solvers reads in place of a case.");
   table.sublist("System", systems::system_table())
       .sublist("Solvers", solvers)
       .sublist("Output", output);

@@ -202,6 +202,33 @@ TEUCHOS_UNIT_TEST(print_markdown, each_key_is_one_row) {
   TEST_ASSERT(!has("viscosity mu"));
 }
 
+TEUCHOS_UNIT_TEST(print_reference, what_stands_at_two_places_is_printed_once) {
+  const auto solver = [](double tolerance) {
+    Table table("Solves.");
+    table.number("tolerance", tolerance, positive(), "1", "of the residual")
+        .integer("most", 100, any(), "iterations");
+    return table;
+  };
+  Table first("First."), second("Second.");
+  first.sublist("Solver", solver(0.1)).sublist("Finer Solver", solver(0.01));
+  second.sublist("Solver", solver(0.1));
+  std::ostringstream text;
+  print_reference(text, {{"First", &first}, {"Second", &second}});
+  const auto count = [&](const std::string& words) {
+    int found = 0;
+    for (auto at = text.str().find(words); at != std::string::npos;
+         at = text.str().find(words, at + 1))
+      ++found;
+    return found;
+  };
+  TEST_EQUALITY(count("| `most` |"), 1);
+  TEST_EQUALITY(
+      count("Keys as [First / Solver](#first--solver), but by default `tolerance` = `0.01`."), 1);
+  TEST_EQUALITY(count("| `Solver` | list |  |  | Solves. As [First / Solver](#first--solver). |"),
+                1);
+  TEST_EQUALITY(count("## Second / Solver"), 0);
+}
+
 TEUCHOS_UNIT_TEST(read_xml, a_parameter_whose_first_character_is_lost_is_refused_with_its_line) {
   const Folder folder;
   TEST_EQUALITY(read_message(folder, "Parameter name=\"a\" type=\"int\" value=\"1\"/>")
