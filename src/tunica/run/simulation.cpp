@@ -34,6 +34,8 @@ std::vector<std::unique_ptr<observe::Field>> fields_of(const FieldProblems& prob
                                      problems.motion.get()};
   for (auto it = more.begin(); it != more.end(); ++it) {
     const std::string& name = more.name(it);
+    for (const char* taken : {"fluid", "wall", "mesh motion", "wall shear", "coupling"})
+      TUNICA_CHECK(name != taken, "Fields / " + name + ": the name is taken. Choose another.");
     const observe::FieldKind& kind = observe::kind_of(more.sublist(name));
     all.push_back(kind.make(name, more.sublist(name), problems.domain->mesh(kind.region), others));
   }

@@ -159,6 +159,10 @@ TEUCHOS_UNIT_TEST(third_field, is_asked_for_by_names_that_are_checked) {
   TEST_ASSERT(refusal("Probes/here/field=trace").find("\"trace\" is none of them") !=
               std::string::npos);
   TEST_ASSERT(refusal("Fields/tracer/kind=reactoin").find("reaction") != std::string::npos);
+  Whole taken("pulse-tiny.xml",
+              {"Time/steps=1", "Fields/coupling/kind=reaction", "Fields/coupling/rate=1"},
+              output::test::scratch("third-taken"), comm);
+  TEST_THROW(taken.simulation.begin(), Error);
 }
 
 }  // namespace
