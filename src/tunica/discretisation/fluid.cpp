@@ -83,6 +83,8 @@ void Fluid::start_from(const algebra::BlockVector& x) {
 
 constexpr const char* what_fixes = "prescribe() or fix_coefficients()";
 
+// u̇ = (u − ũ)/Δt_e, ũ the past that the scheme makes of the history; τ takes the past, or what the
+// history lets expect.
 void Fluid::begin_step(const stepping::Clock& clock) {
   time_ = scheme_->load_time(clock);
   scheme_->begin_step(clock);

@@ -249,6 +249,8 @@ std::map<std::string, fields::Restartable*> Solid::element_histories() {
   return all;
 }
 
+// R = Σ_e R_e(d, p) + what surfaces add − f, f the nodal forces; K = dR/d(d, p), and where the wall
+// stays on its mesh the derivative by a change of its prestretch.
 void Solid::assemble(assembly::BlockAssembler* K) {
   R_.set_zero();
   assembly::assemble_solid(*mesh_, elements_, local_, R_, K);

@@ -177,9 +177,11 @@ void Markdown::inner(const Key& key, const std::string& path, const std::string&
     if (there.empty())
       section(key.tables[i], path, chosen);
     else
-      references += "- " + path + ", " + chosen + ": as " + link_to(there) + "\n";
+      references += (references.empty() ? "`" : "; `") + key.options[i] + "` as " + link_to(there);
   }
-  if (!references.empty()) *out_ << references << "\n";
+  if (!references.empty())
+    *out_ << path << (condition.empty() ? "" : ", ") << condition << ", `" << key.name
+          << "`: " << references << ".\n\n";
 }
 
 }  // namespace

@@ -145,6 +145,8 @@ void CoupledProblem::set_reference() {
       d(3 * interface_->wall_nodes[k] + i, 0) = past[interface_->fluid_nodes[k]][i];
 }
 
+// Units of the wall in the whole: its displacement is Δt y, so that on the interface both fields
+// have the velocity y, and its continuity is divided by Δt, so that K stays of one size.
 Outcome CoupledProblem::begin_step(const stepping::Clock& clock) {
   fluid_->begin_step(clock);
   wall_->begin_step(clock);
@@ -163,12 +165,14 @@ Outcome CoupledProblem::begin_step(const stepping::Clock& clock) {
   return placed.at("the fluid's mesh");
 }
 
+// x_f = P_f x,   x_w = P_w S x + (d̃, 0)
 void CoupledProblem::read(const algebra::BlockVector& x) {
   fluid_part_->restrict(x, fluid_x_);
   wall_part_->restrict(x, wall_x_);
   for (int b = 0; b < wall_x_.n_blocks(); ++b) wall_x_[b].update(1.0, reference_[b], 1.0);
 }
 
+// d_m = E d on the interface, of the wall's present d;   w = (d_m − d̃)/Δt
 Outcome CoupledProblem::follow_wall(const ExtensionAccuracy& accuracy) {
   const Stopwatch watch;
   const std::vector<Vec3> d = fields::owned_vectors(wall_->mesh(), wall_x_["displacement"]);
@@ -191,6 +195,8 @@ bool CoupledProblem::is_domain_of_wall() const {
   return all_agree(*mesh_->comm, is_same);
 }
 
+// F(x) = R_f P_fᵀ F_f(x_f, d_m(x_w)) + R_w P_wᵀ F_w(x_w): on the interface the sum of both is the
+// balance of forces.
 Outcome CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
   read(x);
   if (!is_extrapolated_) {
@@ -289,6 +295,8 @@ void CoupledProblem::hold_prescribed(algebra::BlockVector& dx) const {
   hold(*wall_, *wall_part_);
 }
 
+// Δt |dy|, the root mean square over the vertices [mm]: velocities of the fluid count as
+// displacements.
 double CoupledProblem::increment_norm(const algebra::BlockVector& dx) {
   return dt_ * dx["velocity"].norm2() /
          std::sqrt(static_cast<double>(mesh_->node_map->getGlobalNumElements()));
