@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdio>
 #include <sstream>
 #include <string>
 
@@ -11,6 +12,13 @@ inline std::string show(double value) {
   std::ostringstream stream;
   stream << value;
   return stream.str();
+}
+
+/// For files: all digits, so that the number is read back as it was.
+inline std::string exact(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
 }
 
 /// "(1.43, 0, 3.2)".

@@ -1,7 +1,6 @@
 #pragma once
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,9 +56,8 @@ public:
   /// True where no coupling solves for it: solve() does, once the fields before it have made their
   /// step.
   virtual bool is_solved_behind() const { return false; }
-  /// The clock's step. Nothing where it is solved by others.
-  virtual std::optional<nonlinear::NewtonReport> solve(const stepping::Clock&,
-                                                       const nonlinear::NewtonWatch&) {
+  /// The clock's step of such a field.
+  virtual nonlinear::NewtonReport solve(const stepping::Clock&, const nonlinear::NewtonWatch&) {
     return {};
   }
   /// The clock's step is accepted.

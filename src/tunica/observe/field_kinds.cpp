@@ -35,7 +35,7 @@ const FieldKind& kind_of(const Teuchos::ParameterList& entry) {
 void add_field_entries(bool has_fluid, bool has_wall, params::Table& table) {
   std::vector<params::Table::Case> kinds;
   for (const FieldKind& kind : field_kinds())
-    if (kind.region == "fluid" ? has_fluid : has_wall) kinds.push_back({kind.name, kind.table});
+    if (kind.lives_in(has_fluid, has_wall)) kinds.push_back({kind.name, kind.table});
   if (kinds.empty()) return;
   params::Table entry("A field that is solved in each step behind the others.");
   entry.variant("kind", std::nullopt, kinds, "what it is");

@@ -31,6 +31,11 @@ struct FieldKind {
   std::function<std::unique_ptr<Field>(const std::string& name, const Teuchos::ParameterList& list,
                                        const fields::FieldMesh& mesh, const Surroundings& others)>
       make;
+
+  /// True where the case has that region.
+  bool lives_in(bool has_fluid, bool has_wall) const {
+    return region == "fluid" ? has_fluid : has_wall;
+  }
 };
 
 /// Adds a kind; before the schema of a case is asked for. The library itself has none so far.

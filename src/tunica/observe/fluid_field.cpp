@@ -39,9 +39,9 @@ discretisation::Observables FluidField::observe() {
 }
 
 Sampler FluidField::sampler() {
-  const auto u = fields::ghosted_vectors(fluid_->mesh(), fluid_->state()["velocity"]);
-  const auto p = fields::ghosted_scalars(fluid_->mesh(), fluid_->state()["pressure"]);
-  return [u, p](const std::string& quantity, const fields::Place& at) {
+  return [u = fields::ghosted_vectors(fluid_->mesh(), fluid_->state()["velocity"]),
+          p = fields::ghosted_scalars(fluid_->mesh(), fluid_->state()["pressure"])](
+             const std::string& quantity, const fields::Place& at) {
     return quantity == pressure ? at.value(p) : at.value(u)[quantity.back() - 'x'];
   };
 }

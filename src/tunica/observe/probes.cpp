@@ -65,6 +65,14 @@ Target target_of(const Teuchos::ParameterList& the_case, const std::string& prob
 
 }  // namespace
 
+std::string region_of_quantity(const std::string& name) {
+  if (find(fluid_quantities(), name) != nullptr) return "fluid";
+  if (find(wall_quantities(), name) != nullptr) return "wall";
+  for (const FieldKind& kind : field_kinds())
+    if (find(kind.quantities, name) != nullptr) return kind.region;
+  return "";
+}
+
 params::Table probe_table(bool has_fluid, bool has_wall) {
   std::vector<std::string> names;
   const auto add = [&names](const std::vector<Quantity>& quantities) {
@@ -74,7 +82,7 @@ params::Table probe_table(bool has_fluid, bool has_wall) {
   if (has_wall) add(wall_quantities());
   const std::size_t n_own = names.size();
   for (const FieldKind& kind : field_kinds())
-    if (kind.region == "fluid" ? has_fluid : has_wall) add(kind.quantities);
+    if (kind.lives_in(has_fluid, has_wall)) add(kind.quantities);
   params::Table table("A point whose value becomes a column of steps.csv.");
   table
       .choice(
@@ -107,7 +115,10 @@ discretisation::Observables Probes::observe(
     const std::vector<std::unique_ptr<Field>>& fields) const {
   if (probes_.empty()) return {};
   std::map<std::string, Sampler> samplers;
-  for (const auto& field : fields) samplers[field->name()] = field->sampler();
+  for (const auto& field : fields)
+    if (std::any_of(probes_.begin(), probes_.end(),
+                    [&](const Probe& probe) { return probe.field == field->name(); }))
+      samplers[field->name()] = field->sampler();
   discretisation::Observables found;
   for (const Probe& probe : probes_) {
     std::string column = probe.quantity.name + "_" + probe.name + "_" + probe.quantity.unit;

@@ -9,6 +9,10 @@ namespace tunica::observe {
 /// The keys of a probe where the case has a fluid, a wall, or both.
 params::Table probe_table(bool has_fluid, bool has_wall);
 
+/// "fluid" or "wall", by whose mesh a quantity of a probe lives on; empty for one that nobody
+/// knows.
+std::string region_of_quantity(const std::string& name);
+
 /// Values at given points of the undeformed mesh, interpolated between the vertices.
 class Probes {
 public:

@@ -145,9 +145,8 @@ std::unique_ptr<problems::StepError> WallField::step_error(
 }
 
 Sampler WallField::sampler() {
-  const auto d = fields::ghosted_vectors(wall_->mesh(), wall_->state()["displacement"]);
-  const fields::FieldMesh* mesh = &wall_->mesh();
-  return [d, mesh](const std::string& quantity, const fields::Place& at) {
+  return [d = fields::ghosted_vectors(wall_->mesh(), wall_->state()["displacement"]),
+          mesh = &wall_->mesh()](const std::string& quantity, const fields::Place& at) {
     const Vec3 moved = at.value(d);
     if (quantity == length) return norm(moved);
     if (quantity != radial) return moved[quantity.back() - 'x'];

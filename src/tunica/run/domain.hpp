@@ -27,8 +27,6 @@ struct Domain {
 
   bool has(const std::string& field) const { return meshes.count(field) > 0; }
   const fields::FieldMesh& mesh(const std::string& field) const { return meshes.at(field); }
-  /// Of the fluid where there is one.
-  const fields::FieldMesh& first_mesh() const { return meshes.begin()->second; }
 };
 
 /// Reads and checks the mesh against the case (names of regions and surfaces, conforming

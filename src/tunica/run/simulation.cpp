@@ -139,15 +139,14 @@ StepSummary Simulation::Impl::solve_alone(Problem& problem, const std::string& n
 /// The fields that nothing else solves for: each looks at those before it.
 void Simulation::Impl::solve_behind(const stepping::Clock& clock, StepSummary& step) {
   for (const auto& field : fields) {
+    if (!field->is_solved_behind()) continue;
     const std::string name = field->name();
-    const auto watch_newton = [&](const nonlinear::NewtonStep& of) { log->newton(name, of); };
     if (!step.is_accepted) {  // its columns are there all the same
-      if (field->is_solved_behind()) step.fields.push_back({name});
+      step.fields.push_back({name});
       continue;
     }
-    const std::optional<nonlinear::NewtonReport> report = field->solve(clock, watch_newton);
-    if (!report) continue;
-    const StepSummary own = summary_of(*report, name, clock);
+    const auto watch_newton = [&](const nonlinear::NewtonStep& of) { log->newton(name, of); };
+    const StepSummary own = summary_of(field->solve(clock, watch_newton), name, clock);
     step.fields.push_back(own.fields.front());
     if (own.is_converged) continue;
     step.is_converged = step.is_accepted = false;

@@ -1,11 +1,9 @@
 #include "tunica/setup/one_field.hpp"
 
-#include <algorithm>
 #include <vector>
 
 #include "tunica/observe/field_kinds.hpp"
-#include "tunica/observe/fluid_field.hpp"
-#include "tunica/observe/wall_field.hpp"
+#include "tunica/observe/probes.hpp"
 
 namespace tunica::setup {
 
@@ -31,22 +29,12 @@ std::string region_of(const Teuchos::ParameterList& entry) {
   return "";
 }
 
-bool has_quantity(const std::vector<observe::Quantity>& all, const std::string& name) {
-  return std::any_of(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
-}
-
 /// True where a probe may stay with this region: what no field has is an error that its check
 /// tells.
-bool asks_of(const Teuchos::ParameterList& list, const std::string& probe,
-             const std::string& region) {
-  const Teuchos::ParameterList& entry = list.sublist("Probes").sublist(probe);
-  const std::string name =
-      entry.isType<std::string>("quantity") ? entry.get<std::string>("quantity") : "";
-  if (has_quantity(observe::fluid_quantities(), name)) return region == "fluid";
-  if (has_quantity(observe::wall_quantities(), name)) return region == "wall";
-  for (const observe::FieldKind& kind : observe::field_kinds())
-    if (has_quantity(kind.quantities, name)) return kind.region == region;
-  return true;
+bool asks_of(const Teuchos::ParameterList& probe, const std::string& region) {
+  if (!probe.isType<std::string>("quantity")) return true;
+  const std::string found = observe::region_of_quantity(probe.get<std::string>("quantity"));
+  return found.empty() || found == region;
 }
 
 /// Surfaces that fluid and wall share; a wall forgets them.
@@ -78,9 +66,9 @@ std::string leave_one_field(Teuchos::ParameterList& list, const std::string& pro
       gone += (gone.empty() ? "" : ", ") + name;
     }
   if (list.isSublist("Probes"))
-    for (const std::string& name : lists_in(list.sublist("Probes"))) {
-      if (!asks_of(list, name, is_wall ? "wall" : "fluid")) list.sublist("Probes").remove(name);
-    }
+    for (const std::string& name : lists_in(list.sublist("Probes")))
+      if (!asks_of(list.sublist("Probes").sublist(name), is_wall ? "wall" : "fluid"))
+        list.sublist("Probes").remove(name);
   if (list.isSublist("Fields"))
     for (const std::string& name : lists_in(list.sublist("Fields")))
       if (region_of(list.sublist("Fields").sublist(name)) == (is_wall ? "fluid" : "wall"))

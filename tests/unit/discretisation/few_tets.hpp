@@ -55,6 +55,18 @@ algebra::BlockVector sum_of_elements(const fields::FieldMesh& mesh,
   return sum;
 }
 
+/// The values alone of rows that know their derivatives: the residual.
+template <class Rows>
+algebra::BlockVector residual_by_values(const fields::FieldMesh& mesh,
+                                        const algebra::BlockSpacePtr& space, const Rows& rows) {
+  return sum_of_elements(mesh, space, [&](std::size_t e) {
+    ElementValues R{};
+    const auto all = rows(e);
+    for (int k = 0; k < 16; ++k) R[k] = all[k].val();
+    return R;
+  });
+}
+
 /// The Jacobian's product with v by the derivatives of an element's rows: rows(e) gives sixteen
 /// numbers that know their derivatives by the element's unknowns.
 template <class Rows>

@@ -65,13 +65,7 @@ TEUCHOS_UNIT_TEST(Solid, residual_and_jacobian_are_those_of_the_weak_form) {
   TEST_ASSERT(wall.residual(x, F).is_success());
   const std::vector<ElementValues> values = test::element_values(few.field, x);
   const auto rows = [&](std::size_t e) { return rows_of(wall, e, values[e]); };
-  const algebra::BlockVector expected =
-      test::sum_of_elements(few.field, wall.space(), [&](std::size_t e) {
-        ElementValues R{};
-        const auto all = rows(e);
-        for (int k = 0; k < 16; ++k) R[k] = all[k].val();
-        return R;
-      });
+  const algebra::BlockVector expected = test::residual_by_values(few.field, wall.space(), rows);
   TEST_COMPARE(test::relative_difference(F, expected), <, 1e-12);
   wall.assemble_jacobian(x);
   wall.jacobian().apply(v, Kv);

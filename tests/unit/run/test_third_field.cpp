@@ -30,8 +30,8 @@ public:
   const fields::FieldMesh& mesh() const override { return *mesh_; }
   observe::Parts parts() override { return {{name_, this}}; }
   bool is_solved_behind() const override { return true; }
-  std::optional<nonlinear::NewtonReport> solve(const stepping::Clock& clock,
-                                               const nonlinear::NewtonWatch& watch) override {
+  nonlinear::NewtonReport solve(const stepping::Clock& clock,
+                                const nonlinear::NewtonWatch& watch) override {
     for (double& c : c_) c /= 1.0 + rate_ * clock.step_size();
     nonlinear::NewtonStep step{};
     watch(step);

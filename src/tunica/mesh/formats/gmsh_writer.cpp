@@ -1,19 +1,12 @@
-#include <cstdio>
-
 #include "tunica/base/error.hpp"
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/mesh/formats/gmsh.hpp"
+#include "tunica/mesh/text.hpp"
 
 namespace tunica::mesh {
 namespace {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
-std::string point(const Vec3& x) { return number(x[0]) + " " + number(x[1]) + " " + number(x[2]); }
+std::string point(const Vec3& x) { return exact(x[0]) + " " + exact(x[1]) + " " + exact(x[2]); }
 
 template <std::size_t N>
 std::string corners(const std::array<int, N>& element) {

@@ -1,19 +1,12 @@
-#include <cstdio>
-
 #include "tunica/io/atomic_file.hpp"
+#include "tunica/mesh/text.hpp"
 #include "tunica/mesh/write.hpp"
 
 namespace tunica::mesh {
 namespace {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
 std::string point(const Vec3& x) {
-  return number(x[0]) + " " + number(x[1]) + " " + number(x[2]) + "\n";
+  return exact(x[0]) + " " + exact(x[1]) + " " + exact(x[2]) + "\n";
 }
 
 std::string array(const std::string& type, const std::string& name, const std::string& values,
