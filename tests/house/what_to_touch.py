@@ -9,8 +9,8 @@ import re
 import sys
 
 FEWEST_REGISTRIES = 8
-CHEAP = ("a wall law", "a boundary condition", "a time scheme", "an accelerator", "a preconditioner", "a smoother",
-         "a field of the wall's elements")
+CHEAP = ("a wall law", "a fluid law", "a boundary condition", "a time scheme", "an accelerator", "a preconditioner",
+         "a smoother", "a field of the wall's elements")
 PATH = r"`([\w./*{},-]+/[\w./*{},-]*)`"
 
 
@@ -48,7 +48,7 @@ def entries(code):
     entry."""
     tables = re.findall(r"all = \{\n(.*?)\n  \};", code, re.S)
     lines = tables[0].splitlines() if len(tables) == 1 else []
-    return [re.search(r'\{"[^"]+"|\b\w+\(', line) for line in lines]
+    return [re.search(r'\{"[^"]+"|\{\w+::\w+|\b\w+\(', line) for line in lines]
 
 
 def faults_of_registry(root, registry):

@@ -25,20 +25,21 @@ inline Teuchos::ParameterList enclosed_fluid(double density, double viscosity,
 }
 
 /// The displacement of the fluid's mesh over time, nowhere at the start.
-inline stepping::History mesh_at_rest(const problems::FluidProblem& fluid) {
-  return {fluid.time_scheme().remembers(), fluid.mesh().n_nodes()};
+inline stepping::Timeline mesh_at_rest(const problems::FluidProblem& fluid) {
+  return {fields::Places::nodes(fluid.mesh()), 3, fluid.time_scheme().remembers()};
 }
 
 /// Solves the clock's step on the mesh that moves on to d; throws Error where it cannot.
 inline void solve_moving_step(problems::FluidProblem& fluid, const stepping::Clock& clock,
-                              const std::vector<Vec3>& d, stepping::History& mesh) {
+                              const std::vector<Vec3>& d, stepping::Timeline& mesh) {
   fluid.begin_step(clock);
-  const Outcome placed = fluid.field().set_domain(d, fluid.time_scheme().pasts(mesh));
+  const Outcome placed =
+      fluid.field().set_domain(d, stepping::as_vectors(fluid.time_scheme().pasts(mesh)));
   TUNICA_CHECK(placed.is_success(), placed.reason());
   const nonlinear::NewtonReport report = fluid.solve();
   TUNICA_CHECK(report.is_converged, report.reason);
   fluid.end_step();
-  fluid.time_scheme().accept(d, mesh);
+  fluid.time_scheme().accept(stepping::as_rows(d), mesh);
 }
 
 }  // namespace tunica::verify

@@ -82,7 +82,7 @@ void march(Kind kind, problems::FluidProblem& fluid, const stepping::Clock& time
   fluid.field().set_body_force([kind](const Vec3& x, double time) {
     return verify::body_force(flow_at(kind, x, time), density, viscosity);
   });
-  stepping::History past = verify::mesh_at_rest(fluid);
+  stepping::Timeline past = verify::mesh_at_rest(fluid);
   for (stepping::Clock clock = times; !clock.is_done(); clock.advance()) {
     const std::vector<Vec3> d = motion(fluid.mesh(), clock.time());
     verify::solve_moving_step(fluid, clock, d, past);

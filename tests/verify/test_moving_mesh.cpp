@@ -43,7 +43,7 @@ struct Worst {
 Worst worst_of(problems::FluidProblem& fluid, const boundary::VectorField& u, const Vec3& grad_p) {
   const fields::FieldMesh& mesh = fluid.mesh();
   Worst worst;
-  stepping::History past = verify::mesh_at_rest(fluid);
+  stepping::Timeline past = verify::mesh_at_rest(fluid);
   for (stepping::Clock clock(step, 4); !clock.is_done(); clock.advance()) {
     const std::vector<Vec3> d = motion(mesh, clock.step(), 0.25);
     verify::solve_moving_step(fluid, clock, d, past);

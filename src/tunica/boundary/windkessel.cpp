@@ -76,33 +76,24 @@ void Windkessel::observe_whole(const Surroundings& s, std::map<std::string, doub
 
 void Windkessel::follow(const stepping::TimeScheme& scheme) {
   scheme_ = &scheme;
-  history_.emplace(scheme.remembers(), 1);
-  history_->value()[0][0] = initial_pressure_;
+  stored_.emplace(fields::Places::everywhere(), 1, scheme.remembers());
+  stored_->value() = {initial_pressure_};
 }
 
 void Windkessel::begin_step() {
   const double theta = scheme_->rate() * distal_ * capacitance_;
   slope_ = distal_ / (1.0 + theta);
-  known_ = (theta * scheme_->past(*history_, 0)[0] + distal_pressure_) / (1.0 + theta);
+  known_ = (theta * scheme_->past(*stored_, 0) + distal_pressure_) / (1.0 + theta);
 }
 
 void Windkessel::end_step(const Surroundings& s) {
   const double Q = flow(s, nodal_areas(*s.mesh, *s.position, {surface_}));
-  scheme_->accept({{stored(Q), 0.0, 0.0}}, *history_);
+  scheme_->accept({stored(Q)}, *stored_);
 }
 
-std::vector<double> Windkessel::state() const {
-  std::vector<double> values{history_->value()[0][0]};
-  for (std::size_t k = 0; k < history_->names().size(); ++k)
-    values.push_back((*history_)[static_cast<int>(k)][0][0]);
-  return values;
-}
+std::vector<double> Windkessel::state() const { return stored_->numbers(); }
 
-void Windkessel::restore(const std::vector<double>& state) {
-  history_->value()[0][0] = state[0];
-  for (std::size_t k = 1; k < state.size(); ++k)
-    (*history_)[static_cast<int>(k) - 1][0][0] = state[k];
-}
+void Windkessel::restore(const std::vector<double>& state) { stored_->set_numbers(state); }
 
 namespace {
 

@@ -54,7 +54,7 @@ private:
   double proximal_, capacitance_, distal_, distal_pressure_, initial_pressure_;
 
   const stepping::TimeScheme* scheme_ = nullptr;
-  std::optional<stepping::History> history_;  ///< of p_c as the first component of a node
+  std::optional<stepping::Timeline> stored_;  ///< p_c
   double known_, slope_ = 0.0;                ///< p_c = known + slope Q
 };
 

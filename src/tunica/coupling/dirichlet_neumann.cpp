@@ -14,6 +14,18 @@
 
 namespace tunica::coupling {
 
+namespace {
+
+/// The rows of an InterfaceVector.
+fields::Places on_interface(const fields::InterfaceTransfer& interface,
+                            const fields::FieldMesh& fluid) {
+  std::vector<GlobalOrdinal> vertices;
+  for (const int a : interface.fluid_nodes) vertices.push_back(fluid.vertex[a]);
+  return fields::Places::of_this_rank(std::move(vertices), fluid.comm);
+}
+
+}  // namespace
+
 DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
                                    const fields::InterfaceTransfer& interface,
                                    problems::FluidProblem& fluid, problems::SolidProblem& wall,
@@ -21,7 +33,7 @@ DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
     : options_(coupling_options(list)), interface_(&interface), fluid_(&fluid), wall_(&wall),
       motion_(&motion), accelerator_kind_(list.get<std::string>("accelerator")),
       accelerator_(make_accelerator(list, wall.mesh().comm)),
-      history_(1, InterfaceVector(3 * interface.n_owned(), 0.0)) {
+      displacements_(on_interface(interface, fluid.mesh()), 3, {}, 3) {
   fluid.linear_solver();  // wrong names in its lists are told before anything is solved
   wall.linear_solver();
   if (list.get<std::string>("preconditioner") == "added mass")
@@ -81,12 +93,7 @@ InterfaceVector DirichletNeumann::wall_displacement() const {
 
 /// d⁰ = Σ_k c_k dⁿ⁻ᵏ, the polynomial through the last steps.
 InterfaceVector DirichletNeumann::predict(const stepping::Clock& clock) const {
-  const int order = std::min<int>(options_.predictor_order, static_cast<int>(history_.size()) - 1);
-  const std::array<double, 3> weights = stepping::extrapolation(order, clock.step_sizes());
-  InterfaceVector d(history_.front().size(), 0.0);
-  for (int k = 0; k <= order; ++k)
-    for (std::size_t i = 0; i < d.size(); ++i) d[i] += weights[k] * history_[k][i];
-  return d;
+  return displacements_.extrapolated(options_.predictor_order, clock.step_sizes());
 }
 
 Outcome DirichletNeumann::move_and_flow(const InterfaceVector& d, Iteration& iteration) {
@@ -144,15 +151,13 @@ void DirichletNeumann::accept() {
   wall_->end_step();
   motion_->end_step();
   accelerator_->end_step();
-  history_.push_front(wall_displacement());
-  if (history_.size() > 3) history_.pop_back();
+  displacements_.push(wall_displacement());
 }
 
 fields::State DirichletNeumann::save() const {
-  fields::State state;
-  for (const int a : interface_->fluid_nodes) state.vertices.push_back(fluid_->mesh().vertex[a]);
-  state.arrays["displacements"] = packed(history_);
-  state.numbers["displacements"] = {static_cast<double>(history_.size())};
+  fields::State state = on_interface(*interface_, fluid_->mesh()).state();
+  displacements_.save_past("displacement ", state);
+  state.texts["scheme"] = scheme_name;
   state.texts["accelerator"] = accelerator_kind_;
   if (compliance_) state.arrays["compliance"] = {1, *compliance_};
   accelerator_->save(state);
@@ -160,8 +165,7 @@ fields::State DirichletNeumann::save() const {
 }
 
 std::string DirichletNeumann::restore(const fields::State& state) {
-  const int kept = static_cast<int>(state.number_list("displacements").at(0));
-  history_ = unpacked(state.array("displacements", 3 * kept));
+  displacements_.restore_past("displacement ", state, wall_displacement());
   compliance_.reset();
   if (state.has_array("compliance")) compliance_ = state.array("compliance", 1).values;
   const std::string& kind = state.text("accelerator");
@@ -222,7 +226,7 @@ Report DirichletNeumann::solve(const stepping::Clock& clock, const Watch& watch)
   const bool is_of_other_size = sizes.now > 3.0 * sizes.last || 3.0 * sizes.now < sizes.last;
   if (is_of_other_size) accelerator_->forget();
   accelerator_->begin_step();
-  InterfaceVector d = predict(clock), answer, reached = history_.front();
+  InterfaceVector d = predict(clock), answer, reached = displacements_.value();
   int n_failed = 0;  // in a row
   for (int k = 1; k <= options_.max_iterations && !report.is_converged; ++k) {
     Iteration& iteration = report.iterations.emplace_back(new_iteration());

@@ -32,6 +32,8 @@ public:
                    problems::FluidProblem& fluid, problems::SolidProblem& wall,
                    problems::MeshMotion& motion);
 
+  static constexpr const char* scheme_name = "dirichlet-neumann";
+
   // Scheme
   std::vector<std::string> fields() const override { return {"fluid", "wall"}; }
   std::vector<std::string> stages() const override { return {"motion", "fluid", "wall", "update"}; }
@@ -81,7 +83,7 @@ private:
   bool has_told_compliance_ = false, has_told_relaxation_ = false;
   std::string accelerator_kind_;
   std::unique_ptr<Accelerator> accelerator_;
-  std::deque<InterfaceVector> history_;  ///< accepted displacements, newest first, at most 3
+  stepping::Timeline displacements_;  ///< accepted ones, of three steps
 };
 
 }  // namespace tunica::coupling

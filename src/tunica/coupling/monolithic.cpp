@@ -94,6 +94,7 @@ void Monolithic::watch_newton(const NewtonWatch& watch) {
 
 fields::State Monolithic::save() const {
   fields::State state;
+  state.texts["scheme"] = scheme_name;
   problems::save_solver(problem_.present_solver(), state);
   if (rule_) rule_->save(state);
   return state;

@@ -21,6 +21,8 @@ public:
   /// list: the resolved "Coupling" list. The problems must outlive the object.
   Monolithic(const Teuchos::ParameterList& list, const problems::CoupledProblem::Parts& parts);
 
+  static constexpr const char* scheme_name = "monolithic";
+
   // Scheme
   std::vector<std::string> fields() const override { return {"system"}; }
   std::vector<std::string> stages() const override {

@@ -31,8 +31,8 @@ std::unique_ptr<Scheme> make_monolithic(const Teuchos::ParameterList& list,
 /// Every scheme there is, in the order of the reference.
 const std::vector<Entry>& schemes() {
   static const std::vector<Entry> all = {
-      {"dirichlet-neumann", false, dirichlet_neumann_table, make_dirichlet_neumann},
-      {"monolithic", true, monolithic_table, make_monolithic},
+      {DirichletNeumann::scheme_name, false, dirichlet_neumann_table, make_dirichlet_neumann},
+      {Monolithic::scheme_name, true, monolithic_table, make_monolithic},
   };
   return all;
 }

@@ -52,7 +52,8 @@ struct Report {
   int linear_iterations(const std::string& field) const;
 };
 
-/// What marches coupled fields through time: it solves the steps, and says what it reports.
+/// What marches coupled fields through time: it solves the steps, and says what it reports. Its
+/// state has its name in XML as the text "scheme".
 class Scheme : public fields::Restartable {
 public:
   /// Called after every coupling iteration with its number, counted from 1.

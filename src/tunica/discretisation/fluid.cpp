@@ -77,8 +77,8 @@ std::vector<int> Fluid::staying_surfaces() const {
 
 void Fluid::start_from(const algebra::BlockVector& x) {
   read(x);
-  history_.value() = local_.u;
-  if (viscous_) viscous_->start_from(viscous_forces());
+  timeline_.value() = stepping::as_rows(local_.u);
+  if (viscous_) viscous_->value() = stepping::as_rows(viscous_forces());
 }
 
 constexpr const char* what_fixes = "prescribe() or fix_coefficients()";
@@ -89,10 +89,11 @@ void Fluid::begin_step(const stepping::Clock& clock) {
   time_ = scheme_->load_time(clock);
   scheme_->begin_step(clock);
   elements_.coefficients.inv_dt = scheme_->rate();
-  local_.u_old = scheme_->pasts(history_);
-  if (options_.has_predicted_tau) predicted_ = scheme_->predictions(history_);
-  if (subscales_) local_.subscale = scheme_->pasts(subscales_->history());
-  if (viscous_) local_.viscous = scheme_->predictions(viscous_->history());
+  local_.u_old = stepping::as_vectors(scheme_->pasts(timeline_));
+  if (options_.has_predicted_tau)
+    predicted_ = stepping::as_vectors(scheme_->predictions(timeline_));
+  if (subscales_) local_.subscale = stepping::as_vectors(scheme_->pasts(*subscales_));
+  if (viscous_) local_.viscous = stepping::as_vectors(scheme_->predictions(*viscous_));
   surfaces_.begin_step();
   begin(what_fixes);
 }

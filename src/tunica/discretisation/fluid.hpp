@@ -101,8 +101,8 @@ private:
   boundary::VectorField body_force_, boundary_velocity_;
 
   std::vector<Vec3> position_;
-  ElementHistory* subscales_ = nullptr;  ///< null where they have no inertia
-  ElementHistory* viscous_ = nullptr;    ///< of the viscous force; null where it is left out
+  stepping::Timeline* subscales_ = nullptr;  ///< null where they have no inertia
+  stepping::Timeline* viscous_ = nullptr;    ///< of the viscous force; null where it is left out
   std::vector<Vec3> predicted_;          ///< velocity expected at the new time, local nodes
   assembly::FluidFields local_;          ///< ghosted copies; u and p at the point of evaluation
   std::unique_ptr<assembly::FluidShapeMatrix> shape_;  ///< null before it is asked for

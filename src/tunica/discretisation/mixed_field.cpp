@@ -5,13 +5,12 @@
 
 #include "tunica/assembly/mass_norm.hpp"
 #include "tunica/base/error.hpp"
-#include "tunica/discretisation/nodal_history.hpp"
 
 namespace tunica::discretisation {
 
 MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
     : mesh_(&mesh), split_(std::move(parts.split)), scheme_(std::move(parts.scheme)),
-      history_(scheme_->remembers(), mesh.n_nodes()),
+      timeline_(fields::Places::nodes(mesh), 3, scheme_->remembers()),
       surfaces_(parts.conditions, parts.registry, mesh), fixed_(surfaces_.constraints()),
       R_(mesh, split_.get()), blocks_(parts.blocks), is_solid_(parts.is_solid),
       space_(fields::nodal_space(mesh, blocks_, split_.get())),
@@ -111,35 +110,36 @@ void MixedField::fill(assembly::BlockAssembler& K) {
   throughput_.seconds += watch.seconds();
 }
 
-ElementHistory* MixedField::remember(const std::string& name, ElementValues values) {
-  on_elements_.push_back(
-      {name, std::move(values), std::make_unique<ElementHistory>(*scheme_, *mesh_)});
-  return on_elements_.back().history.get();
+stepping::Timeline* MixedField::remember(const std::string& name, ElementValues values) {
+  on_elements_.push_back({name, std::move(values),
+                          std::make_unique<stepping::Timeline>(fields::Places::elements(*mesh_), 3,
+                                                               scheme_->remembers())});
+  return on_elements_.back().timeline.get();
 }
 
 std::map<std::string, fields::Restartable*> MixedField::element_histories() {
   std::map<std::string, fields::Restartable*> all;
   for (const ElementQuantity& quantity : on_elements_)
-    all.emplace(quantity.name, quantity.history.get());
+    all.emplace(quantity.name, quantity.timeline.get());
   return all;
 }
 
 void MixedField::end_step(const algebra::BlockVector& x) {
   wait_for(first_call);
   read(x);
-  for (const ElementQuantity& quantity : on_elements_) quantity.history->accept(quantity.values());
-  scheme_->accept(*surroundings().u, history_);
+  for (const ElementQuantity& quantity : on_elements_)
+    scheme_->accept(stepping::as_rows(quantity.values()), *quantity.timeline);
+  scheme_->accept(stepping::as_rows(*surroundings().u), timeline_);
   surfaces_.end_step(surroundings());
 }
 
 void MixedField::save_history(fields::State& state) const {
-  save_parts(history_, *mesh_, state);
+  timeline_.save_past("", state);
   surfaces_.save(state);
 }
 
 std::string MixedField::restore_history(const fields::State& state, const algebra::BlockVector& x) {
-  restore_parts(state, *mesh_, history_);
-  history_.value() = fields::ghosted_vectors(*mesh_, x[0]);
+  timeline_.restore_past("", state, stepping::as_rows(fields::ghosted_vectors(*mesh_, x[0])));
   return surfaces_.restore(state);
 }
 

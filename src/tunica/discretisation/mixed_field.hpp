@@ -8,8 +8,8 @@
 #include "tunica/base/outcome.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/boundary/surface_terms.hpp"
-#include "tunica/discretisation/element_history.hpp"
 #include "tunica/linear/named_operators.hpp"
+#include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::discretisation {
 
@@ -85,9 +85,10 @@ protected:
   virtual void assemble(assembly::BlockAssembler* K) = 0;
   /// What the terms of the surfaces see, of the values read.
   virtual boundary::Surroundings surroundings() const = 0;
-  /// Remembers something per local element; values: gives what belongs to the values read.
+  /// Remembers a vector per local element, which goes along where the mesh moves; values: gives
+  /// what belongs to the values read.
   using ElementValues = std::function<std::vector<Vec3>()>;
-  ElementHistory* remember(const std::string& name, ElementValues values);
+  stepping::Timeline* remember(const std::string& name, ElementValues values);
   /// Where a step begins. awaited: what has to be called before there are residuals; null: nothing.
   void begin(const char* awaited);
   /// The same within a step. Throws std::logic_error where none has begun.
@@ -103,7 +104,7 @@ protected:
   const fields::FieldMesh* mesh_;
   std::unique_ptr<fields::SplitMesh> split_;
   std::unique_ptr<stepping::TimeScheme> scheme_;
-  stepping::History history_;  ///< of the vector
+  stepping::Timeline timeline_;  ///< of the vector
   boundary::SurfaceTerms surfaces_;
   assembly::Constraints fixed_;  ///< per local node
   assembly::NodalResidual R_;
@@ -114,7 +115,7 @@ private:
   struct ElementQuantity {
     std::string name;
     ElementValues values;
-    std::unique_ptr<ElementHistory> history;
+    std::unique_ptr<stepping::Timeline> timeline;
   };
 
   void check_ready() const;

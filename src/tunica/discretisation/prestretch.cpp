@@ -1,34 +1,38 @@
 #include "tunica/discretisation/prestretch.hpp"
 
+#include <algorithm>
+
 namespace tunica::discretisation {
 
 namespace {
 
-constexpr const char* names_of_rows[] = {"row x", "row y", "row z"};
+constexpr const char* name = "gradient";
+constexpr int width = 9;  // row by row
 
 }  // namespace
 
-// Before it is found it is the identity, so that states have their arrays at all times.
+// Before it is found it is the identity, so that states have their array at all times.
 
 fields::State Prestretch::save() const {
-  fields::State state = fields::element_state_on(*mesh_);
-  std::vector<Vec3> rows(mesh_->tets.size());
-  for (int i = 0; i < 3; ++i) {
-    for (std::size_t e = 0; e < rows.size(); ++e)
-      rows[e] = values_.empty() ? identity()[i] : values_[e][i];
-    state.arrays[names_of_rows[i]] = fields::element_rows_of(rows, *mesh_);
-  }
+  std::vector<double> rows;
+  rows.reserve(width * places_.count());
+  for (int e = 0; e < places_.count(); ++e)
+    for (const Vec3& row : values_.empty() ? identity() : values_[e])
+      rows.insert(rows.end(), row.begin(), row.end());
+  fields::State state = places_.state();
+  state.arrays[name] = places_.owned_rows(rows, width);
   return state;
 }
 
 std::string Prestretch::restore(const fields::State& state) {
-  std::vector<Mat3> values(mesh_->tets.size());
-  for (int i = 0; i < 3; ++i) {
-    const std::vector<Vec3> rows =
-        fields::all_element_rows(state.array(names_of_rows[i], 3), *mesh_);
-    for (std::size_t e = 0; e < rows.size(); ++e) values[e][i] = rows[e];
-  }
-  values_ = std::move(values);
+  const std::vector<double> rows = places_.local_rows(state, name, width);
+  values_.resize(places_.count());
+  auto next = rows.begin();
+  for (Mat3& G : values_)
+    for (Vec3& row : G) {
+      std::copy_n(next, 3, row.begin());
+      next += 3;
+    }
   followed_();
   return "";
 }

@@ -10,9 +10,9 @@ namespace tunica::discretisation {
 /// none where the mesh is. A run keeps it from step to step.
 class Prestretch final : public fields::Restartable {
 public:
-  /// followed: is called when a state has been restored. mesh must outlive the object.
+  /// followed: is called when a state has been restored.
   Prestretch(const fields::FieldMesh& mesh, std::function<void()> followed)
-      : mesh_(&mesh), followed_(std::move(followed)) {}
+      : places_(fields::Places::elements(mesh)), followed_(std::move(followed)) {}
 
   /// The same object at all times.
   const std::vector<Mat3>& values() const { return values_; }
@@ -23,7 +23,7 @@ public:
   std::string restore(const fields::State& state) override;
 
 private:
-  const fields::FieldMesh* mesh_;
+  fields::Places places_;
   std::function<void()> followed_;
   std::vector<Mat3> values_;
 };

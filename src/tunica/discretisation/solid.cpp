@@ -128,16 +128,14 @@ bool Solid::is_nearly_incompressible(std::size_t element) const {
   return 1.0 >= 20.0 * layer.coefficients.inv_kappa * layer.law->stabilisation_modulus();
 }
 
-void Solid::set_inertia_history() {
-  for (int a = 0; a < mesh_->n_nodes(); ++a) {
-    local_.r[a] = scheme_->inertia_load(history_, a);
-    if (body_force_) local_.r[a] += body_force_(mesh_->x[a], time_);
-  }
+void Solid::set_inertia_loads() {
+  local_.r = stepping::as_vectors(scheme_->inertia_loads(timeline_));
+  if (body_force_)
+    for (int a = 0; a < mesh_->n_nodes(); ++a) local_.r[a] += body_force_(mesh_->x[a], time_);
   if (!subscales_) return;
-  local_.subscale_r.resize(mesh_->tets.size());
+  local_.subscale_r = stepping::as_vectors(scheme_->inertia_loads(*subscales_));
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e)
-    if (is_nearly_incompressible(e))
-      local_.subscale_r[e] = scheme_->inertia_load(subscales_->history(), static_cast<int>(e));
+    if (!is_nearly_incompressible(e)) local_.subscale_r[e] = Vec3{};
 }
 
 void Solid::begin_step(const stepping::Clock& clock) {
@@ -147,9 +145,9 @@ void Solid::begin_step(const stepping::Clock& clock) {
     unit_inertia_ = scheme_->inertia(1.0);
     set_coefficients();
   }
-  set_inertia_history();
-  past_ = scheme_->pasts(history_);
-  if (patches_) local_.stress_force = stress_force_at(history_.value());
+  set_inertia_loads();
+  past_ = stepping::as_vectors(scheme_->pasts(timeline_));
+  if (patches_) local_.stress_force = stress_force_at(stepping::as_vectors(timeline_.value()));
   stress_change_.clear();
   stress_relaxation_ = 1.0;
   surfaces_.begin_step();

@@ -61,7 +61,7 @@ public:
   bool moves_as_one(int surface) const { return surfaces_.moves_as_one(surface); }
 
   /// Of owned and ghost nodes, of the last accepted step [mm/ms].
-  const std::vector<Vec3>& velocity() const { return history_[0]; }
+  std::vector<Vec3> velocity() const { return stepping::as_vectors(timeline_[0]); }
   const assembly::SolidElements& elements() const { return elements_; }
 
   Observables observe(const algebra::BlockVector& x) const;
@@ -83,13 +83,13 @@ private:
         std::vector<materials::Frame> frames);
   struct Summary;
   /// A local element with its values at the vertices.
-  void add_element(std::size_t e, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,
-                   Summary& s) const;
+  void add_element(std::size_t e, const std::array<Vec3, 4>& d, const std::array<Vec3, 4>& v,
+                   const std::array<double, 4>& p, Summary& s) const;
   static Observables observables_of(const Summary& s, const Comm& comm, bool has_interface);
   void set_elements();
   void follow_prestretch();
   void set_coefficients();
-  void set_inertia_history();
+  void set_inertia_loads();
   /// What drives the subscales beside the linear residual where the displacement is d.
   std::vector<Vec3> stress_force_at(const std::vector<Vec3>& d) const;
   /// ∫ a·b over the elements of all ranks, constant in each. Collective.
@@ -119,11 +119,11 @@ private:
                                    ///< the pressure follows the jump
   assembly::SolidElements elements_;
 
-  ElementHistory* subscales_ = nullptr;  ///< null where they have no inertia
-  double unit_inertia_ = -1.0;           ///< of the coefficients: the scheme's for unit density
-  assembly::SolidFields local_;          ///< of the point of evaluation
-  std::vector<Vec3> v_;                  ///< velocity there
-  std::vector<Vec3> past_;               ///< of the displacement, local nodes
+  stepping::Timeline* subscales_ = nullptr;  ///< null where they have no inertia
+  double unit_inertia_ = -1.0;               ///< of the coefficients: the scheme's for unit density
+  assembly::SolidFields local_;              ///< of the point of evaluation
+  std::vector<Vec3> v_;                      ///< velocity there
+  std::vector<Vec3> past_;                   ///< of the displacement, local nodes
   Prestretch prestretch_;
   std::vector<materials::Frame> frames_;  ///< in the mesh; those of the elements are where they are
                                           ///< free of stress

@@ -55,21 +55,22 @@ Observables Solid::observe(const algebra::BlockVector& x) const {
     s.low_pressure = std::min(s.low_pressure, p[a]);
     s.high_pressure = std::max(s.high_pressure, p[a]);
   }
+  const std::vector<Vec3> v = velocity();
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e)
-    add_element(e, assembly::gather(d, mesh_->tets[e]), assembly::gather(p, scalar_mesh().tets[e]),
-                s);
+    add_element(e, assembly::gather(d, mesh_->tets[e]), assembly::gather(v, mesh_->tets[e]),
+                assembly::gather(p, scalar_mesh().tets[e]), s);
   Observables found = observables_of(s, *mesh_->comm, !interfaces.empty());
   boundary::Surroundings here = surroundings();
   here.u = &d;
-  here.w = &velocity();
+  here.w = &v;
   std::map<std::string, double> of_surfaces;
   surfaces_.observe_whole(here, of_surfaces);
   for (const auto& [name, value] : of_surfaces) found.push_back({name, value});
   return found;
 }
 
-void Solid::add_element(std::size_t e, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,
-                        Summary& s) const {
+void Solid::add_element(std::size_t e, const std::array<Vec3, 4>& d, const std::array<Vec3, 4>& v,
+                        const std::array<double, 4>& p, Summary& s) const {
   const auto de = elements_.displacement(e, d);
   const kernels::Tet4 T = elements_.geometry[e];
   const double J = kernels::solid_jacobian_determinant(T, de);
@@ -81,10 +82,12 @@ void Solid::add_element(std::size_t e, const std::array<Vec3, 4>& d, const std::
   const assembly::SolidLayer& layer = elements_.layer(e);
   s.elastic += V * layer.law->energy(C, elements_.frame(e));
   s.volumetric += 0.5 * layer.coefficients.inv_kappa * kernels::squared_norm(V, p);
-  s.kinetic +=
-      0.5 * layer.density * kernels::squared_norm(V, assembly::gather(velocity(), mesh_->tets[e]));
-  if (subscales_ && is_nearly_incompressible(e))
-    s.stabilisation += kernels::subscale_power(T, de, p, subscales_->history()[0][e]);
+  s.kinetic += 0.5 * layer.density * kernels::squared_norm(V, v);
+  if (subscales_ && is_nearly_incompressible(e)) {
+    const stepping::Rows& rate = (*subscales_)[0];
+    s.stabilisation +=
+        kernels::subscale_power(T, de, p, {rate[3 * e], rate[3 * e + 1], rate[3 * e + 2]});
+  }
 }
 
 // A surface that holds the wall takes from it the sum of the nodal reactions, minus the momentum

@@ -1,9 +1,10 @@
 #include "tunica/fields/state.hpp"
 
-#include <algorithm>
+#include <numeric>
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/map_of.hpp"
+#include "tunica/fields/field_mesh.hpp"
 #include "tunica/fields/split_mesh.hpp"
 
 namespace tunica::fields {
@@ -27,7 +28,7 @@ const std::vector<double>& State::number_list(const std::string& name) const {
 
 const State::Array& State::array(const std::string& name, int columns) const {
   const Array& rows = found(arrays, name);
-  TUNICA_CHECK(rows.columns == columns && rows.values.size() == vertices.size() * columns,
+  TUNICA_CHECK(rows.columns == columns && rows.values.size() == places.size() * columns,
                "\"" + name + "\" of the state has " + std::to_string(rows.columns) +
                    " numbers per node, expected " + std::to_string(columns));
   return rows;
@@ -35,14 +36,7 @@ const State::Array& State::array(const std::string& name, int columns) const {
 
 State state_on(const FieldMesh& mesh) {
   State state;
-  state.vertices.assign(mesh.vertex.begin(), mesh.vertex.begin() + mesh.n_owned);
-  return state;
-}
-
-State element_state_on(const FieldMesh& mesh) {
-  State state;
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
-    if (mesh.is_owned[e]) state.vertices.push_back(mesh.tet_number[e]);
+  state.places.assign(mesh.vertex.begin(), mesh.vertex.begin() + mesh.n_owned);
   return state;
 }
 
@@ -86,27 +80,81 @@ std::vector<Vec3> ghosted_rows(const State::Array& rows, const FieldMesh& mesh) 
   return ghosted_vectors(mesh, owned);
 }
 
-State::Array element_rows_of(const std::vector<Vec3>& values, const FieldMesh& mesh) {
-  State::Array rows{3, {}};
-  rows.values.reserve(3 * std::count(mesh.is_owned.begin(), mesh.is_owned.end(), 1));
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
-    if (mesh.is_owned[e]) rows.values.insert(rows.values.end(), values[e].begin(), values[e].end());
-  return rows;
+Places Places::of_this_rank(std::vector<GlobalOrdinal> numbers, const CommPtr& comm) {
+  Places places;
+  places.numbers_ = std::move(numbers);
+  places.owned_.resize(places.numbers_.size());
+  std::iota(places.owned_.begin(), places.owned_.end(), 0);
+  places.comm_ = comm;
+  return places;
 }
 
-std::vector<Vec3> all_element_rows(const State::Array& rows, const FieldMesh& mesh) {
-  const State owned = element_state_on(mesh);
-  MultiVector from(map_of(owned.vertices, mesh.comm), 3), to(map_of(mesh.tet_number, mesh.comm), 3);
+Places Places::owned_nodes(const FieldMesh& mesh) {
+  return of_this_rank({mesh.vertex.begin(), mesh.vertex.begin() + mesh.n_owned}, mesh.comm);
+}
+
+Places Places::nodes(const FieldMesh& mesh) {
+  Places places = owned_nodes(mesh);  // ghosts follow the owned ones
+  places.numbers_.assign(mesh.vertex.begin(), mesh.vertex.end());
+  places.has_copies_ = true;
+  return places;
+}
+
+Places Places::elements(const FieldMesh& mesh, int points) {
+  Places places;
+  places.numbers_.assign(mesh.tet_number.begin(), mesh.tet_number.end());
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
+    if (mesh.is_owned[e]) places.owned_.push_back(static_cast<int>(e));
+  places.has_copies_ = true;
+  places.points_ = points;
+  places.comm_ = mesh.comm;
+  return places;
+}
+
+Places Places::everywhere() {
+  Places places;
+  places.numbers_ = {0};
+  places.owned_ = {0};
+  return places;
+}
+
+State Places::state() const {
+  State state;
+  if (is_everywhere()) return state;
+  for (const int k : owned_) state.places.push_back(numbers_[k]);
+  return state;
+}
+
+State::Array Places::owned_rows(const std::vector<double>& rows, int width) const {
+  const int columns = width * points_;
+  State::Array owned{columns, {}};
+  owned.values.reserve(columns * owned_.size());
+  for (const int k : owned_)
+    owned.values.insert(owned.values.end(), rows.begin() + columns * k,
+                        rows.begin() + columns * (k + 1));
+  return owned;
+}
+
+std::vector<double> Places::imported(const std::vector<double>& owned, int columns) const {
+  MultiVector from(map_of(state().places, comm_), columns), to(map_of(numbers_, comm_), columns);
   {
     const auto view = from.getLocalViewHost(overwrite_all);
-    for (std::size_t k = 0; k < owned.vertices.size(); ++k)
-      for (int i = 0; i < 3; ++i) view(k, i) = rows.values[3 * k + i];
+    for (std::size_t k = 0; k < owned_.size(); ++k)
+      for (int i = 0; i < columns; ++i) view(k, i) = owned[columns * k + i];
   }
   to.doImport(from, Import(from.getMap(), to.getMap()), insert);
   const auto view = to.getLocalViewHost(read_only);
-  std::vector<Vec3> values(mesh.tets.size());
-  for (std::size_t e = 0; e < values.size(); ++e) values[e] = {view(e, 0), view(e, 1), view(e, 2)};
-  return values;
+  std::vector<double> rows(columns * numbers_.size());
+  for (std::size_t k = 0; k < numbers_.size(); ++k)
+    for (int i = 0; i < columns; ++i) rows[columns * k + i] = view(k, i);
+  return rows;
+}
+
+std::vector<double> Places::local_rows(const State& state, const std::string& name,
+                                       int width) const {
+  const int columns = width * points_;
+  const std::vector<double>& owned = state.array(name, columns).values;
+  return has_copies_ ? imported(owned, columns) : owned;
 }
 
 }  // namespace tunica::fields

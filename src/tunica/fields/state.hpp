@@ -15,14 +15,14 @@ struct SplitMesh;
 /// and values at nodes or elements. They are named by their number in the mesh, so that another
 /// number of ranks can take the state over.
 struct State {
-  /// Rows of the calling rank, one per entry of vertices, each of so many numbers.
+  /// Rows of the calling rank, one per entry of places, each of so many numbers.
   struct Array {
     int columns = 0;
     std::vector<double> values;
   };
 
   /// Of the rows: vertices, or elements from 1; each on exactly one rank.
-  std::vector<GlobalOrdinal> vertices;
+  std::vector<GlobalOrdinal> places;
   std::map<std::string, std::string> texts;
   std::map<std::string, std::vector<double>> numbers;
   std::map<std::string, Array> arrays;
@@ -41,7 +41,7 @@ public:
 
   /// The state after an accepted time step. Collective.
   virtual State save() const = 0;
-  /// Takes back a state of save(), whose vertices are those save() gives here. Returns a sentence
+  /// Takes back a state of save(), whose places are those save() gives here. Returns a sentence
   /// about what could not be used, or nothing. Throws Error where something is missing.
   /// Collective.
   virtual std::string restore(const State& state) = 0;
@@ -50,9 +50,45 @@ public:
   virtual std::map<std::string, Restartable*> inner_parts() { return {}; }
 };
 
-/// A state without values on the owned nodes of the mesh, or on its owned elements.
+/// What rows of numbers belong to: nodes of a mesh, its elements, their quadrature points, or
+/// nothing in space. Each place is owned by one rank; others may hold a copy of its rows. Places
+/// are known by their number in the mesh, so that a state outlives its partition.
+class Places {
+public:
+  /// Owned and ghost nodes, or the owned ones alone.
+  static Places nodes(const FieldMesh& mesh);
+  static Places owned_nodes(const FieldMesh& mesh);
+  /// All local elements, with so many points each; rows of an element follow each other.
+  static Places elements(const FieldMesh& mesh, int points = 1);
+  /// Places with these numbers, which no other rank holds.
+  static Places of_this_rank(std::vector<GlobalOrdinal> numbers, const CommPtr& comm);
+  /// One row that is the same on all ranks.
+  static Places everywhere();
+
+  /// Local rows.
+  int count() const { return static_cast<int>(numbers_.size()) * points_; }
+  bool is_everywhere() const { return comm_.is_null(); }
+
+  /// A state without values on the owned places.
+  State state() const;
+  /// The rows of owned places out of all local ones, `width` numbers each.
+  State::Array owned_rows(const std::vector<double>& rows, int width) const;
+  /// And back: brings copies from their owners. Collective where there may be copies.
+  std::vector<double> local_rows(const State& state, const std::string& name, int width) const;
+
+private:
+  Places() = default;
+  std::vector<double> imported(const std::vector<double>& owned, int columns) const;
+
+  std::vector<GlobalOrdinal> numbers_;  ///< of all local places
+  std::vector<int> owned_;              ///< their positions in numbers_
+  bool has_copies_ = false;             ///< on some rank
+  int points_ = 1;
+  CommPtr comm_;  ///< null where the row is everywhere
+};
+
+/// A state without values on the owned nodes of the mesh.
 State state_on(const FieldMesh& mesh);
-State element_state_on(const FieldMesh& mesh);
 
 /// Nodal values as rows, and back. Vectors have `columns` entries per node.
 State::Array rows_of(const Vector& v, int columns);
@@ -64,9 +100,5 @@ State::Array rows_of(const Vector& v, const SplitMesh& split);
 void assign_rows(const State::Array& rows, const SplitMesh& split, Vector& v);
 /// On owned and ghost nodes. Collective.
 std::vector<Vec3> ghosted_rows(const State::Array& rows, const FieldMesh& mesh);
-
-/// Rows of the owned elements, and back to all local ones. The latter is collective.
-State::Array element_rows_of(const std::vector<Vec3>& values, const FieldMesh& mesh);
-std::vector<Vec3> all_element_rows(const State::Array& rows, const FieldMesh& mesh);
 
 }  // namespace tunica::fields

@@ -30,25 +30,25 @@ fields::State::Array read_rows(const io::Hdf5Reader& in, const std::string& name
   return array;
 }
 
-std::vector<GlobalOrdinal> read_vertices(const io::Hdf5Reader& in, const std::string& part,
-                                         const Portion& rows) {
-  std::vector<GlobalOrdinal> vertices(rows.count);
-  in.read(part + "/vertices", 1, rows.first, rows.count, vertices.data());
-  return vertices;
+std::vector<GlobalOrdinal> read_places(const io::Hdf5Reader& in, const std::string& part,
+                                       const Portion& rows) {
+  std::vector<GlobalOrdinal> places(rows.count);
+  in.read(part + "/places", 1, rows.first, rows.count, places.data());
+  return places;
 }
 
-/// That some rank has a row for each of the vertices.
+/// That some rank has a row for each of the places.
 void check_presence(const std::vector<GlobalOrdinal>& in_file,
-                    const std::vector<GlobalOrdinal>& vertices, const std::string& where,
+                    const std::vector<GlobalOrdinal>& places, const std::string& where,
                     const CommPtr& comm) {
   const auto there = map_of(in_file, comm);
-  std::vector<int> ranks(vertices.size());
-  there->getRemoteIndexList(Teuchos::arrayViewFromVector(vertices),
+  std::vector<int> ranks(places.size());
+  there->getRemoteIndexList(Teuchos::arrayViewFromVector(places),
                             Teuchos::arrayViewFromVector(ranks));
   on_all(*comm, [&] {
     const auto lost = std::find(ranks.begin(), ranks.end(), -1) - ranks.begin();
     TUNICA_CHECK(lost == static_cast<std::ptrdiff_t>(ranks.size()),
-                 where + ": has no values at vertex " + std::to_string(vertices[lost] + 1));
+                 where + ": has no values at number " + std::to_string(places[lost]));
   });
 }
 
@@ -117,15 +117,15 @@ void CheckpointFile::verify() const {
   constexpr long long rows_at_once = 1 << 18;
   const io::Hdf5Reader in(path_);
   for (const auto& [name, entry] : arrays_) {
-    const auto total = static_cast<long long>(in.rows(part_of(name) + "/vertices"));
+    const auto total = static_cast<long long>(in.rows(part_of(name) + "/places"));
     TUNICA_CHECK(
         entry.columns == 0 || static_cast<long long>(in.rows(name, entry.columns)) == total,
         path_ + ": dataset /" + name + " is damaged: it has another number of rows");
     std::uint64_t sum = 0;
     for (long long first = 0; first < total; first += rows_at_once) {
       const Portion rows{first, std::min(rows_at_once, total - first)};
-      sum += checksum(read_vertices(in, part_of(name), rows),
-                      read_rows(in, name, entry.columns, rows));
+      sum +=
+          checksum(read_places(in, part_of(name), rows), read_rows(in, name, entry.columns, rows));
     }
     TUNICA_CHECK(hash_digits(sum) == entry.checksum,
                  path_ + ": dataset /" + name + " is damaged: its checksum does not fit");
@@ -133,10 +133,10 @@ void CheckpointFile::verify() const {
 }
 
 fields::State CheckpointFile::read(const std::string& part,
-                                   const std::vector<GlobalOrdinal>& vertices,
+                                   const std::vector<GlobalOrdinal>& places,
                                    const CommPtr& comm) const {
   fields::State state;
-  state.vertices = vertices;
+  state.places = places;
   const std::size_t prefix = part.size() + 1;
   for (const auto& [name, value] : texts_)
     if (is_of(part, name)) state.texts[name.substr(prefix)] = value;
@@ -149,11 +149,11 @@ fields::State CheckpointFile::read(const std::string& part,
   std::vector<GlobalOrdinal> in_file;
   on_all(*comm, [&] {
     in.emplace(path_);
-    rows = portion_of(static_cast<long long>(in->rows(part + "/vertices")), *comm);
-    in_file = read_vertices(*in, part, rows);
+    rows = portion_of(static_cast<long long>(in->rows(part + "/places")), *comm);
+    in_file = read_places(*in, part, rows);
   });
-  check_presence(in_file, vertices, path_ + ": /" + part, comm);
-  const RowOrder order(in_file, vertices, comm);
+  check_presence(in_file, places, path_ + ": /" + part, comm);
+  const RowOrder order(in_file, places, comm);
   for (const auto& [name, entry] : arrays_) {
     if (!is_of(part, name)) continue;
     fields::State::Array mine;

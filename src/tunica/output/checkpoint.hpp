@@ -23,7 +23,7 @@ struct CheckpointHead {
   std::map<std::string, std::string> files{};
 };
 
-constexpr const char* checkpoint_format = "tunica-checkpoint 4";
+constexpr const char* checkpoint_format = "tunica-checkpoint 5";
 
 /// Under which the hashes of files stand among the texts of the part "run", and
 /// under which the numbers of the control stand among those of the part "run".
@@ -36,13 +36,14 @@ using StateSources = std::vector<std::pair<std::string, std::function<fields::St
 
 /// Writes a checkpoint file, HDF5:
 ///
-///   attribute "format" of the root = "tunica-checkpoint 4"; earlier ones are refused
+///   attribute "format" of the root = "tunica-checkpoint 5"; earlier ones are refused
 ///   /text_names  /texts                                         strings
 ///   /number_names  /number_counts  /numbers
 ///   /array_names  /array_columns  /array_checksums
 ///   /parameters                                                 XML, in pieces
 ///   /head_checksum                                              of all above
-///   `/<part>/vertices`                                            int64, vertex of each row
+///   `/<part>/places`                                              int64, vertex or element of each
+///   row
 ///   `/<part>/<array>`                                             float64, rows × columns
 ///
 /// Names are "`<part>/<name>`"; what the head has is of the part "run". The rows stand in any
@@ -61,13 +62,15 @@ public:
 
   const CheckpointHead& head() const { return head_; }
   bool has(const std::string& part) const;
+  /// "`<part>/<name>`".
+  const std::string& text(const std::string& name) const;
   /// Compares all arrays with their checksums, part by part. Not collective; takes room for few
   /// rows at a time.
   void verify() const;
-  /// The state of a part with the rows of these vertices, in this order, on every rank. No rank
+  /// The state of a part with the rows of these places, in this order, on every rank. No rank
   /// takes in more than its portion of the file and its rows. Throws on all ranks alike.
   /// Collective.
-  fields::State read(const std::string& part, const std::vector<GlobalOrdinal>& vertices,
+  fields::State read(const std::string& part, const std::vector<GlobalOrdinal>& places,
                      const CommPtr& comm) const;
 
 private:
@@ -76,7 +79,6 @@ private:
     std::string checksum;
   };
 
-  const std::string& text(const std::string& name) const;
   double number(const std::string& name) const;
 
   std::string path_;

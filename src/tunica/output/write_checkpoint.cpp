@@ -19,7 +19,7 @@ using Sums = std::vector<unsigned long long>;
 /// Checksums of the arrays over all ranks, in their order.
 Sums checksums(const fields::State& state, const Comm& comm) {
   Sums mine;
-  for (const auto& [name, rows] : state.arrays) mine.push_back(checksum(state.vertices, rows));
+  for (const auto& [name, rows] : state.arrays) mine.push_back(checksum(state.places, rows));
   Sums total(mine.size());
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
                      total.data());
@@ -94,7 +94,7 @@ struct Contents {
 };
 
 io::Hdf5File::Rows rows_of_rank(const fields::State& state, const Comm& comm) {
-  const auto mine = static_cast<long long>(state.vertices.size());
+  const auto mine = static_cast<long long>(state.places.size());
   return {global_sum(comm, mine), sum_before(comm, mine), mine, 1};
 }
 
@@ -113,7 +113,7 @@ void write_arrays(const std::string& path, long long bytes, const StateSources& 
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto& [part, make] = parts[p];
     const fields::State state = make();
-    file.write(part + "/vertices", rows[p], state.vertices.data());
+    file.write(part + "/places", rows[p], state.places.data());
     for (const auto& [name, array] : state.arrays) {
       if (array.columns == 0) continue;
       io::Hdf5File::Rows place = rows[p];

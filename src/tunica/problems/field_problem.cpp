@@ -22,38 +22,34 @@ void FieldProblem::watch_solves(SolveWatch watch) {
 
 fields::State FieldProblem::save() const {
   fields::State state = fields::state_on(mesh());
-  save_blocks(x_, "", state);
+  for (int b = 0; b < x_.n_blocks(); ++b) state.arrays[(*space())[b].name] = rows_of(x_, b);
   if (solver_) save_solver(*solver_, state);
   field_->save_history(state);
   return state;
 }
 
 std::string FieldProblem::restore(const fields::State& state) {
-  restore_blocks(state, "", x_);
+  for (int b = 0; b < x_.n_blocks(); ++b) {
+    const algebra::Block& block = (*space())[b];
+    const int columns = is_split(block) ? split()->n_copies : block.components;
+    assign_rows(state.array(block.name, columns), b, x_);
+  }
   if (solver_ || has_solver(state)) restore_solver(state, linear_solver());
   return field_->restore_history(state, x_);
 }
 
-void FieldProblem::save_blocks(const algebra::BlockVector& x, const std::string& suffix,
-                               fields::State& state) const {
-  for (int b = 0; b < x.n_blocks(); ++b) {
-    const algebra::Block& block = (*space())[b];
-    const bool is_split = split() != nullptr && block.components == 1;
-    state.arrays[block.name + suffix] =
-        is_split ? fields::rows_of(x[b], *split()) : fields::rows_of(x[b], block.components);
-  }
+fields::State::Array FieldProblem::rows_of(const algebra::BlockVector& x, int block) const {
+  const algebra::Block& of = (*space())[block];
+  return is_split(of) ? fields::rows_of(x[block], *split())
+                      : fields::rows_of(x[block], of.components);
 }
 
-void FieldProblem::restore_blocks(const fields::State& state, const std::string& suffix,
-                                  algebra::BlockVector& x) const {
-  for (int b = 0; b < x.n_blocks(); ++b) {
-    const algebra::Block& block = (*space())[b];
-    const std::string name = block.name + suffix;
-    if (is_split(block))
-      fields::assign_rows(state.array(name, split()->n_copies), *split(), x[b]);
-    else
-      fields::assign_rows(state.array(name, block.components), x[b]);
-  }
+void FieldProblem::assign_rows(const fields::State::Array& rows, int block,
+                               algebra::BlockVector& x) const {
+  if (is_split((*space())[block]))
+    fields::assign_rows(rows, *split(), x[block]);
+  else
+    fields::assign_rows(rows, x[block]);
 }
 
 std::map<std::string, fields::Restartable*> FieldProblem::inner_parts() {

@@ -49,12 +49,9 @@ public:
   /// Accepts the present state as that of the new time.
   void end_step() { field_->end_step(x_); }
 
-  /// Values of the field as arrays of a state on its mesh, by the names of its blocks and a suffix,
-  /// and back.
-  void save_blocks(const algebra::BlockVector& x, const std::string& suffix,
-                   fields::State& state) const;
-  void restore_blocks(const fields::State& state, const std::string& suffix,
-                      algebra::BlockVector& x) const;
+  /// A block of values as rows of the owned nodes, and back.
+  fields::State::Array rows_of(const algebra::BlockVector& x, int block) const;
+  void assign_rows(const fields::State::Array& rows, int block, algebra::BlockVector& x) const;
 
   // Restartable: the state, and what is remembered from step to step
   fields::State save() const override;

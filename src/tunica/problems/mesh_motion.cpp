@@ -3,7 +3,6 @@
 #include "tunica/algebra/components.hpp"
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/traffic.hpp"
-#include "tunica/discretisation/nodal_history.hpp"
 #include "tunica/io/progress.hpp"
 
 namespace tunica::problems {
@@ -23,8 +22,8 @@ MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMe
                        const stepping::TimeScheme& scheme)
     : mesh_(&mesh), is_interface_(mesh.n_owned, 0),
       surfaces_(list.sublist("Linear Solver"), mesh, interface, staying),
-      volume_(volume_problem(list)), scheme_(&scheme), history_(scheme.remembers(), mesh.n_nodes()),
-      d_(mesh.n_nodes()) {
+      volume_(volume_problem(list)), scheme_(&scheme),
+      timeline_(fields::Places::nodes(mesh), 3, scheme.remembers()), d_(mesh.n_nodes()) {
   for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, interface);
 }
 
@@ -83,14 +82,14 @@ void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vec
 fields::State MeshMotion::save() const {
   fields::State state = fields::state_on(*mesh_);
   state.arrays["displacement"] = fields::rows_of(d_, mesh_->n_owned);
-  discretisation::save_parts(history_, *mesh_, state);
+  timeline_.save_past("", state);
   return state;
 }
 
 std::string MeshMotion::restore(const fields::State& state) {
   const fields::State::Array& rows = state.array("displacement", 3);
-  d_ = history_.value() = fields::ghosted_rows(rows, *mesh_);
-  discretisation::restore_parts(state, *mesh_, history_);
+  d_ = fields::ghosted_rows(rows, *mesh_);
+  timeline_.restore_past("", state, stepping::as_rows(d_));
   MultiVector last(mesh_->node_map, 3);
   {
     const auto view = last.getLocalViewHost(overwrite_all);

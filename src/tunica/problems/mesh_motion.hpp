@@ -30,12 +30,16 @@ public:
 
   const std::vector<Vec3>& displacement() const { return d_; }  ///< local nodes
   /// Of the last step.
-  const std::vector<Vec3>& old_displacement() const { return history_.value(); }
+  std::vector<Vec3> old_displacement() const { return stepping::as_vectors(timeline_.value()); }
   /// The time scheme's past of the displacement in the present step.
-  std::vector<Vec3> past_displacement() const { return scheme_->pasts(history_); }
+  std::vector<Vec3> past_displacement() const {
+    return stepping::as_vectors(scheme_->pasts(timeline_));
+  }
   /// What the steps before let expect of the displacement at the present step's end.
-  std::vector<Vec3> predicted_displacement() const { return scheme_->predictions(history_); }
-  void end_step() { scheme_->accept(d_, history_); }
+  std::vector<Vec3> predicted_displacement() const {
+    return stepping::as_vectors(scheme_->predictions(timeline_));
+  }
+  void end_step() { scheme_->accept(stepping::as_rows(d_), timeline_); }
 
   // Restartable
   fields::State save() const override;
@@ -51,7 +55,7 @@ private:
   std::unique_ptr<discretisation::ElasticExtension> elastic_;    ///< null where it is harmonic
   ExtensionProblem volume_;
   const stepping::TimeScheme* scheme_;
-  stepping::History history_;
+  stepping::Timeline timeline_;
   std::vector<Vec3> d_;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
-#include <deque>
-
 #include "tunica/problems/field_problem.hpp"
+#include "tunica/stepping/timeline.hpp"
 
 namespace tunica::problems {
 
@@ -18,16 +17,14 @@ public:
   /// at the end of the clock's step.
   algebra::BlockVector extrapolated(const stepping::StepSizes& sizes) const;
 
-  // Restartable
+  // Restartable: all but the last state, which is the field's and has to be restored before
   fields::State save() const override;
   std::string restore(const fields::State& state) override;
 
 private:
-  void remember(const algebra::BlockVector& x);
-
   const FieldProblem* field_;
   int degree_;
-  std::deque<algebra::BlockVector> states_;  ///< newest first
+  std::vector<stepping::Timeline> blocks_;  ///< of owned nodes
 };
 
 }  // namespace tunica::problems

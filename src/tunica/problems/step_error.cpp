@@ -23,30 +23,27 @@ StepError::StepError(FieldProblem& field, const stepping::TimeScheme& scheme,
 
 StepError::StepError(FluidProblem& fluid, const StepTolerance& tolerance)
     : StepError(fluid, fluid.time_scheme(), tolerance) {
-  watch({"velocity",
-         tolerance.velocity_scale,
-         [&fluid] { return fields::owned_vectors(fluid.mesh(), fluid.state()["velocity"]); },
-         [this](const auto& sizes) { return scheme_->value_error(sizes); },
-         {}});
+  watch(
+      "velocity", tolerance.velocity_scale,
+      [&fluid] { return fields::owned_vectors(fluid.mesh(), fluid.state()["velocity"]); },
+      [this](const auto& sizes) { return scheme_->value_error(sizes); });
 }
 
 StepError::StepError(SolidProblem& wall, const StepTolerance& tolerance)
     : StepError(wall, wall.time_scheme(), tolerance) {
-  watch({"displacement",
-         tolerance.displacement_scale,
-         [&wall] { return wall.displacement(); },
-         [this](const auto& sizes) { return scheme_->value_error(sizes); },
-         {}});
-  watch({"velocity",
-         tolerance.velocity_scale,
-         [&wall] { return wall.velocity(); },
-         [this](const auto& sizes) { return scheme_->velocity_error(sizes); },
-         {}});
+  watch(
+      "displacement", tolerance.displacement_scale, [&wall] { return wall.displacement(); },
+      [this](const auto& sizes) { return scheme_->value_error(sizes); });
+  watch(
+      "velocity", tolerance.velocity_scale, [&wall] { return wall.velocity(); },
+      [this](const auto& sizes) { return scheme_->velocity_error(sizes); });
 }
 
-void StepError::watch(Quantity quantity) {
-  quantity.past.assign(3, quantity.now());
-  quantities_.push_back(std::move(quantity));
+void StepError::watch(const std::string& name, double smallest_scale, std::function<Values()> now,
+                      std::function<stepping::ErrorFormula(const stepping::StepSizes&)> formula) {
+  stepping::Timeline past(fields::Places::owned_nodes(field_->mesh()), 3, {}, 3);
+  for (int k = 0; k < 3; ++k) past.push(stepping::as_rows(now()));
+  quantities_.push_back({name, smallest_scale, std::move(now), std::move(formula), past, 0.0});
 }
 
 double StepError::norm_of(const Values& values) const {
@@ -62,15 +59,15 @@ StepError::Estimate StepError::estimate(const Quantity& quantity,
       is_steady_sought_ ? stepping::ErrorFormula{0, 1.0} : quantity.formula(sizes);
   const auto weights = stepping::extrapolation(formula.degree, sizes);
   const Values now = quantity.now();
-  Values error(now);
-  for (std::size_t a = 0; a < error.size(); ++a) {
-    for (int k = 0; k <= formula.degree; ++k) error[a] += -weights[k] * quantity.past[k][a];
-    error[a] = formula.constant * error[a];  // C (x − xᵖ)
+  stepping::Rows error = stepping::as_rows(now);
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    for (int k = 0; k <= formula.degree; ++k) error[i] += -weights[k] * quantity.past.value(k)[i];
+    error[i] *= formula.constant;  // C (x − xᵖ)
   }
   const double largest = is_steady_sought_ ? 0.0 : quantity.largest;
   const double scale = std::max({quantity.smallest_scale, largest, norm_of(now)});
   Estimate found;
-  found.ratio = norm_of(error) / (permitted_ * scale);
+  found.ratio = norm_of(stepping::as_vectors(error)) / (permitted_ * scale);
   found.eta = std::pow(found.ratio, 1.0 / (formula.degree + 1));
   return found;
 }
@@ -86,19 +83,16 @@ StepError::Estimate StepError::estimate(const stepping::Clock& clock) {
 
 void StepError::accept() {
   for (Quantity& quantity : quantities_) {
-    quantity.past.push_front(quantity.now());
-    quantity.past.pop_back();
-    quantity.largest = std::max(quantity.largest, norm_of(quantity.past.front()));
+    const Values now = quantity.now();
+    quantity.past.push(stepping::as_rows(now));
+    quantity.largest = std::max(quantity.largest, norm_of(now));
   }
 }
 
 fields::State StepError::save() const {
   fields::State state = fields::state_on(field_->mesh());
   for (const Quantity& quantity : quantities_) {
-    int k = 0;
-    for (const Values& values : quantity.past)
-      state.arrays[quantity.name + " " + std::to_string(++k)] =
-          fields::rows_of(values, field_->mesh().n_owned);
+    quantity.past.save_past(quantity.name + " ", state);
     state.numbers["largest " + quantity.name] = {quantity.largest};
   }
   return state;
@@ -106,12 +100,7 @@ fields::State StepError::save() const {
 
 std::string StepError::restore(const fields::State& state) {
   for (Quantity& quantity : quantities_) {
-    int k = 0;
-    for (Values& values : quantity.past) {
-      const auto& rows = state.array(quantity.name + " " + std::to_string(++k), 3).values;
-      for (std::size_t a = 0; a < values.size(); ++a)
-        values[a] = {rows[3 * a], rows[3 * a + 1], rows[3 * a + 2]};
-    }
+    quantity.past.restore_past(quantity.name + " ", state, stepping::as_rows(quantity.now()));
     quantity.largest = state.number_list("largest " + quantity.name).at(0);
   }
   return "";

@@ -1,6 +1,5 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
-#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
@@ -51,7 +50,7 @@ public:
   /// The step stays. Collective.
   void accept();
 
-  // Restartable
+  // Restartable: all but the values of the last step, which are the field's and restored before
   fields::State save() const override;
   std::string restore(const fields::State& state) override;
 
@@ -63,13 +62,14 @@ private:
     double smallest_scale;
     std::function<Values()> now;
     std::function<stepping::ErrorFormula(const stepping::StepSizes&)> formula;
-    std::deque<Values> past;  ///< of three steps, newest first
+    stepping::Timeline past;  ///< of three steps, on owned nodes
     double largest = 0.0;     ///< norm up to the last step
   };
 
   StepError(FieldProblem& field, const stepping::TimeScheme& scheme,
             const StepTolerance& tolerance);
-  void watch(Quantity quantity);
+  void watch(const std::string& name, double smallest_scale, std::function<Values()> now,
+             std::function<stepping::ErrorFormula(const stepping::StepSizes&)> formula);
   Estimate estimate(const Quantity& quantity, const stepping::StepSizes& sizes) const;
   double norm_of(const Values& values) const;
 

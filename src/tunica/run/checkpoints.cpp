@@ -40,7 +40,7 @@ void Checkpoints::restore(const std::string& path) const {
   std::optional<output::CheckpointFile> file;
   on_all(*comm_, [&] { file.emplace(path); });
   for (const auto& [name, part] : march_->parts()) {
-    const std::string remark = part->restore(file->read(name, part->save().vertices, comm_));
+    const std::string remark = part->restore(file->read(name, part->save().places, comm_));
     if (!remark.empty() && comm_->getRank() == 0) io::print_line(remark);
   }
 }

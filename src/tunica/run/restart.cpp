@@ -6,7 +6,6 @@
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/formatted.hpp"
-#include "tunica/coupling/registry.hpp"
 #include "tunica/io/messages.hpp"
 #include "tunica/output/checkpoint_series.hpp"
 #include "tunica/stepping/step_control.hpp"
@@ -56,10 +55,10 @@ void check_fit(const output::CheckpointFile& file, const std::string& path,
                    ". A run goes on with the mesh it began with.");
   if (list.isSublist("Coupling")) {
     const auto& scheme = list.sublist("Coupling").get<std::string>("scheme");
-    TUNICA_CHECK(
-        file.has("coupling fluid states") == coupling::is_monolithic(list.sublist("Coupling")),
-        "--restart: " + path + " was made with another Coupling / scheme than \"" + scheme +
-            "\". A run goes on with the one it began with.");
+    const std::string& former = file.text("coupling/scheme");
+    TUNICA_CHECK(former == scheme, "--restart: " + path + " was made with Coupling / scheme = \"" +
+                                       former + "\", not \"" + scheme +
+                                       "\". A run goes on with the one it began with.");
   }
   const stepping::StepControlOptions steps = stepping::step_control_options(list.sublist("Time"));
   TUNICA_CHECK(!file.head().control.empty(),

@@ -6,7 +6,7 @@ namespace tunica::stepping {
 
 namespace {
 
-// Parts of a history of order 1: xⁿ⁻²; of order 2: ẋⁿ⁻¹, xⁿ⁻², ẋⁿ⁻².
+// Remembered beside xⁿ⁻¹, of order 1: xⁿ⁻²; of order 2: ẋⁿ⁻¹, xⁿ⁻², ẋⁿ⁻².
 constexpr int velocity = 0, previous_velocity = 2;
 
 }  // namespace
@@ -16,36 +16,35 @@ std::vector<std::string> Bdf2::remembers() const {
   return {"velocity", "previous", "previous velocity"};
 }
 
-Vec3 Bdf2::extrapolated(const Vec3& last, const Vec3& before) const {
+double Bdf2::extrapolated(double last, double before) const {
   const double w = ratio();
   return 1.0 / (1.0 + 2.0 * w) * ((1.0 + w) * (1.0 + w) * last - w * w * before);
 }
 
-Vec3 Bdf2::past(const History& history, int place) const {
-  return extrapolated(history.value()[place], history[order_ - 1][place]);
+double Bdf2::past(const Timeline& x, int i) const {
+  return extrapolated(x.value()[i], x[order_ - 1][i]);
 }
 
-Vec3 Bdf2::prediction(const History& history, int place) const {
-  const Vec3& last = history.value()[place];
-  return last + ratio() * (last - history[order_ - 1][place]);
+double Bdf2::prediction(const Timeline& x, int i) const {
+  const double last = x.value()[i];
+  return last + ratio() * (last - x[order_ - 1][i]);
 }
 
-Vec3 Bdf2::inertia_load(const History& history, int place) const {
+double Bdf2::inertia_load(const Timeline& x, int i) const {
   // r = x̃/Δt_e² + v̂/Δt_e
-  return rate() * (rate() * past(history, place) +
-                   extrapolated(history[velocity][place], history[previous_velocity][place]));
+  return rate() * (rate() * past(x, i) + extrapolated(x[velocity][i], x[previous_velocity][i]));
 }
 
-void Bdf2::accept(const std::vector<Vec3>& x, History& history) const {
-  for (std::size_t k = 0; k < x.size(); ++k) {
+void Bdf2::accept(Rows now, Timeline& x) const {
+  for (std::size_t i = 0; i < now.size(); ++i) {
     if (order_ == 2) {
-      const Vec3 v = rate() * (x[k] - past(history, static_cast<int>(k)));  // ẋ = (x − x̃)/Δt_e
-      history[previous_velocity][k] = history[velocity][k];
-      history[velocity][k] = v;
+      const double v = rate() * (now[i] - past(x, static_cast<int>(i)));  // ẋ = (x − x̃)/Δt_e
+      x[previous_velocity][i] = x[velocity][i];
+      x[velocity][i] = v;
     }
-    history[order_ - 1][k] = history.value()[k];
+    x[order_ - 1][i] = x.value()[i];
   }
-  history.value() = x;
+  x.push(std::move(now));
 }
 
 ErrorFormula Bdf2::value_error(const StepSizes& sizes) const {

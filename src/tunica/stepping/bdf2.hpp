@@ -19,12 +19,12 @@ public:
 
   std::vector<std::string> remembers() const override;
   double rate() const override { return (1.0 + 2.0 * ratio()) / (1.0 + ratio()) / step_size(); }
-  Vec3 past(const History& history, int place) const override;
+  double past(const Timeline& x, int i) const override;
   /// (1 + ω) xⁿ⁻¹ − ω xⁿ⁻².
-  Vec3 prediction(const History& history, int place) const override;
+  double prediction(const Timeline& x, int i) const override;
   double inertia(double density) const override { return density * rate() * rate(); }
-  Vec3 inertia_load(const History& history, int place) const override;
-  void accept(const std::vector<Vec3>& x, History& history) const override;
+  double inertia_load(const Timeline& x, int i) const override;
+  void accept(Rows now, Timeline& x) const override;
   int order() const override { return 2; }
   /// A step loses −Δt²(Δt + Δtⁿ⁻¹)²/(6 (2Δt + Δtⁿ⁻¹)) of the third derivative, −2/9 Δt³ with equal
   /// steps; what Euler's does where it is one.
@@ -35,7 +35,7 @@ private:
   double ratio() const {
     return previous_step_size() > 0.0 ? step_size() / previous_step_size() : 0.0;
   }
-  Vec3 extrapolated(const Vec3& last, const Vec3& before) const;
+  double extrapolated(double last, double before) const;
 
   int order_;
 };

@@ -6,16 +6,16 @@ std::vector<std::string> ImplicitEuler::remembers() const {
   return order_ == 1 ? std::vector<std::string>{} : std::vector<std::string>{"velocity"};
 }
 
-Vec3 ImplicitEuler::inertia_load(const History& history, int node) const {
+double ImplicitEuler::inertia_load(const Timeline& x, int i) const {
   // r = xⁿ⁻¹/Δt² + ẋⁿ⁻¹/Δt
-  return rate() * (rate() * history.value()[node] + history[0][node]);
+  return rate() * (rate() * x.value()[i] + x[0][i]);
 }
 
-void ImplicitEuler::accept(const std::vector<Vec3>& x, History& history) const {
+void ImplicitEuler::accept(Rows now, Timeline& x) const {
   if (order_ == 2)
-    for (std::size_t a = 0; a < x.size(); ++a)
-      history[0][a] = rate() * (x[a] - history.value()[a]);  // ẋ = (x − xⁿ⁻¹)/Δt
-  history.value() = x;
+    for (std::size_t i = 0; i < now.size(); ++i)
+      x[0][i] = rate() * (now[i] - x.value()[i]);  // ẋ = (x − xⁿ⁻¹)/Δt
+  x.push(std::move(now));
 }
 
 SchemeEntry implicit_euler_scheme() {

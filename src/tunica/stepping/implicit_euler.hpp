@@ -15,11 +15,11 @@ public:
 
   std::vector<std::string> remembers() const override;
   double rate() const override { return 1.0 / step_size(); }
-  Vec3 past(const History& history, int node) const override { return history.value()[node]; }
-  Vec3 prediction(const History& history, int node) const override { return history.value()[node]; }
+  double past(const Timeline& x, int i) const override { return x.value()[i]; }
+  double prediction(const Timeline& x, int i) const override { return x.value()[i]; }
   double inertia(double density) const override { return density / (step_size() * step_size()); }
-  Vec3 inertia_load(const History& history, int node) const override;
-  void accept(const std::vector<Vec3>& x, History& history) const override;
+  double inertia_load(const Timeline& x, int i) const override;
+  void accept(Rows now, Timeline& x) const override;
   int order() const override { return 1; }
   /// A step loses −½Δt² ẍ, and x − xᵖ = Δt (ẋⁿ − ẋⁿ⁻¹) at any steps, ẋ being the scheme's.
   ErrorFormula value_error(const StepSizes&) const override { return {1, 0.5}; }

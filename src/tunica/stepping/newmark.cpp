@@ -8,34 +8,33 @@ Newmark::Newmark(const Teuchos::ParameterList& list)
     : Newmark(list.get<double>("beta"), list.get<double>("gamma"),
               list.get<std::string>("start") == "rest" ? Start::rest : Start::implicit_euler) {}
 
-Vec3 Newmark::momentum(const History& history, int node) const {
-  const Vec3 of_velocity = 1.0 / (beta() * step_size()) * history[0][node];
+double Newmark::momentum(const Timeline& x, int i) const {
+  const double of_velocity = 1.0 / (beta() * step_size()) * x[0][i];
   if (is_eulers()) return of_velocity;
-  return of_velocity + (1.0 - 2.0 * beta_) / (2.0 * beta_) * history[1][node];
+  return of_velocity + (1.0 - 2.0 * beta_) / (2.0 * beta_) * x[1][i];
 }
 
-Vec3 Newmark::inertia_load(const History& history, int node) const {
+double Newmark::inertia_load(const Timeline& x, int i) const {
   const double dt = step_size();
-  return 1.0 / (beta() * dt * dt) * history.value()[node] + momentum(history, node);
+  return 1.0 / (beta() * dt * dt) * x.value()[i] + momentum(x, i);
 }
 
-Vec3 Newmark::past(const History& history, int node) const {
+double Newmark::past(const Timeline& x, int i) const {
   // v = vⁿ⁻¹ + (1 − γ)Δt aⁿ⁻¹ + γΔt a, with a = (d − dⁿ⁻¹)/(βΔt²) − momentum
   const double dt = step_size();
-  const Vec3 known = history[0][node] + dt * ((1.0 - gamma()) * history[1][node]) -
-                     gamma() * dt * momentum(history, node);
-  return history.value()[node] - 1.0 / rate() * known;
+  const double known = x[0][i] + dt * ((1.0 - gamma()) * x[1][i]) - gamma() * dt * momentum(x, i);
+  return x.value()[i] - 1.0 / rate() * known;
 }
 
-void Newmark::accept(const std::vector<Vec3>& x, History& history) const {
+void Newmark::accept(Rows now, Timeline& x) const {
   const double dt = step_size();
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const int node = static_cast<int>(k);
-    const Vec3 a = 1.0 / (beta() * dt * dt) * (x[k] - history.value()[k]) - momentum(history, node);
-    history[0][k] = history[0][k] + dt * ((1.0 - gamma()) * history[1][k] + gamma() * a);
-    history[1][k] = a;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const double a =
+        1.0 / (beta() * dt * dt) * (now[i] - x.value()[i]) - momentum(x, static_cast<int>(i));
+    x[0][i] = x[0][i] + dt * ((1.0 - gamma()) * x[1][i] + gamma() * a);
+    x[1][i] = a;
   }
-  history.value() = x;
+  x.push(std::move(now));
 }
 
 ErrorFormula Newmark::value_error(const StepSizes& sizes) const {

@@ -25,16 +25,16 @@ public:
   std::vector<std::string> remembers() const override { return {"velocity", "acceleration"}; }
   /// v = γ/(βΔt) (d − x̃).
   double rate() const override { return gamma() / (beta() * step_size()); }
-  Vec3 past(const History& history, int node) const override;
+  double past(const Timeline& x, int i) const override;
   /// dⁿ⁻¹ + Δt vⁿ⁻¹.
-  Vec3 prediction(const History& history, int node) const override {
-    return history.value()[node] + step_size() * history[0][node];
+  double prediction(const Timeline& x, int i) const override {
+    return x.value()[i] + step_size() * x[0][i];
   }
   double inertia(double density) const override {
     return density / (beta() * step_size() * step_size());
   }
-  Vec3 inertia_load(const History& history, int node) const override;
-  void accept(const std::vector<Vec3>& x, History& history) const override;
+  double inertia_load(const Timeline& x, int i) const override;
+  void accept(Rows now, Timeline& x) const override;
   int order() const override { return gamma_ == 0.5 ? 2 : 1; }
   /// A step loses (1/6 − β) Δt³ ȧ in d, and in v (½ − γ) Δt² ȧ or, with γ = ½, −Δt³ ä/12.
   ErrorFormula value_error(const StepSizes& sizes) const override;
@@ -42,7 +42,7 @@ public:
 
 private:
   /// vⁿ⁻¹/(βΔt) + (1 − 2β)/(2β) aⁿ⁻¹.
-  Vec3 momentum(const History& history, int node) const;
+  double momentum(const Timeline& x, int i) const;
   /// Euler's step is that with β = γ = 1 and without aⁿ⁻¹.
   bool is_eulers() const { return start_ == Start::implicit_euler && previous_step_size() == 0.0; }
   double beta() const { return is_eulers() ? 1.0 : beta_; }

@@ -8,11 +8,11 @@ class Statics final : public TimeScheme {
 public:
   std::vector<std::string> remembers() const override { return {"velocity"}; }
   double rate() const override { return 0.0; }
-  Vec3 past(const History& history, int node) const override { return history.value()[node]; }
-  Vec3 prediction(const History& history, int node) const override { return history.value()[node]; }
+  double past(const Timeline& x, int i) const override { return x.value()[i]; }
+  double prediction(const Timeline& x, int i) const override { return x.value()[i]; }
   double inertia(double) const override { return 0.0; }
-  Vec3 inertia_load(const History&, int) const override { return {}; }
-  void accept(const std::vector<Vec3>& x, History& history) const override { history.value() = x; }
+  double inertia_load(const Timeline&, int) const override { return 0.0; }
+  void accept(Rows now, Timeline& x) const override { x.push(std::move(now)); }
   int order() const override { return 1; }
   /// None: an equilibrium knows no other.
   ErrorFormula value_error(const StepSizes&) const override { return {0, 0.0}; }

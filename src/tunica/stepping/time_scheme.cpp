@@ -2,9 +2,6 @@
 
 namespace tunica::stepping {
 
-History::History(std::vector<std::string> names, int n_places)
-    : names_(std::move(names)), parts_(names_.size() + 1, std::vector<Vec3>(n_places)) {}
-
 ErrorFormula error_of_third_derivative(double c, const StepSizes& sizes) {
   // x − xᵖ has h (h + h₁)(h + h₁ + h₂)/6 of it
   const auto [h, h1, h2] = without_gaps(sizes);
@@ -13,21 +10,25 @@ ErrorFormula error_of_third_derivative(double c, const StepSizes& sizes) {
 
 namespace {
 
-template <class ValueAt>
-std::vector<Vec3> all_of(const History& history, const ValueAt& value_at) {
-  std::vector<Vec3> values(history.value().size());
-  for (std::size_t k = 0; k < values.size(); ++k) values[k] = value_at(static_cast<int>(k));
-  return values;
+template <class EntryAt>
+Rows all_of(const Timeline& x, const EntryAt& entry_at) {
+  Rows rows(x.value().size());
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = entry_at(static_cast<int>(i));
+  return rows;
 }
 
 }  // namespace
 
-std::vector<Vec3> TimeScheme::pasts(const History& history) const {
-  return all_of(history, [&](int place) { return past(history, place); });
+Rows TimeScheme::pasts(const Timeline& x) const {
+  return all_of(x, [&](int i) { return past(x, i); });
 }
 
-std::vector<Vec3> TimeScheme::predictions(const History& history) const {
-  return all_of(history, [&](int place) { return prediction(history, place); });
+Rows TimeScheme::predictions(const Timeline& x) const {
+  return all_of(x, [&](int i) { return prediction(x, i); });
+}
+
+Rows TimeScheme::inertia_loads(const Timeline& x) const {
+  return all_of(x, [&](int i) { return inertia_load(x, i); });
 }
 
 }  // namespace tunica::stepping

@@ -4,31 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "tunica/base/tensor.hpp"
 #include "tunica/params/table.hpp"
 #include "tunica/stepping/clock.hpp"
+#include "tunica/stepping/timeline.hpp"
 
 namespace tunica::stepping {
-
-/// What a time scheme remembers of a quantity x from step to step, a vector at each local node or
-/// element: the value itself, then what the scheme adds to it. Zero at the start.
-class History {
-public:
-  /// names: of the parts behind the value, TimeScheme::remembers().
-  History(std::vector<std::string> names, int n_places);
-
-  const std::vector<Vec3>& value() const { return parts_.front(); }
-  std::vector<Vec3>& value() { return parts_.front(); }
-
-  const std::vector<std::string>& names() const { return names_; }
-  /// Part k behind the value, counted from 0.
-  const std::vector<Vec3>& operator[](int k) const { return parts_[k + 1]; }
-  std::vector<Vec3>& operator[](int k) { return parts_[k + 1]; }
-
-private:
-  std::vector<std::string> names_;
-  std::vector<std::vector<Vec3>> parts_;
-};
 
 /// How the local error of a step follows from how far its value lies from those before:
 ///
@@ -53,7 +33,8 @@ ErrorFormula error_of_third_derivative(double c, const StepSizes& sizes);
 ///   c   rate()          1/ms         α   inertia(ρ)            kPa/mm²
 ///   x̃   past()          that of x    r   inertia_load()        mm/ms², where x is in mm
 ///
-/// One scheme serves fluid, wall, mesh motion and their interface; a step may change its size.
+/// One scheme serves fluid, wall, mesh motion and their interface; a step may change its size. It
+/// acts on each number of a timeline by itself: i is that of an entry of its rows.
 class TimeScheme {
 public:
   virtual ~TimeScheme() = default;
@@ -76,17 +57,18 @@ public:
   virtual double load_time(const Clock& clock) const { return clock.time(); }
 
   virtual double rate() const = 0;
-  virtual Vec3 past(const History& history, int place) const = 0;
-  std::vector<Vec3> pasts(const History& history) const;  ///< of all places
+  virtual double past(const Timeline& x, int i) const = 0;
+  Rows pasts(const Timeline& x) const;  ///< of all entries
   /// What the values before let expect at the new time, to the order of the scheme.
-  virtual Vec3 prediction(const History& history, int place) const = 0;
-  std::vector<Vec3> predictions(const History& history) const;  ///< of all places
+  virtual double prediction(const Timeline& x, int i) const = 0;
+  Rows predictions(const Timeline& x) const;  ///< of all entries
 
   virtual double inertia(double density) const = 0;
-  virtual Vec3 inertia_load(const History& history, int place) const = 0;
+  virtual double inertia_load(const Timeline& x, int i) const = 0;
+  Rows inertia_loads(const Timeline& x) const;  ///< of all entries
 
-  /// Takes x for the value at the new time, and brings the other parts there.
-  virtual void accept(const std::vector<Vec3>& x, History& history) const = 0;
+  /// Takes `now` for the value at the new time, and brings what is remembered beside it there.
+  virtual void accept(Rows now, Timeline& x) const = 0;
 
   /// What it loses over a given time falls as Δt to this power.
   virtual int order() const = 0;

@@ -7,23 +7,23 @@
 
 namespace tunica::stepping {
 
-Vec3 Trapezoidal::past(const History& history, int place) const {
-  const Vec3& last = history.value()[place];
-  return is_eulers() ? last : last + 1.0 / rate() * history[0][place];
+double Trapezoidal::past(const Timeline& x, int i) const {
+  const double last = x.value()[i];
+  return is_eulers() ? last : last + 1.0 / rate() * x[0][i];
 }
 
-Vec3 Trapezoidal::prediction(const History& history, int place) const {
-  return history.value()[place] + step_size() * history[0][place];
+double Trapezoidal::prediction(const Timeline& x, int i) const {
+  return x.value()[i] + step_size() * x[0][i];
 }
 
-Vec3 Trapezoidal::inertia_load(const History&, int) const {
+double Trapezoidal::inertia_load(const Timeline&, int) const {
   throw std::logic_error("Trapezoidal: an equation of first order has no second derivative");
 }
 
-void Trapezoidal::accept(const std::vector<Vec3>& x, History& history) const {
-  for (std::size_t k = 0; k < x.size(); ++k)
-    history[0][k] = rate() * (x[k] - past(history, static_cast<int>(k)));  // ẋ = (x − x̃)/Δt_e
-  history.value() = x;
+void Trapezoidal::accept(Rows now, Timeline& x) const {
+  for (std::size_t i = 0; i < now.size(); ++i)
+    x[0][i] = rate() * (now[i] - past(x, static_cast<int>(i)));  // ẋ = (x − x̃)/Δt_e
+  x.push(std::move(now));
 }
 
 ErrorFormula Trapezoidal::value_error(const StepSizes& sizes) const {

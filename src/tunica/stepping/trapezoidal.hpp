@@ -15,13 +15,13 @@ class Trapezoidal final : public TimeScheme {
 public:
   std::vector<std::string> remembers() const override { return {"rate"}; }
   double rate() const override { return (is_eulers() ? 1.0 : 2.0) / step_size(); }
-  Vec3 past(const History& history, int place) const override;
+  double past(const Timeline& x, int i) const override;
   /// xⁿ⁻¹ + Δt ẋⁿ⁻¹.
-  Vec3 prediction(const History& history, int place) const override;
+  double prediction(const Timeline& x, int i) const override;
   double inertia(double density) const override { return density * rate() * rate(); }
   /// Not asked for. Throws std::logic_error.
-  Vec3 inertia_load(const History& history, int place) const override;
-  void accept(const std::vector<Vec3>& x, History& history) const override;
+  double inertia_load(const Timeline& x, int i) const override;
+  void accept(Rows now, Timeline& x) const override;
   int order() const override { return 2; }
   /// A step loses −Δt³/12 of the third derivative; what Euler's does where it is one.
   ErrorFormula value_error(const StepSizes& sizes) const override;

@@ -276,7 +276,7 @@ TEUCHOS_UNIT_TEST(iqn_ils, update_is_independent_of_ranks) {
 /// The state as it returns from a checkpoint: with the rows of this rank.
 fields::State state_of(const coupling::Accelerator& accelerator, std::size_t nodes) {
   fields::State state;
-  state.vertices.resize(nodes);
+  state.places.resize(nodes);
   accelerator.save(state);
   return state;
 }

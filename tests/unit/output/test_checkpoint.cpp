@@ -20,11 +20,11 @@ double value(GlobalOrdinal vertex, int column) {
 fields::State some_state(int count = 20) {
   fields::State state;
   for (int k = world()->getRank(); k < count; k += world()->getSize())
-    state.vertices.push_back(3 * k);
+    state.places.push_back(3 * k);
   for (const auto& [name, columns] : {std::pair("one", 1), std::pair("five", 5)}) {
     fields::State::Array& rows = state.arrays[name];
     rows.columns = columns;
-    for (const GlobalOrdinal vertex : state.vertices)
+    for (const GlobalOrdinal vertex : state.places)
       for (int c = 0; c < columns; ++c) rows.values.push_back(value(vertex, c));
   }
   state.arrays["none"];
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(checkpoint, comes_back_on_other_ranks_in_another_order) {
 
 TEUCHOS_UNIT_TEST(checkpoint, names_what_it_lacks) {
   const CheckpointFile file(written("lacking"));
-  TEST_ASSERT(complaint([&] { file.read("part", {1}, world()); }).find("at vertex 2") !=
+  TEST_ASSERT(complaint([&] { file.read("part", {1}, world()); }).find("at number 1") !=
               std::string::npos);
   const fields::State state = file.read("part", {0}, world());
   TEST_EQUALITY(complaint([&] { state.array("six", 6); }), "the state lacks \"six\"");

@@ -236,10 +236,10 @@ TEUCHOS_UNIT_TEST(error_formula, bdf2_loses_what_it_says_of_a_cubic) {
     stepping::Bdf2 scheme(1);
     const stepping::StepSizes sizes{h, 0.5, 0.3};
     scheme.set_step_size(sizes.now, sizes.last);
-    stepping::History history(scheme.remembers(), 1);
-    history.value()[0] = {x(0.0), 0, 0};
-    history[0][0] = {x(-0.5), 0, 0};
-    const double made = (3.0 * h * h - 1.0) / scheme.rate() + scheme.past(history, 0)[0];
+    stepping::Timeline history(fields::Places::everywhere(), 1, scheme.remembers());
+    history.value() = {x(0.0)};
+    history[0] = {x(-0.5)};
+    const double made = (3.0 * h * h - 1.0) / scheme.rate() + scheme.past(history, 0);
     const auto w = stepping::extrapolation(2, sizes);
     const double predicted = w[0] * x(0.0) + w[1] * x(-0.5) + w[2] * x(-0.8);
     const stepping::ErrorFormula formula = scheme.value_error(sizes);

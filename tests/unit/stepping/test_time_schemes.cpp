@@ -11,8 +11,13 @@
 namespace {
 
 using namespace tunica;
-using stepping::History;
 using stepping::ImplicitEuler;
+using stepping::Timeline;
+
+/// Of so many numbers, zero at the start.
+Timeline remembered_by(const stepping::TimeScheme& scheme, int width = 1) {
+  return {fields::Places::everywhere(), width, scheme.remembers()};
+}
 
 /// A wall's list with a scheme of this name.
 Teuchos::ParameterList wall_list(const std::string& scheme, const std::string& analysis) {
@@ -28,13 +33,13 @@ Teuchos::ParameterList wall_list(const std::string& scheme, const std::string& a
 /// x(1) of ẍ + x = f(t) from rest in n steps of a scheme.
 template <class Load>
 double oscillator_from_rest(stepping::TimeScheme& scheme, int n, const Load& f) {
-  History history(scheme.remembers(), 1);
+  Timeline history = remembered_by(scheme);
   for (stepping::Clock clock(1.0 / n, n); !clock.is_done(); clock.advance()) {
     scheme.begin_step(clock);
-    const double load = f(clock.time()) + scheme.inertia_load(history, 0)[0];
-    scheme.accept({{load / (scheme.inertia(1.0) + 1.0), 0, 0}}, history);
+    const double load = f(clock.time()) + scheme.inertia_load(history, 0);
+    scheme.accept({load / (scheme.inertia(1.0) + 1.0)}, history);
   }
-  return history.value()[0][0];
+  return history.value()[0];
 }
 
 double smooth_load(double t) { return std::pow(std::sin(std::acos(-1.0) * t), 2); }
@@ -43,42 +48,42 @@ double sudden_load(double) { return 1.0; }
 /// x(1) of ẋ + x = f(t) from rest in n steps of a scheme.
 template <class Load>
 double decay_from_rest(stepping::TimeScheme& scheme, int n, const Load& f) {
-  History history(scheme.remembers(), 1);
+  Timeline history = remembered_by(scheme);
   for (stepping::Clock clock(1.0 / n, n); !clock.is_done(); clock.advance()) {
     scheme.begin_step(clock);
-    const double load = f(clock.time()) + scheme.rate() * scheme.past(history, 0)[0];
-    scheme.accept({{load / (scheme.rate() + 1.0), 0, 0}}, history);
+    const double load = f(clock.time()) + scheme.rate() * scheme.past(history, 0);
+    scheme.accept({load / (scheme.rate() + 1.0)}, history);
   }
-  return history.value()[0][0];
+  return history.value()[0];
 }
 
 /// x(1) of the oscillator ẍ + x = 0 from x(0) = 1 in n steps of a scheme: α x − r + x = 0.
 double oscillator(stepping::TimeScheme& scheme, int n) {
-  History history(scheme.remembers(), 1);
-  history.value()[0] = {1, 0, 0};
+  Timeline history = remembered_by(scheme);
+  history.value()[0] = 1;
   for (std::size_t k = 0; k < history.names().size(); ++k)
-    if (history.names()[k] == "acceleration") history[static_cast<int>(k)][0] = {-1, 0, 0};
+    if (history.names()[k] == "acceleration") history[static_cast<int>(k)][0] = -1;
   for (stepping::Clock clock(1.0 / n, n); !clock.is_done(); clock.advance()) {
     scheme.begin_step(clock);
-    const double x = scheme.inertia_load(history, 0)[0] / (scheme.inertia(1.0) + 1.0);
-    scheme.accept({{x, 0, 0}}, history);
+    const double x = scheme.inertia_load(history, 0) / (scheme.inertia(1.0) + 1.0);
+    scheme.accept({x}, history);
   }
-  return history.value()[0][0];
+  return history.value()[0];
 }
 
 TEUCHOS_UNIT_TEST(implicit_euler, rates_by_hand) {
   ImplicitEuler euler(2);
   euler.set_step_size(0.5);
-  History history(euler.remembers(), 1);
-  history.value()[0] = {1, 0, 0};
-  history[0][0] = {4, 0, 0};
-  TEST_EQUALITY(euler.rate() * (3.0 - euler.past(history, 0)[0]), 4.0);  // (3 − 1)/½
+  Timeline history = remembered_by(euler);
+  history.value()[0] = 1;
+  history[0][0] = 4;
+  TEST_EQUALITY(euler.rate() * (3.0 - euler.past(history, 0)), 4.0);  // (3 − 1)/½
   // (ẋ − 4)/½ with ẋ = (3 − 1)/½ is nothing; with 4 in the place of 3 it is (6 − 4)/½
-  TEST_EQUALITY(euler.inertia(1.0) * 3.0 - euler.inertia_load(history, 0)[0], 0.0);
-  TEST_EQUALITY(euler.inertia(2.0) * 4.0 - 2.0 * euler.inertia_load(history, 0)[0], 8.0);
-  euler.accept({{4, 0, 0}}, history);
-  TEST_EQUALITY(history.value()[0][0], 4.0);
-  TEST_EQUALITY(history[0][0][0], 6.0);
+  TEST_EQUALITY(euler.inertia(1.0) * 3.0 - euler.inertia_load(history, 0), 0.0);
+  TEST_EQUALITY(euler.inertia(2.0) * 4.0 - 2.0 * euler.inertia_load(history, 0), 8.0);
+  euler.accept({4}, history);
+  TEST_EQUALITY(history.value()[0], 4.0);
+  TEST_EQUALITY(history[0][0], 6.0);
 }
 
 TEUCHOS_UNIT_TEST(implicit_euler, remembers_a_velocity_only_where_inertia_is_asked_for) {
@@ -102,17 +107,17 @@ TEUCHOS_UNIT_TEST(time_scheme, predictions_are_of_its_order) {
   const auto x = [](double t) { return 1.0 + 2.0 * t; };
   for (const stepping::SchemeEntry& entry : stepping::schemes()) {
     const auto scheme = stepping::make_wall_scheme(wall_list(entry.name, "dynamic"));
-    History history(scheme->remembers(), 1);
-    history.value()[0] = {x(0.6), 0, 0};
+    Timeline history = remembered_by(*scheme);
+    history.value()[0] = x(0.6);
     for (std::size_t k = 0; k < history.names().size(); ++k) {
-      if (history.names()[k] == "velocity") history[static_cast<int>(k)][0] = {2, 0, 0};
-      if (history.names()[k] == "previous") history[static_cast<int>(k)][0] = {x(0.1), 0, 0};
+      if (history.names()[k] == "velocity") history[static_cast<int>(k)][0] = 2;
+      if (history.names()[k] == "previous") history[static_cast<int>(k)][0] = x(0.1);
     }
     scheme->set_step_size(0.3, 0.5);
     const double expected = entry.name == "implicit euler" ? x(0.6) : x(0.9);
-    TEST_FLOATING_EQUALITY(scheme->predictions(history)[0][0], expected, 1e-14);
+    TEST_FLOATING_EQUALITY(scheme->predictions(history)[0], expected, 1e-14);
     scheme->set_step_size(0.3);  // of a first step only the start is known, and its rate
-    if (entry.name == "bdf2") TEST_EQUALITY(scheme->predictions(history)[0][0], x(0.6));
+    if (entry.name == "bdf2") TEST_EQUALITY(scheme->predictions(history)[0], x(0.6));
   }
 }
 
@@ -122,42 +127,41 @@ TEUCHOS_UNIT_TEST(bdf2, is_exact_for_parabolas_at_any_steps) {
   const auto v = [](double t) { return 2.0 - 2.0 * t; };
   for (const double dt : {0.2, 0.5, 0.7}) {
     stepping::Bdf2 first(1), second(2);
-    History one(first.remembers(), 1), two(second.remembers(), 1);
+    Timeline one = remembered_by(first), two = remembered_by(second);
     const double before = 0.1, last = 0.6, now = last + dt;
-    one.value()[0] = two.value()[0] = {x(last), 0, 0};
-    one[0][0] = two[1][0] = {x(before), 0, 0};
-    two[0][0] = {v(last), 0, 0};
-    two[2][0] = {v(before), 0, 0};
+    one.value()[0] = two.value()[0] = x(last);
+    one[0][0] = two[1][0] = x(before);
+    two[0][0] = v(last);
+    two[2][0] = v(before);
     for (stepping::TimeScheme* scheme : {static_cast<stepping::TimeScheme*>(&first),
                                          static_cast<stepping::TimeScheme*>(&second)}) {
       scheme->set_step_size(dt, last - before);
-      const History& history = scheme == &first ? one : two;
-      TEST_FLOATING_EQUALITY(scheme->rate() * (x(now) - scheme->past(history, 0)[0]), v(now),
-                             1e-13);
+      const Timeline& history = scheme == &first ? one : two;
+      TEST_FLOATING_EQUALITY(scheme->rate() * (x(now) - scheme->past(history, 0)), v(now), 1e-13);
     }
     // ẍ = −2: the rate of the rate
-    TEST_FLOATING_EQUALITY(second.inertia(5.0) * x(now) - 5.0 * second.inertia_load(two, 0)[0],
-                           -10.0, 1e-12);
-    second.accept({{x(now), 0, 0}}, two);
-    TEST_FLOATING_EQUALITY(two[0][0][0], v(now), 1e-13);
-    TEST_EQUALITY(two[1][0][0], x(last));
-    TEST_EQUALITY(two[2][0][0], v(last));
+    TEST_FLOATING_EQUALITY(second.inertia(5.0) * x(now) - 5.0 * second.inertia_load(two, 0), -10.0,
+                           1e-12);
+    second.accept({x(now)}, two);
+    TEST_FLOATING_EQUALITY(two[0][0], v(now), 1e-13);
+    TEST_EQUALITY(two[1][0], x(last));
+    TEST_EQUALITY(two[2][0], v(last));
   }
 }
 
 TEUCHOS_UNIT_TEST(bdf2, begins_with_a_step_of_implicit_euler) {
   stepping::Bdf2 bdf2(2);
   ImplicitEuler euler(2);
-  History ours(bdf2.remembers(), 1), theirs(euler.remembers(), 1);
+  Timeline ours = remembered_by(bdf2, 3), theirs = remembered_by(euler, 3);
   for (auto* history : {&ours, &theirs}) {
-    history->value()[0] = {1, 2, 3};
-    (*history)[0][0] = {4, 5, 6};
+    history->value() = {1, 2, 3};
+    (*history)[0] = {4, 5, 6};
   }
   bdf2.begin_step(stepping::Clock(0.25, 4));
   euler.begin_step(stepping::Clock(0.25, 4));
   TEST_EQUALITY(bdf2.rate(), euler.rate());
-  TEST_ASSERT(bdf2.past(ours, 0) == euler.past(theirs, 0));
-  TEST_ASSERT(bdf2.inertia_load(ours, 0) == euler.inertia_load(theirs, 0));
+  TEST_ASSERT(bdf2.pasts(ours) == euler.pasts(theirs));
+  TEST_ASSERT(bdf2.inertia_loads(ours) == euler.inertia_loads(theirs));
   stepping::Clock later(0.25, 4);
   later.advance();
   bdf2.begin_step(later);
@@ -190,24 +194,24 @@ TEUCHOS_UNIT_TEST(newmark, is_of_second_order_under_a_sudden_load_with_eulers_st
 TEUCHOS_UNIT_TEST(newmark, eulers_start_is_a_step_of_implicit_euler) {
   stepping::Newmark newmark(0.3, 0.6, stepping::Newmark::Start::implicit_euler);
   ImplicitEuler euler(2);
-  History ours(newmark.remembers(), 1), theirs(euler.remembers(), 1);
+  Timeline ours = remembered_by(newmark, 3), theirs = remembered_by(euler, 3);
   for (auto* history : {&ours, &theirs}) {
-    history->value()[0] = {1, 2, 3};
-    (*history)[0][0] = {4, 5, 6};
+    history->value() = {1, 2, 3};
+    (*history)[0] = {4, 5, 6};
   }
-  ours[1][0] = {7, 8, 9};  // of before a kink of the load
+  ours[1] = {7, 8, 9};  // of before a kink of the load
   for (stepping::TimeScheme* scheme :
        {static_cast<stepping::TimeScheme*>(&newmark), static_cast<stepping::TimeScheme*>(&euler)})
     scheme->set_step_size(0.25);
   TEST_EQUALITY(newmark.rate(), euler.rate());
-  TEST_COMPARE(norm(newmark.past(ours, 0) - euler.past(theirs, 0)), <, 1e-14);
-  TEST_COMPARE(norm(newmark.inertia_load(ours, 0) - euler.inertia_load(theirs, 0)), <, 1e-13);
-  const std::vector<Vec3> x{{2, 1, 5}};
-  const Vec3 v_before = theirs[0][0];
+  TEST_COMPARE_FLOATING_ARRAYS(newmark.pasts(ours), euler.pasts(theirs), 1e-14);
+  TEST_COMPARE_FLOATING_ARRAYS(newmark.inertia_loads(ours), euler.inertia_loads(theirs), 1e-13);
+  const stepping::Rows x{2, 1, 5}, v_before = theirs[0];
   newmark.accept(x, ours);
   euler.accept(x, theirs);
-  TEST_COMPARE(norm(ours[0][0] - theirs[0][0]), <, 1e-13);
-  TEST_COMPARE(norm(ours[1][0] - 4.0 * (theirs[0][0] - v_before)), <, 1e-12);  // a = (v − vⁿ⁻¹)/Δt
+  TEST_COMPARE_FLOATING_ARRAYS(ours[0], theirs[0], 1e-13);
+  for (int i = 0; i < 3; ++i)  // a = (v − vⁿ⁻¹)/Δt
+    TEST_FLOATING_EQUALITY(ours[1][i], 4.0 * (theirs[0][i] - v_before[i]), 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(trapezoidal, is_of_second_order_and_begins_anew_with_euler) {
@@ -229,33 +233,33 @@ TEUCHOS_UNIT_TEST(trapezoidal, fluid_and_wall_make_the_same_velocity_of_a_displa
   // what the mesh on the interface does with the fluid's scheme, the wall does with its own
   const auto wall = stepping::make_wall_scheme(wall_list("trapezoidal", "dynamic"));
   stepping::Trapezoidal mesh;
-  History of_wall(wall->remembers(), 1), of_mesh(mesh.remembers(), 1);
+  Timeline of_wall = remembered_by(*wall), of_mesh = remembered_by(mesh);
   double x = 0.0, previous = 0.0;
   for (const double dt : {0.25, 0.25, 0.1, 0.4}) {
     for (stepping::TimeScheme* scheme : {wall.get(), static_cast<stepping::TimeScheme*>(&mesh)})
       scheme->set_step_size(dt, previous);
     x += dt * dt;
-    TEST_FLOATING_EQUALITY(mesh.rate() * (x - mesh.past(of_mesh, 0)[0]),
-                           wall->rate() * (x - wall->past(of_wall, 0)[0]), 1e-12);
-    wall->accept({{x, 0, 0}}, of_wall);
-    mesh.accept({{x, 0, 0}}, of_mesh);
-    TEST_FLOATING_EQUALITY(of_mesh[0][0][0], of_wall[0][0][0], 1e-12);
+    TEST_FLOATING_EQUALITY(mesh.rate() * (x - mesh.past(of_mesh, 0)),
+                           wall->rate() * (x - wall->past(of_wall, 0)), 1e-12);
+    wall->accept({x}, of_wall);
+    mesh.accept({x}, of_mesh);
+    TEST_FLOATING_EQUALITY(of_mesh[0][0], of_wall[0][0], 1e-12);
     previous = dt;
   }
 }
 
 TEUCHOS_UNIT_TEST(trapezoidal, keeps_the_energy_of_an_oscillator) {
   const auto scheme = stepping::make_wall_scheme(wall_list("trapezoidal", "dynamic"));
-  History history(scheme->remembers(), 1);
-  history.value()[0] = {1, 0, 0};
+  Timeline history = remembered_by(*scheme);
+  history.value()[0] = 1;
   const auto energy = [&history] {
-    return 0.5 * (dot(history.value()[0], history.value()[0]) + dot(history[0][0], history[0][0]));
+    return 0.5 * (history.value()[0] * history.value()[0] + history[0][0] * history[0][0]);
   };
   double first = 0.0;
   for (stepping::Clock clock(0.3, 200); !clock.is_done(); clock.advance()) {
     scheme->begin_step(clock);
-    const double x = scheme->inertia_load(history, 0)[0] / (scheme->inertia(1.0) + 1.0);
-    scheme->accept({{x, 0, 0}}, history);
+    const double x = scheme->inertia_load(history, 0) / (scheme->inertia(1.0) + 1.0);
+    scheme->accept({x}, history);
     if (clock.step() == 1) first = energy();  // behind Euler's step
     TEST_FLOATING_EQUALITY(energy(), first, 1e-12);
   }
@@ -264,12 +268,12 @@ TEUCHOS_UNIT_TEST(trapezoidal, keeps_the_energy_of_an_oscillator) {
 TEUCHOS_UNIT_TEST(time_scheme, in_statics_nothing_has_inertia) {
   const auto scheme = stepping::make_wall_scheme(wall_list("newmark", "static"));
   scheme->set_step_size(0.1);
-  History history(scheme->remembers(), 1);
-  scheme->accept({{1, 2, 3}}, history);
+  Timeline history = remembered_by(*scheme, 3);
+  scheme->accept({1, 2, 3}, history);
   TEST_EQUALITY(scheme->inertia(7.0), 0.0);
-  TEST_EQUALITY(norm(scheme->inertia_load(history, 0)), 0.0);
-  TEST_EQUALITY(norm(history[0][0]), 0.0);
-  TEST_EQUALITY(history.value()[0][1], 2.0);
+  TEST_ASSERT(scheme->inertia_loads(history) == stepping::Rows(3, 0.0));
+  TEST_ASSERT(history[0] == stepping::Rows(3, 0.0));
+  TEST_EQUALITY(history.value()[1], 2.0);
 }
 
 }  // namespace
