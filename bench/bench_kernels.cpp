@@ -3,9 +3,11 @@
 #include <random>
 #include <vector>
 
+#include "tunica/kernels/fluid_tau.hpp"
 #include "tunica/kernels/fluid_up.hpp"
 #include "tunica/kernels/laplace_p1.hpp"
 #include "tunica/kernels/solid_up.hpp"
+#include "tunica/materials/newtonian.hpp"
 #include "tunica/materials/registry.hpp"
 
 // Tetrahedra per second of the element kernels alone, without gather and scatter.
@@ -80,7 +82,8 @@ void laplace(benchmark::State& state) {
 }
 
 const SolidCoefficients solid_constants{122.9, 1e-5, 2e-3};
-const FluidCoefficients fluid_constants{1.0, 3.5e-3, 8.0};
+const materials::Newtonian viscosity(3.5e-3);
+const FluidCoefficients fluid_constants{1.0, &viscosity, 8.0};
 
 void solid_residual(benchmark::State& state, const char* name) {
   const auto law = materials::make_law(name, {});
@@ -133,7 +136,9 @@ void packed_fluid_jacobian(benchmark::State& state) {
       const FluidState& mine = elements().fluid[e + lane];
       set_lane(x, lane, elements().x[e + lane]);
       set_lane(fluid, lane, mine);
-      set_lane(tau, lane, fluid_tau(elements().T[e + lane], mine.u[0], fluid_constants));
+      set_lane(
+          tau, lane,
+          fluid_tau(elements().T[e + lane], mine.u[0], viscosity.reference(), fluid_constants));
     }
     fluid_up_jacobian(make_tet4(x), fluid, fluid_constants, tau, R, K);
     benchmark::DoNotOptimize(R);
@@ -143,7 +148,8 @@ void packed_fluid_jacobian(benchmark::State& state) {
 
 void fluid_residual(benchmark::State& state) {
   run(state, [](int e) {
-    const double tau = fluid_tau(elements().T[e], elements().fluid[e].u[0], fluid_constants);
+    const double tau = fluid_tau(elements().T[e], elements().fluid[e].u[0], viscosity.reference(),
+                                 fluid_constants);
     benchmark::DoNotOptimize(
         fluid_up_residual(elements().T[e], elements().fluid[e], fluid_constants, tau));
   });
@@ -153,7 +159,8 @@ void fluid_jacobian(benchmark::State& state) {
   MixedResidual R;
   MixedJacobian K;
   run(state, [&](int e) {
-    const double tau = fluid_tau(elements().T[e], elements().fluid[e].u[0], fluid_constants);
+    const double tau = fluid_tau(elements().T[e], elements().fluid[e].u[0], viscosity.reference(),
+                                 fluid_constants);
     fluid_up_jacobian(elements().T[e], elements().fluid[e], fluid_constants, tau, R, K);
     benchmark::DoNotOptimize(R);
     benchmark::DoNotOptimize(K);

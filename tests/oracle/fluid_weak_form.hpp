@@ -4,12 +4,33 @@
 
 namespace tunica::oracle {
 
+/// μ∞ + (μ₀ − μ∞) (1 + (λγ̇)^a)^((n − 1)/a).
+struct Thinning {
+  double at_rest, at_high_rates, time, power, sharpness;  ///< μ₀, μ∞, λ, n, a
+
+  template <class S>
+  S at(const Mat<S>& grad_u) const {
+    using std::pow;
+    S squares = 0.0;  // 2 ε:ε
+    for (int k = 0; k < 3; ++k)
+      for (int l = 0; l < 3; ++l) {
+        const S strain = 0.5 * (grad_u[k][l] + grad_u[l][k]);
+        squares += 2.0 * strain * strain;
+      }
+    if (power == 1.0) return S(at_high_rates);
+    const S s = 1.0 + pow(time * pow(squares, 0.5), sharpness);
+    return at_high_rates + (at_rest - at_high_rates) * pow(s, (power - 1.0) / sharpness);
+  }
+};
+
 /// Data of the ALE fluid on one tetrahedron; unknowns are numbered 3 a + i, then 12 + a. G: of what
 /// depends on the mesh.
 template <class G>
 struct FluidWeakFormOn {
   ElementOf<G> T;
-  double density, viscosity, inv_dt;
+  double density;
+  Thinning viscosity;
+  double inv_dt;
   G tau;
   std::array<Vec<double>, 4> u_old;
   std::array<Vec<G>, 4> w;
@@ -20,7 +41,7 @@ struct FluidWeakFormOn {
   bool is_mean = false;  ///< SUPG has its factors at the centroid
 
   /// All sixteen rows of
-  ///   (ρ(∂u + c·∇u − f), v) + 2μ (ε(u), ε(v)) − (p, div v) − (q, div u)
+  ///   (ρ(∂u + c·∇u − f), v) + (2μ(ε) ε(u), ε(v)) − (p, div v) − (q, div u)
   ///   + τ (c·∇v − ∇q/ρ, ρ(∂u + c·∇u − f) + ∇p − ρ ũ'/Δt − div 2με),   c = u − w,
   /// and + ρ/2 ((div u) u, v) where convection is skew-symmetric.
   template <class S>
@@ -33,6 +54,7 @@ struct FluidWeakFormOn {
     for (const TetPoint& q : tet_rule()) {
       const G dV = q.weight * T.volume;
       const Mat<S> grad_u = gradient(u, T.grad_N);
+      const S mu = viscosity.at(grad_u);
       const Vec<S> u_q = at(q.N, u);
       S p = 0.0;
       Vec<S> grad_p{S(0.0), S(0.0), S(0.0)};
@@ -72,7 +94,7 @@ struct FluidWeakFormOn {
               const G vkl = k == i ? T.grad_N[a][l] : G(0.0);
               const G vlk = l == i ? T.grad_N[a][k] : G(0.0);
               const S strain = 0.5 * (grad_u[k][l] + grad_u[l][k]);
-              row += 2.0 * viscosity * strain * (0.5 * (vkl + vlk));
+              row += 2.0 * mu * strain * (0.5 * (vkl + vlk));
             }
           R[3 * a + i] += dV * row;
           R[12 + a] -= dV * tau / density * strong[i] * T.grad_N[a][i];

@@ -1,6 +1,8 @@
 #include "tunica/assembly/fluid_assembly.hpp"
 
 #include "tunica/assembly/gather.hpp"
+#include "tunica/kernels/fluid_tau.hpp"
+#include "tunica/kernels/viscosity.hpp"
 
 namespace tunica::assembly {
 
@@ -42,13 +44,24 @@ void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements
   }
 }
 
+std::vector<double> fluid_viscosities(const fields::FieldMesh& mesh, const FluidElements& elements,
+                                      const std::vector<Vec3>& u) {
+  std::vector<double> mu(mesh.tets.size());
+  for (std::size_t e = 0; e < mu.size(); ++e)
+    mu[e] = kernels::viscosity_at(*elements.coefficients.viscosity,
+                                  kernels::gradient(elements.geometry[e], gather(u, mesh.tets[e])))
+                .value;
+  return mu;
+}
+
 std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElements& elements,
                                const std::vector<Vec3>& u, const std::vector<Vec3>& w) {
   std::vector<double> tau(mesh.tets.size());
   for (std::size_t e = 0; e < tau.size(); ++e) {
     Vec3 c{};
     for (const int a : mesh.tets[e]) c += 0.25 * (u[a] - w[a]);
-    tau[e] = kernels::fluid_tau(elements.geometry[e], c, elements.coefficients);
+    tau[e] =
+        kernels::fluid_tau(elements.geometry[e], c, elements.viscosity[e], elements.coefficients);
   }
   return tau;
 }

@@ -9,6 +9,7 @@ namespace tunica::assembly {
 struct FluidElements {
   ElementGeometry geometry;
   std::vector<double> tau;
+  std::vector<double> viscosity;  ///< in τ: that which the steps before let expect [kPa ms]
   kernels::FluidCoefficients coefficients;
 };
 
@@ -29,6 +30,10 @@ kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh
 /// Adds the element residuals, and the Jacobians where K is not null.
 void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements,
                     const FluidFields& state, NodalResidual& R, BlockAssembler* K);
+
+/// The viscosity of each element where the nodes flow with u [kPa ms].
+std::vector<double> fluid_viscosities(const fields::FieldMesh& mesh, const FluidElements& elements,
+                                      const std::vector<Vec3>& u);
 
 /// The stabilisation parameters where the nodes flow with u and the mesh moves with w.
 std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElements& elements,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tunica/assembly/gather.hpp"
+#include "tunica/kernels/fluid_tau.hpp"
 
 namespace tunica::assembly {
 
@@ -26,7 +27,7 @@ void FluidShapeMatrix::begin(const FluidElements& elements, const FluidFields& s
     for (const int a : mesh.tets[e]) c += 0.25 * (velocity[a] - state.w[a]);
     kernels::fluid_up_shape_jacobian(
         T, state_of(state, mesh, e), elements.coefficients, elements.tau[e],
-        kernels::fluid_tau_derivative(T, c, elements.coefficients), Ke);
+        kernels::fluid_tau_derivative(T, c, elements.viscosity[e], elements.coefficients), Ke);
     add(e, Ke);
   }
 }

@@ -10,6 +10,7 @@
 #include "tunica/boundary/surface_geometry.hpp"
 #include "tunica/discretisation/inverted_element.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
+#include "tunica/materials/viscosity_law.hpp"
 #include "tunica/stepping/registry.hpp"
 
 namespace tunica::discretisation {
@@ -23,19 +24,17 @@ Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
   for (auto* field : {&local_.u, &local_.u_old, &local_.w, &local_.f})
     field->assign(mesh.n_nodes(), Vec3{});
   local_.p.resize(mesh.n_nodes());
-  elements_.coefficients = {options_.density,
-                            options_.viscosity,
-                            0.0,
-                            options_.viscous_factor,
-                            options_.has_dynamic_subscales,
-                            options_.has_skew_convection,
-                            options_.has_mean_residual};
+  elements_.coefficients = {
+      options_.density,          options_.viscosity.get(),       0.0,
+      options_.viscous_factor,   options_.has_dynamic_subscales, options_.has_skew_convection,
+      options_.has_mean_residual};
   if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::fluid_subscales(*mesh_, elements_, local_); });
   if (options_.has_viscous_residual)
     viscous_ = remember("viscous force", [this] { return viscous_forces(); });
   elements_.geometry = assembly::ElementGeometry(mesh, position_);
+  elements_.viscosity.assign(mesh.tets.size(), options_.viscosity->reference());
   find_open_surfaces();
   // Without an open surface the pressure is known up to a constant: pin it at the node with the
   // smallest vertex, the same on any ranks.
@@ -83,8 +82,8 @@ void Fluid::start_from(const algebra::BlockVector& x) {
 
 constexpr const char* what_fixes = "prescribe() or fix_coefficients()";
 
-// u̇ = (u − ũ)/Δt_e, ũ the past that the scheme makes of the history; τ takes the past, or what the
-// history lets expect.
+// u̇ = (u − ũ)/Δt_e, ũ the past that the scheme makes of the steps before; τ takes the past, or the
+// velocity that they predict.
 void Fluid::begin_step(const stepping::Clock& clock) {
   time_ = scheme_->load_time(clock);
   scheme_->begin_step(clock);
@@ -94,6 +93,7 @@ void Fluid::begin_step(const stepping::Clock& clock) {
     predicted_ = stepping::as_vectors(scheme_->predictions(timeline_));
   if (subscales_) local_.subscale = stepping::as_vectors(scheme_->pasts(*subscales_));
   if (viscous_) local_.viscous = stepping::as_vectors(scheme_->predictions(*viscous_));
+  elements_.viscosity = assembly::fluid_viscosities(*mesh_, elements_, expected_velocity());
   surfaces_.begin_step();
   begin(what_fixes);
 }
@@ -116,12 +116,12 @@ boundary::Surroundings Fluid::surroundings() const {
           options_.density,
           time_,
           boundary_velocity_ ? &boundary_velocity_ : nullptr,
-          options_.viscosity,
+          options_.viscosity->reference(),
           scheme_->rate()};
 }
 
 std::vector<Vec3> Fluid::viscous_forces() const {
-  return assembly::viscous_forces(*mesh_, elements_.geometry, options_.viscosity, local_.u);
+  return assembly::viscous_forces(*mesh_, elements_.geometry, *options_.viscosity, local_.u);
 }
 
 double Fluid::outflow(const fields::Face& face, const std::vector<Vec3>& u) const {
@@ -170,8 +170,7 @@ void Fluid::release_interface(const std::vector<Mat3>& free) {
 
 void Fluid::fix_coefficients() {
   wait_for(nullptr);
-  elements_.tau = assembly::fluid_taus(
-      *mesh_, elements_, options_.has_predicted_tau ? predicted_ : local_.u_old, local_.w);
+  elements_.tau = assembly::fluid_taus(*mesh_, elements_, expected_velocity(), local_.w);
   if (body_force_)
     for (int a = 0; a < mesh_->n_nodes(); ++a) local_.f[a] = body_force_(position_[a], time_);
 }
@@ -201,7 +200,7 @@ void Fluid::assemble_shape_jacobian(const algebra::BlockVector& x) {
   read(x);
   if (!shape_)
     shape_ = std::make_unique<assembly::FluidShapeMatrix>(*mesh_, scalar_graph(), fixed_);
-  shape_->begin(elements_, local_, options_.has_predicted_tau ? predicted_ : local_.u_old);
+  shape_->begin(elements_, local_, expected_velocity());
   surfaces_.add_shape(surroundings(), *shape_);
   shape_->finish();
 }

@@ -74,6 +74,10 @@ public:
 
 private:
   boundary::Surroundings surroundings() const override;
+  /// That by which τ is chosen.
+  const std::vector<Vec3>& expected_velocity() const {
+    return options_.has_predicted_tau ? predicted_ : local_.u_old;
+  }
   /// Of the values read, per local element.
   std::vector<Vec3> viscous_forces() const;
   /// Volume of fluid that leaves through the face [mm³/ms]; u on local nodes.
@@ -103,8 +107,8 @@ private:
   std::vector<Vec3> position_;
   stepping::Timeline* subscales_ = nullptr;  ///< null where they have no inertia
   stepping::Timeline* viscous_ = nullptr;    ///< of the viscous force; null where it is left out
-  std::vector<Vec3> predicted_;          ///< velocity expected at the new time, local nodes
-  assembly::FluidFields local_;          ///< ghosted copies; u and p at the point of evaluation
+  std::vector<Vec3> predicted_;              ///< velocity expected at the new time, local nodes
+  assembly::FluidFields local_;              ///< ghosted copies; u and p at the point of evaluation
   std::unique_ptr<assembly::FluidShapeMatrix> shape_;  ///< null before it is asked for
   std::vector<char> is_open_;                          ///< per surface: the fluid may pass
   bool is_closed_ = false;                             ///< no surface lets the fluid out

@@ -10,6 +10,7 @@
 #include "tunica/discretisation/fluid.hpp"
 #include "tunica/kernels/energy.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
+#include "tunica/kernels/viscosity.hpp"
 
 namespace tunica::discretisation {
 
@@ -41,7 +42,7 @@ void Fluid::observe_volume(const assembly::FluidFields& state, Observables& foun
     const auto u = assembly::gather(state.u, mesh_->tets[e]);
     volume += T.volume;
     kinetic += 0.5 * options_.density * kernels::squared_norm(T.volume, u);
-    viscous += kernels::viscous_dissipation(T, u, options_.viscosity);
+    viscous += kernels::viscous_dissipation(T, u, *options_.viscosity);
     if (!options_.has_skew_convection)
       divergence += kernels::power_of_divergence(T, u, options_.density);
   }
@@ -127,10 +128,12 @@ boundary::NodalShares Fluid::tractions() const {
     const Vec3 n = kernels::area_normal(assembly::gather(position_, face.nodes));
     const auto p = assembly::gather(local_.p, face.nodes);
     const auto u = assembly::gather(local_.u, mesh_->tets[face.tet]);
-    const auto grad_N = elements_.geometry[face.tet].grad_N;
+    const kernels::Tet4 T = elements_.geometry[face.tet];
+    const auto& grad_N = T.grad_N;
+    const double mu = kernels::viscosity_at(*options_.viscosity, kernels::gradient(T, u)).value;
     Vec3 viscous{};  // −2μ ε n
     for (int a = 0; a < 4; ++a)
-      viscous += -options_.viscosity * (dot(grad_N[a], n) * u[a] + dot(u[a], n) * grad_N[a]);
+      viscous += -mu * (dot(grad_N[a], n) * u[a] + dot(u[a], n) * grad_N[a]);
     std::array<Vec3, 3> force;
     for (int a = 0; a < 3; ++a)  // ∫ N_a p n da + a third of the other
       force[a] = (p[0] + p[1] + p[2] + p[a]) / 12.0 * n + 1.0 / 3.0 * viscous;

@@ -36,7 +36,7 @@ Teuchos::RCP<const CrsMatrix> Fluid::assemble_operator(const std::string& name) 
     return assembly::scalar_matrix(
         *mesh_, scalar_graph(),
         [&](std::size_t e) {
-          return assembly::mass_element(geometry[e].volume, 1.0 / options_.viscosity);
+          return assembly::mass_element(geometry[e].volume, 1.0 / elements_.viscosity[e]);
         },
         is_fixed);
   if (name == convection)
@@ -46,7 +46,7 @@ Teuchos::RCP<const CrsMatrix> Fluid::assemble_operator(const std::string& name) 
           std::array<Vec3, 4> c;
           for (int a = 0; a < 4; ++a) {
             const int node = mesh_->tets[e][a];
-            c[a] = dt / options_.viscosity * (local_.u[node] - local_.w[node]);
+            c[a] = dt / elements_.viscosity[e] * (local_.u[node] - local_.w[node]);
           }
           return convection_element(geometry[e], c);
         },

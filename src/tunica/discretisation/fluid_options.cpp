@@ -1,18 +1,29 @@
 #include "tunica/discretisation/fluid_options.hpp"
 
 #include <Teuchos_Array.hpp>
+#include <cmath>
+#include <optional>
 
 #include "tunica/base/error.hpp"
 #include "tunica/boundary/registry.hpp"
+#include "tunica/materials/viscosity_registry.hpp"
 #include "tunica/stepping/registry.hpp"
 
 namespace tunica::discretisation {
 
 void add_fluid_keys(params::Table& table) {
   table.names("regions", std::vector<std::string>{"fluid"}, "regions of the mesh that are fluid")
-      .number("density", std::nullopt, params::positive(), "mg/mm^3", "density")
-      .number("viscosity", std::nullopt, params::positive(), "kPa ms",
-              "dynamic viscosity; 0.035 Poise are 3.5e-6 kPa s = 3.5e-3 kPa ms")
+      .number("density", std::nullopt, params::positive(), "mg/mm^3", "density");
+  std::vector<params::Table::Case> laws;
+  for (const materials::ViscosityEntry& law : materials::viscosity_laws()) {
+    params::Table keys(law.sentence);
+    for (const materials::Constant& c : law.constants)
+      keys.number(c.name, std::isnan(c.fallback) ? std::nullopt : std::optional(c.fallback),
+                  {c.low, c.high, c.is_low_excluded, std::isinf(c.high)}, c.unit, c.sentence);
+    laws.push_back({law.name, keys});
+  }
+  table.variant("law", laws.front().value, laws, "how its viscosity depends on the shear rate");
+  table
       .choice(
           "stabilisation", "dynamic", {"dynamic", "inertial"},
           "subscales of SUPG and PSPG: time-dependent, which keep the pressure as the time step "
@@ -47,11 +58,24 @@ void add_fluid_keys(params::Table& table) {
   });
 }
 
+namespace {
+
+std::shared_ptr<const materials::ViscosityLaw> viscosity_of(const Teuchos::ParameterList& list) {
+  const auto& name = list.get<std::string>("law");
+  materials::Constants constants;
+  for (const materials::ViscosityEntry& law : materials::viscosity_laws())
+    for (const materials::Constant& c : law.constants)
+      if (law.name == name) constants[c.name] = list.get<double>(c.name);
+  return materials::make_viscosity_law(name, constants);
+}
+
+}  // namespace
+
 FluidOptions fluid_options(const Teuchos::ParameterList& list) {
   FluidOptions options;
   options.regions = list.get<Teuchos::Array<std::string>>("regions").toVector();
   options.density = list.get<double>("density");
-  options.viscosity = list.get<double>("viscosity");
+  options.viscosity = viscosity_of(list);
   options.has_dynamic_subscales = list.get<std::string>("stabilisation") == "dynamic";
   options.has_viscous_residual = list.get<std::string>("stabilisation residual") == "viscous";
   options.has_predicted_tau = list.get<std::string>("stabilisation velocity") == "predicted";

@@ -1,15 +1,20 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "tunica/params/table.hpp"
+
+namespace tunica::materials {
+class ViscosityLaw;
+}
 
 namespace tunica::discretisation {
 
 struct FluidOptions {
   std::vector<std::string> regions;
   double density;
-  double viscosity;
+  std::shared_ptr<const materials::ViscosityLaw> viscosity;
   bool has_dynamic_subscales;  ///< they have inertia of their own
   bool has_viscous_residual;   ///< subscales see the viscous force
   bool has_predicted_tau;      ///< τ takes the velocity expected at the new time, not the past

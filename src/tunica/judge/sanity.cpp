@@ -11,6 +11,7 @@
 #include "tunica/judge/openings.hpp"
 #include "tunica/judge/stiffness.hpp"
 #include "tunica/judge/units.hpp"
+#include "tunica/materials/viscosity_law.hpp"
 #include "tunica/stepping/step_control.hpp"
 
 namespace tunica::judge {
@@ -214,7 +215,7 @@ double Judge::driven_speed(std::string& how) const {
     by_inertia = "a wave";
   }
   const std::pair<double, const char*> bounds[] = {
-      {dp * R * R / (8.0 * fluid_.viscosity * L), "Poiseuille"},
+      {dp * R * R / (8.0 * fluid_.viscosity->reference() * L), "Poiseuille"},
       {std::sqrt(2.0 * dp / rho), "Bernoulli"},
       {time_.pseudo_time ? 1e300 : inertia, by_inertia}};
   const auto least = std::min_element(std::begin(bounds), std::end(bounds));
@@ -231,7 +232,7 @@ void Judge::flow() {
     R = vessel_.radius;
   }
   if (found_.speed == 0.0) return;
-  const double nu = fluid_.viscosity / fluid_.density;
+  const double nu = fluid_.viscosity->reference() / fluid_.density;
   found_.reynolds = found_.speed * 2.0 * R / nu;
   row("mean velocity expected", formatted("%.3g mm/ms (%s)", found_.speed, how.c_str()),
       "0.05 to 1.5 mm/ms");
@@ -284,7 +285,7 @@ void Judge::steps() {
     row("CFL, by twice that velocity", formatted("%.2g", found_.cfl), "about 1");
     // Beyond R²/(5.78 ν) a flow has forgotten how it began: such steps seek a steady one.
     const double memory =
-        vessel_.radius * vessel_.radius * fluid_.density / (5.78 * fluid_.viscosity);
+        vessel_.radius * vessel_.radius * fluid_.density / (5.78 * fluid_.viscosity->reference());
     if (found_.cfl > 10.0 && dt < memory)
       doubts_.push_back(formatted(
           "in a step of %.3g ms the fluid crosses about %.2g elements; usual is about 1, and "

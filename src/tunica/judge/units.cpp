@@ -7,6 +7,7 @@
 #include "tunica/discretisation/fluid_options.hpp"
 #include "tunica/discretisation/solid_options.hpp"
 #include "tunica/judge/stiffness.hpp"
+#include "tunica/materials/viscosity_law.hpp"
 
 namespace tunica::judge {
 
@@ -53,7 +54,7 @@ std::vector<std::string> doubts_of_units(const setup::Case& the_case, const Load
   if (the_case.fluid) {
     const discretisation::FluidOptions& fluid = the_case.fluid->options;
     doubt("Fluid / density", fluid.density, density, doubts);
-    doubt("Fluid / viscosity", fluid.viscosity, viscosity, doubts);
+    doubt("Fluid / viscosity", fluid.viscosity->reference(), viscosity, doubts);
     for (const auto& c : the_case.fluid->conditions)
       if (const auto outlet = c.drive(boundary::Field::fluid).outlet)
         doubt("Fluid / Surfaces / " + c.surface + ": the time constant", outlet->time_constant,

@@ -1,6 +1,7 @@
 #include "tunica/kernels/energy.hpp"
 
 #include "tunica/kernels/deformation.hpp"
+#include "tunica/kernels/viscosity.hpp"
 
 namespace tunica::kernels {
 
@@ -17,12 +18,13 @@ double squared_norm(double volume, const std::array<Vec3, 4>& v) {
   return total;
 }
 
-double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u, double viscosity) {
+double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u,
+                           const materials::ViscosityLaw& viscosity) {
   const Mat3 G = gradient(T, u);
   double squares = 0.0;  // ε:ε = |G + Gᵀ|²/4
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) squares += 0.25 * (G[i][j] + G[j][i]) * (G[i][j] + G[j][i]);
-  return 2.0 * viscosity * T.volume * squares;
+  return 2.0 * viscosity_at(viscosity, G).value * T.volume * squares;
 }
 
 double power_of_divergence(const Tet4& T, const std::array<Vec3, 4>& u, double density) {

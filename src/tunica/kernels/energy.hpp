@@ -1,5 +1,6 @@
 #pragma once
 #include "tunica/kernels/tet4.hpp"
+#include "tunica/materials/viscosity_law.hpp"
 
 namespace tunica::kernels {
 
@@ -7,8 +8,9 @@ namespace tunica::kernels {
 double squared_norm(double volume, const std::array<Vec3, 4>& v);
 double squared_norm(double volume, const std::array<double, 4>& v);
 
-/// ∫ 2μ ε(u):ε(u) dV, the power that the viscosity μ [kPa ms] turns into heat [kPa mm³/ms].
-double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u, double viscosity);
+/// ∫ 2μ ε(u):ε(u) dV, the power that the viscosity μ turns into heat [kPa mm³/ms].
+double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u,
+                           const materials::ViscosityLaw& viscosity);
 
 /// ∫ ½ρ |u|² div u dV, the power that convection of density ρ [mg/mm³] brings where the velocity is
 /// not free of divergence [kPa mm³/ms].

@@ -1,5 +1,7 @@
 #include "tunica/kernels/fluid_up.hpp"
 
+#include "tunica/kernels/viscosity.hpp"
+
 namespace tunica::kernels {
 
 // The P1–P1 SUPG/PSPG fluid on one tetrahedron of the current mesh, non-conservative ALE.
@@ -13,7 +15,7 @@ namespace tunica::kernels {
 // what stabilisation leaves of div u, and balances the energy ½ρ ∫ |u|² div u that it would bring.
 //
 //   u, u_old  velocity, that of the last step   mm/ms    ρ  density     mg/mm³
-//   w         mesh velocity                     mm/ms    μ  viscosity   kPa ms
+//   w         mesh velocity                     mm/ms    μ  μ(γ̇)        kPa ms
 //   p         pressure                          kPa      τ  SUPG/PSPG   ms
 //   G         Σ_a u_a ⊗ ∇N_a = ∇u, constant     1/ms     f  body force  mm/ms²
 //   ũ'        subscale of the past, constant    mm/ms    q  div 2με     kPa/mm
@@ -35,6 +37,7 @@ namespace tunica::kernels {
 //   A[a][b]   = δ {ρ [W_ab/Δt + ∫(N_a + τ s_a) s_b] + μ V ∇N_a·∇N_b} + ρ W_ab G
 //               + (τ ∫N_b (m + h) + μ V ∇N_b) ⊗ ∇N_a,     W_ab = ∫ (N_a + τ s_a) N_b
 //               (+ ½ρ [δ div u ∫N_a N_b + ∫N_a u ⊗ ∇N_b])
+//               (+ 2μ' V e∇N_a ⊗ e∇N_b,   e = 2ε = G + Gᵀ,   μ' = dμ/d(γ̇²), γ̇² = ½ e:e)
 //   B1ᵀ[a][b] = −V/4 ∇N_a + τ V s̄_a ∇N_b
 //   B2[a][b]  = −V/4 ∇N_b − τ V [(1/(4Δt) + s̄_b) ∇N_a + Gᵀ∇N_a/4]
 //   −C[a][b]  = −(τ/ρ) V ∇N_a·∇N_b
@@ -46,6 +49,7 @@ namespace tunica::kernels {
 // so that with t_b[k] = s_b[k] + δ_bk/Δt and G_j = G e_j
 //
 //   dG = −G_j ⊗ ∇N_b    ds_a[k] = −∂_j N_a t_b[k]    dm_k = −ρ t_b[k] G_j    dh = −∂_j p ∇N_b
+//   dμ = −2μ' G_j·e∇N_b
 //
 // in all terms of the residual; dτ = V ∂τ/∂V ∂_j N_b − ∂τ/∂c_j/(4Δt).
 //
@@ -60,6 +64,7 @@ namespace {
 template <class Real>
 struct Point {
   Mat3Of<Real> G;
+  ViscosityOf<Real> mu;
   Vec3Of<Real> h;
   Vec3Of<Real> m[4];
   Real s[4][4];        ///< s[a][k], value of s_a at vertex k
@@ -83,6 +88,7 @@ Point<Real> evaluate(const Tet4Of<Real>& T, const FluidStateOf<Real>& s, const F
       x.h[j] += s.p[a] * T.grad_N[a][j];
       for (int i = 0; i < 3; ++i) x.G[i][j] += s.u[a][i] * T.grad_N[a][j];
     }
+  x.mu = viscosity_at(*c.viscosity, x.G);
   for (int a = 0; a < 4; ++a) x.s_sum[a] = 0.0;
   for (int k = 0; k < 4; ++k) {
     const Vec3Of<Real> v = s.u[k] - s.w[k];
@@ -112,7 +118,7 @@ void residual_at(const Tet4Of<Real>& T, const FluidCoefficients& c, const Real& 
   Mat3Of<Real> stress;  // V (2μ ε − p̄ I)
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      stress[i][j] = V * (c.viscosity * (G[i][j] + G[j][i]) - (i == j ? x.p_mean : 0.0));
+      stress[i][j] = V * (x.mu.value * (G[i][j] + G[j][i]) - (i == j ? x.p_mean : 0.0));
   for (int a = 0; a < 4; ++a) {
     const Vec3Of<Real>& N = T.grad_N[a];
     const Real* s = x.s[a];
@@ -142,12 +148,27 @@ void add_skew_convection(const Tet4Of<Real>& T, const FluidCoefficients& c, cons
       }
 }
 
+/// A[a][b] += 2μ' V e∇N_a ⊗ e∇N_b.
+template <class Real>
+void add_change_of_viscosity(const Tet4Of<Real>& T, const Point<Real>& x, Real A[4][4][3][3]) {
+  const Real factor = 2.0 * x.mu.slope * T.volume;
+  Mat3Of<Real> e;  // 2ε
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) e[i][j] = x.G[i][j] + x.G[j][i];
+  std::array<Vec3Of<Real>, 4> eN;
+  for (int a = 0; a < 4; ++a) eN[a] = e * T.grad_N[a];
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) A[a][b][i][j] += factor * eN[a][i] * eN[b][j];
+}
+
 template <class Real>
 void momentum_block(const Tet4Of<Real>& T, const FluidCoefficients& c, const Point<Real>& x,
                     Real A[4][4][3][3]) {
   const Real V = T.volume;
   const Real m = V / 20.0;
-  const Real mu_V = c.viscosity * V;
+  const Real mu_V = x.mu.value * V;
   const Vec3Of<Real> r_sum = x.m[0] + x.m[1] + x.m[2] + x.m[3] + 4.0 * x.h;
   for (int b = 0; b < 4; ++b) {
     const Vec3Of<Real>& Nb = T.grad_N[b];
@@ -170,6 +191,7 @@ void momentum_block(const Tet4Of<Real>& T, const FluidCoefficients& c, const Poi
     }
   }
   if (c.has_skew_convection) add_skew_convection(T, c, x, A);
+  if (!c.viscosity->is_constant()) add_change_of_viscosity(T, x, A);
 }
 
 template <class Real>
@@ -196,48 +218,20 @@ void pressure_blocks(const Tet4Of<Real>& T, const FluidCoefficients& c, const Re
   }
 }
 
-}  // namespace
-
-double fluid_tau(const Tet4& T, const Vec3& velocity, const FluidCoefficients& c) {
-  const double inv_h = 1.0 / element_length(T.volume);
-  const double diffusive = c.viscous_factor * c.viscosity / c.density * inv_h * inv_h;
-  const double convective2 = 4.0 * dot(velocity, velocity) * inv_h * inv_h;
-  if (c.has_dynamic_subscales)
-    return 1.0 / (c.inv_dt + std::sqrt(convective2 + diffusive * diffusive));
-  const double transient = 2.0 * c.inv_dt;
-  return 1.0 / std::sqrt(transient * transient + convective2 + diffusive * diffusive);
-}
-
-TauDerivative fluid_tau_derivative(const Tet4& T, const Vec3& velocity,
-                                   const FluidCoefficients& c) {
-  const double tau = fluid_tau(T, velocity, c);
-  const double inv_h = 1.0 / element_length(T.volume);
-  const double diffusive = c.viscous_factor * c.viscosity / c.density * inv_h * inv_h;
-  const double convective2 = 4.0 * dot(velocity, velocity) * inv_h * inv_h;
-  // both parts of 1/τ_s² = q fall as powers of h = O(V^1/3)
-  const double q = convective2 + diffusive * diffusive;
-  const double q_by_volume = -2.0 / 3.0 * convective2 - 4.0 / 3.0 * diffusive * diffusive;
-  const Vec3 q_by_velocity = 8.0 * inv_h * inv_h * velocity;
-  double factor = -0.5 * tau * tau * tau;  // τ = (4/Δt² + q)^(−1/2)
-  if (c.has_dynamic_subscales)             // τ = (1/Δt + q^(1/2))^(−1)
-    factor = q > 0.0 ? -0.5 * tau * tau / std::sqrt(q) : 0.0;
-  return {factor * q_by_volume, factor * q_by_velocity};
-}
-
-namespace {
-
 /// What all pairs of vertices share.
 struct ShapePoint {
   Point<double> x;
   double V, m, mu_V, tau, div_u;
   Vec3 grad_p, m_sum, r_sum;
-  Mat3 stress;  ///< μ (G + Gᵀ) − p̄ I
+  Mat3 e;       ///< G + Gᵀ
+  Mat3 stress;  ///< μ e − p̄ I
 };
 
 /// The derivatives by the place of vertex b that all rows share.
 struct MovedVertex {
   double t[4], t_sum = 0.0;
-  Vec3 stress_N, t_r;  ///< τ ∫ t_b r
+  Vec3 stress_N, e_N;
+  Vec3 t_r;  ///< τ ∫ t_b r
   double N_r;
   Vec3 log_tau;  ///< dτ/τ
 };
@@ -247,15 +241,17 @@ ShapePoint shape_point(const Tet4& T, const FluidState& s, const FluidCoefficien
   p.x = evaluate(T, s, c, tau);
   p.V = T.volume;
   p.m = p.V / 20.0;
-  p.mu_V = c.viscosity * p.V;
+  p.mu_V = p.x.mu.value * p.V;
   p.tau = tau;
   p.grad_p = p.x.h + c.density * c.inv_dt * s.subscale + s.viscous;
   p.m_sum = p.x.m[0] + p.x.m[1] + p.x.m[2] + p.x.m[3];
   p.r_sum = p.m_sum + 4.0 * p.x.h;
   p.div_u = p.x.G[0][0] + p.x.G[1][1] + p.x.G[2][2];
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      p.stress[i][j] = c.viscosity * (p.x.G[i][j] + p.x.G[j][i]) - (i == j ? p.x.p_mean : 0.0);
+    for (int j = 0; j < 3; ++j) {
+      p.e[i][j] = p.x.G[i][j] + p.x.G[j][i];
+      p.stress[i][j] = p.x.mu.value * p.e[i][j] - (i == j ? p.x.p_mean : 0.0);
+    }
   return p;
 }
 
@@ -266,6 +262,7 @@ MovedVertex moved_vertex(const Tet4& T, const ShapePoint& p, const FluidCoeffici
   MovedVertex v{};
   for (int k = 0; k < 4; ++k) v.t_sum += v.t[k] = x.s[b][k] + (k == b ? c.inv_dt : 0.0);
   v.stress_N = p.stress * Nb;
+  v.e_N = p.e * Nb;
   v.t_r = x.sums * v.t_sum * p.r_sum;
   for (int k = 0; k < 4; ++k) v.t_r += x.products * v.t[k] * (x.m[k] + x.h);
   v.N_r = dot(Nb, p.r_sum);
@@ -282,7 +279,7 @@ void add_shape_pair(const Tet4& T, const ShapePoint& p, const FluidCoefficients&
   const Vec3 &Na = T.grad_N[a], &Nb = T.grad_N[b];
   const double* sa = x.s[a];
   const double Na_Nb = dot(Na, Nb);
-  const Vec3 stress_Na = p.stress * Na;
+  const Vec3 stress_Na = p.stress * Na, e_Na = p.e * Na;
   const double st = x.sums * x.s_sum[a] * v.t_sum + x.products * (sa[0] * v.t[0] + sa[1] * v.t[1] +
                                                                   sa[2] * v.t[2] + sa[3] * v.t[3]);
   const double inertia = c.density * (p.m * (v.t_sum + v.t[a]) + st) + p.mu_V * Na_Nb;
@@ -302,6 +299,9 @@ void add_shape_pair(const Tet4& T, const ShapePoint& p, const FluidCoefficients&
     if (c.has_skew_convection)  // d(V div u) = V (∂_j N_b div u − G_j·∇N_b)
       for (int i = 0; i < 3; ++i)
         K.u[a][b][i][j] += 0.5 * c.density * (Nb[j] * p.div_u - Gj_Nb) * x.Nu[a][i];
+    if (!c.viscosity->is_constant())  // V dμ e∇N_a
+      for (int i = 0; i < 3; ++i)
+        K.u[a][b][i][j] -= 2.0 * p.V * x.mu.slope * dot(Gj, v.e_N) * e_Na[i];
     // dΣr = −ρ t_sum G_j − 4 ∂_j p ∇N_b
     const double Na_dr = -c.density * v.t_sum * Gj_Na - 4.0 * p.grad_p[j] * Na_Nb;
     K.p[a][b][j] = -0.25 * p.V * (Nb[j] * p.div_u - Gj_Nb) +

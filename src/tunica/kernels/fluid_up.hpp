@@ -2,6 +2,10 @@
 #include "tunica/base/pack.hpp"
 #include "tunica/kernels/tet4.hpp"
 
+namespace tunica::materials {
+class ViscosityLaw;
+}
+
 namespace tunica::kernels {
 
 /// What the ALE fluid needs on one tetrahedron of the current mesh; nodal values.
@@ -27,27 +31,20 @@ inline void set_lane(FluidStateOf<Pack>& to, int lane, const FluidState& from) {
 }
 
 struct FluidCoefficients {
-  double density;                      ///< ρ [mg/mm³]
-  double viscosity;                    ///< μ [kPa ms]
-  double inv_dt;                       ///< 1/Δt, zero for steady flow [1/ms]
-  double viscous_factor = 4.0;         ///< c_ν in τ
-  bool has_dynamic_subscales = false;  ///< subscales have inertia, see fluid_tau()
-  bool has_skew_convection = false;    ///< convection takes out no energy inside, see fluid_up.cpp
-  bool has_mean_residual = false;      ///< SUPG has only the mean of an element's residual
+  double density;                            ///< ρ [mg/mm³]
+  const materials::ViscosityLaw* viscosity;  ///< μ(γ̇)
+  double inv_dt;                             ///< 1/Δt, zero for steady flow [1/ms]
+  double viscous_factor = 4.0;               ///< c_ν in τ
+  bool has_dynamic_subscales = false;        ///< subscales have inertia, see fluid_tau()
+  bool has_skew_convection = false;  ///< convection takes out no energy inside, see fluid_up.cpp
+  bool has_mean_residual = false;    ///< SUPG has only the mean of an element's residual
 };
 
-/// SUPG/PSPG parameter τ [ms]; velocity: |c| at the centroid, known beforehand, so that τ is
-/// constant in a Newton solve:
-///   τ = ((2/Δt)² + (2|c|/h)² + (c_ν ν/h²)²)^(−1/2)       subscales without inertia
-///   τ = (1/Δt + ((2|c|/h)² + (c_ν ν/h²)²)^(1/2))^(−1)    time-dependent subscales
-double fluid_tau(const Tet4& T, const Vec3& velocity, const FluidCoefficients& c);
-
-/// How τ follows the mesh.
+/// How τ follows the mesh, at a given viscosity.
 struct TauDerivative {
   double by_volume;  ///< V ∂τ/∂V [ms]
   Vec3 by_velocity;  ///< ∂τ/∂c, c the velocity at the centroid [ms²/mm]
 };
-TauDerivative fluid_tau_derivative(const Tet4& T, const Vec3& velocity, const FluidCoefficients& c);
 
 /// Residual of the P1–P1 SUPG/PSPG fluid; see fluid_up.cpp for the equations.
 MixedResidual fluid_up_residual(const Tet4& T, const FluidState& s, const FluidCoefficients& c,

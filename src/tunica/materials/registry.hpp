@@ -13,11 +13,12 @@ namespace tunica::materials {
 /// A constant of a law, as XML names it.
 struct Constant {
   std::string name;
-  double fallback;
-  double low;  ///< smallest admissible value
+  double fallback;  ///< not a number where it has to be given
+  double low;       ///< smallest admissible value
   std::string unit;
   std::string sentence;
   double high = std::numeric_limits<double>::infinity();  ///< largest admissible value
+  bool is_low_excluded = false;
 };
 
 using Constants = std::map<std::string, double>;

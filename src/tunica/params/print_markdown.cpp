@@ -144,7 +144,7 @@ void Markdown::rows(const Table& table) {
 void Markdown::section(const Table& table, const std::string& path, const std::string& condition) {
   const Table::Content& content = table.content();
   const std::string heading = path + (condition.empty() ? "" : ", " + condition);
-  *out_ << "## " << heading << "\n\n";
+  *out_ << "## " << heading << "\n" << (content.sentence.empty() ? "\n" : "");
   const bool is_short = repeats_ == Repeats::by_reference && !content.keys.empty();
   if (is_short) whole_.emplace(whole_text(table), heading);
   if (!content.sentence.empty()) *out_ << content.sentence << "\n\n";

@@ -2,6 +2,7 @@
 
 #include "tunica/assembly/element_geometry.hpp"
 #include "tunica/assembly/viscous_residual.hpp"
+#include "tunica/materials/newtonian.hpp"
 #include "unit/fields/small_tube.hpp"
 #include "verify/cube.hpp"
 #include "verify/field_of.hpp"
@@ -15,7 +16,8 @@ template <class Velocity>
 std::vector<Vec3> viscous_forces_of(const fields::FieldMesh& mesh, const Velocity& velocity) {
   std::vector<Vec3> u;
   for (const Vec3& x : mesh.x) u.push_back(velocity(x));
-  return assembly::viscous_forces(mesh, assembly::ElementGeometry(mesh, mesh.x), 0.7, u);
+  return assembly::viscous_forces(mesh, assembly::ElementGeometry(mesh, mesh.x),
+                                  materials::Newtonian(0.7), u);
 }
 
 TEUCHOS_UNIT_TEST(viscous_forces, vanish_where_strain_rates_are_uniform) {

@@ -4,12 +4,16 @@
 #include "oracle/quadrature.hpp"
 #include "oracle/samples.hpp"
 #include "tunica/kernels/energy.hpp"
+#include "tunica/kernels/fluid_tau.hpp"
 #include "tunica/kernels/fluid_up.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
+#include "tunica/materials/newtonian.hpp"
 
 namespace {
 
 using namespace tunica;
+
+const materials::Newtonian viscous_fluid(0.5), ideal_fluid(0.0), blood_law(3.5e-3);
 using oracle::Samples;
 
 kernels::FluidState random_state(Samples& samples) {
@@ -34,11 +38,11 @@ TEUCHOS_UNIT_TEST(Energy, viscous_dissipation_is_the_power_of_the_viscous_residu
   for (int trial = 0; trial < 5; ++trial) {
     const kernels::Tet4 T = kernels::make_tet4(samples.tetrahedron());
     const kernels::FluidState s = random_state(samples);
-    const auto with = fluid_up_residual(T, s, {1.0, 0.5, 8.0}, 0.0),
-               without = fluid_up_residual(T, s, {1.0, 0.0, 8.0}, 0.0);
+    const auto with = fluid_up_residual(T, s, {1.0, &viscous_fluid, 8.0}, 0.0),
+               without = fluid_up_residual(T, s, {1.0, &ideal_fluid, 8.0}, 0.0);
     double power = 0.0;
     for (int a = 0; a < 4; ++a) power += dot(s.u[a], with.u[a] - without.u[a]);
-    TEST_FLOATING_EQUALITY(kernels::viscous_dissipation(T, s.u, 0.5), power, 1e-11);
+    TEST_FLOATING_EQUALITY(kernels::viscous_dissipation(T, s.u, viscous_fluid), power, 1e-11);
   }
 }
 
@@ -48,17 +52,17 @@ TEUCHOS_UNIT_TEST(Energy, rigid_rotation_dissipates_nothing) {
   const Vec3 spin{0.3, -2.0, 1.1};
   const double power = kernels::viscous_dissipation(
       kernels::make_tet4(x),
-      {cross(spin, x[0]), cross(spin, x[1]), cross(spin, x[2]), cross(spin, x[3])}, 0.5);
+      {cross(spin, x[0]), cross(spin, x[1]), cross(spin, x[2]), cross(spin, x[3])}, viscous_fluid);
   TEST_COMPARE(power, <, 1e-28);
 }
 
 TEUCHOS_UNIT_TEST(Energy, stabilisation_power_is_that_of_the_residual) {
   Samples samples(44);
-  const kernels::FluidCoefficients c{1.06, 3.5e-3, 8.0};
+  const kernels::FluidCoefficients c{1.06, &blood_law, 8.0};
   for (int trial = 0; trial < 5; ++trial) {
     const kernels::Tet4 T = kernels::make_tet4(samples.tetrahedron());
     const kernels::FluidState s = random_state(samples);
-    const double tau = fluid_tau(T, samples.vector(2.0), c);
+    const double tau = fluid_tau(T, samples.vector(2.0), blood_law.reference(), c);
     const auto with = fluid_up_residual(T, s, c, tau), without = fluid_up_residual(T, s, c, 0.0);
     double power = 0.0;
     for (int a = 0; a < 4; ++a)

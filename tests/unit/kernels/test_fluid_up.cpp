@@ -3,7 +3,10 @@
 #include "oracle/fluid_weak_form.hpp"
 #include "oracle/samples.hpp"
 #include "tunica/kernels/energy.hpp"
+#include "tunica/kernels/fluid_tau.hpp"
 #include "tunica/kernels/fluid_up.hpp"
+#include "tunica/materials/carreau_yasuda.hpp"
+#include "tunica/materials/newtonian.hpp"
 
 namespace {
 
@@ -13,12 +16,43 @@ using kernels::FluidState;
 using oracle::Deviation;
 using oracle::Samples;
 
-const FluidCoefficients blood{1.06, 3.5e-3, 8.0};
-const FluidCoefficients variants[] = {blood,
-                                      {1.0, 3.5e-3, 0.0},
-                                      {1.3, 0.5, 8.0},
-                                      {1.2, 0.1, 8.0, 4.0, false, true},
-                                      {1.1, 0.05, 8.0, 4.0, false, false, true}};
+/// What the oracle knows of a law: Newtonian with a power of 1.
+struct Law {
+  oracle::Thinning constants;
+  materials::CarreauYasuda thinning{{constants.at_rest, constants.at_high_rates, constants.time,
+                                     constants.power, constants.sharpness}};
+  materials::Newtonian newtonian{constants.at_high_rates};
+
+  const materials::ViscosityLaw* get() const {
+    if (constants.power == 1.0) return &newtonian;
+    return &thinning;
+  }
+};
+
+Law constant(double viscosity) { return {{viscosity, viscosity, 0.0, 1.0, 2.0}}; }
+
+const Law thin = constant(3.5e-3), thick = constant(0.5), medium = constant(0.1),
+          low = constant(0.05), none = constant(0.0);
+const Law carreau{{0.4, 0.03, 0.7, 0.35, 2.0}}, yasuda{{0.3, 0.02, 1.3, 0.2, 1.25}};
+
+const FluidCoefficients blood{1.06, thin.get(), 8.0};
+
+struct Variant {
+  const Law* law;
+  FluidCoefficients c;
+};
+const Variant variants[] = {{&thin, blood},
+                            {&thin, {1.0, thin.get(), 0.0}},
+                            {&thick, {1.3, thick.get(), 8.0}},
+                            {&medium, {1.2, medium.get(), 8.0, 4.0, false, true}},
+                            {&low, {1.1, low.get(), 8.0, 4.0, false, false, true}},
+                            {&carreau, {1.1, carreau.get(), 8.0}},
+                            {&yasuda, {0.9, yasuda.get(), 3.0, 4.0, false, true}}};
+
+/// With the viscosity of the law at high rates.
+double tau_at(const kernels::Tet4& T, const Vec3& velocity, const FluidCoefficients& c) {
+  return fluid_tau(T, velocity, c.viscosity->reference(), c);
+}
 
 /// Of the past through the centroid.
 Vec3 flow_through(const FluidState& s) {
@@ -42,10 +76,11 @@ struct Case {
     s.viscous = samples.vector(1.2);
   }
 
-  oracle::FluidWeakForm weak_form(const FluidCoefficients& c, double tau) const {
+  oracle::FluidWeakForm weak_form(const FluidCoefficients& c, const oracle::Thinning& law,
+                                  double tau) const {
     return {oracle::Element(x),
             c.density,
-            c.viscosity,
+            law,
             c.inv_dt,
             tau,
             s.u_old,
@@ -70,11 +105,12 @@ struct Case {
 
 TEUCHOS_UNIT_TEST(FluidUp, residual_is_that_of_the_weak_form) {
   Samples samples(21);
-  for (const FluidCoefficients& c : variants)
+  for (const auto& [law, c] : variants)
     for (int trial = 0; trial < 5; ++trial) {
       const Case test(samples);
-      const double tau = fluid_tau(test.T, flow_through(test.s), c);
-      const auto expected = test.weak_form(c, tau).residual(test.unknowns<double>());
+      const double tau = tau_at(test.T, flow_through(test.s), c);
+      const auto expected =
+          test.weak_form(c, law->constants, tau).residual(test.unknowns<double>());
       const auto R = fluid_up_residual(test.T, test.s, c, tau);
       Deviation of_u, of_p;
       for (int a = 0; a < 4; ++a) {
@@ -88,11 +124,12 @@ TEUCHOS_UNIT_TEST(FluidUp, residual_is_that_of_the_weak_form) {
 
 TEUCHOS_UNIT_TEST(FluidUp, jacobian_is_derivative_of_residual) {
   Samples samples(22);
-  for (const FluidCoefficients& c : variants)
+  for (const auto& [law, c] : variants)
     for (int trial = 0; trial < 5; ++trial) {
       const Case test(samples);
-      const double tau = fluid_tau(test.T, flow_through(test.s), c);
-      const auto expected = test.weak_form(c, tau).residual(test.unknowns<oracle::First<16>>());
+      const double tau = tau_at(test.T, flow_through(test.s), c);
+      const auto expected =
+          test.weak_form(c, law->constants, tau).residual(test.unknowns<oracle::First<16>>());
       kernels::MixedResidual R;
       kernels::MixedJacobian K;
       fluid_up_jacobian(test.T, test.s, c, tau, R, K);
@@ -125,7 +162,7 @@ S tau_of(const S& volume, const oracle::Vec<S>& velocity, const FluidCoefficient
   const S h = pow(6.0 * std::sqrt(2.0) * volume, 1.0 / 3.0);
   S speed2 = 0.0;
   for (int i = 0; i < 3; ++i) speed2 += velocity[i] * velocity[i];
-  const S diffusive = c.viscous_factor * c.viscosity / (c.density * h * h);
+  const S diffusive = c.viscous_factor * c.viscosity->reference() / (c.density * h * h);
   const S slow = 4.0 * speed2 / (h * h) + diffusive * diffusive;
   if (c.has_dynamic_subscales) return 1.0 / (c.inv_dt + sqrt(slow));
   return 1.0 / sqrt(4.0 * c.inv_dt * c.inv_dt + slow);
@@ -134,9 +171,10 @@ S tau_of(const S& volume, const oracle::Vec<S>& velocity, const FluidCoefficient
 TEUCHOS_UNIT_TEST(FluidUp, shape_jacobian_is_derivative_with_respect_to_the_vertices) {
   using Fad = oracle::First<12>;
   Samples samples(27);
-  for (FluidCoefficients c : variants)
+  for (const auto& [law, coefficients] : variants)
     for (const bool is_dynamic : {false, true})
       for (int trial = 0; trial < 5; ++trial) {
+        FluidCoefficients c = coefficients;
         c.has_dynamic_subscales = is_dynamic;
         const Case test(samples);
         std::array<oracle::Vec<Fad>, 4> x, w;
@@ -154,7 +192,7 @@ TEUCHOS_UNIT_TEST(FluidUp, shape_jacobian_is_derivative_with_respect_to_the_vert
         const Fad tau = tau_of(T.volume, velocity, c);
         const oracle::FluidWeakFormOn<Fad> form{T,
                                                 c.density,
-                                                c.viscosity,
+                                                law->constants,
                                                 c.inv_dt,
                                                 tau,
                                                 test.s.u_old,
@@ -170,10 +208,11 @@ TEUCHOS_UNIT_TEST(FluidUp, shape_jacobian_is_derivative_with_respect_to_the_vert
           unknowns[12 + a] = test.s.p[a];
         }
         const auto expected = form.residual(unknowns);
-        TEST_FLOATING_EQUALITY(tau.val(), fluid_tau(test.T, flow_through(test.s), c), 1e-13);
+        TEST_FLOATING_EQUALITY(tau.val(), tau_at(test.T, flow_through(test.s), c), 1e-13);
         kernels::ShapeJacobian K;
-        fluid_up_shape_jacobian(test.T, test.s, c, tau.val(),
-                                fluid_tau_derivative(test.T, flow_through(test.s), c), K);
+        fluid_up_shape_jacobian(
+            test.T, test.s, c, tau.val(),
+            fluid_tau_derivative(test.T, flow_through(test.s), c.viscosity->reference(), c), K);
         Deviation of_u, of_p;
         for (int a = 0; a < 4; ++a)
           for (int b = 0; b < 4; ++b)
@@ -212,7 +251,7 @@ TEUCHOS_UNIT_TEST(FluidUp, uniform_flow_on_a_moving_mesh_has_no_residual) {
     test.s.p = {0, 0, 0, 0};
     test.s.f = {};
     test.s.subscale = test.s.viscous = {};
-    const double tau = fluid_tau(test.T, flow_through(test.s), blood);
+    const double tau = tau_at(test.T, flow_through(test.s), blood);
     const auto R = fluid_up_residual(test.T, test.s, blood, tau);
     for (int a = 0; a < 4; ++a) {
       TEST_COMPARE(norm(R.u[a]), <, 1e-15);
@@ -230,7 +269,7 @@ TEUCHOS_UNIT_TEST(FluidUp, rigid_rotation_meets_no_viscous_force) {
   test.s.p = {0, 0, 0, 0};
   test.s.f = {};
   test.s.subscale = test.s.viscous = {};
-  const auto R = fluid_up_residual(test.T, test.s, {1.0, 1.0, 8.0}, 0.05);
+  const auto R = fluid_up_residual(test.T, test.s, {1.0, thick.get(), 8.0}, 0.05);
   for (int a = 0; a < 4; ++a) {
     TEST_COMPARE(norm(R.u[a]), <, 1e-14);
     TEST_COMPARE(std::abs(R.p[a]), <, 1e-14);
@@ -244,10 +283,12 @@ TEUCHOS_UNIT_TEST(FluidUp, tau_tends_to_its_three_limits) {
   const Vec3 c{3, 0, 4};
   test.s.u_old = {c, c, c, c};
   test.s.w = {};
-  TEST_FLOATING_EQUALITY(fluid_tau(test.T, flow_through(test.s), {1.0, 0.0, 1e6}), 5e-7, 1e-8);
-  TEST_FLOATING_EQUALITY(fluid_tau(test.T, flow_through(test.s), {1.0, 0.0, 0.0}), h / 10.0, 1e-13);
+  TEST_FLOATING_EQUALITY(tau_at(test.T, flow_through(test.s), {1.0, none.get(), 1e6}), 5e-7, 1e-8);
+  TEST_FLOATING_EQUALITY(tau_at(test.T, flow_through(test.s), {1.0, none.get(), 0.0}), h / 10.0,
+                         1e-13);
   test.s.w = test.s.u_old;
-  TEST_FLOATING_EQUALITY(fluid_tau(test.T, flow_through(test.s), {2.0, 0.5, 0.0}), h * h, 1e-13);
+  TEST_FLOATING_EQUALITY(tau_at(test.T, flow_through(test.s), {2.0, thick.get(), 0.0}), h * h,
+                         1e-13);
 }
 
 TEUCHOS_UNIT_TEST(FluidUp, dynamic_subscales_solve_their_own_equation) {
@@ -258,8 +299,8 @@ TEUCHOS_UNIT_TEST(FluidUp, dynamic_subscales_solve_their_own_equation) {
   steady.inv_dt = 0.0;
   for (int trial = 0; trial < 5; ++trial) {
     const Case test(samples);
-    const double tau_s = fluid_tau(test.T, flow_through(test.s), steady);
-    const Vec3 u = fluid_subscale(test.T, test.s, c, fluid_tau(test.T, flow_through(test.s), c));
+    const double tau_s = tau_at(test.T, flow_through(test.s), steady);
+    const Vec3 u = fluid_subscale(test.T, test.s, c, tau_at(test.T, flow_through(test.s), c));
     Mat3 G{};
     Vec3 r = -1.0 * test.s.viscous;
     for (int a = 0; a < 4; ++a) {

@@ -3,7 +3,9 @@
 #include "oracle/samples.hpp"
 #include "tunica/kernels/fluid_up.hpp"
 #include "tunica/kernels/solid_up.hpp"
+#include "tunica/materials/carreau_yasuda.hpp"
 #include "tunica/materials/holzapfel.hpp"
+#include "tunica/materials/newtonian.hpp"
 #include "tunica/materials/st_venant_kirchhoff.hpp"
 
 namespace {
@@ -128,10 +130,13 @@ TEUCHOS_UNIT_TEST(packs, a_wall_element_does_not_know_its_lane) {
 
 TEUCHOS_UNIT_TEST(packs, a_fluid_element_does_not_know_its_lane) {
   Samples samples(4);
+  const materials::Newtonian newtonian(0.035);
+  const materials::CarreauYasuda thinning({0.4, 0.03, 0.7, 0.35, 1.5});
   for (const bool has_skew_convection : {false, true})
     for (const bool has_mean_residual : {false, true})
       for (int trial = 0; trial < 20; ++trial) {
-        FluidCoefficients c{1.06, 0.035, 8.0};
+        FluidCoefficients c{1.06, &newtonian, 8.0};
+        if (trial % 2 == 1) c.viscosity = &thinning;
         c.has_skew_convection = has_skew_convection;
         c.has_mean_residual = has_mean_residual;
         Tet4 T[Pack::size];

@@ -7,6 +7,7 @@
 #include "tunica/assembly/fluid_assembly.hpp"
 #include "tunica/assembly/mass_norm.hpp"
 #include "tunica/assembly/solid_assembly.hpp"
+#include "tunica/materials/newtonian.hpp"
 #include "tunica/materials/registry.hpp"
 #include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
 #include "unit/fields/small_tube.hpp"
@@ -159,7 +160,9 @@ std::vector<Level> fluid_levels(double inv_dt) {
   const fields::FieldMesh& mesh = tube.fluid;
   assembly::FluidElements elements;
   elements.geometry = assembly::ElementGeometry(mesh, mesh.x);
-  elements.coefficients = {1.0, 3.5e-3, inv_dt};
+  const materials::Newtonian viscosity(3.5e-3);
+  elements.coefficients = {1.0, &viscosity, inv_dt};
+  elements.viscosity.assign(mesh.tets.size(), viscosity.reference());
   const std::vector<Vec3> none(mesh.n_nodes());
   const assembly::FluidFields state{none, std::vector<double>(mesh.n_nodes()), none, none, none};
   elements.tau = assembly::fluid_taus(mesh, elements, none, none);

@@ -194,7 +194,7 @@ TEUCHOS_UNIT_TEST(print_markdown, each_key_is_one_row) {
   const auto has = [&](const std::string& row) {
     return text.str().find(row) != std::string::npos;
   };
-  TEST_ASSERT(has("## Case / Fluid\n\nIncompressible fluid\n\n| key | type | default |"));
+  TEST_ASSERT(has("## Case / Fluid\nIncompressible fluid\n\n| key | type | default |"));
   TEST_ASSERT(has("| `density` | double | `1.05` | > 0 [mg/mm³] | Mass per volume. |\n"));
   TEST_ASSERT(has("| `scheme` | choice | `implicit Euler` | \"implicit Euler\", \"BDF2\" |"));
   TEST_ASSERT(has("| `restart` | file | none |"));

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tunica/base/error.hpp"
+#include "tunica/materials/viscosity_law.hpp"
 #include "tunica/params/read_xml.hpp"
 #include "tunica/setup/case.hpp"
 #include "tunica/setup/schema.hpp"
@@ -199,7 +200,7 @@ TEUCHOS_UNIT_TEST(Case, knows_what_its_lists_say) {
   const setup::Case the_case =
       setup::read_case(command, setup::fsi_table(), *Tpetra::getDefaultComm());
   TEST_ASSERT(the_case.is_coupled());
-  TEST_EQUALITY(the_case.fluid->options.viscosity, 0.004);
+  TEST_EQUALITY(the_case.fluid->options.viscosity->reference(), 0.004);
   TEST_EQUALITY(the_case.wall->prestress, 10.67);
   TEST_EQUALITY(the_case.wall->prestress_surfaces.size(), 1);
   TEST_EQUALITY(the_case.wall->prestress_surfaces.at(0), "interface");

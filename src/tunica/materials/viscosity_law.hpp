@@ -1,0 +1,29 @@
+#pragma once
+
+namespace tunica::materials {
+
+/// A dynamic viscosity, and how it changes with the shear rate.
+struct Viscosity {
+  double value;  ///< μ [kPa ms]
+  double slope;  ///< dμ/d(γ̇²) [kPa ms³]
+};
+
+/// The law of a generalised Newtonian fluid:
+///
+///   σ = −p I + 2 μ(γ̇) ε(u),   γ̇² = 2 ε:ε
+///
+/// A law is a value without hidden state; one object serves all elements.
+class ViscosityLaw {
+public:
+  virtual ~ViscosityLaw() = default;
+
+  /// At the square of a shear rate [1/ms²].
+  virtual Viscosity at(double squared_shear_rate) const = 0;
+  /// The same at all rates: what follows from its slope is left out.
+  virtual bool is_constant() const { return false; }
+  /// What estimates and profiles of a fluid of constant viscosity take, that at high rates
+  /// [kPa ms].
+  virtual double reference() const = 0;
+};
+
+}  // namespace tunica::materials

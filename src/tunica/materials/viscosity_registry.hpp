@@ -1,0 +1,22 @@
+#pragma once
+#include "tunica/materials/registry.hpp"
+#include "tunica/materials/viscosity_law.hpp"
+
+namespace tunica::materials {
+
+/// A law of a fluid's viscosity, as XML names it. make() receives every constant, checked.
+struct ViscosityEntry {
+  std::string name;
+  std::string sentence;
+  std::vector<Constant> constants;
+  std::function<std::unique_ptr<ViscosityLaw>(const Constants&)> make;
+};
+
+/// Every law there is, in the order of the reference.
+const std::vector<ViscosityEntry>& viscosity_laws();
+
+/// The law `name` with all of its constants.
+std::unique_ptr<ViscosityLaw> make_viscosity_law(const std::string& name,
+                                                 const Constants& constants);
+
+}  // namespace tunica::materials
