@@ -171,7 +171,7 @@ private:
     const double c = std::pow(moved(R) / R, 2);
     for (const discretisation::Layer& layer : options_.layers)
       if (layer.region == region) {
-        const Sym3 S = law_of(layer)->stress({1.0 / c, c, 1.0, 0.0, 0.0, 0.0}, {});
+        const Sym3 S = law_of(layer)->stress({1.0 / c, c, 1.0, 0.0, 0.0, 0.0}, {}, {});
         return {S[0] / c, S[1] * c};
       }
     return {};

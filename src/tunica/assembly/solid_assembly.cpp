@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tunica/assembly/gather.hpp"
+#include "tunica/kernels/deformation.hpp"
 #include "tunica/kernels/prestretch.hpp"
 
 namespace tunica::assembly {
@@ -54,6 +55,18 @@ std::vector<Vec3> solid_subscales(const fields::FieldMesh& mesh, const SolidElem
   return subscales;
 }
 
+std::vector<double> remembered_by_laws(const fields::FieldMesh& mesh, const SolidElements& elements,
+                                       const std::vector<Vec3>& d) {
+  std::vector<double> rows(elements.past_width * mesh.tets.size(), 0.0);
+  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    const Mat3 F = kernels::deformation_gradient(elements.geometry[e],
+                                                 elements.displacement(e, gather(d, mesh.tets[e])));
+    elements.layer(e).law->remember(kernels::right_cauchy_green(F), elements.frame(e),
+                                    elements.past_of(e), rows.data() + elements.past_width * e);
+  }
+  return rows;
+}
+
 void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements,
                     const SolidFields& state, NodalResidual& R, BlockAssembler* K) {
   std::array<Vec3Of<Pack>, 4> x;
@@ -72,6 +85,7 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
       set_lane(c, lane, elements.coefficients(e));
       laws.laws[lane] = elements.layer(e).law;
       if (!elements.frames.empty()) set_lane(laws.frames, lane, elements.frames[e]);
+      laws.pasts[lane] = elements.past_of(e);
     }
     const auto T = kernels::make_tet4(x);
     if (K == nullptr) {

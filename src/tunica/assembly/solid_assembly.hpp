@@ -10,7 +10,7 @@ namespace tunica::assembly {
 
 /// What the elements of a layer have in common.
 struct SolidLayer {
-  const materials::HyperelasticLaw* law = nullptr;
+  const materials::WallLaw* law = nullptr;
   double density = 0.0;                       ///< ρ [mg/mm³]
   kernels::SolidCoefficients coefficients{};  ///< but for τ
 };
@@ -23,6 +23,9 @@ struct SolidElements {
   std::vector<double> tau;                   ///< τ per element [mm²/kPa]
   std::vector<materials::Frame> frames;      ///< empty where no law has fibres
   const fields::SplitMesh* split = nullptr;  ///< carries the pressures where it is not null
+  int past_width = 0;                        ///< numbers that an element's law may remember
+  std::vector<double> past = {};             ///< those before the present step, rows of elements
+  double step = 0.0;  ///< Δt for laws that remember, zero in equilibrium [ms]
 
   const SolidLayer& layer(std::size_t e) const { return layers[layer_number[e]]; }
   kernels::SolidCoefficients coefficients(std::size_t e) const {
@@ -33,6 +36,10 @@ struct SolidElements {
   const materials::Frame& frame(std::size_t e) const {
     static constexpr materials::Frame none;
     return frames.empty() ? none : frames[e];
+  }
+  materials::Past past_of(std::size_t e) const {
+    if (past_width == 0) return {};
+    return {past.data() + past_width * e, step};
   }
   /// What kernels see of the displacement d from the mesh, that from where the element is free of
   /// stress: D_a = d_a + x_a − X_a, so that F = I + Σ D_a ⊗ Gᵀ∇N_a = (I + ∇d) G.
@@ -64,6 +71,10 @@ WorstElement worst_solid_element(const fields::FieldMesh& mesh, const SolidEleme
 /// The subscales d' of the new time, per element [mm].
 std::vector<Vec3> solid_subscales(const fields::FieldMesh& mesh, const SolidElements& elements,
                                   const SolidFields& state);
+
+/// What the laws remember of a step that ends at d: rows of elements.
+std::vector<double> remembered_by_laws(const fields::FieldMesh& mesh, const SolidElements& elements,
+                                       const std::vector<Vec3>& d);
 
 /// Adds the element residuals, and the Jacobians where K is not null.
 void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements,

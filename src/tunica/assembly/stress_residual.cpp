@@ -11,9 +11,9 @@ std::vector<Vec3> stress_forces(const PatchRecovery& patches, const fields::Fiel
   std::vector<double> stress;
   stress.reserve(6 * mesh.tets.size());
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    const Sym3 sigma = kernels::cauchy_stress(elements.geometry[e],
-                                              elements.displacement(e, gather(d, mesh.tets[e])), {},
-                                              *elements.layer(e).law, elements.frame(e));
+    const Sym3 sigma = kernels::cauchy_stress(
+        elements.geometry[e], elements.displacement(e, gather(d, mesh.tets[e])), {},
+        *elements.layer(e).law, elements.frame(e), elements.past_of(e));
     stress.insert(stress.end(), sigma.begin(), sigma.end());
   }
   stress = patches.at_nodes(6, stress);

@@ -110,11 +110,18 @@ void MixedField::fill(assembly::BlockAssembler& K) {
   throughput_.seconds += watch.seconds();
 }
 
-stepping::Timeline* MixedField::remember(const std::string& name, ElementValues values) {
-  on_elements_.push_back({name, std::move(values),
-                          std::make_unique<stepping::Timeline>(fields::Places::elements(*mesh_), 3,
-                                                               scheme_->remembers())});
+stepping::Timeline* MixedField::remember(const std::string& name, stepping::Timeline timeline,
+                                         Accept accept) {
+  on_elements_.push_back(
+      {name, std::make_unique<stepping::Timeline>(std::move(timeline)), std::move(accept)});
   return on_elements_.back().timeline.get();
+}
+
+stepping::Timeline* MixedField::remember(const std::string& name, const ElementValues& values) {
+  return remember(name, {fields::Places::elements(*mesh_), 3, scheme_->remembers()},
+                  [this, values](stepping::Timeline& past) {
+                    scheme_->accept(stepping::as_rows(values()), past);
+                  });
 }
 
 std::map<std::string, fields::Restartable*> MixedField::element_histories() {
@@ -127,8 +134,7 @@ std::map<std::string, fields::Restartable*> MixedField::element_histories() {
 void MixedField::end_step(const algebra::BlockVector& x) {
   wait_for(first_call);
   read(x);
-  for (const ElementQuantity& quantity : on_elements_)
-    scheme_->accept(stepping::as_rows(quantity.values()), *quantity.timeline);
+  for (const ElementQuantity& quantity : on_elements_) quantity.accept(*quantity.timeline);
   scheme_->accept(stepping::as_rows(*surroundings().u), timeline_);
   surfaces_.end_step(surroundings());
 }

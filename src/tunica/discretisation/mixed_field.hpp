@@ -85,10 +85,13 @@ protected:
   virtual void assemble(assembly::BlockAssembler* K) = 0;
   /// What the terms of the surfaces see, of the values read.
   virtual boundary::Surroundings surroundings() const = 0;
-  /// Remembers a vector per local element, which goes along where the mesh moves; values: gives
-  /// what belongs to the values read.
+  /// Remembers something per local element, which goes along where the mesh moves; accept: brings
+  /// it to the values read, where a step ends.
+  using Accept = std::function<void(stepping::Timeline&)>;
+  stepping::Timeline* remember(const std::string& name, stepping::Timeline timeline, Accept accept);
+  /// A vector, by the time scheme; values: gives what belongs to the values read.
   using ElementValues = std::function<std::vector<Vec3>()>;
-  stepping::Timeline* remember(const std::string& name, ElementValues values);
+  stepping::Timeline* remember(const std::string& name, const ElementValues& values);
   /// Where a step begins. awaited: what has to be called before there are residuals; null: nothing.
   void begin(const char* awaited);
   /// The same within a step. Throws std::logic_error where none has begun.
@@ -114,8 +117,8 @@ private:
 
   struct ElementQuantity {
     std::string name;
-    ElementValues values;
     std::unique_ptr<stepping::Timeline> timeline;
+    Accept accept;
   };
 
   void check_ready() const;

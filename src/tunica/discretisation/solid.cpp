@@ -49,6 +49,14 @@ Solid::Solid(SolidOptions options, const Teuchos::ParameterList& list,
   if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::solid_subscales(*mesh_, elements_, local_); });
+  for (const auto& law : laws_)
+    elements_.past_width = std::max(elements_.past_width, law->state_width());
+  if (elements_.past_width > 0)
+    of_laws_ = remember("laws", {fields::Places::elements(mesh), elements_.past_width},
+                        [this](stepping::Timeline& past) {
+                          past.push(assembly::remembered_by_laws(*mesh_, elements_, local_.d));
+                        });
+  begin_laws(0.0);
   if (options_.has_stress_residual)
     patches_ = std::make_unique<assembly::PatchRecovery>(scalar_mesh());
   elements_.frames = frames;
@@ -145,6 +153,7 @@ void Solid::begin_step(const stepping::Clock& clock) {
     unit_inertia_ = scheme_->inertia(1.0);
     set_coefficients();
   }
+  begin_laws(options_.is_static ? 0.0 : clock.step_size());
   set_inertia_loads();
   past_ = stepping::as_vectors(scheme_->pasts(timeline_));
   if (patches_) local_.stress_force = stress_force_at(stepping::as_vectors(timeline_.value()));
@@ -152,6 +161,19 @@ void Solid::begin_step(const stepping::Clock& clock) {
   stress_relaxation_ = 1.0;
   surfaces_.begin_step();
   begin(nullptr);
+}
+
+void Solid::begin_laws(double step) {
+  if (!of_laws_) return;
+  elements_.past = of_laws_->value();
+  elements_.step = step;
+}
+
+void Solid::settle(const algebra::BlockVector& x) {
+  if (!of_laws_) return;
+  read(x);
+  elements_.step = 0.0;
+  of_laws_->push(assembly::remembered_by_laws(*mesh_, elements_, local_.d));
 }
 
 // Where a wall is as soft by volume as by shape its pressure needs no stabilisation, and this one

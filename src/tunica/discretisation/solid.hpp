@@ -52,6 +52,9 @@ public:
   /// The right-hand side of these forces [mN] on owned nodes.
   void load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const;
 
+  /// Laws forget how the wall came to x, as if it had been there for long. Collective.
+  void settle(const algebra::BlockVector& x);
+
   /// Body force per mass at the undeformed position [mm/ms²], none by default; for verification.
   void set_body_force(boundary::VectorField f) { body_force_ = std::move(f); }
 
@@ -89,6 +92,8 @@ private:
   void set_elements();
   void follow_prestretch();
   void set_coefficients();
+  /// Gives the laws what they remember before a step of this size.
+  void begin_laws(double step);
   void set_inertia_loads();
   /// What drives the subscales beside the linear residual where the displacement is d.
   std::vector<Vec3> stress_force_at(const std::vector<Vec3>& d) const;
@@ -114,12 +119,13 @@ private:
   const assembly::ElementGeometry& geometry() const override { return elements_.geometry; }
 
   SolidOptions options_;
-  std::vector<std::unique_ptr<materials::HyperelasticLaw>> laws_;  ///< per layer
+  std::vector<std::unique_ptr<materials::WallLaw>> laws_;  ///< per layer
   std::vector<char> is_at_layer_;  ///< per element: it touches another material; empty where
                                    ///< the pressure follows the jump
   assembly::SolidElements elements_;
 
   stepping::Timeline* subscales_ = nullptr;  ///< null where they have no inertia
+  stepping::Timeline* of_laws_ = nullptr;    ///< what they remember; null where none does
   double unit_inertia_ = -1.0;               ///< of the coefficients: the scheme's for unit density
   assembly::SolidFields local_;              ///< of the point of evaluation
   std::vector<Vec3> v_;                      ///< velocity there

@@ -80,7 +80,7 @@ void Solid::add_element(std::size_t e, const std::array<Vec3, 4>& d, const std::
   const double V = T.volume;
   const Sym3 C = kernels::right_cauchy_green(kernels::deformation_gradient(T, de));
   const assembly::SolidLayer& layer = elements_.layer(e);
-  s.elastic += V * layer.law->energy(C, elements_.frame(e));
+  s.elastic += V * layer.law->energy(C, elements_.frame(e), elements_.past_of(e));
   s.volumetric += 0.5 * layer.coefficients.inv_kappa * kernels::squared_norm(V, p);
   s.kinetic += 0.5 * layer.density * kernels::squared_norm(V, v);
   if (subscales_ && is_nearly_incompressible(e)) {

@@ -3,12 +3,18 @@
 #include "tunica/base/error.hpp"
 #include "tunica/boundary/registry.hpp"
 #include "tunica/materials/registry.hpp"
+#include "tunica/materials/viscoelastic.hpp"
 #include "tunica/stepping/registry.hpp"
 
 namespace tunica::discretisation {
 
-std::unique_ptr<materials::HyperelasticLaw> law_of(const Layer& layer) {
-  return materials::make_law(layer.law, {layer.constants.begin(), layer.constants.end()});
+std::unique_ptr<materials::WallLaw> law_of(const Layer& layer) {
+  std::unique_ptr<materials::WallLaw> law =
+      materials::make_law(layer.law, {layer.constants.begin(), layer.constants.end()});
+  if (layer.viscous_fraction > 0.0)
+    law = std::make_unique<materials::Viscoelastic>(std::move(law), layer.viscous_fraction,
+                                                    layer.relaxation_time);
+  return law;
 }
 
 namespace {
@@ -23,6 +29,8 @@ Layer layer_of(const std::string& region, const Teuchos::ParameterList& list) {
                              ? law.bulk_modulus({layer.constants.begin(), layer.constants.end()})
                              : list.get<double>("bulk modulus");
   }
+  layer.viscous_fraction = list.get<double>("viscous fraction");
+  layer.relaxation_time = list.get<double>("relaxation time");
   return layer;
 }
 
@@ -45,6 +53,12 @@ params::Table layer_table() {
   params::Table table("One layer of the wall.");
   table.variant("law", laws.front().value, laws, "hyperelastic law")
       .number("density", 1.2, params::positive(), "mg/mm^3", "density of the unloaded wall")
+      .number(
+          "viscous fraction", 0.0, params::non_negative(), "1",
+          "of the law's stress, what a sudden stretch meets in addition and what then fades; 0: "
+          "the wall is elastic, arteries have about 0.1 to 0.3")
+      .number("relaxation time", 100.0, params::positive(), "ms",
+              "in which that fades to 1/e; of no account without it")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         try {
           law_of(layer_of("", list));

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tunica/materials/hyperelastic_law.hpp"
+#include "tunica/materials/wall_law.hpp"
 #include "tunica/params/table.hpp"
 
 namespace tunica::discretisation {
@@ -13,11 +13,14 @@ struct Layer {
   std::string region;
   std::string law;
   std::vector<std::pair<std::string, double>> constants;
-  double bulk_modulus;  ///< κ [kPa]
-  double density;       ///< ρ in the reference configuration [mg/mm³]
+  double bulk_modulus;            ///< κ [kPa]
+  double density;                 ///< ρ in the reference configuration [mg/mm³]
+  double viscous_fraction = 0.0;  ///< β of materials::Viscoelastic; 0: elastic
+  double relaxation_time = 0.0;   ///< τ of it [ms]
 
   bool has_material_of(const Layer& other) const {
-    return law == other.law && constants == other.constants;
+    return law == other.law && constants == other.constants &&
+           viscous_fraction == other.viscous_fraction && relaxation_time == other.relaxation_time;
   }
 };
 
@@ -36,7 +39,7 @@ struct SolidOptions {
   std::vector<std::string> regions() const;
 };
 
-std::unique_ptr<materials::HyperelasticLaw> law_of(const Layer& layer);
+std::unique_ptr<materials::WallLaw> law_of(const Layer& layer);
 
 /// Adds the keys of a "Wall" list that its discretisation has: those of its layers, and behind
 /// those of the fibre frame the others.

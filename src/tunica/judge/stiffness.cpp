@@ -7,11 +7,11 @@
 
 namespace tunica::judge {
 
-double circumferential_modulus(const materials::HyperelasticLaw& law, double kappa) {
+double circumferential_modulus(const materials::WallLaw& law, double kappa) {
   constexpr double strain = 1e-7;  // fibres along the vessel stay below their slack of 1e-12
   constexpr int around = 1;        // of x, y, z: radial, circumferential, axial
   const Sym3 C{1.0 - 2.0 * strain, 1.0 + 2.0 * strain, 1.0, 0.0, 0.0, 0.0};
-  Sym3Map D = law.response(C, materials::Frame{}).D;
+  Sym3Map D = law.response(C, materials::Frame{}, {}).D;
   for (int I = 0; I < 3; ++I)
     for (int J = 0; J < 3; ++J) D[I][J] += kappa;
   Sym3 stress{};

@@ -1,5 +1,5 @@
 #pragma once
-#include "tunica/materials/hyperelastic_law.hpp"
+#include "tunica/materials/wall_law.hpp"
 
 namespace tunica::judge {
 
@@ -9,10 +9,10 @@ namespace tunica::judge {
 ///   E = 1/(D⁻¹)_θθ,   D = D' + κ I⊗I
 ///
 ///   D'  tangent of the isochoric law     kPa     θ   around the circumference
-double circumferential_modulus(const materials::HyperelasticLaw& law, double kappa);
+double circumferential_modulus(const materials::WallLaw& law, double kappa);
 
 /// κ beyond 50 times the shear modulus: ν above 0.49.
-inline bool is_nearly_incompressible(const materials::HyperelasticLaw& law, double kappa) {
+inline bool is_nearly_incompressible(const materials::WallLaw& law, double kappa) {
   return kappa >= 50.0 * circumferential_modulus(law, kappa) / 3.0;
 }
 

@@ -76,7 +76,7 @@ Mat3 stress_of_turned_fibres(const PrestretchedElement& element, const Mat3& F, 
     stretched[m] += 0.5 * side * h * F[n];
     stretched[n] += 0.5 * side * h * F[m];
     const Sym3 S =
-        element.law->stress(C, materials::pulled_back(element.frame_in_place, stretched));
+        element.law->stress(C, materials::pulled_back(element.frame_in_place, stretched), {});
     for (std::size_t I = 0; I < S.size(); ++I) dS[I] += side * S[I] / (2.0 * h);
   }
   Mat3 result = F * full(dS) * transpose(F);

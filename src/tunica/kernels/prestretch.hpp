@@ -10,7 +10,7 @@ struct PrestretchedElement {
   std::array<Vec3, 4> d;    ///< from there to its place [mm]
   std::array<double, 4> p;  ///< of its vertices [kPa]
   SolidCoefficients coefficients;
-  const materials::HyperelasticLaw* law;
+  const materials::WallLaw* law;
   materials::Frame frame;           ///< of its fibres, where it is free of stress
   materials::Frame frame_in_place;  ///< does not change
 };

@@ -220,20 +220,20 @@ Vec3 solid_subscale(const Tet4& T, const SolidState& s, const SolidCoefficients&
   return -c.tau * evaluate(T, s, c).s;  // d' = −τ s̄
 }
 
-MixedResidual solid_up_residual(const Tet4& T, const SolidState& s,
-                                const materials::HyperelasticLaw& law, const SolidCoefficients& c,
-                                const materials::Frame& frame) {
+MixedResidual solid_up_residual(const Tet4& T, const SolidState& s, const materials::WallLaw& law,
+                                const SolidCoefficients& c, const materials::Frame& frame,
+                                const materials::Past& past) {
   const Point<double> x = evaluate(T, s, c);
   MixedResidual R;
-  residual_at(T, s, c, x, law.stress(x.C, frame), R);
+  residual_at(T, s, c, x, law.stress(x.C, frame, past), R);
   return R;
 }
 
-void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::HyperelasticLaw& law,
+void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::WallLaw& law,
                        const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K,
-                       const materials::Frame& frame) {
+                       const materials::Frame& frame, const materials::Past& past) {
   const Point<double> x = evaluate(T, s, c);
-  const materials::StressTangent response = law.response(x.C, frame);
+  const materials::StressTangent response = law.response(x.C, frame, past);
   residual_at(T, s, c, x, response.S, R);
   stiffness_block(T, x, response, c, K.A);
   pressure_blocks(T, x, c, K);
@@ -244,20 +244,20 @@ namespace {
 // One law at all points, and where another holds its values in the place of those.
 
 Sym3Of<Pack> stress_of(const PackedLaws& at, const Sym3Of<Pack>& C) {
-  Sym3Of<Pack> S = at.laws[0]->packed_stress(C, at.frames);
+  Sym3Of<Pack> S = at.laws[0]->packed_stress(C, at.frames, at.pasts);
   for (int lane = 1; lane < Pack::size; ++lane)
     if (at.laws[lane] != at.laws[0]) {
-      const Sym3Of<Pack> other = at.laws[lane]->packed_stress(C, at.frames);
+      const Sym3Of<Pack> other = at.laws[lane]->packed_stress(C, at.frames, at.pasts);
       set_lane(S, lane, lane_of(other, lane));
     }
   return S;
 }
 
 materials::StressTangentOf<Pack> response_of(const PackedLaws& at, const Sym3Of<Pack>& C) {
-  materials::StressTangentOf<Pack> response = at.laws[0]->packed_response(C, at.frames);
+  materials::StressTangentOf<Pack> response = at.laws[0]->packed_response(C, at.frames, at.pasts);
   for (int lane = 1; lane < Pack::size; ++lane)
     if (at.laws[lane] != at.laws[0]) {
-      const auto other = at.laws[lane]->packed_response(C, at.frames);
+      const auto other = at.laws[lane]->packed_response(C, at.frames, at.pasts);
       set_lane(response.S, lane, lane_of(other.S, lane));
       set_lane(response.D, lane, lane_of(other.D, lane));
     }

@@ -1,6 +1,6 @@
 #pragma once
 #include "tunica/kernels/tet4.hpp"
-#include "tunica/materials/hyperelastic_law.hpp"
+#include "tunica/materials/wall_law.hpp"
 
 namespace tunica::kernels {
 
@@ -43,20 +43,21 @@ double solid_jacobian_determinant(const Tet4& T, const std::array<Vec3, 4>& d);
 Vec3 solid_subscale(const Tet4& T, const SolidState& s, const SolidCoefficients& c);
 
 /// Residual of the P1–P1 mixed solid; see solid_up.cpp for the equations. det F > 0 is the
-/// caller's promise. frame: matters for laws with fibres only.
-MixedResidual solid_up_residual(const Tet4& T, const SolidState& s,
-                                const materials::HyperelasticLaw& law, const SolidCoefficients& c,
-                                const materials::Frame& frame = {});
+/// caller's promise. frame, past: matter for laws with fibres, with memory only.
+MixedResidual solid_up_residual(const Tet4& T, const SolidState& s, const materials::WallLaw& law,
+                                const SolidCoefficients& c, const materials::Frame& frame = {},
+                                const materials::Past& past = {});
 
 /// Residual and its exact Jacobian.
-void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::HyperelasticLaw& law,
+void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::WallLaw& law,
                        const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K,
-                       const materials::Frame& frame = {});
+                       const materials::Frame& frame = {}, const materials::Past& past = {});
 
-/// The laws of a pack of elements and their frames.
+/// The laws of a pack of elements with their frames and pasts.
 struct PackedLaws {
-  std::array<const materials::HyperelasticLaw*, Pack::size> laws;
+  std::array<const materials::WallLaw*, Pack::size> laws;
   materials::FrameOf<Pack> frames;  ///< matter where a law has fibres
+  materials::PackedPast pasts{};    ///< matter where a law remembers
 };
 
 /// Both for a pack of elements, each as the functions above have it to round-off.

@@ -7,9 +7,10 @@
 namespace tunica::kernels {
 
 Sym3 cauchy_stress(const Tet4& T, const std::array<Vec3, 4>& d, const std::array<double, 4>& p,
-                   const materials::HyperelasticLaw& law, const materials::Frame& frame) {
+                   const materials::WallLaw& law, const materials::Frame& frame,
+                   const materials::Past& past) {
   const Mat3 F = deformation_gradient(T, d);
-  const Sym3 S = law.stress(right_cauchy_green(F), frame);
+  const Sym3 S = law.stress(right_cauchy_green(F), frame, past);
   const double inv_J = 1.0 / det(F);
   const double p_mean = 0.25 * (p[0] + p[1] + p[2] + p[3]);
   // (F S Fᵀ)_ij = F_i · S F_j with the rows of F

@@ -228,12 +228,12 @@ std::vector<output::Array> WallField::cell_arrays() const {
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
     const kernels::Tet4 T = wall.field().elements().geometry[e];
-    const materials::HyperelasticLaw& law = *wall.field().elements().layer(e).law;
+    const materials::WallLaw& law = *wall.field().elements().layer(e).law;
     const materials::Frame frame = wall.field().elements().frame(e);
     const auto d_e = wall.field().elements().displacement(e, assembly::gather(d, mesh.tets[e]));
     Strained element{frame, law.fibre_directions(frame), kernels::deformation_gradient(T, d_e),
                      kernels::cauchy_stress(T, d_e, assembly::gather(p, wall.scalar_mesh().tets[e]),
-                                            law, frame)};
+                                            law, frame, wall.field().elements().past_of(e))};
     for (Vec3& fibre : element.fibres) fibre = element.F * fibre;
     for (std::size_t k = 0; k < chosen.size(); ++k) chosen[k]->append(element, arrays[k].values);
   }

@@ -51,10 +51,10 @@ std::vector<double> elementwise(const SolidProblem& wall, int columns) {
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     const kernels::Tet4 T = elements.geometry[e];
     const auto d_e = elements.displacement(e, assembly::gather(d, mesh.tets[e]));
-    const materials::HyperelasticLaw& law = *elements.layer(e).law;
+    const materials::WallLaw& law = *elements.layer(e).law;
     const materials::Frame frame = elements.frame(e);
-    const Sym3 sigma =
-        kernels::cauchy_stress(T, d_e, assembly::gather(p, wall.scalar_mesh().tets[e]), law, frame);
+    const Sym3 sigma = kernels::cauchy_stress(
+        T, d_e, assembly::gather(p, wall.scalar_mesh().tets[e]), law, frame, elements.past_of(e));
     auto at = values.begin() + static_cast<std::ptrdiff_t>(columns * e);
     at = std::copy(sigma.begin(), sigma.end(), at);
     if (columns == 6) continue;

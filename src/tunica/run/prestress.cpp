@@ -138,7 +138,10 @@ problems::PrestressPoint restore(const std::string& path, problems::SolidProblem
 /// Gives the wall what was found.
 Outcome give(const problems::Prestress& found, problems::SolidProblem& wall) {
   const Outcome stretched = wall.field().set_prestretch(found.prestretch);
-  if (stretched.is_success()) wall.take(found.state);
+  if (stretched.is_success()) {
+    wall.take(found.state);
+    wall.field().settle(wall.state());
+  }
   return stretched;
 }
 

@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(packs, the_geometry_of_an_element_does_not_know_its_lane) {
 
 TEUCHOS_UNIT_TEST(packs, a_wall_element_does_not_know_its_lane) {
   Samples samples(3);
-  using Laws = std::array<const materials::HyperelasticLaw*, Pack::size>;
+  using Laws = std::array<const materials::WallLaw*, Pack::size>;
   for (const Laws& laws :
        {Laws{&rubber, &rubber, &rubber, &rubber}, Laws{&media, &media, &media, &media},
         Laws{&dispersed, &dispersed, &dispersed, &dispersed}, Laws{&steel, &steel, &steel, &steel},

@@ -38,7 +38,7 @@ public:
 
 private:
   const fields::FieldMesh* mesh_;
-  std::unique_ptr<materials::HyperelasticLaw> law_;
+  std::unique_ptr<materials::WallLaw> law_;
   assembly::SolidElements elements_;
 
 public:
