@@ -105,8 +105,12 @@ std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList
               << " scalar unknowns\nranks: " << comm->getSize() << std::endl;
   return [system, list, comm](run::RunOutput& output) {
     compare::SolverTable table(list, output.folder, output.record, comm->getRank() == 0);
-    const auto best =
-        table.run({"system", 0, 0, 0, &system->K, &system->b, &linear::no_operators()});
+    compare::LinearSystem linear;
+    linear.field = "system";
+    linear.K = &system->K;
+    linear.b = &system->b;
+    linear.operators = &linear::no_operators();
+    const auto best = table.run(linear);
     table.print();
     if (!best) return Outcome::failure("no setting came nearer to the solution than zero");
     const algebra::BlockVector x = systems::in_file_order(*system, best->x);

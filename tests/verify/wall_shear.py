@@ -26,7 +26,7 @@ def run(verdict, programs, folder, name, ranks=1, words=(), begin=FROM):
 def by_vertex(results, step, name):
     with h5py.File(results / "fields.h5", "r") as file:
         values = file[f"step_{step:06}/fluid/{name}"][()]
-        return values[np.argsort(file["fluid/places"][()])]
+        return values[np.argsort(file["fluid/vertices"][()])]
 
 
 def arrays_of(results, step):

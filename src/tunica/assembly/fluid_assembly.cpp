@@ -8,13 +8,15 @@ namespace tunica::assembly {
 
 kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh, std::size_t e) {
   const std::array<int, 4>& nodes = mesh.tets[e];
-  return {gather(s.u, nodes),
-          gather(s.p, nodes),
-          gather(s.u_old, nodes),
-          gather(s.w, nodes),
-          gather(s.f, nodes),
-          s.subscale.empty() ? Vec3{} : s.subscale[e],
-          s.viscous.empty() ? Vec3{} : s.viscous[e]};
+  kernels::FluidState state;
+  state.u = gather(s.u, nodes);
+  state.p = gather(s.p, nodes);
+  state.u_old = gather(s.u_old, nodes);
+  state.w = gather(s.w, nodes);
+  state.f = gather(s.f, nodes);
+  if (!s.subscale.empty()) state.subscale = s.subscale[e];
+  if (!s.viscous.empty()) state.viscous = s.viscous[e];
+  return state;
 }
 
 void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements,

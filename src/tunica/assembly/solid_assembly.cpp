@@ -109,10 +109,16 @@ void assemble_prestretch(const fields::FieldMesh& mesh, const SolidElements& ele
     K.begin(pack);
     for (int lane = 0; lane < Pack::size; ++lane) {
       const std::size_t e = pack.number[lane];
-      const kernels::MixedJacobian of_lane = kernels::prestretch_jacobian(
-          {image[e], elements.geometry[e], elements.geometry.from_stress_free(e),
-           gather(state.p, scalar_mesh.tets[e]), elements.coefficients(e), elements.layer(e).law,
-           elements.frame(e), frames.empty() ? materials::Frame{} : frames[e]});
+      kernels::PrestretchedElement element;
+      element.in_place = image[e];
+      element.stress_free = elements.geometry[e];
+      element.d = elements.geometry.from_stress_free(e);
+      element.p = gather(state.p, scalar_mesh.tets[e]);
+      element.coefficients = elements.coefficients(e);
+      element.law = elements.layer(e).law;
+      element.frame = elements.frame(e);
+      if (!frames.empty()) element.frame_in_place = frames[e];
+      const kernels::MixedJacobian of_lane = kernels::prestretch_jacobian(element);
       for (int a = 0; a < 4; ++a)
         for (int b = 0; b < 4; ++b)
           for (int i = 0; i < 3; ++i) {

@@ -15,13 +15,13 @@ using VectorField = std::function<Vec3(const Vec3& x, double time)>;
 
 /// What a term sees of its field when it is evaluated, on owned and ghost nodes.
 struct Surroundings {
-  const fields::FieldMesh* mesh;
-  const std::vector<Vec3>* reference;  ///< positions in the undeformed field [mm]
-  const std::vector<Vec3>* position;   ///< where the field lies at present [mm]
-  const std::vector<Vec3>* u;          ///< the vector unknown: velocity or displacement
-  const std::vector<Vec3>* w;          ///< velocity of the mesh, or of the wall [mm/ms]
-  double density;                      ///< of a fluid; 0 for a wall [mg/mm³]
-  double time;                         ///< at which loads act [ms]
+  const fields::FieldMesh* mesh = nullptr;
+  const std::vector<Vec3>* reference = nullptr;  ///< positions in the undeformed field [mm]
+  const std::vector<Vec3>* position = nullptr;   ///< where the field lies at present [mm]
+  const std::vector<Vec3>* u = nullptr;          ///< the vector unknown: velocity or displacement
+  const std::vector<Vec3>* w = nullptr;          ///< velocity of the mesh, or of the wall [mm/ms]
+  double density = 0.0;                          ///< of a fluid; 0 for a wall [mg/mm³]
+  double time = 0.0;                             ///< at which loads act [ms]
   /// Where it is not null, it takes the place of prescribed velocities; for verification.
   const VectorField* velocity = nullptr;
   double viscosity = 0.0;  ///< of a fluid [kPa ms]

@@ -11,12 +11,12 @@ namespace tunica::compare {
 /// problem and change with the next Newton step.
 struct LinearSystem {
   std::string field;  ///< "fluid", "wall", or "system" for one of another program
-  int step;           ///< all three counted from 1; 0 for one of another program
-  int coupling_iteration;
-  int newton_step;
-  const algebra::BlockMatrix* K;
-  const algebra::BlockVector* b;
-  const linear::NamedOperators* operators;
+  int step = 0;       ///< all three counted from 1; 0 for one of another program
+  int coupling_iteration = 0;
+  int newton_step = 0;
+  const algebra::BlockMatrix* K = nullptr;
+  const algebra::BlockVector* b = nullptr;
+  const linear::NamedOperators* operators = nullptr;
   const fields::FieldMesh* mesh = nullptr;  ///< none for one of another program
 
   /// "fluid-newton-1", "system"

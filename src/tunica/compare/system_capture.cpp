@@ -26,8 +26,16 @@ void SystemCapture::watch(const std::string& field, problems::SystemSource& prob
     const int newton_step = ++newton_steps_[field];
     if (!is_wanted(field, newton_step)) return;
     ++count_;
-    show_({field, step_, iteration_, newton_step, &problem.last_jacobian(), &b,
-           &problem.operators(), &problem.last_jacobian().mesh()});
+    LinearSystem system;
+    system.field = field;
+    system.step = step_;
+    system.coupling_iteration = iteration_;
+    system.newton_step = newton_step;
+    system.K = &problem.last_jacobian();
+    system.b = &b;
+    system.operators = &problem.operators();
+    system.mesh = &problem.last_jacobian().mesh();
+    show_(system);
   });
 }
 

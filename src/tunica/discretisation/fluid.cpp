@@ -15,19 +15,21 @@
 
 namespace tunica::discretisation {
 
-Fluid::Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
+Fluid::Fluid(const FluidOptions& options, const fields::FieldMesh& mesh)
     : MixedField(mesh, {{{"velocity", 3}, {"pressure", 1}},
-                        boundary::conditions_of(list.sublist("Surfaces")),
+                        options.conditions,
                         boundary::fluid_conditions(),
-                        stepping::make_fluid_scheme(list)}),
-      options_(fluid_options(list)), position_(mesh.x) {
+                        options.make_scheme()}),
+      options_(options), position_(mesh.x) {
   for (auto* field : {&local_.u, &local_.u_old, &local_.w, &local_.f})
     field->assign(mesh.n_nodes(), Vec3{});
   local_.p.resize(mesh.n_nodes());
-  elements_.coefficients = {
-      options_.density,          options_.viscosity.get(),       0.0,
-      options_.viscous_factor,   options_.has_dynamic_subscales, options_.has_skew_convection,
-      options_.has_mean_residual};
+  elements_.coefficients.density = options_.density;
+  elements_.coefficients.viscosity = options_.viscosity.get();
+  elements_.coefficients.viscous_factor = options_.viscous_factor;
+  elements_.coefficients.has_dynamic_subscales = options_.has_dynamic_subscales;
+  elements_.coefficients.has_skew_convection = options_.has_skew_convection;
+  elements_.coefficients.has_mean_residual = options_.has_mean_residual;
   if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::fluid_subscales(*mesh_, elements_, local_); });
@@ -108,16 +110,18 @@ Outcome Fluid::set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d
 }
 
 boundary::Surroundings Fluid::surroundings() const {
-  return {mesh_,
-          &mesh_->x,
-          &position_,
-          &local_.u,
-          &local_.w,
-          options_.density,
-          time_,
-          boundary_velocity_ ? &boundary_velocity_ : nullptr,
-          options_.viscosity->reference(),
-          scheme_->rate()};
+  boundary::Surroundings here;
+  here.mesh = mesh_;
+  here.reference = &mesh_->x;
+  here.position = &position_;
+  here.u = &local_.u;
+  here.w = &local_.w;
+  here.time = time_;
+  here.density = options_.density;
+  here.viscosity = options_.viscosity->reference();
+  here.mesh_rate = scheme_->rate();
+  if (boundary_velocity_) here.velocity = &boundary_velocity_;
+  return here;
 }
 
 std::vector<Vec3> Fluid::viscous_forces() const {

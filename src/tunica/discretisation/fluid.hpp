@@ -15,8 +15,8 @@ namespace tunica::discretisation {
 /// undeformed mesh.
 class Fluid final : public MixedField {
 public:
-  /// list: the resolved "Fluid" list. mesh must outlive the object. Collective.
-  Fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
+  /// mesh must outlive the object. Collective.
+  Fluid(const FluidOptions& options, const fields::FieldMesh& mesh);
   ~Fluid() override;
 
   /// Takes x for the state at the start, instead of rest. Collective.

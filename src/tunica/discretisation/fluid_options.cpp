@@ -84,6 +84,8 @@ FluidOptions fluid_options(const Teuchos::ParameterList& list) {
   options.has_mean_residual =
       within == "mean" || (within == "automatic" && options.has_dynamic_subscales);
   options.viscous_factor = list.get<double>("stabilisation viscous factor");
+  options.conditions = boundary::conditions_of(list.sublist("Surfaces"));
+  options.make_scheme = [list] { return stepping::make_fluid_scheme(list); };
   return options;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "tunica/params/table.hpp"
+#include "tunica/boundary/registry.hpp"
+#include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::materials {
 class ViscosityLaw;
@@ -11,6 +13,7 @@ class ViscosityLaw;
 
 namespace tunica::discretisation {
 
+/// What a resolved "Fluid" list says of its discretisation.
 struct FluidOptions {
   std::vector<std::string> regions;
   double density;
@@ -21,6 +24,8 @@ struct FluidOptions {
   bool has_skew_convection;    ///< convection takes out no energy
   bool has_mean_residual;      ///< SUPG has only the mean of an element's residual
   double viscous_factor;       ///< c_ν of the stabilisation parameter
+  std::vector<boundary::Condition> conditions;
+  std::function<std::unique_ptr<stepping::TimeScheme>()> make_scheme;
 };
 
 /// Adds the keys of a "Fluid" list that its discretisation has.

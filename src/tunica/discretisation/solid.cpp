@@ -24,19 +24,15 @@ std::unique_ptr<fields::SplitMesh> mesh_of_pressures(const SolidOptions& options
 
 }  // namespace
 
-Solid::Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+Solid::Solid(const SolidOptions& options, const fields::FieldMesh& mesh,
              std::vector<materials::Frame> frames)
-    : Solid(solid_options(list), list, mesh, std::move(frames)) {}
-
-Solid::Solid(SolidOptions options, const Teuchos::ParameterList& list,
-             const fields::FieldMesh& mesh, std::vector<materials::Frame> frames)
     : MixedField(mesh, {{{"displacement", 3}, {"pressure", 1}},
-                        boundary::conditions_of(list.sublist("Surfaces")),
+                        options.conditions,
                         boundary::wall_conditions(),
-                        stepping::make_wall_scheme(list),
+                        options.make_scheme(),
                         mesh_of_pressures(options, mesh),
                         true}),
-      options_(std::move(options)), prestretch_(mesh, [this] { follow_prestretch(); }),
+      options_(options), prestretch_(mesh, [this] { follow_prestretch(); }),
       nodal_force_(mesh.n_owned) {
   local_.r.assign(mesh.n_nodes(), Vec3{});
   local_.d.resize(mesh.n_nodes());
@@ -241,6 +237,17 @@ void Solid::read(const algebra::BlockVector& x) {
   for (std::size_t a = 0; a < v_.size(); ++a)
     v_[a] = scheme_->rate() * (local_.d[a] - past_[a]);  // v = (d − d̃)/Δt
   local_.p = fields::ghosted_scalars(scalar_mesh(), x[1]);
+}
+
+boundary::Surroundings Solid::surroundings() const {
+  boundary::Surroundings here;
+  here.mesh = mesh_;
+  here.reference = here.position = &mesh_->x;  // loads are in the undeformed wall
+  here.u = &local_.d;
+  here.w = &v_;
+  here.time = time_;
+  here.follows = !stays_on_mesh_;
+  return here;
 }
 
 Outcome Solid::is_admissible() const {

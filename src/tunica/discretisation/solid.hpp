@@ -20,9 +20,9 @@ namespace tunica::discretisation {
 /// Unknown is d, the displacement from the mesh; see assembly::ElementGeometry.
 class Solid final : public MixedField {
 public:
-  /// list: the resolved "Wall" list; frames: of the fibres, one per local element, or none. mesh
-  /// must outlive the object. Collective.
-  Solid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+  /// frames: of the fibres, one per local element, or none. mesh must outlive the object.
+  /// Collective.
+  Solid(const SolidOptions& options, const fields::FieldMesh& mesh,
         std::vector<materials::Frame> frames);
   ~Solid() override;
 
@@ -82,8 +82,6 @@ public:
   Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override;
 
 private:
-  Solid(SolidOptions options, const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
-        std::vector<materials::Frame> frames);
   struct Summary;
   /// A local element with its values at the vertices.
   void add_element(std::size_t e, const std::array<Vec3, 4>& d, const std::array<Vec3, 4>& v,
@@ -109,10 +107,7 @@ private:
   SurfaceSums sums_over(int surface, const std::vector<Vec3>& d) const;
   /// Forces on all surfaces that hold the wall, this rank's part.
   std::vector<Vec3> reaction_forces(const algebra::BlockVector& x);
-  boundary::Surroundings surroundings() const override {
-    return {mesh_,   &mesh_->x, &mesh_->x, &local_.d,      &v_, 0.0, time_,
-            nullptr, 0.0,       0.0,       !stays_on_mesh_};
-  }
+  boundary::Surroundings surroundings() const override;
   void read(const algebra::BlockVector& x) override;
   Outcome is_admissible() const override;
   void assemble(assembly::BlockAssembler* K) override;

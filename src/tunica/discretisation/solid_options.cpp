@@ -5,6 +5,7 @@
 #include "tunica/materials/registry.hpp"
 #include "tunica/materials/viscoelastic.hpp"
 #include "tunica/stepping/registry.hpp"
+#include "tunica/stepping/statics.hpp"
 
 namespace tunica::discretisation {
 
@@ -141,6 +142,15 @@ SolidOptions solid_options(const Teuchos::ParameterList& list) {
   // Prestretches need not fit together, so that nothing else keeps single elements from swelling,
   // which softens them: walls with fibres then bear no more than a part of their load.
   if (options.volumetric_factor == 0.0 && options.has_prestress) options.volumetric_factor = 1.0;
+  options.conditions = boundary::conditions_of(list.sublist("Surfaces"));
+  options.make_scheme = [list] { return stepping::make_wall_scheme(list); };
+  return options;
+}
+
+SolidOptions in_statics(SolidOptions options) {
+  options.is_static = true;
+  options.has_dynamic_subscales = false;
+  options.make_scheme = [] { return std::make_unique<stepping::Statics>(); };
   return options;
 }
 

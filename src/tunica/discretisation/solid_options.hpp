@@ -1,10 +1,12 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "tunica/boundary/registry.hpp"
 #include "tunica/materials/wall_law.hpp"
-#include "tunica/params/table.hpp"
+#include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::discretisation {
 
@@ -24,6 +26,7 @@ struct Layer {
   }
 };
 
+/// What a resolved "Wall" list says of its discretisation.
 struct SolidOptions {
   std::vector<Layer> layers;
   bool has_dynamic_subscales;  ///< those of PSPG have inertia of their own
@@ -35,9 +38,14 @@ struct SolidOptions {
   double layer_factor;         ///< else: multiplies τ at the boundary of two materials
   double volumetric_factor;    ///< τ_v of the volumetric subscale in parts of μ_l
   bool has_prestress;          ///< in its mesh
+  std::vector<boundary::Condition> conditions;
+  std::function<std::unique_ptr<stepping::TimeScheme>()> make_scheme;
 
   std::vector<std::string> regions() const;
 };
+
+/// The same wall in equilibrium.
+SolidOptions in_statics(SolidOptions options);
 
 std::unique_ptr<materials::WallLaw> law_of(const Layer& layer);
 

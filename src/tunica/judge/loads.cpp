@@ -150,12 +150,12 @@ void visit_opening(const boundary::Condition& c, double area, const std::vector<
 }
 
 /// What presses on the openings, in time.
-std::vector<Course> visit_fluid(const setup::Case::Fluid& fluid,
+std::vector<Course> visit_fluid(const problems::FluidSettings& fluid,
                                 const std::vector<Vessel::Opening>& openings,
                                 const std::vector<double>& times, Loads& loads) {
   Driven driven;
   std::vector<std::string> named;
-  for (const boundary::Condition& c : fluid.conditions) {
+  for (const boundary::Condition& c : fluid.options.conditions) {
     named.push_back(c.surface);
     visit_opening(c, area_of(openings, c.surface), times, driven, loads);
   }
@@ -169,9 +169,10 @@ std::vector<Course> visit_fluid(const setup::Case::Fluid& fluid,
   return driven.pressing;
 }
 
-void visit_wall(const setup::Case::Wall& wall, const std::vector<double>& times, Loads& loads) {
+void visit_wall(const problems::SolidSettings& wall, const std::vector<double>& times,
+                Loads& loads) {
   using Kind = boundary::Drive::Kind;
-  for (const boundary::Condition& c : wall.conditions) {
+  for (const boundary::Condition& c : wall.options.conditions) {
     const boundary::Drive drive = c.drive(boundary::Field::wall);
     const Course course(c.list, drive.size);
     const double peak = course.peak(times);
@@ -181,7 +182,7 @@ void visit_wall(const setup::Case::Wall& wall, const std::vector<double>& times,
     if (drive.kind == Kind::file) loads.has_data = true;
     if (peak > 0.0) loads.are_zero = false;
   }
-  note_pressure(wall.prestress, "Wall / Prestress", loads);
+  note_pressure(wall.prestress.pressure, "Wall / Prestress", loads);
 }
 
 void note_difference(const std::vector<Course>& pressing, const std::vector<double>& times,

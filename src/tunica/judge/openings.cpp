@@ -76,11 +76,11 @@ void doubt_prestress(const Loads& loads, const Vessel& vessel, double imaged, do
 
 // The prestress bears the pressure of the image; pressures of the case on the same surfaces take
 // its place when the run begins, all else adds to it.
-void doubt_loads_on_wall(const setup::Case::Wall& wall, const Loads& loads, bool is_coupled,
+void doubt_loads_on_wall(const problems::SolidSettings& wall, const Loads& loads, bool is_coupled,
                          Doubts& doubts) {
-  const double imaged = wall.prestress;
+  const double imaged = wall.prestress.pressure;
   if (imaged == 0.0) return;
-  const std::vector<std::string>& bearing = wall.prestress_surfaces;
+  const std::vector<std::string>& bearing = wall.prestress.surfaces;
   for (const Loads::OnWall& load : loads.on_wall) {
     if (std::count(bearing.begin(), bearing.end(), load.surface) == 0) continue;
     const char* const surface = load.surface.c_str();
@@ -132,7 +132,7 @@ std::vector<std::string> doubts_of_openings(const setup::Case& the_case, const V
   Doubts doubts;
   doubt_outlets(loads, doubts);
   const bool is_coupled = vessel.wall && vessel.fluid;
-  const double imaged = is_coupled ? the_case.wall->prestress : 0.0;
+  const double imaged = is_coupled ? the_case.wall->prestress.pressure : 0.0;
   doubt_bare(loads, imaged, doubts);
   if (vessel.wall) doubt_loads_on_wall(*the_case.wall, loads, is_coupled, doubts);
   if (!is_coupled) return doubts;

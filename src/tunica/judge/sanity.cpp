@@ -146,7 +146,7 @@ void Judge::stiffness() {
     const double E = found_.modulus, h = vessel_.thickness, R = vessel_.radius;
     found_.wave_speed = std::sqrt(E * h / (2.0 * fluid_.density * R));
     row("wave speed, Moens-Korteweg", formatted("%.3g mm/ms", found_.wave_speed), "2 to 15 mm/ms");
-    const double borne = case_.wall->prestress;
+    const double borne = case_.wall->prestress.pressure;
     const double strain = (loads_.peak_pressure - borne) * R / (E * h);
     if (strain > 0.0) row("p R/(E h), strain around", formatted("%.2g", strain), "below 0.3");
     if (strain > 1.0)
@@ -160,7 +160,7 @@ void Judge::stiffness() {
 }
 
 void Judge::held() {
-  for (const auto& c : case_.wall->conditions)
+  for (const auto& c : case_.wall->options.conditions)
     if (c.kind() != "traction" && c.kind() != "pressure" &&
         c.kind() != boundary::interface_condition)
       return;
@@ -346,7 +346,7 @@ void print_doubts(const Sanity& sanity) {
 VesselSurfaces vessel_surfaces(const setup::Case& the_case) {
   VesselSurfaces surfaces;
   std::vector<boundary::Condition> of_fluid;
-  if (the_case.fluid) of_fluid = the_case.fluid->conditions;
+  if (the_case.fluid) of_fluid = the_case.fluid->options.conditions;
   for (const boundary::Condition& c : of_fluid) {
     if (c.kind() == "no slip" || c.kind() == boundary::interface_condition)
       surfaces.lumen_sides.push_back(c.surface);
@@ -354,7 +354,7 @@ VesselSurfaces vessel_surfaces(const setup::Case& the_case) {
       surfaces.lumen_planes.push_back(c.surface);
   }
   if (!the_case.wall) return surfaces;
-  for (const auto& c : the_case.wall->conditions) {
+  for (const auto& c : the_case.wall->options.conditions) {
     const std::string kind = c.kind();
     if (kind == "pressure" || kind == boundary::interface_condition)
       surfaces.wall_inside.push_back(c.surface);

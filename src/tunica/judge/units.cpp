@@ -55,7 +55,7 @@ std::vector<std::string> doubts_of_units(const setup::Case& the_case, const Load
     const discretisation::FluidOptions& fluid = the_case.fluid->options;
     doubt("Fluid / density", fluid.density, density, doubts);
     doubt("Fluid / viscosity", fluid.viscosity->reference(), viscosity, doubts);
-    for (const auto& c : the_case.fluid->conditions)
+    for (const auto& c : the_case.fluid->options.conditions)
       if (const auto outlet = c.drive(boundary::Field::fluid).outlet)
         doubt("Fluid / Surfaces / " + c.surface + ": the time constant", outlet->time_constant,
               decay, doubts);

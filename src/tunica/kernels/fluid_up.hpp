@@ -31,11 +31,11 @@ inline void set_lane(FluidStateOf<Pack>& to, int lane, const FluidState& from) {
 }
 
 struct FluidCoefficients {
-  double density;                            ///< ρ [mg/mm³]
-  const materials::ViscosityLaw* viscosity;  ///< μ(γ̇)
-  double inv_dt;                             ///< 1/Δt, zero for steady flow [1/ms]
-  double viscous_factor = 4.0;               ///< c_ν in τ
-  bool has_dynamic_subscales = false;        ///< subscales have inertia, see fluid_tau()
+  double density = 0.0;                                ///< ρ [mg/mm³]
+  const materials::ViscosityLaw* viscosity = nullptr;  ///< μ(γ̇)
+  double inv_dt = 0.0;                                 ///< 1/Δt, zero for steady flow [1/ms]
+  double viscous_factor = 4.0;                         ///< c_ν in τ
+  bool has_dynamic_subscales = false;                  ///< subscales have inertia, see fluid_tau()
   bool has_skew_convection = false;  ///< convection takes out no energy inside, see fluid_up.cpp
   bool has_mean_residual = false;    ///< SUPG has only the mean of an element's residual
 };

@@ -220,20 +220,18 @@ Vec3 solid_subscale(const Tet4& T, const SolidState& s, const SolidCoefficients&
   return -c.tau * evaluate(T, s, c).s;  // d' = −τ s̄
 }
 
-MixedResidual solid_up_residual(const Tet4& T, const SolidState& s, const materials::WallLaw& law,
-                                const SolidCoefficients& c, const materials::Frame& frame,
-                                const materials::Past& past) {
+MixedResidual solid_up_residual(const Tet4& T, const SolidState& s, const LawAtElement& at,
+                                const SolidCoefficients& c) {
   const Point<double> x = evaluate(T, s, c);
   MixedResidual R;
-  residual_at(T, s, c, x, law.stress(x.C, frame, past), R);
+  residual_at(T, s, c, x, at.law->stress(x.C, at.frame, at.past), R);
   return R;
 }
 
-void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::WallLaw& law,
-                       const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K,
-                       const materials::Frame& frame, const materials::Past& past) {
+void solid_up_jacobian(const Tet4& T, const SolidState& s, const LawAtElement& at,
+                       const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K) {
   const Point<double> x = evaluate(T, s, c);
-  const materials::StressTangent response = law.response(x.C, frame, past);
+  const materials::StressTangent response = at.law->response(x.C, at.frame, at.past);
   residual_at(T, s, c, x, response.S, R);
   stiffness_block(T, x, response, c, K.A);
   pressure_blocks(T, x, c, K);

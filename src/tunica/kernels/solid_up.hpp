@@ -42,16 +42,26 @@ double solid_jacobian_determinant(const Tet4& T, const std::array<Vec3, 4>& d);
 /// The subscale d' of the new time, constant on the element [mm]; see solid_up.cpp.
 Vec3 solid_subscale(const Tet4& T, const SolidState& s, const SolidCoefficients& c);
 
+/// The law of an element, with what it sees beside the deformation: the frame where it has fibres,
+/// the past where it remembers.
+struct LawAtElement {
+  LawAtElement(const materials::WallLaw& of, const materials::Frame& in = {},  // NOLINT: the law
+               const materials::Past& before = {})
+      : law(&of), frame(in), past(before) {}
+
+  const materials::WallLaw* law;
+  materials::Frame frame;
+  materials::Past past;
+};
+
 /// Residual of the P1–P1 mixed solid; see solid_up.cpp for the equations. det F > 0 is the
-/// caller's promise. frame, past: matter for laws with fibres, with memory only.
-MixedResidual solid_up_residual(const Tet4& T, const SolidState& s, const materials::WallLaw& law,
-                                const SolidCoefficients& c, const materials::Frame& frame = {},
-                                const materials::Past& past = {});
+/// caller's promise.
+MixedResidual solid_up_residual(const Tet4& T, const SolidState& s, const LawAtElement& at,
+                                const SolidCoefficients& c);
 
 /// Residual and its exact Jacobian.
-void solid_up_jacobian(const Tet4& T, const SolidState& s, const materials::WallLaw& law,
-                       const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K,
-                       const materials::Frame& frame = {}, const materials::Past& past = {});
+void solid_up_jacobian(const Tet4& T, const SolidState& s, const LawAtElement& at,
+                       const SolidCoefficients& c, MixedResidual& R, MixedJacobian& K);
 
 /// The laws of a pack of elements with their frames and pasts.
 struct PackedLaws {

@@ -19,7 +19,9 @@ namespace {
 
 Constant positive(const std::string& name, double fallback, const std::string& unit,
                   const std::string& sentence) {
-  return {name, fallback, 0.0, unit, sentence, std::numeric_limits<double>::infinity(), true};
+  Constant constant{name, fallback, 0.0, unit, sentence};
+  constant.is_low_excluded = true;
+  return constant;
 }
 
 }  // namespace

@@ -54,17 +54,19 @@ params::Table newton_table(const NewtonDefaults& defaults) {
 
 NewtonOptions newton_options(const Teuchos::ParameterList& list) {
   const auto& stop = list.get<std::string>("stop at");
-  return {list.get<int>("max iterations"),
-          list.get<double>("relative increment"),
-          list.get<double>("absolute increment"),
-          stop == "increment"        ? StopAt::increment
-          : stop == "next increment" ? StopAt::next_increment
-                                     : StopAt::remaining_error,
-          list.isParameter("safety") ? list.get<double>("safety") : 0.0,
-          list.get<double>("growth limit"),
-          list.get<double>("jacobian cost"),
-          list.get<std::string>("line search"),
-          forcing_options(list)};
+  NewtonOptions options;
+  options.max_iterations = list.get<int>("max iterations");
+  options.relative_increment = list.get<double>("relative increment");
+  options.absolute_increment = list.get<double>("absolute increment");
+  options.stop_at = stop == "increment"        ? StopAt::increment
+                    : stop == "next increment" ? StopAt::next_increment
+                                               : StopAt::remaining_error;
+  if (list.isParameter("safety")) options.safety = list.get<double>("safety");
+  options.growth_limit = list.get<double>("growth limit");
+  options.jacobian_cost = list.get<double>("jacobian cost");
+  options.line_search = list.get<std::string>("line search");
+  options.forcing = forcing_options(list);
+  return options;
 }
 
 int NewtonReport::linear_iterations() const {

@@ -41,15 +41,15 @@ using NewtonWatch = std::function<void(const NewtonStep&)>;
 enum class StopAt { increment, next_increment, remaining_error };
 
 struct NewtonOptions {
-  int max_iterations;
-  double relative_increment;  ///< ε2: stop at |dx_k| ≤ ε2 |dx_1|
-  double absolute_increment;  ///< or at |dx_k| ≤ this
-  StopAt stop_at;             ///< what those two are compared with
-  double safety;              ///< s of IncrementTest
-  double growth_limit;        ///< give up at |dx_k| > limit |dx_1|
-  double jacobian_cost;       ///< c of JacobianRule
-  std::string line_search;    ///< "guarded", "full step", "backtrack", "polynomial"
-  ForcingOptions forcing;
+  int max_iterations = 0;
+  double relative_increment = 0.0;     ///< ε2: stop at |dx_k| ≤ ε2 |dx_1|
+  double absolute_increment = 0.0;     ///< or at |dx_k| ≤ this
+  StopAt stop_at = StopAt::increment;  ///< what those two are compared with
+  double safety = 0.0;                 ///< s of IncrementTest
+  double growth_limit = 0.0;           ///< give up at |dx_k| > limit |dx_1|
+  double jacobian_cost = 0.0;          ///< c of JacobianRule
+  std::string line_search;             ///< "guarded", "full step", "backtrack", "polynomial"
+  ForcingOptions forcing{};
   /// Where Jacobians that were kept have failed, from the start with a new one in each step.
   bool tries_again = true;
   /// Give up as soon as max_iterations would not do at the pace of the last steps.

@@ -13,7 +13,7 @@ class SolidProblem;
 namespace tunica::observe {
 
 /// What a field may look at: the fields that are solved before it, and the case.
-struct Surroundings {
+struct FieldContext {
   const Teuchos::ParameterList& the_case;  ///< resolved
   problems::FluidProblem* fluid;           ///< null where the case has none
   problems::SolidProblem* wall;
@@ -29,7 +29,7 @@ struct FieldKind {
   std::vector<Quantity> quantities;  ///< what probes may ask of it, with "field" = its name
   /// list: the resolved entry. The mesh outlives the field.
   std::function<std::unique_ptr<Field>(const std::string& name, const Teuchos::ParameterList& list,
-                                       const fields::FieldMesh& mesh, const Surroundings& others)>
+                                       const fields::FieldMesh& mesh, const FieldContext& others)>
       make;
 
   /// True where the case has that region.

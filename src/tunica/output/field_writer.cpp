@@ -149,18 +149,16 @@ void FieldWriter::begin_anew(const std::vector<Grid>& grids) {
 
 FieldWriter::Shape FieldWriter::shape_of(const Grid& grid) const {
   const auto cells = static_cast<long long>(grid.tets.size());
-  return {grid.name,
-          grid.points_global,
-          grid.first_point,
-          static_cast<long long>(grid.points.size()),
-          global_sum(*comm_, cells),
-          sum_before(*comm_, cells),
-          cells,
-          static_cast<long long>(grid.points.size()),
-          cells,
-          nullptr,
-          nullptr,
-          grid.regions};
+  Shape shape;
+  shape.name = grid.name;
+  shape.points_total = grid.points_global;
+  shape.first_point = grid.first_point;
+  shape.points = shape.given_points = static_cast<long long>(grid.points.size());
+  shape.cells_total = global_sum(*comm_, cells);
+  shape.first_cell = sum_before(*comm_, cells);
+  shape.cells = shape.given_cells = cells;
+  shape.regions = grid.regions;
+  return shape;
 }
 
 void FieldWriter::write_geometry(const std::vector<Grid>& grids) const {

@@ -80,9 +80,10 @@ private:
   /// What remains of a Grid when its geometry is on the disk.
   struct Shape {
     std::string name;
-    long long points_total, first_point, points;  ///< rows of the file that this rank writes
-    long long cells_total, first_cell, cells;
-    long long given_points, given_cells;  ///< rows that the run has on this rank
+    long long points_total = 0, first_point = 0, points = 0;  ///< rows of the file that this rank
+                                                              ///< writes
+    long long cells_total = 0, first_cell = 0, cells = 0;
+    long long given_points = 0, given_cells = 0;  ///< rows that the run has on this rank
     std::shared_ptr<const RowOrder> point_order, cell_order;  ///< from the given; null: the same
     std::vector<std::string> regions;
   };

@@ -2,11 +2,14 @@
 
 namespace tunica::problems {
 
+SolveSettings::SolveSettings(const Teuchos::ParameterList& field)
+    : newton(nonlinear::newton_options(field.sublist("Newton"))),
+      linear_solver(field.sublist("Linear Solver")) {}
+
 FieldProblem::FieldProblem(std::unique_ptr<discretisation::MixedField> field,
-                           const Teuchos::ParameterList& list)
-    : x_(field->space()), field_(std::move(field)),
-      newton_(nonlinear::newton_options(list.sublist("Newton"))), rule_(newton_.jacobian_cost),
-      solver_list_(list.sublist("Linear Solver")) {}
+                           const SolveSettings& settings)
+    : x_(field->space()), field_(std::move(field)), newton_(settings.newton),
+      rule_(newton_.jacobian_cost), solver_list_(settings.linear_solver) {}
 
 FieldProblem::~FieldProblem() = default;
 

@@ -8,14 +8,20 @@
 
 namespace tunica::problems {
 
+/// What the resolved list of a field says of how it is solved for.
+struct SolveSettings {
+  explicit SolveSettings(const Teuchos::ParameterList& field);
+
+  nonlinear::NewtonOptions newton;
+  Teuchos::ParameterList linear_solver;
+};
+
 /// One field alone: a discretisation with a state, Newton's method and a linear solver.
 class FieldProblem : public nonlinear::NonlinearProblem,
                      public SystemSource,
                      public fields::Restartable {
 public:
-  /// list: the resolved "Fluid" or "Wall" list, for its "Newton" and its "Linear Solver".
-  FieldProblem(std::unique_ptr<discretisation::MixedField> field,
-               const Teuchos::ParameterList& list);
+  FieldProblem(std::unique_ptr<discretisation::MixedField> field, const SolveSettings& settings);
   ~FieldProblem() override;
 
   const fields::FieldMesh& mesh() const { return field_->mesh(); }
@@ -105,12 +111,12 @@ public:
   const Field& field() const { return *own_; }
 
 protected:
-  ProblemOf(std::unique_ptr<Field> field, const Teuchos::ParameterList& list)
-      : ProblemOf(field.get(), std::move(field), list) {}
+  ProblemOf(std::unique_ptr<Field> field, const SolveSettings& settings)
+      : ProblemOf(field.get(), std::move(field), settings) {}
 
 private:
-  ProblemOf(Field* own, std::unique_ptr<Field>&& field, const Teuchos::ParameterList& list)
-      : FieldProblem(std::move(field), list), own_(own) {}
+  ProblemOf(Field* own, std::unique_ptr<Field>&& field, const SolveSettings& settings)
+      : FieldProblem(std::move(field), settings), own_(own) {}
 
   Field* const own_;  ///< that of the base
 };

@@ -4,8 +4,11 @@
 
 namespace tunica::problems {
 
-FluidProblem::FluidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
-    : ProblemOf(std::make_unique<discretisation::Fluid>(list, mesh), list) {}
+FluidSettings::FluidSettings(const Teuchos::ParameterList& list)
+    : options(discretisation::fluid_options(list)), solves(list) {}
+
+FluidProblem::FluidProblem(const FluidSettings& settings, const fields::FieldMesh& mesh)
+    : ProblemOf(std::make_unique<discretisation::Fluid>(settings.options, mesh), settings.solves) {}
 
 nonlinear::NewtonReport FluidProblem::solve() {
   const io::ProgressScope scope("fluid");

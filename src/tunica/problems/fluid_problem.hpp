@@ -4,11 +4,19 @@
 
 namespace tunica::problems {
 
+/// A resolved "Fluid" list.
+struct FluidSettings {
+  FluidSettings(const Teuchos::ParameterList& list);  // NOLINT: a list is what is not decoded yet
+
+  discretisation::FluidOptions options;
+  SolveSettings solves;
+};
+
 /// The fluid over time: one Newton solve for velocity and pressure of each step.
 class FluidProblem final : public ProblemOf<discretisation::Fluid> {
 public:
-  /// list: the resolved "Fluid" list. mesh must outlive the problem. Collective.
-  FluidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
+  /// mesh must outlive the problem. Collective.
+  FluidProblem(const FluidSettings& settings, const fields::FieldMesh& mesh);
 
   void begin_step(const stepping::Clock& clock) {
     forget_solves();

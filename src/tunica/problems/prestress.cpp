@@ -6,17 +6,22 @@
 
 namespace tunica::problems {
 
-bool wants_prestress(const Teuchos::ParameterList& list) {
-  return list.sublist("Prestress").get<double>("pressure") != 0.0;
+PrestressOptions prestress_options(const Teuchos::ParameterList& list) {
+  PrestressOptions options;
+  options.pressure = list.get<double>("pressure");
+  if (options.pressure != 0.0)
+    options.surfaces = list.get<Teuchos::Array<std::string>>("surfaces").toVector();
+  options.is_by_shape = list.get<std::string>("method") == "stress-free shape";
+  options.load_steps = list.get<int>("load steps");
+  options.max_iterations = list.get<int>("max iterations");
+  options.tolerance = list.get<double>("tolerance");
+  options.linear_tolerance = list.get<double>("linear tolerance");
+  return options;
 }
 
-std::vector<std::string> prestress_surfaces(const Teuchos::ParameterList& list) {
-  return list.sublist("Prestress").get<Teuchos::Array<std::string>>("surfaces").toVector();
-}
-
-Result<Prestress> find_prestress(const Teuchos::ParameterList& list, const SolidProblem& wall,
+Result<Prestress> find_prestress(const SolidSettings& settings, const SolidProblem& wall,
                                  const PrestressWatch& watch, const PrestressPoint& from) {
-  return PrestressSearch(list, wall, watch, from).run();
+  return PrestressSearch(settings, wall, watch, from).run();
 }
 
 params::Table prestress_table() {

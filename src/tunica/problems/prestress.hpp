@@ -57,16 +57,15 @@ struct PrestressWatch {
       [](const auto&, const auto&) { return true; };
 };
 
-/// list: the resolved "Wall" list; wall: on the mesh, gives its fibres, and where an earlier search
+/// wall: of these settings, on the mesh, gives its fibres, and where an earlier search
 /// stood at the point its prestretch and pressure. Fails where no step leaves less out of balance,
 /// however small the increment, or the steps do not get short. Throws StopRequest where a signal
 /// ends it within a step. Collective.
-Result<Prestress> find_prestress(const Teuchos::ParameterList& list, const SolidProblem& wall,
+Result<Prestress> find_prestress(const SolidSettings& settings, const SolidProblem& wall,
                                  const PrestressWatch& watch, const PrestressPoint& from = {});
 
-/// True where the "Wall" list asks for it.
-bool wants_prestress(const Teuchos::ParameterList& list);
-std::vector<std::string> prestress_surfaces(const Teuchos::ParameterList& list);
+/// Of a resolved "Prestress" list.
+PrestressOptions prestress_options(const Teuchos::ParameterList& list);
 
 params::Table prestress_table();
 

@@ -29,56 +29,55 @@ ParameterList rising_to(double value) {
 /// Springs that alone hold a wall keep the matrix regular; what they bear is left over.
 constexpr double part_of_springs = 1e-3;
 
-void raise_loads(ParameterList& surfaces) {
-  for (auto it = surfaces.begin(); it != surfaces.end(); ++it) {
-    ParameterList& condition = surfaces.sublist(surfaces.name(it));
-    if (condition.isParameter("stiffness"))
-      condition.set("stiffness", part_of_springs * condition.get<double>("stiffness"));
-    if (!condition.isSublist("Amplitude")) continue;
-    const double at_start = stepping::TimeFunction(condition.sublist("Amplitude"))(0.0);
-    const bool is_displaced = condition.isParameter("displacement") && at_start != 0.0;
+void raise_loads(std::vector<boundary::Condition>& conditions) {
+  for (boundary::Condition& condition : conditions) {
+    ParameterList& list = condition.list;
+    if (list.isParameter("stiffness"))
+      list.set("stiffness", part_of_springs * list.get<double>("stiffness"));
+    if (!list.isSublist("Amplitude")) continue;
+    const double at_start = stepping::TimeFunction(list.sublist("Amplitude"))(0.0);
+    const bool is_displaced = list.isParameter("displacement") && at_start != 0.0;
     TUNICA_CHECK(!is_displaced,
-                 "Wall / Surfaces / " + surfaces.name(it) +
+                 "Wall / Surfaces / " + condition.surface +
                      ": it is displaced at the start, but with a prestress the wall begins where "
                      "its mesh lies. Let the amplitude begin with zero.");
-    condition.sublist("Amplitude") = rising_to(at_start);
+    list.sublist("Amplitude") = rising_to(at_start);
   }
 }
 
 /// Those that the case gives the surfaces which bear the pressure of the image come after it.
-void leave_out_pressures(const std::vector<std::string>& bearing, ParameterList& surfaces) {
-  for (auto it = surfaces.begin(); it != surfaces.end(); ++it) {
-    ParameterList& condition = surfaces.sublist(surfaces.name(it));
-    if (condition.get<std::string>("condition") != "pressure") continue;
-    const auto& given = condition.get<std::string>("surface");
-    const std::string surface = given.empty() ? surfaces.name(it) : given;
-    if (std::count(bearing.begin(), bearing.end(), surface) > 0) condition.set("pressure", 0.0);
-  }
+void leave_out_pressures(const std::vector<std::string>& bearing,
+                         std::vector<boundary::Condition>& conditions) {
+  for (boundary::Condition& condition : conditions)
+    if (condition.kind() == "pressure" &&
+        std::count(bearing.begin(), bearing.end(), condition.surface) > 0)
+      condition.list.set("pressure", 0.0);
 }
 
 /// The wall in equilibrium with its loads and a pressure on some surfaces.
-ParameterList static_list(const ParameterList& list) {
-  ParameterList wall(list);
-  wall.set("analysis", "static");
-  leave_out_pressures(prestress_surfaces(list), wall.sublist("Surfaces"));
-  raise_loads(wall.sublist("Surfaces"));
-  for (const std::string& surface : prestress_surfaces(list)) {
+SolidSettings in_equilibrium(const SolidSettings& settings) {
+  SolidSettings wall(settings);
+  wall.options = discretisation::in_statics(settings.options);
+  std::vector<boundary::Condition>& conditions = wall.options.conditions;
+  leave_out_pressures(settings.prestress.surfaces, conditions);
+  raise_loads(conditions);
+  for (const std::string& surface : settings.prestress.surfaces) {
     ParameterList load;
     load.set("surface", surface)
         .set("condition", "pressure")
-        .set("pressure", list.sublist("Prestress").get<double>("pressure"));
+        .set("pressure", settings.prestress.pressure);
     load.sublist("Amplitude") = rising_to(1.0);
     boundary::condition_table("", boundary::wall_conditions()).resolve(load, "Prestress", "");
-    wall.sublist("Surfaces").sublist("prestress of " + surface) = load;
+    conditions.push_back({surface, load});
   }
   return wall;
 }
 
 }  // namespace
 
-PrestressBalance::PrestressBalance(const ParameterList& list, const SolidProblem& wall)
-    : wall_(static_list(list), wall.mesh(), wall.field().frames()),
-      tolerance_(list.sublist("Prestress").get<double>("linear tolerance")) {
+PrestressBalance::PrestressBalance(const SolidSettings& settings, const SolidProblem& wall)
+    : wall_(in_equilibrium(settings), wall.mesh(), wall.field().frames()),
+      tolerance_(settings.prestress.linear_tolerance) {
   wall_.field().stay_on_mesh();
 }
 

@@ -14,9 +14,9 @@ namespace tunica::problems {
 /// they alone hold the wall.
 class PrestressBalance {
 public:
-  /// list: the resolved "Wall" list. Throws Error where a surface is displaced at the start.
+  /// Throws Error where a surface is displaced at the start.
   /// Collective.
-  PrestressBalance(const Teuchos::ParameterList& list, const SolidProblem& wall);
+  PrestressBalance(const SolidSettings& settings, const SolidProblem& wall);
 
   /// R at this part of the loads; state: no displacement, and p. Collective.
   Outcome residual(double load, const algebra::BlockVector& state, algebra::BlockVector& R);

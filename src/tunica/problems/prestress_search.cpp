@@ -109,11 +109,11 @@ private:
 
 }  // namespace
 
-PrestressSearch::PrestressSearch(const Teuchos::ParameterList& list, const SolidProblem& wall,
+PrestressSearch::PrestressSearch(const SolidSettings& settings, const SolidProblem& wall,
                                  const PrestressWatch& watch, const PrestressPoint& from)
-    : options_(&list.sublist("Prestress")), wall_(&wall), watch_(&watch),
-      balance_(list, wall), found_{{}, algebra::BlockVector(wall.space())} {
-  if (options_->get<std::string>("method") == "stress-free shape")
+    : options_(settings.prestress), wall_(&wall), watch_(&watch),
+      balance_(settings, wall), found_{{}, algebra::BlockVector(wall.space())} {
+  if (options_.is_by_shape)
     method_ = std::make_unique<ByShape>(wall.mesh());
   else
     method_ = std::make_unique<ByGradient>(wall.mesh());
@@ -123,16 +123,16 @@ PrestressSearch::PrestressSearch(const Teuchos::ParameterList& list, const Solid
     go_back_to({wall.field().prestretch(), wall.state()});
   }
   std::vector<int> surfaces;
-  for (const std::string& name : prestress_surfaces(list))
+  for (const std::string& name : options_.surfaces)
     surfaces.push_back(wall.mesh().surface_index(name));
-  goal_ = options_->get<double>("tolerance") * surface_radius(wall.mesh(), surfaces);
+  goal_ = options_.tolerance * surface_radius(wall.mesh(), surfaces);
 }
 
 // An increment that fails, and not for its linear systems, is halved; the next is longer where one
 // step was enough.
 
 Result<Prestress> PrestressSearch::run() {
-  const double first = 1.0 / options_->get<int>("load steps");
+  const double first = 1.0 / options_.load_steps;
   if (point_.step == 0.0) point_.step = first;
   for (;;) {
     const double done = point_.load, raised = done + point_.step;
@@ -170,7 +170,7 @@ constexpr int patience = 10;
 constexpr int most_on_the_way = 4;
 
 PrestressSearch::Verdict PrestressSearch::bear(double load) {
-  const int most = load < 1.0 ? most_on_the_way : options_->get<int>("max iterations");
+  const int most = load < 1.0 ? most_on_the_way : options_.max_iterations;
   std::vector<double> history;  // of what is left
   for (int k = 1; k <= most; ++k) {
     PrestressIteration now{};
@@ -282,7 +282,7 @@ std::string PrestressSearch::most_stretched() const {
 
 std::string PrestressSearch::failure(double load, const Verdict& verdict) const {
   if (verdict.cause == Cause::stopped) return verdict.reason;
-  const double pressure = options_->get<double>("pressure");
+  const double pressure = options_.pressure;
   std::ostringstream text;
   text << "the prestress, at " << load * pressure << " of " << pressure << " kPa: ";
   if (verdict.cause == Cause::linear_solver)

@@ -27,7 +27,7 @@ public:
 class PrestressSearch {
 public:
   /// What it refers to must outlive the object.
-  PrestressSearch(const Teuchos::ParameterList& list, const SolidProblem& wall,
+  PrestressSearch(const SolidSettings& settings, const SolidProblem& wall,
                   const PrestressWatch& watch, const PrestressPoint& from);
   Result<Prestress> run();
 
@@ -52,7 +52,7 @@ private:
   std::string most_stretched() const;
   const Comm& comm() const { return *wall_->mesh().comm; }
 
-  const Teuchos::ParameterList* options_;
+  PrestressOptions options_;
   const SolidProblem* wall_;
   const PrestressWatch* watch_;
   PrestressBalance balance_;

@@ -10,18 +10,23 @@
 
 namespace tunica::problems {
 
-std::vector<materials::Frame> frames_of_wall(const Teuchos::ParameterList& list,
+SolidSettings::SolidSettings(const Teuchos::ParameterList& list)
+    : options(discretisation::solid_options(list)), solves(list),
+      prestress(prestress_options(list.sublist("Prestress"))), frame(list.sublist("Fibre Frame")) {}
+
+std::vector<materials::Frame> frames_of_wall(const SolidSettings& settings,
                                              const fields::FieldMesh& mesh) {
-  if (!has_fibres(discretisation::solid_options(list))) return {};
-  return fibre_frames(list.sublist("Fibre Frame"), mesh);
+  if (!has_fibres(settings.options)) return {};
+  return fibre_frames(settings.frame, mesh);
 }
 
-SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh)
-    : SolidProblem(list, mesh, frames_of_wall(list, mesh)) {}
+SolidProblem::SolidProblem(const SolidSettings& settings, const fields::FieldMesh& mesh)
+    : SolidProblem(settings, mesh, frames_of_wall(settings, mesh)) {}
 
-SolidProblem::SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+SolidProblem::SolidProblem(const SolidSettings& settings, const fields::FieldMesh& mesh,
                            std::vector<materials::Frame> frames)
-    : ProblemOf(std::make_unique<discretisation::Solid>(list, mesh, std::move(frames)), list) {}
+    : ProblemOf(std::make_unique<discretisation::Solid>(settings.options, mesh, std::move(frames)),
+                settings.solves) {}
 
 nonlinear::NewtonReport SolidProblem::solve() {
   const io::ProgressScope scope("wall");

@@ -4,18 +4,37 @@
 
 namespace tunica::problems {
 
-/// The directions of each element of a wall that has a law with fibres; none for others. list: the
-/// resolved "Wall" list. Throws as fibre_frames(). Collective.
-std::vector<materials::Frame> frames_of_wall(const Teuchos::ParameterList& list,
+/// How the stress in the geometry of the mesh is found (prestress.hpp).
+struct PrestressOptions {
+  double pressure;                    ///< in the lumen of the image [kPa]; zero: no stress
+  std::vector<std::string> surfaces;  ///< that bear it; none without it
+  bool is_by_shape;                   ///< "stress-free shape"
+  int load_steps, max_iterations;
+  double tolerance, linear_tolerance;
+};
+
+/// A resolved "Wall" list.
+struct SolidSettings {
+  SolidSettings(const Teuchos::ParameterList& list);  // NOLINT: a list is what is not decoded yet
+
+  discretisation::SolidOptions options;
+  SolveSettings solves;
+  PrestressOptions prestress;
+  Teuchos::ParameterList frame;  ///< "Fibre Frame"
+};
+
+/// The directions of each element of a wall that has a law with fibres; none for others. Throws as
+/// fibre_frames(). Collective.
+std::vector<materials::Frame> frames_of_wall(const SolidSettings& settings,
                                              const fields::FieldMesh& mesh);
 
 /// The wall over time: one Newton solve for displacement and pressure of each step.
 class SolidProblem final : public ProblemOf<discretisation::Solid> {
 public:
-  /// list: the resolved "Wall" list. mesh must outlive the problem. Collective.
-  SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh);
+  /// mesh must outlive the problem. Collective.
+  SolidProblem(const SolidSettings& settings, const fields::FieldMesh& mesh);
   /// frames: as frames_of_wall() gives them.
-  SolidProblem(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+  SolidProblem(const SolidSettings& settings, const fields::FieldMesh& mesh,
                std::vector<materials::Frame> frames);
 
   void begin_step(const stepping::Clock& clock) {

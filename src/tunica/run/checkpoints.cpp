@@ -118,9 +118,15 @@ void Checkpoints::write_last_ended() {
   const TimeMarch::Place place = march_->undo();
   fault_point("checkpoint");
   const double before = output_->restart ? output_->restart->head.seconds : 0.0;
-  const output::CheckpointHead head{
-      output_->fingerprint,    place.step,    place.time,          march_->fixed_step(),
-      before + run_.seconds(), place.numbers, output_->parameters, output_->files};
+  output::CheckpointHead head;
+  head.mesh = output_->fingerprint;
+  head.step = place.step;
+  head.time = place.time;
+  head.step_size = march_->fixed_step();
+  head.seconds = before + run_.seconds();
+  head.control = place.numbers;
+  head.parameters = output_->parameters;
+  head.files = output_->files;
   output::StateSources states;
   for (const auto& [name, part] : march_->parts())
     states.emplace_back(name, [part = part] { return part->save(); });

@@ -43,16 +43,17 @@ MeshRequirements mesh_requirements_of(const setup::Case& the_case) {
   std::vector<std::string> on_fluid, on_wall;
   if (the_case.fluid) {
     requirements.fluid_regions = the_case.fluid->options.regions;
-    for (const auto& c : the_case.fluid->conditions)
+    for (const auto& c : the_case.fluid->options.conditions)
       requirements.fluid_surfaces.push_back(c.surface);
-    on_fluid = boundary::interface_surfaces(the_case.fluid->conditions);
+    on_fluid = boundary::interface_surfaces(the_case.fluid->options.conditions);
   }
   if (the_case.wall) {
     requirements.wall_regions = the_case.wall->options.regions();
-    for (const auto& c : the_case.wall->conditions) requirements.wall_surfaces.push_back(c.surface);
-    on_wall = boundary::interface_surfaces(the_case.wall->conditions);
-    requirements.frame_surfaces = the_case.wall->frame_surfaces;
-    requirements.prestress_surfaces = the_case.wall->prestress_surfaces;
+    for (const auto& c : the_case.wall->options.conditions)
+      requirements.wall_surfaces.push_back(c.surface);
+    on_wall = boundary::interface_surfaces(the_case.wall->options.conditions);
+    requirements.frame_surfaces = problems::frame_surfaces(the_case.wall->frame);
+    requirements.prestress_surfaces = the_case.wall->prestress.surfaces;
   }
   if (!the_case.is_coupled()) {
     TUNICA_CHECK(on_fluid.empty() && on_wall.empty(),
@@ -247,11 +248,10 @@ void check_fields(const setup::Case& the_case, const Domain& domain) {
   const bool is_monolithic =
       list.isSublist("Coupling") && coupling::is_monolithic(list.sublist("Coupling"));
   if (domain.has("wall"))
-    const discretisation::Solid wall(
-        list.sublist("Wall"), domain.mesh("wall"),
-        problems::frames_of_wall(list.sublist("Wall"), domain.mesh("wall")));
+    const discretisation::Solid wall(the_case.wall->options, domain.mesh("wall"),
+                                     problems::frames_of_wall(*the_case.wall, domain.mesh("wall")));
   if (domain.has("fluid")) {
-    discretisation::Fluid fluid(list.sublist("Fluid"), domain.mesh("fluid"));
+    discretisation::Fluid fluid(the_case.fluid->options, domain.mesh("fluid"));
     // One whose wall moves with it within a step is not closed.
     if (!is_monolithic) check_flows(fluid, *the_case.time);
   }
@@ -261,8 +261,8 @@ void check_fields(const setup::Case& the_case, const Domain& domain) {
 void check_held(const setup::Case& the_case, const Domain& domain) {
   if (!the_case.wall) return;
   const bool is_static = the_case.wall->options.is_static;
-  if (!is_static && the_case.wall->prestress == 0.0) return;
-  const boundary::SurfaceTerms terms(the_case.wall->conditions, boundary::wall_conditions(),
+  if (!is_static && the_case.wall->prestress.pressure == 0.0) return;
+  const boundary::SurfaceTerms terms(the_case.wall->options.conditions, boundary::wall_conditions(),
                                      domain.mesh("wall"));
   const std::string free = boundary::free_rigid_motions(terms, domain.mesh("wall"));
   TUNICA_CHECK(free.empty(), "Wall / Surfaces: nothing holds the wall against " + free + ", but " +

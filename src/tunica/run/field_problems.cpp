@@ -5,25 +5,12 @@
 
 namespace tunica::run {
 
-namespace {
-
-/// The "Fluid" list of a resolved case; on the way to a steady flow Newton's method stops earlier.
-Teuchos::ParameterList fluid_list(const Teuchos::ParameterList& list) {
-  Teuchos::ParameterList fluid(list.sublist("Fluid"));
-  const Teuchos::ParameterList& time = list.sublist("Time");
-  if (time.get<std::string>("step control") == "steady")
-    fluid.sublist("Newton").set("relative increment", time.get<double>("newton increment"));
-  return fluid;
-}
-
-}  // namespace
-
-FieldProblems::FieldProblems(const Teuchos::ParameterList& the_case, const Domain& of_case)
-    : list(the_case), domain(&of_case) {
-  if (domain->has("fluid"))
-    fluid = std::make_unique<problems::FluidProblem>(fluid_list(list), domain->mesh("fluid"));
-  if (domain->has("wall"))
-    wall = std::make_unique<problems::SolidProblem>(list.sublist("Wall"), domain->mesh("wall"));
+FieldProblems::FieldProblems(const setup::Case& what, const Domain& of_case)
+    : the_case(what), domain(&of_case) {
+  if (the_case.fluid)
+    fluid = std::make_unique<problems::FluidProblem>(*the_case.fluid, domain->mesh("fluid"));
+  if (the_case.wall)
+    wall = std::make_unique<problems::SolidProblem>(*the_case.wall, domain->mesh("wall"));
   // Wrong names in the lists of a solver are told before anything is solved.
   if (fluid && !wall) fluid->linear_solver();
   if (wall && !fluid) wall->linear_solver();
@@ -31,15 +18,15 @@ FieldProblems::FieldProblems(const Teuchos::ParameterList& the_case, const Domai
 
 Outcome FieldProblems::start(RunOutput& output) {
   if (wall) {
-    const Outcome stressed = take_prestress(list.sublist("Wall"), output, *wall, fluid.get());
+    const Outcome stressed = take_prestress(*the_case.wall, output, *wall, fluid.get());
     if (stressed.is_failure() || !output.stopped.empty()) return stressed;
   }
   if (!fluid || !wall) return Outcome::success();
   motion = std::make_unique<problems::MeshMotion>(
-      list.sublist("Mesh Motion"), domain->mesh("fluid"), domain->interface_surfaces,
+      the_case.list.sublist("Mesh Motion"), domain->mesh("fluid"), domain->interface_surfaces,
       fluid->field().staying_surfaces(), fluid->time_scheme());
   scheme = coupling::make_scheme(
-      list.sublist("Coupling"),
+      the_case.list.sublist("Coupling"),
       {*domain->interface, *fluid, *wall, *motion, domain->common ? &*domain->common : nullptr});
   return Outcome::success();
 }

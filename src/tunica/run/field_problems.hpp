@@ -7,21 +7,22 @@
 #include "tunica/problems/solid_problem.hpp"
 #include "tunica/run/domain.hpp"
 #include "tunica/run/run_output.hpp"
+#include "tunica/setup/case.hpp"
 
 namespace tunica::run {
 
 /// The fields that a case solves for, each with its kernels, blocks and solver, and where there are
 /// two what couples them. What the case lacks is null.
 struct FieldProblems {
-  /// list: the resolved case. The domain must outlive the object. Collective.
-  FieldProblems(const Teuchos::ParameterList& list, const Domain& domain);
+  /// The domain must outlive the object. Collective.
+  FieldProblems(const setup::Case& what, const Domain& domain);
 
   /// The fields before their first step: the wall with its prestress, and coupled. Where a signal
   /// ends the search for the prestress, RunOutput::stopped says so and nothing is coupled. Fails as
   /// take_prestress(). Collective.
   Outcome start(RunOutput& output);
 
-  Teuchos::ParameterList list;
+  setup::Case the_case;
   const Domain* domain;
   std::unique_ptr<problems::FluidProblem> fluid;
   std::unique_ptr<problems::SolidProblem> wall;

@@ -98,15 +98,11 @@ constexpr const char* shape_name = "shape";
 /// Leaves a search that has come so far in the folder of the run. Collective.
 void save(const problems::PrestressPoint& point, problems::SolidProblem& wall,
           const RunOutput& output) {
-  const output::CheckpointHead head{
-      output.fingerprint,
-      0,
-      0.0,
-      0.0,
-      0.0,
-      {{point_name, {point.load, point.step, double(point.load_step)}}},
-      output.parameters,
-      output.files};
+  output::CheckpointHead head;
+  head.mesh = output.fingerprint;
+  head.control[point_name] = {point.load, point.step, double(point.load_step)};
+  head.parameters = output.parameters;
+  head.files = output.files;
   output::StateSources states;
   for (const auto& [name, part] : parts_of(wall))
     states.emplace_back(name, [part = part] { return part->save(); });
@@ -175,9 +171,9 @@ std::optional<output::CheckpointHead> begun_prestress(const Teuchos::ParameterLi
   return head;
 }
 
-Outcome take_prestress(const Teuchos::ParameterList& list, RunOutput& output,
+Outcome take_prestress(const problems::SolidSettings& settings, RunOutput& output,
                        problems::SolidProblem& wall, problems::FluidProblem* fluid) {
-  if (!problems::wants_prestress(list) || output.restart) return Outcome::success();
+  if (settings.prestress.pressure == 0.0 || output.restart) return Outcome::success();
   catch_stop_signals();
   const Stopwatch watch;
   const CommPtr comm = wall.mesh().comm;
@@ -199,15 +195,14 @@ Outcome take_prestress(const Teuchos::ParameterList& list, RunOutput& output,
   };
   Result<problems::Prestress> found = Result<problems::Prestress>::failure("stopped");
   try {
-    found = problems::find_prestress(list, wall, looks_on, from);
+    found = problems::find_prestress(settings, wall, looks_on, from);
   } catch (const StopRequest& request) {
     output.stopped = about_stop(request.signal, kept, output.checkpoint_every > 0);
   }
   log.record(output.record, watch.seconds());
   if (!output.stopped.empty()) return Outcome::success();
   if (found.is_failure()) return found.outcome();
-  if (fluid != nullptr)
-    fluid->set_initial_pressure(list.sublist("Prestress").get<double>("pressure"));
+  if (fluid != nullptr) fluid->set_initial_pressure(settings.prestress.pressure);
   return give(found.value(), wall);
 }
 

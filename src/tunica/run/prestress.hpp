@@ -8,10 +8,10 @@ namespace tunica::run {
 /// Gives a wall that stands at its start the stress that the case wants it to have in its mesh, and
 /// tells of it on the screen, in prestress.csv and in the record of the run. A run that goes on has
 /// it already; one that was ended while it searched goes on with its search. A signal to stop ends
-/// it between two equilibria: RunOutput::stopped says so. list: the resolved "Wall" list; fluid:
-/// where there is one, it bears the wall with its pressure.
+/// it between two equilibria: RunOutput::stopped says so. fluid: where
+/// there is one, it bears the wall with its pressure.
 /// Fails as problems::find_prestress(). Collective.
-Outcome take_prestress(const Teuchos::ParameterList& list, RunOutput& output,
+Outcome take_prestress(const problems::SolidSettings& settings, RunOutput& output,
                        problems::SolidProblem& wall, problems::FluidProblem* fluid = nullptr);
 
 /// Of the search that a run in the folder of the case was ended in, before its first checkpoint;

@@ -23,15 +23,15 @@ namespace {
 std::vector<std::unique_ptr<observe::Field>> fields_of(const FieldProblems& problems) {
   std::vector<std::unique_ptr<observe::Field>> all;
   if (problems.wall)
-    all.push_back(
-        std::make_unique<observe::WallField>(*problems.wall, problems.list.sublist("Output")));
+    all.push_back(std::make_unique<observe::WallField>(*problems.wall,
+                                                       problems.the_case.list.sublist("Output")));
   if (problems.fluid)
-    all.push_back(std::make_unique<observe::FluidField>(problems.list, *problems.fluid,
+    all.push_back(std::make_unique<observe::FluidField>(problems.the_case.list, *problems.fluid,
                                                         problems.motion.get()));
-  if (!problems.list.isSublist("Fields")) return all;
-  const Teuchos::ParameterList& more = problems.list.sublist("Fields");
-  const observe::Surroundings others{problems.list, problems.fluid.get(), problems.wall.get(),
-                                     problems.motion.get()};
+  if (!problems.the_case.list.isSublist("Fields")) return all;
+  const Teuchos::ParameterList& more = problems.the_case.list.sublist("Fields");
+  const observe::FieldContext others{problems.the_case.list, problems.fluid.get(),
+                                     problems.wall.get(), problems.motion.get()};
   for (auto it = more.begin(); it != more.end(); ++it) {
     const std::string& name = more.name(it);
     for (const char* taken : {"fluid", "wall", "mesh motion", "wall shear", "coupling"})
@@ -46,7 +46,7 @@ std::vector<std::unique_ptr<observe::Field>> fields_of(const FieldProblems& prob
 
 struct Simulation::Impl {
   Impl(const setup::Case& the_case, const Domain& domain, RunOutput& to)
-      : problems(the_case.list, domain), output(&to), comm(domain.comm), watch(the_case) {}
+      : problems(the_case, domain), output(&to), comm(domain.comm), watch(the_case) {}
 
   bool is_coupled() const { return problems.scheme != nullptr; }
   bool is_begun() const { return log.has_value(); }
@@ -209,10 +209,10 @@ Outcome Simulation::begin() {
   if (started.is_failure() || !run.output->stopped.empty()) return started;
   run.record_unknowns();
   run.fields = fields_of(problems);
-  run.march.emplace(problems.list, run.parts(), *run.output);
+  run.march.emplace(problems.the_case.list, run.parts(), *run.output);
   for (const auto& field : run.fields) run.march->judge(*field);
-  run.surfaces.emplace(problems.list.sublist("Output"), run.fields);
-  run.checkpoints.emplace(*run.output, *run.march, wall_limit(problems.list), run.comm);
+  run.surfaces.emplace(problems.the_case.list.sublist("Output"), run.fields);
+  run.checkpoints.emplace(*run.output, *run.march, wall_limit(problems.the_case.list), run.comm);
   run.checkpoints->begin();
   run.open_files();
   const auto watch_newton = [&run](const std::string& field, const nonlinear::NewtonStep& step) {

@@ -21,7 +21,7 @@ double volume(const std::array<Vec3, 4>& x) { return signed_volume(x[0], x[1], x
 /// Zero where the element is inverted.
 double quality(const std::array<Vec3, 4>& x) { return volume(x) > 0.0 ? mesh::quality(x) : 0.0; }
 
-bool has_nearly_incompressible_layers(const setup::Case::Wall& wall) {
+bool has_nearly_incompressible_layers(const problems::SolidSettings& wall) {
   const std::vector<discretisation::Layer>& layers = wall.options.layers;
   return std::any_of(layers.begin(), layers.end(), [](const discretisation::Layer& layer) {
     return judge::is_nearly_incompressible(*discretisation::law_of(layer), layer.bulk_modulus);
@@ -54,7 +54,7 @@ Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<V
 Watch::Watch(const setup::Case& the_case) {
   if (the_case.wall) has_nearly_incompressible_ = has_nearly_incompressible_layers(*the_case.wall);
   if (the_case.fluid)
-    for (const auto& c : the_case.fluid->conditions)
+    for (const auto& c : the_case.fluid->options.conditions)
       if (!c.list.isParameter("backflow stabilisation") ||
           c.list.get<double>("backflow stabilisation") > 0.0)
         guarded_.insert(c.surface);

@@ -7,8 +7,6 @@
 #include "tunica/base/error.hpp"
 #include "tunica/io/messages.hpp"
 #include "tunica/params/read_xml.hpp"
-#include "tunica/problems/fibre_frames.hpp"
-#include "tunica/problems/prestress.hpp"
 #include "tunica/setup/one_field.hpp"
 #include "tunica/stepping/time_function.hpp"
 
@@ -45,19 +43,13 @@ Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Ta
 Case::Case(const Teuchos::ParameterList& resolved) : list(resolved) {
   if (list.isSublist("Time")) time = stepping::step_control_options(list.sublist("Time"));
   if (list.isSublist("Fluid")) {
-    const Teuchos::ParameterList& of_fluid = list.sublist("Fluid");
-    fluid = {discretisation::fluid_options(of_fluid),
-             boundary::conditions_of(of_fluid.sublist("Surfaces"))};
+    fluid.emplace(list.sublist("Fluid"));
+    // On the way to a steady flow Newton's method stops earlier.
+    if (list.isSublist("Time") && list.sublist("Time").get<std::string>("step control") == "steady")
+      fluid->solves.newton.relative_increment =
+          list.sublist("Time").get<double>("newton increment");
   }
-  if (list.isSublist("Wall")) {
-    const Teuchos::ParameterList& of_wall = list.sublist("Wall");
-    wall = {discretisation::solid_options(of_wall),
-            boundary::conditions_of(of_wall.sublist("Surfaces")),
-            problems::frame_surfaces(of_wall.sublist("Fibre Frame")),
-            of_wall.sublist("Prestress").get<double>("pressure"),
-            {}};
-    if (wall->prestress != 0.0) wall->prestress_surfaces = problems::prestress_surfaces(of_wall);
-  }
+  if (list.isSublist("Wall")) wall.emplace(list.sublist("Wall"));
 }
 
 Case read_case(const CommandLine& command, const params::Table& table, const Comm& comm) {

@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "tunica/base/types.hpp"
-#include "tunica/boundary/registry.hpp"
-#include "tunica/discretisation/fluid_options.hpp"
-#include "tunica/discretisation/solid_options.hpp"
 #include "tunica/params/table.hpp"
+#include "tunica/problems/fluid_problem.hpp"
+#include "tunica/problems/solid_problem.hpp"
 #include "tunica/setup/command_line.hpp"
 #include "tunica/stepping/step_control.hpp"
 
@@ -16,27 +15,14 @@ namespace tunica::setup {
 
 /// A resolved case, of which what is asked for at more than one place is decoded once.
 struct Case {
-  struct Fluid {
-    discretisation::FluidOptions options;
-    std::vector<boundary::Condition> conditions;
-  };
-  struct Wall {
-    discretisation::SolidOptions options;
-    std::vector<boundary::Condition> conditions;
-    std::vector<std::string> frame_surfaces;  ///< that the fibres' directions are found by
-    /// Of the image [kPa], zero where the mesh is free of stress, and the surfaces that bear it.
-    double prestress = 0.0;
-    std::vector<std::string> prestress_surfaces;
-  };
-
   /// resolved: see params::Table::resolve().
   Case(const Teuchos::ParameterList& resolved);  // NOLINT: a list is a case that is not decoded yet
 
   bool is_coupled() const { return fluid && wall; }
 
   Teuchos::ParameterList list;
-  std::optional<Fluid> fluid;
-  std::optional<Wall> wall;
+  std::optional<problems::FluidSettings> fluid;
+  std::optional<problems::SolidSettings> wall;
   std::optional<stepping::StepControlOptions> time;  ///< of a case with time steps
 };
 

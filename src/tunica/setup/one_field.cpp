@@ -16,9 +16,10 @@ std::vector<std::string> lists_in(const Teuchos::ParameterList& list) {
   return names;
 }
 
-bool has_text(const Teuchos::ParameterList& list, const std::string& key, const std::string& part) {
-  return list.isType<std::string>(key) &&
-         list.get<std::string>(key).find(part) != std::string::npos;
+/// Of the condition between fluid and wall, which the case, not yet resolved, may leave out.
+bool is_interface(const Teuchos::ParameterList& surface) {
+  return surface.isType<std::string>("condition") &&
+         surface.get<std::string>("condition") == "interface";
 }
 
 /// The region that the fields of a kind live on; empty for one that nobody knows.
@@ -43,7 +44,7 @@ std::string part_from_interface(Teuchos::ParameterList& field, bool is_wall) {
   Teuchos::ParameterList& surfaces = field.sublist("Surfaces");
   std::string parted;
   for (const std::string& name : lists_in(surfaces)) {
-    if (!has_text(surfaces.sublist(name), "condition", "interface")) continue;
+    if (!is_interface(surfaces.sublist(name))) continue;
     parted += (parted.empty() ? "" : ", ") + name;
     if (is_wall)
       surfaces.remove(name);

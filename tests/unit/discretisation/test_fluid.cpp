@@ -27,7 +27,7 @@ Teuchos::ParameterList fluid_list(const std::string& convection = "advective") {
 }
 
 Fluid make_fluid(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh) {
-  return Fluid(test::resolved(list, problems::fluid_table()), mesh);
+  return Fluid(discretisation::fluid_options(test::resolved(list, problems::fluid_table())), mesh);
 }
 
 /// A displacement of all local nodes without pattern.

@@ -57,7 +57,7 @@ std::array<oracle::First<16>, 16> rows_of(const Solid& wall, std::size_t e,
 
 TEUCHOS_UNIT_TEST(Solid, residual_and_jacobian_are_those_of_the_weak_form) {
   const FewTets few;
-  Solid wall(static_wall(), few.field, {});
+  Solid wall(discretisation::solid_options(static_wall()), few.field, {});
   algebra::BlockVector x = test::scattered(few.field, 3, 0.02), F(wall.space()), Kv(wall.space());
   const algebra::BlockVector v = test::scattered(few.field, 5);
   wall.begin_step(stepping::Clock(1.0, 1));
@@ -75,7 +75,7 @@ TEUCHOS_UNIT_TEST(Solid, residual_and_jacobian_are_those_of_the_weak_form) {
 
 TEUCHOS_UNIT_TEST(Solid, what_a_uniform_stretch_stores_is_known) {
   const FewTets few;
-  Solid wall(static_wall(), few.field, {});
+  Solid wall(discretisation::solid_options(static_wall()), few.field, {});
   constexpr double stretch = 1.2, p = -3.0;  // along x, and across it what keeps the volume
   const double across = 1.0 / std::sqrt(stretch);
   const algebra::BlockVector x = test::interpolated(

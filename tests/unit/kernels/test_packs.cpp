@@ -120,7 +120,8 @@ TEUCHOS_UNIT_TEST(packs, a_wall_element_does_not_know_its_lane) {
         const SolidElement& mine = lanes[lane];
         MixedResidual expected_R;
         MixedJacobian expected_K;
-        solid_up_jacobian(mine.T, mine.s, *laws[lane], mine.c, expected_R, expected_K, mine.frame);
+        solid_up_jacobian(mine.T, mine.s, {*laws[lane], mine.frame}, mine.c, expected_R,
+                          expected_K);
         TEST_COMPARE(deviation(R, lane, expected_R), <, 1e-13);
         TEST_COMPARE(deviation(R_alone, lane, expected_R), <, 1e-13);
         TEST_COMPARE(deviation(K, lane, expected_K), <, 1e-13);

@@ -211,8 +211,8 @@ TEUCHOS_UNIT_TEST(SolidUp, residual_and_jacobian_with_fibres_are_those_of_the_po
     const auto Pi = form.potential(test.unknowns<oracle::First<16>>());
     kernels::MixedResidual R;
     kernels::MixedJacobian K;
-    solid_up_jacobian(test.T, test.s, artery, c, R, K, frame);
-    const auto alone = solid_up_residual(test.T, test.s, artery, c, frame);
+    solid_up_jacobian(test.T, test.s, {artery, frame}, c, R, K);
+    const auto alone = solid_up_residual(test.T, test.s, {artery, frame}, c);
     Deviation of_u, of_p, of_alone;
     for (int a = 0; a < 4; ++a) {
       for (int i = 0; i < 3; ++i) of_u.add(R.u[a][i], Pi.dx(3 * a + i));
@@ -234,10 +234,10 @@ TEUCHOS_UNIT_TEST(SolidUp, force_of_fibres_rotates_with_the_body) {
     test.s.subscale_r = {};
     const materials::Frame frame = oracle::random_frame(samples);
     const SolidCoefficients c{0.0, inv_kappa, tau};
-    const auto before = solid_up_residual(test.T, test.s, artery, c, frame);
+    const auto before = solid_up_residual(test.T, test.s, {artery, frame}, c);
     const Mat3 Q = samples.rotation();
     for (int a = 0; a < 4; ++a) test.s.d[a] = Q * (test.x[a] + test.s.d[a]) - test.x[a];
-    const auto after = solid_up_residual(test.T, test.s, artery, c, frame);
+    const auto after = solid_up_residual(test.T, test.s, {artery, frame}, c);
     Deviation of_u;
     for (int a = 0; a < 4; ++a) {
       const Vec3 expected = Q * before.u[a];

@@ -85,7 +85,7 @@ void make_known() {
                                   table,
                                   {{"concentration", "1"}},
                                   [](const std::string& name, const Teuchos::ParameterList& list,
-                                     const fields::FieldMesh& mesh, const observe::Surroundings&) {
+                                     const fields::FieldMesh& mesh, const observe::FieldContext&) {
                                     return std::make_unique<Reaction>(name, list, mesh);
                                   }});
     return true;

@@ -201,10 +201,10 @@ TEUCHOS_UNIT_TEST(Case, knows_what_its_lists_say) {
       setup::read_case(command, setup::fsi_table(), *Tpetra::getDefaultComm());
   TEST_ASSERT(the_case.is_coupled());
   TEST_EQUALITY(the_case.fluid->options.viscosity->reference(), 0.004);
-  TEST_EQUALITY(the_case.wall->prestress, 10.67);
-  TEST_EQUALITY(the_case.wall->prestress_surfaces.size(), 1);
-  TEST_EQUALITY(the_case.wall->prestress_surfaces.at(0), "interface");
-  TEST_EQUALITY(the_case.fluid->conditions.size(),
+  TEST_EQUALITY(the_case.wall->prestress.pressure, 10.67);
+  TEST_EQUALITY(the_case.wall->prestress.surfaces.size(), 1);
+  TEST_EQUALITY(the_case.wall->prestress.surfaces.at(0), "interface");
+  TEST_EQUALITY(the_case.fluid->options.conditions.size(),
                 the_case.list.sublist("Fluid").sublist("Surfaces").numParams());
   TEST_EQUALITY(the_case.time->first_step, the_case.list.sublist("Time").get<double>("step size"));
 }

@@ -248,10 +248,12 @@ void NodalCoarsening::coarsen() {
              leader_ ? at_rows(*hosts.coarse, coarse) : Teuchos::null,
              level.between.is_null() ? Teuchos::null : at_rows(*level.between, coarse),
              at_rows(level.places, coarse)};
-  if (!level.places.coordinates.is_null())
-    level.rigid = std::make_shared<const RigidInterpolation>(
-        rigid_interpolation({*level.nodes, *level.P, GP, level.places, next.places, coarse.rows,
-                             level.between, next.between}));
+  if (!level.places.coordinates.is_null()) {
+    RigidSource source{*level.nodes, *level.P, GP, level.places, next.places, coarse.rows};
+    source.fine_between = level.between;
+    source.coarse_between = next.between;
+    level.rigid = std::make_shared<const RigidInterpolation>(rigid_interpolation(source));
+  }
   levels_.push_back(std::move(next));
   level.nodes = Teuchos::null;
 }

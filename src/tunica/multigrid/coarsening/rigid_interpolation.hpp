@@ -45,7 +45,7 @@ struct RigidSource {
   const algebra::NodePlaces& coarse;
   const std::vector<int>& coarse_rows;  ///< local fine nodes that are coarse ones as well
   /// 1 at nodes between fields, whose parents are such nodes alone; null: none are.
-  Teuchos::RCP<const Vector> fine_between, coarse_between;
+  Teuchos::RCP<const Vector> fine_between = Teuchos::null, coarse_between = Teuchos::null;
 };
 
 /// Does not depend on how nodes are distributed. Collective.
