@@ -15,6 +15,7 @@
 #include "tunica/compare/system_export.hpp"
 #include "tunica/coupling/registry.hpp"
 #include "tunica/io/matrix_market.hpp"
+#include "tunica/io/messages.hpp"
 #include "tunica/run/field_problems.hpp"
 #include "tunica/run/run_log.hpp"
 #include "tunica/setup/schema.hpp"
@@ -90,7 +91,7 @@ Outcome march(const setup::Case& the_case, const run::Domain& domain, run::RunOu
   table.print();
   if (outcome.is_success() && capture.count() == 0)
     outcome = Outcome::failure("there is no linear system at " + capture.wish() +
-                               "; coupling.csv counts those there were");
+                               "; coupling.csv lists those that exist");
   return outcome;
 }
 
@@ -103,6 +104,7 @@ std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList
     std::cout << "system: " << system->K(0, 0)->getGlobalNumRows() << " vector and "
               << system->K(1, 1)->getGlobalNumRows()
               << " scalar unknowns\nranks: " << comm->getSize() << std::endl;
+  for (const std::string& remark : system->remarks) io::print_error_line("warning: " + remark);
   return [system, list, comm](run::RunOutput& output) {
     compare::SolverTable table(list, output.folder, output.record, comm->getRank() == 0);
     compare::LinearSystem linear;
@@ -116,6 +118,9 @@ std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList
     const algebra::BlockVector x = systems::in_file_order(*system, best->x);
     io::write_matrix_market(output.folder.file("solution.mtx"), {&x[0], &x[1]},
                             compare::note_on(*best));
+    if (!best->is_converged)
+      return Outcome::failure("no setting has converged; solution.mtx is the nearest: " +
+                              compare::note_on(*best));
     return Outcome::success();
   };
 }

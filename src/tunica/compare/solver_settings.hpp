@@ -13,7 +13,7 @@ struct SolverSetting {
   Teuchos::ParameterList list;  ///< a resolved "Linear Solver" list
 };
 
-/// What a setting did to a system.
+/// Result of a setting on a system.
 struct SolverRow {
   std::string field;
   int newton_step = 0;
@@ -34,7 +34,7 @@ struct SolverRow {
 };
 
 /// Sets a solver up anew and solves from zero to the tolerance; times are those of the slowest
-/// rank. What the solver throws is a verdict; faults of the machine get through. Collective.
+/// rank. Exceptions of the solver become a verdict; system errors are passed on. Collective.
 SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, double tolerance,
                       algebra::BlockVector& x);
 

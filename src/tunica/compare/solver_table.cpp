@@ -115,7 +115,7 @@ void add_tolerance(params::Table& table) {
 }
 
 constexpr const char* settings_sentence =
-    "settings to compare, each like a \"Linear Solver\" list; the first is the measure of the "
+    "settings to compare, each like a \"Linear Solver\" list; the first is the reference for the "
     "others";
 
 }  // namespace
@@ -159,8 +159,11 @@ std::optional<BestSolution> SolverTable::run(const LinearSystem& system) {
       if (!first) first = x;
       row.difference = relative_difference(x, *first);
     }
-    if (row.solve.true_residual < (best ? best->true_residual : 1.0))
-      best = {setting.name, row.solve.true_residual, x};
+    // What has converged comes before what has not, whatever its residual.
+    const bool is_better = !best || row.solve.is_converged == best->is_converged
+                               ? row.solve.true_residual < (best ? best->true_residual : 1.0)
+                               : row.solve.is_converged;
+    if (is_better) best = {setting.name, row.solve.true_residual, x, row.solve.is_converged};
     add(row);
   }
   save();

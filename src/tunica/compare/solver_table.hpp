@@ -12,7 +12,7 @@ namespace tunica::compare {
 
 /// Adds the settings of both fields and the tolerance.
 void add_setting_keys(params::Table& table);
-/// The same for systems of other programs.
+/// Adds the keys of settings for systems of other programs.
 void add_system_setting_keys(params::Table& table);
 
 /// The most accurate solution that a list of settings found for a system.
@@ -20,6 +20,7 @@ struct BestSolution {
   std::string setting;
   double true_residual;
   algebra::BlockVector x;
+  bool is_converged;  ///< to the tolerance
 };
 
 /// Which setting found it, and how near it is: for the head of a file.

@@ -11,8 +11,9 @@ void add_capture_keys(params::Table& table) {
                "one")
       .integer("newton step", 0, params::between(0, 1000),
                "the Newton step of that iteration; 0 takes all")
-      .choice("field", "both", {"fluid", "wall", "both"},
-              "whose Jacobians; a monolithic scheme has those of the whole");
+      .choice(
+          "field", "both", {"fluid", "wall", "both"},
+          "field whose Jacobians are taken; a monolithic scheme has those of the coupled system");
 }
 
 SystemCapture::SystemCapture(const Teuchos::ParameterList& solvers, Show show)

@@ -26,7 +26,7 @@ public:
   /// field: "fluid", "wall" or "system". The problem solves nothing once the capture is gone.
   void watch(const std::string& field, problems::SystemSource& problem);
 
-  /// What the solves from now on belong to; both counted from 1.
+  /// Sets the step and iteration that later solves belong to; both counted from 1.
   void enter(int step, int coupling_iteration);
   /// True from the end of the wanted coupling iteration on.
   bool is_complete(int step, int coupling_iteration) const;

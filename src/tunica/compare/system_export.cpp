@@ -105,15 +105,15 @@ void describe(const LinearSystem& system, Json& out) {
       "slide in a plane across the axes have P K P + s (I - P), P = I - n nT";
   if (system.K->low_rank())
     out["low rank"] =
-        "K has W VT beside these blocks, for what couples whole surfaces: a column of "
-        "W and of V for each product, rows as in rhs";
+        "K has the low-rank part W VT beside these blocks, for terms that couple whole surfaces: a "
+        "column of W and of V for each product, rows as in rhs";
   out["ordering"] =
       "vector unknown 3*node + i, scalar unknown node, both counted from 0; "
       "rhs and solution hold all vector unknowns, then all scalar ones";
   if (system.K->action() && !system.K->action()->is_zero())
     out["shape derivatives"] =
-        "K has a part without entries beside these blocks, by which the fluid's domain follows the "
-        "wall; it is not in the files, but rhs and solution are of all of K";
+        "K has a matrix-free part beside these blocks, the ALE shape derivatives; it is not in the "
+        "files, but rhs and solution belong to all of K";
   if (!hosts_of(system).is_null())
     out["further pressures"] =
         "scalar unknowns beyond the nodes are further pressures of nodes between layers, or "

@@ -12,9 +12,26 @@ namespace {
 
 using Sizes = std::vector<long long>;
 
+/// The first entry on either side of the diagonal of a symmetric file, which has one side alone.
+struct Triangles {
+  std::optional<Entry> below, above;
+
+  void note(const Entry& entry, const MatrixMarketReader& reader) {
+    std::optional<Entry>& first = entry.row > entry.column ? below : above;
+    if (!first) first = entry;
+    if (!below || !above) return;
+    const auto place = [](const Entry& at) {
+      return "row " + std::to_string(at.row + 1) + ", column " + std::to_string(at.column + 1);
+    };
+    reader.refuse("the first line says \"symmetric\", but there are entries below the diagonal (" +
+                  place(*below) + ") and above it (" + place(*above) +
+                  "): expected those of one triangle, or \"general\" in the first line");
+  }
+};
+
 /// What the next lines of a file of coordinates say, and their mirror images where it is symmetric.
 std::vector<Entry> next_entries(MatrixMarketReader& reader, const Sizes& sizes, long long count,
-                                const std::string& promise) {
+                                const std::string& promise, Triangles& triangles) {
   const auto index = [&reader](const char* what, long long most) {
     const long long i = reader.integer(what);
     if (i < 1 || i > most)
@@ -29,7 +46,9 @@ std::vector<Entry> next_entries(MatrixMarketReader& reader, const Sizes& sizes, 
     const double value = reader.number("the value");
     reader.end_line();
     entries.push_back({row, column, value});
-    if (reader.is_symmetric() && row != column) entries.push_back({column, row, value});
+    if (!reader.is_symmetric() || row == column) continue;
+    triangles.note(entries.back(), reader);
+    entries.push_back({column, row, value});
   }
   return entries;
 }
@@ -72,9 +91,10 @@ MatrixRows read_matrix(const std::string& path, const CommPtr& comm, std::size_t
   Teuchos::broadcast(*comm, 0, 3, sizes.data());
   const std::string promise = std::to_string(sizes[2]) + " entries, as the line of sizes says";
   RowCollector collector(sizes[0], sizes[1], comm);
+  Triangles triangles;
   read_lines(
       *comm, sizes[2], lines_at_once,
-      [&](long long count) { return next_entries(*reader, sizes, count, promise); },
+      [&](long long count) { return next_entries(*reader, sizes, count, promise, triangles); },
       [&](const std::vector<Entry>& entries, long long) { collector.add(entries); });
   on_root(*comm, [&] { reader->end_file("expected " + promise); });
   return collector.take();

@@ -32,14 +32,20 @@ bool is_whole(const std::string& text, Number& value) {
 MatrixMarketReader::MatrixMarketReader(const std::string& path, const std::string& layout)
     : path_(path), file_(path) {
   TUNICA_CHECK(file_, path + ": cannot be read.");
+  if (file_.get() == 0x1f && file_.get() == 0x8b)
+    throw Error(path + ": is compressed. Unpack it first, with gunzip.");
+  file_.clear();
+  file_.seekg(0);
   params::begin_text(file_, path);
   ++line_number_;
   std::getline(file_, line_);
   const std::string head = lower(word()), object = lower(word()), found = lower(word()),
                     field = lower(word()), symmetry = lower(word());
-  if (head != "%%matrixmarket" || object != "matrix")
+  if (head != "%%matrixmarket" || object != "matrix") {
+    word_ = 0;  // where the line begins
     refuse("no Matrix Market file: expected a first line \"%%MatrixMarket matrix " + layout +
            " real general\"");
+  }
   if (found != layout) refuse("the layout is \"" + found + "\", expected \"" + layout + "\"");
   if (field != "real" && field != "double" && field != "integer")
     refuse("the field is \"" + field + "\", expected \"real\" or \"integer\"");

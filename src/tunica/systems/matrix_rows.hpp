@@ -9,8 +9,8 @@
 
 namespace tunica::systems {
 
-/// What is read, computed or sent at once. Messages of a megabyte are long enough, and small beside
-/// a rank's rows.
+/// Number of entries that are read, computed or sent at once. Messages of a megabyte are long
+/// enough, and small beside a rank's rows.
 constexpr std::size_t entries_at_once = std::size_t{1} << 16;
 
 /// Where the entries of a sparse matrix stand, in the portion of its rows that a rank has
@@ -40,8 +40,8 @@ public:
   RowCollector(long long n_rows, long long n_columns, const CommPtr& comm);
   /// Collective.
   void add(const std::vector<Entry>& entries);
-  /// Rows in ascending order. What came twice is added up in the order in which it came. Leaves
-  /// none.
+  /// Rows in ascending order. Duplicate entries are summed in the order of their arrival. Leaves no
+  /// rows.
   MatrixRows take();
 
 private:
@@ -55,7 +55,7 @@ MatrixRows empty_matrix(long long n_rows, long long n_columns, const CommPtr& co
 MatrixRows transposed(const MatrixRows& A);
 /// Factors need a diagonal even where it is zero.
 MatrixRows with_diagonal(const MatrixRows& A);
-/// Of the rank's rows; 0 where there is none.
+/// Diagonal entries of the rank's rows; 0 if there is none.
 std::vector<double> diagonal(const MatrixRows& A);
 
 /// The entries of these ascending rows, which any ranks have, in their order. Collective.

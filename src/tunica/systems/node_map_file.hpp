@@ -7,7 +7,7 @@
 
 namespace tunica::systems {
 
-/// Of an unknown that does not say its component: the first that its node has free.
+/// Component of an unknown that does not state it: the first free one of its node.
 constexpr int next_component = std::numeric_limits<int>::min();
 
 struct Unknown {

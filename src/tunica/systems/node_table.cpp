@@ -17,7 +17,7 @@ Unknowns regular(int components, bool is_by_node, long long n_vector, long long 
   TUNICA_CHECK(n_vector % components == 0,
                "System: A has " + std::to_string(n_vector) +
                    " rows, which \"components\" = " + std::to_string(components) +
-                   " does not divide. A \"node map\" says what belongs together.");
+                   " does not divide. Give a \"node map\" that says which rows belong to a node.");
   Unknowns mine;
   mine.total = n_vector + n_scalar;
   const long long n = n_vector / components;

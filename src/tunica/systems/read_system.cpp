@@ -6,6 +6,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
+#include "tunica/systems/check_blocks.hpp"
 #include "tunica/systems/dealt_rows.hpp"
 #include "tunica/systems/matrix_files.hpp"
 #include "tunica/systems/node_graph.hpp"
@@ -14,12 +15,6 @@
 namespace tunica::systems {
 
 namespace {
-
-/// What stands in the files: the rank's portion of the rows of each block.
-struct Blocks {
-  MatrixRows A, B1T, B2, mC;
-  ColumnRows b;
-};
 
 void check_size(const std::string& name, const SparseRows& block, long long n_rows,
                 long long n_columns) {
@@ -55,27 +50,16 @@ Blocks read_blocks(const Teuchos::ParameterList& options, const CommPtr& comm,
   return blocks;
 }
 
-/// Rows of b, of which the rank has a portion, to the portions of a block whose rows begin there.
-std::vector<double> rows_of_block(const ColumnRows& b, long long begin, long long count,
-                                  const Comm& comm) {
-  const Portion mine = portion_of(b.n_rows, comm);
-  const auto place = [&](long long row) {
-    return b.values.begin() + (std::clamp(row, mine.first, mine.first + mine.count) - mine.first);
-  };
-  return spread(comm, std::vector<double>(place(begin), place(begin + count)),
-                std::max(mine.first - begin, 0LL), count);
-}
-
 }  // namespace
 
 params::Table system_table() {
   params::Table table("A block system [A B1T; B2 -C] in the Matrix Market format.");
   table.file("A", std::nullopt, "the square block of the vector unknowns")
-      .file("B1T", "", "the block right of A; the transpose of B2 where there is no file")
+      .file("B1T", "", "the block right of A; the transpose of B2 if there is no file")
       .file("B2", std::nullopt, "the block below A")
-      .file("C", "", "the square block of the scalar unknowns; zero where there is no file")
+      .file("C", "", "the square block of the scalar unknowns; zero if there is no file")
       .number("C factor", 1.0, params::any(), "1",
-              "K has -(C factor) C; -1 where the file holds the block as it stands in K")
+              "K has -(C factor) C; -1 if the file contains the block as it is in K")
       .file("rhs", std::nullopt, "right-hand side: one column, the rows of A, then those of B2")
       .integer("components", 3, params::between(1, 16), "vector unknowns of a node")
       .choice("order", "by node", {"by node", "by component"},
@@ -91,6 +75,9 @@ params::Table system_table() {
 System read_system(const Teuchos::ParameterList& options, const CommPtr& comm,
                    std::size_t lines_at_once) {
   Blocks blocks = read_blocks(options, comm, lines_at_once);
+  std::vector<std::string> remarks;
+  for (const std::string& remark : {doubt_sign_of_C(blocks), fill_empty_rows(blocks)})
+    if (!remark.empty()) remarks.push_back(remark);
   const long long n = blocks.A.n_rows, m = blocks.B2.n_rows;
   const NodeTable table = make_node_table(options, n, m, comm, lines_at_once);
   const NodeGraph graph = vector_graph(blocks.A, table);
@@ -110,6 +97,7 @@ System read_system(const Teuchos::ParameterList& options, const CommPtr& comm,
                                     {"scalar", scalar_map, 1, at_scalars}});
   };
   System system;
+  system.remarks = std::move(remarks);
   system.K = algebra::BlockMatrix(space(vectors.dealt, scalars.dealt));
   system.K.set(0, 0, dealt(std::move(blocks.A), vectors, vectors));
   system.K.set(0, 1, dealt(std::move(blocks.B1T), vectors, scalars));

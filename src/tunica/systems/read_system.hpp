@@ -9,7 +9,8 @@ namespace tunica::systems {
 struct System {
   algebra::BlockMatrix K;
   algebra::BlockVector b;
-  algebra::BlockSpacePtr file_space;  ///< equal portions of the rows of the files
+  std::vector<std::string> remarks{};  ///< what is doubtful in the files; on rank 0
+  algebra::BlockSpacePtr file_space;   ///< equal portions of the rows of the files
 };
 
 /// The keys of a "System" list: files in the Matrix Market format with the blocks and the

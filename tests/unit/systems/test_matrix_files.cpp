@@ -80,6 +80,18 @@ TEUCHOS_UNIT_TEST(matrix_files, symmetric_files_hold_one_half_and_repeated_entri
   TEST_ASSERT(is_read_in_pieces(text));
 }
 
+TEUCHOS_UNIT_TEST(matrix_files, symmetric_files_with_both_triangles_are_refused) {
+  const std::string head = "%%MatrixMarket matrix coordinate real symmetric\n";
+  TEST_ASSERT(says(of_matrix(head + "2 2 3\n1 1 1\n2 1 5\n1 2 5\n"),
+                   "the first line says \"symmetric\", but there are entries below the "
+                   "diagonal (row 2, column 1) and above it (row 1, column 2)"));
+  TEST_COMPARE_ARRAYS(matrix(head + "2 2 1\n1 2 5\n").values, (std::vector<double>{5, 5}));
+}
+
+TEUCHOS_UNIT_TEST(matrix_files, compressed_files_are_named_as_such) {
+  TEST_ASSERT(says(of_matrix("\x1f\x8b\x08 and so on"), "is compressed. Unpack it first"));
+}
+
 TEUCHOS_UNIT_TEST(matrix_files, every_rank_has_its_rows_however_few_lines_are_read_at_once) {
   std::string text = std::string(general) + "7 5 22\n";
   for (int k = 0; k < 22; ++k)  // each place twice, the second time much later; none in row 4

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "helpers.hpp"
+#include "tunica/base/error.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "tunica/systems/read_system.hpp"
 
@@ -174,6 +175,44 @@ TEUCHOS_UNIT_TEST(read_system, a_symmetric_file_is_as_good_as_a_general_one) {
   files.set("A", half);
   same.set("A", text_of(symmetric, natural(n_vector), natural(n_vector)));
   TEST_ASSERT(is_dealt(files, same));
+}
+
+/// The entry of a row, where this rank has it; what is given elsewhere.
+double entry(const CrsMatrix& A, GlobalOrdinal row, GlobalOrdinal column, double elsewhere) {
+  const auto rows = rows_of(A);
+  return rows.count(row) > 0 ? rows.at(row).at(column) : elsewhere;
+}
+
+TEUCHOS_UNIT_TEST(read_system, unknowns_without_an_equation_are_zero_where_that_is_possible) {
+  Files files;
+  const auto but_for_two = [](int k, int j) { return k == 2 || k == 5 ? 0.0 : b2(k, j); };
+  files.set("B2", text_of(but_for_two, natural(n_nodes), natural(n_vector)));
+  files.set("B1T", text_of(b1t, natural(n_vector), natural(n_nodes)));
+  std::string rhs =
+      "%%MatrixMarket matrix array real general\n" + std::to_string(n_vector + n_nodes) + " 1\n";
+  for (int i = 0; i < n_vector + n_nodes; ++i) rhs += "0\n";
+  TEST_THROW(read_system(files.options, world(), at_once), Error);  // x = 102 has no equation
+  files.set("rhs", rhs);
+  const System system = read_system(files.options, world(), at_once);
+  for (const int k : {2, 5}) TEST_EQUALITY(entry(*system.K(1, 1), k, k, -1.0), -1.0);
+  TEST_EQUALITY(entry(*system.K(1, 1), 3, 3, 0.0), 0.0);
+  if (world()->getRank() == 0)
+    TEST_ASSERT(system.remarks.size() == 1 &&
+                system.remarks[0].find("rows 3 and 6 of B2 and C have no entries") == 0);
+}
+
+TEUCHOS_UNIT_TEST(read_system, a_C_as_it_stands_in_K_is_doubted) {
+  Files files;
+  const auto minus_c = [](int k, int l) { return -c(k, l); };
+  files.set("C", text_of(c, natural(n_nodes), natural(n_nodes)));
+  TEST_ASSERT(read_system(files.options, world(), at_once).remarks.empty());
+  files.set("C", text_of(minus_c, natural(n_nodes), natural(n_nodes)));
+  const System system = read_system(files.options, world(), at_once);
+  if (world()->getRank() == 0)
+    TEST_ASSERT(system.remarks.size() == 1 &&
+                system.remarks[0].find("set \"C factor\" to -1") != std::string::npos);
+  files.options.set("C factor", -1.0);
+  TEST_ASSERT(read_system(files.options, world(), at_once).remarks.empty());
 }
 
 TEUCHOS_UNIT_TEST(read_system, a_node_map_makes_the_order_of_the_files_irrelevant) {
