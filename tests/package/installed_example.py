@@ -82,10 +82,10 @@ def refuse_what_does_not_fit(verdict, prefix, scratch):
     (other / "TrilinosConfig.cmake").write_text(OTHER_TRILINOS)
     here = f"-DCMAKE_PREFIX_PATH={prefix}"
     for name, version, component, options, expected in (
-            ("absent", "0.1", "fsi", [], "The component fsi of Tunica is not installed"),
-            ("unknown", "0.1", "mesh", [], 'Tunica has no component "mesh"'),
-            ("newer", "0.2", "multigrid", [], 'compatible with requested version "0.2"'),
-            ("trilinos", "0.1", "multigrid", [f"-DTrilinos_ROOT={other}"], "found 99.1 in")):
+            ("absent", "0.2", "fsi", [], "The component fsi of Tunica is not installed"),
+            ("unknown", "0.2", "mesh", [], 'Tunica has no component "mesh"'),
+            ("newer", "0.3", "multigrid", [], 'compatible with requested version "0.3"'),
+            ("trilinos", "0.2", "multigrid", [f"-DTrilinos_ROOT={other}"], "found 99.1 in")):
         text = refusal(scratch, name, ASK.format(version, component), [here, *options])
         if not verdict.claim(expected in text, f"{name}: the message says: {expected}"):
             print(text)

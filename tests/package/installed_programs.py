@@ -11,17 +11,21 @@ from installation import CMAKE, SOURCE, Run, Verdict, install_and_move, must
 from runs import command
 
 
-def run_the_example(verdict, prefix, case, scratch):
-    """examples/fsi knows nothing of the source tree."""
+def run_the_example(verdict, prefix, mesh, scratch):
+    """examples/fsi knows nothing of the source tree: a law and a load of its own, and a probe."""
     folder = scratch / "fsi"
     shutil.copytree(SOURCE / "examples" / "fsi", folder)
     must([CMAKE, "-S", folder, "-B", folder / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}"], scratch)
     must([CMAKE, "--build", folder / "build"], scratch)
-    run = Run(command(folder / "build" / "fsi", [case, scratch / "side-by-side"], 2), scratch)
-    lines = run.out.splitlines()
-    verdict.claim(run.status == 0 and len(lines) > 2, f"two vessels run side by side {run.err}")
-    moved = [[float(word) for word in line.split(":")[1].replace("mm", "").split("and")] for line in lines]
-    verdict.claim(all(soft > stiff > 0.0 for soft, stiff in moved), f"the softer wall moves further: {lines[-1:]}")
+    program, case, mesh_key = folder / "build" / "fsi", folder / "case.xml", f"Mesh/file={mesh}"
+    run = Run(command(program, [case, scratch / "squeezed", mesh_key], 2), scratch)
+    moved = [float(line.split(":")[1].split()[0]) for line in run.out.splitlines()]
+    verdict.claim(run.status == 0 and len(moved) == 8, f"a case with a law and a load of its own runs {run.err}")
+    verdict.claim(moved and min(moved) < -0.005, f"the squeeze narrows the vessel: {moved}")
+    stiff = Run(command(program, [case, scratch / "stiff", mesh_key, "Wall/Layers/media/mu=90",
+                                  "Wall/Layers/adventitia/mu=90"], 2), scratch)
+    less = [float(line.split(":")[1].split()[0]) for line in stiff.out.splitlines()]
+    verdict.claim(less and 0.0 > min(less) > 0.8 * min(moved), f"a stiffer wall by less: {less}")
 
 
 def main():
@@ -38,7 +42,7 @@ def main():
             check = Run(command(programs / "tunica-check", [case]), scratch)
             verdict.claim(check.status == 0, f"{case.name} is valid {check.err}")
 
-        run_the_example(verdict, prefix, shared / "xml" / "pulse-tiny.xml", scratch)
+        run_the_example(verdict, prefix, shared / "meshes" / "tube-tiny.h5", scratch)
         run = Run(command(programs / "tunica-fsi", [shared / "xml" / "pulse-tiny.xml", "--steps", "1",
                                                     "--output", scratch / "out"], 2), scratch)
         verdict.claim(run.status == 0, f"the pulse runs on 2 ranks {run.err}")

@@ -38,8 +38,8 @@ void Backflow::observe(const Surroundings& s, const fields::Face& face,
 
 void add_backflow_key(params::Table& table) {
   table.number("backflow stabilisation", 0.0, params::non_negative(), "1",
-               "factor β of the term that takes out the energy which inflow through an open "
-               "surface brings in; 0 is the paper's choice, 0.2 is safe");
+               "factor β of the term that removes the energy that inflow through an open surface "
+               "brings in; 0 is the paper's choice, 0.2 is safe");
 }
 
 }  // namespace tunica::boundary

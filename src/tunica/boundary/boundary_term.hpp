@@ -13,7 +13,7 @@ namespace tunica::boundary {
 
 using VectorField = std::function<Vec3(const Vec3& x, double time)>;
 
-/// What a term sees of its field when it is evaluated, on owned and ghost nodes.
+/// State of the field with which a term is evaluated, on owned and ghost nodes.
 struct Surroundings {
   const fields::FieldMesh* mesh = nullptr;
   const std::vector<Vec3>* reference = nullptr;  ///< positions in the undeformed field [mm]
@@ -36,8 +36,8 @@ struct CommonMotion {
   std::function<double(double time)> value;  ///< of the component [mm], or of the force [mN]
 };
 
-/// What happens on one surface of a field. A term is one or several of the following four, from
-/// which it derives; a condition of a case may be made of several terms.
+/// A term on one surface of a field. It derives from one or several of the following four classes;
+/// a condition of a case may consist of several terms.
 class BoundaryTerm {
 public:
   virtual ~BoundaryTerm() = default;
@@ -100,7 +100,7 @@ public:
   /// Jacobian where K is not null. Collective.
   virtual void add_whole(const Surroundings&, assembly::NodalResidual&,
                          assembly::BlockAssembler* /*K*/) const {}
-  /// The same of add_whole(). Collective.
+  /// Shape derivatives of add_whole(). Collective.
   virtual void add_whole_shape(const Surroundings&, assembly::FluidShapeMatrix&) const {}
   /// Adds what the whole surface does, by names of observables, the same on all ranks. Collective.
   virtual void observe_whole(const Surroundings&, std::map<std::string, double>& /*found*/) const {}
@@ -115,8 +115,8 @@ public:
   virtual void begin_step() {}
   /// The step is accepted with these surroundings. Collective.
   virtual void end_step(const Surroundings&) {}
-  /// What end_step() left, for checkpoints, the same on all ranks; always as many numbers, none
-  /// where there is no state.
+  /// State after end_step(), for checkpoints, the same on all ranks; always the same number of
+  /// values, none without a state.
   virtual std::vector<double> state() const { return {}; }
   virtual void restore(const std::vector<double>& /*state*/) {}
 };

@@ -30,17 +30,17 @@ double integral(const Cap& cap, const std::vector<double>& f);
 using Profile = std::vector<double>;
 using ComplexProfile = std::vector<std::complex<double>>;
 
-/// The same everywhere but for the rim, where it is zero.
+/// The uniform profile, zero at the rim.
 Profile flat_profile(const Cap& cap);
 
-/// What a steady flow along the normal has in a long pipe of this section, of any shape:
+/// The profile of steady flow along the normal in a long pipe of this section, of any shape:
 ///
 ///   −Δφ = const,   φ = 0 on the rim
 ///
 /// A paraboloid on a disc.
 Profile harmonic_profile(const Cap& cap);
 
-/// The same of a flow that swings as e^{iωt}:
+/// The profile of a flow that oscillates as e^{iωt}:
 ///
 ///   iω φ − ν Δφ = const,   φ = 0 on the rim
 ///

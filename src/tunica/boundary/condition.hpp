@@ -13,8 +13,8 @@ enum class Field { fluid, wall };
 /// The condition that couples them; each has its own.
 constexpr const char* interface_condition = "interface";
 
-/// What a condition drives the vessel by, as far as its list says: cases are judged by it before
-/// they run.
+/// The quantity by which a condition drives the vessel, as far as its list says; cases are judged
+/// by it before they run.
 struct Drive {
   enum class Kind {
     none,
@@ -27,7 +27,7 @@ struct Drive {
   };
   Kind kind = Kind::none;
   double size = 0.0;  ///< times the amplitude
-  /// Of an outlet: what a flow Q̄ through it lets its pressure settle to is p_d + R Q̄.
+  /// An outlet: under a mean flow Q̄ its pressure settles at p_d + R Q̄.
   struct Outlet {
     double resistance;       ///< R [kPa ms/mm³]
     double distal_pressure;  ///< p_d [kPa]

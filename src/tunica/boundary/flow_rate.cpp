@@ -94,21 +94,19 @@ Vec3 FlowRate::prescribed(const Surroundings& s, int node) const {
 
 ConditionEntry flow_rate_condition() {
   params::Table womersley;
-  womersley.integer(
-      "harmonics", 16, params::between(1.0, 200.0),
-      "of the flow rate that have profiles of their own; the rest has that of a steady "
-      "flow");
+  womersley.integer("harmonics", 16, params::between(1.0, 200.0),
+                    "number of harmonics of the flow rate with profiles of their own; the rest has "
+                    "the profile of steady flow");
   params::Table table("A flow rate into the fluid, along the normal of a surface of any shape.");
   table
       .number("flow rate", std::nullopt, params::any(), "mm^3/ms",
-              "that flows in, times the amplitude; 1 ml/s is 1 mm^3/ms")
-      .variant(
-          "profile", "parabolic",
-          {{"flat", params::Table("the same everywhere but for the rim")},
-           {"parabolic", params::Table("of a steady flow in a long pipe of this section")},
-           {"womersley", womersley}},
-          "how the velocity is distributed; womersley: of a periodic flow in a long pipe of this "
-          "section, each harmonic by itself")
+              "flow into the fluid, times the amplitude; 1 ml/s is 1 mm^3/ms")
+      .variant("profile", "parabolic",
+               {{"flat", params::Table("uniform except at the rim")},
+                {"parabolic", params::Table("that of steady flow in a long pipe of this section")},
+                {"womersley", womersley}},
+               "velocity profile; womersley: that of periodic flow in a long pipe of this section, "
+               "for each harmonic separately")
       .sublist("Amplitude", stepping::time_function_table())
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         if (!list.isParameter("profile") || list.get<std::string>("profile") != "womersley") return;

@@ -18,7 +18,7 @@ namespace tunica::boundary {
 /// φ vanishes on the rim, where conditions of other surfaces hold. As the surface grows φ shrinks,
 /// so that the flow rate of u through the present surface, along the undeformed normal, stays what
 /// is given; what the profiles miss where it grows unevenly has that of the steady flow.
-/// What a Fourier series of K harmonics leaves of Q(t) has the profile of the steady flow.
+/// The remainder of Q(t) beyond K harmonics has the profile of the steady flow.
 class FlowRate final : public GivenVelocity {
 public:
   /// list: a resolved list of flow_rate_condition(). Collective.
@@ -34,8 +34,8 @@ private:
   void find_harmonics(double nu);
   /// Along −n at the nodes of the cap, on the undeformed surface [mm/ms].
   std::vector<double> speeds(double time) const;
-  /// What flows in through the present surface with these speeds at the cap's nodes, and with
-  /// others [mm³/ms]. Collective.
+  /// Inflow through the present surface with these speeds at the cap's nodes, and with others
+  /// [mm³/ms]. Collective.
   std::array<double, 2> flows(const Surroundings& s, const std::vector<double>& speed,
                               const std::vector<double>& other) const;
 

@@ -57,7 +57,7 @@ Vec3 normal_of_plane(const fields::FieldMesh& mesh, int surface) {
   const double to_degrees = 180.0 / std::acos(-1.0);
   std::ostringstream message;
   message << "Surfaces / " << mesh.surfaces[surface]
-          << ": it is held along its normal, but no plane: its normals are up to "
+          << ": it is held along its normal, but is not a plane: its normals are up to "
           << plane.bend * to_degrees << " degrees off their mean, expected at most "
           << flat * to_degrees << ". Give each plane a surface of its own, or hold components.";
   TUNICA_CHECK(plane.bend <= flat, message.str());
@@ -79,16 +79,15 @@ ConditionEntry held_in(Field field, const std::string& sentence) {
 }  // namespace
 
 ConditionEntry held() {
-  return held_in(
-      Field::wall,
-      "components without displacement, of x, y and z; or \"normal\" alone: the one along "
-      "the normal of a plane, in which the wall slides");
+  return held_in(Field::wall,
+                 "components of the displacement, of x, y and z, that are zero; or \"normal\" "
+                 "alone: the component along the normal of a plane, in which the wall slides");
 }
 
 ConditionEntry held_velocity() {
   return held_in(Field::fluid,
-                 "components without velocity, of x, y and z; or \"normal\" alone: the one along "
-                 "the normal of a plane, as on a plane of symmetry");
+                 "components of the velocity, of x, y and z, that are zero; or \"normal\" alone: "
+                 "the component along the normal of a plane, as on a plane of symmetry");
 }
 
 ConditionEntry loaded_by_fluid() {

@@ -49,14 +49,14 @@ std::vector<CommonMotion> Moved::common_motions() const {
 ConditionEntry moved() {
   params::Table table = table_of("displaced as one");
   table.numbers("displacement", std::nullopt, params::any(), 3, "mm",
-                "displacement; what it has in components that are not named is ignored");
+                "displacement; its components that are not named in \"components\" are ignored");
   return entry_of("moved", table, false);
 }
 
 ConditionEntry moves_as_one() {
-  params::Table table = table_of("moves as one, as far as the forces on it push");
+  params::Table table = table_of("moves as one, driven by the forces on it");
   table.numbers("force", std::vector<double>{0.0, 0.0, 0.0}, params::any(), 3, "mN",
-                "force on the whole surface, beside other loads on it");
+                "force on the whole surface, in addition to other loads on it");
   return entry_of("moves as one", table, true);
 }
 

@@ -30,7 +30,7 @@ ConditionEntry velocity_condition() {
       .numbers("velocity", std::nullopt, params::any(), 3, "mm/ms",
                "velocity, at the centre if the profile is parabolic")
       .choice("profile", "uniform", {"uniform", "parabolic"},
-              "the same everywhere, or parabolic with zero at the rim of a round surface")
+              "uniform, or parabolic with zero at the rim of a round surface")
       .sublist("Amplitude", stepping::time_function_table());
   return {Field::fluid, "velocity", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {

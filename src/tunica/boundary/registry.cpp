@@ -1,5 +1,6 @@
 #include "tunica/boundary/registry.hpp"
 
+#include "tunica/base/error.hpp"
 #include "tunica/boundary/flow_rate.hpp"
 #include "tunica/boundary/follower_pressure.hpp"
 #include "tunica/boundary/held.hpp"
@@ -14,8 +15,8 @@ namespace tunica::boundary {
 
 namespace {
 
-const std::vector<ConditionEntry>& conditions() {
-  static const std::vector<ConditionEntry> all = {
+std::vector<ConditionEntry>& conditions() {
+  static std::vector<ConditionEntry> all = {
       open_traction(),           // "traction" of a fluid
       open_pressure(),           // "pressure" of a fluid
       windkessel_condition(),    // "windkessel"
@@ -48,6 +49,13 @@ std::vector<ConditionEntry> conditions_for(Field field) {
 
 }  // namespace
 
+void register_condition(ConditionEntry condition) {
+  for (const ConditionEntry& known : conditions_for(condition.field))
+    TUNICA_CHECK(known.name != condition.name,
+                 "the condition \"" + condition.name + "\" is registered twice.");
+  conditions().push_back(std::move(condition));
+}
+
 std::vector<ConditionEntry> fluid_conditions() { return conditions_for(Field::fluid); }
 std::vector<ConditionEntry> wall_conditions() { return conditions_for(Field::wall); }
 
@@ -56,10 +64,10 @@ params::Table condition_table(const std::string& sentence,
   std::vector<params::Table::Case> cases;
   for (const ConditionEntry& entry : entries) cases.push_back({entry.name, entry.table});
   params::Table table(sentence);
-  table.variant("condition", std::nullopt, cases, "what happens on the surface")
+  table.variant("condition", std::nullopt, cases, "condition on the surface")
       .text("surface", "",
-            "surface of the mesh; empty: the one that the list is named after. With it several "
-            "conditions hold on one surface, a load and components that are held");
+            "surface of the mesh; empty: the one that the list is named after. It permits several "
+            "conditions on one surface, such as a load and held components");
   return table;
 }
 

@@ -6,11 +6,15 @@
 
 namespace tunica::boundary {
 
-/// Those of a fluid, and those of a wall.
+/// The conditions of a fluid, and those of a wall.
 std::vector<ConditionEntry> fluid_conditions();
 std::vector<ConditionEntry> wall_conditions();
 
-/// What a case says of one surface; it may say several things of the same one.
+/// Adds a condition, before the schema of a case is asked for. Throws Error where its field has one
+/// of that name.
+void register_condition(ConditionEntry condition);
+
+/// One condition of a case on one surface; a surface may have several.
 struct Condition {
   std::string surface;
   Teuchos::ParameterList list;  ///< resolved

@@ -86,13 +86,15 @@ ConditionEntry support_condition() {
   params::Table table("The tissue around the wall: springs and dashpots, and a pressure.");
   table
       .number("stiffness", 0.0, params::non_negative(), "kPa/mm",
-              "of the springs; they are relaxed in the geometry of the mesh. 1e7 dyn/cm^3 are 100")
+              "stiffness of the springs, which are relaxed in the geometry of the mesh; 1e7 "
+              "dyn/cm^3 are 100")
       .number("damping", 0.0, params::non_negative(), "kPa ms/mm",
-              "of the dashpots; 1e4 dyn s/cm^3 are 100")
+              "damping of the dashpots; 1e4 dyn s/cm^3 are 100")
       .choice("direction", "normal", {"normal", "all"},
-              "of springs and dashpots: along the normal of the undeformed surface, or all")
+              "direction of springs and dashpots: along the normal of the undeformed surface, or "
+              "all directions")
       .number("pressure", 0.0, params::any(), "kPa",
-              "outside, which follows the deformed surface, times the amplitude")
+              "external pressure, which follows the deformed surface, times the amplitude")
       .sublist("Amplitude", stepping::time_function_table());
   return {Field::wall, "support", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {

@@ -32,7 +32,7 @@ std::string text_of(const std::string& file, const Comm& comm) {
   on_root(comm, [&] {
     text = params::read_plain_text(file);
     TUNICA_CHECK(text.size() <= std::numeric_limits<int>::max(),
-                 file + ": is larger than 2 GB, more than is handed to all ranks.");
+                 file + ": is larger than 2 GB, more than can be sent to all ranks.");
   });
   broadcast(comm, text);
   return text;
@@ -218,8 +218,8 @@ void add_surface_data_keys(params::Table& table, const std::string& what) {
                 ", three numbers each, as CSV; or with a time (ms) first, ascending, each with the "
                 "same points. In space linear between the points, in time a spline")
       .number("period", 0.0, params::non_negative(), "ms",
-              "the times are repeated with it; 0: before the first and after the last time their "
-              "values hold")
+              "period with which the times are repeated; 0: the first and last values hold before "
+              "and after")
       .sublist("Amplitude", stepping::time_function_table());
 }
 
@@ -271,7 +271,7 @@ Vec3 SurfaceData::operator()(int node) const {
 }
 
 ConditionEntry velocity_from_file() {
-  params::Table table("a velocity that a file gives at points, as measurements do");
+  params::Table table("a velocity given at points in a file, such as a measured one");
   add_surface_data_keys(table, "velocity (mm/ms)");
   return {Field::fluid, "velocity from file", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {
@@ -281,10 +281,10 @@ ConditionEntry velocity_from_file() {
 }
 
 ConditionEntry displacement_from_file() {
-  params::Table table("a displacement that a file gives at points, as images do");
+  params::Table table("a displacement given at points in a file, such as one from images");
   table
       .names("components", std::vector<std::string>{"x", "y", "z"},
-             "components of it that are prescribed, of x, y and z; the others are free")
+             "prescribed components of the displacement, of x, y and z; the others are free")
       .check(check_components);
   add_surface_data_keys(table, "displacement (mm)");
   return {Field::wall, "displacement from file", table,

@@ -3,8 +3,8 @@
 
 namespace tunica::boundary {
 
-/// What a node has of each surface that it lies on, by the pairs of FieldMesh::node_surfaces. Whole
-/// at owned nodes.
+/// Share of each node in every surface that it lies on, by the pairs of FieldMesh::node_surfaces.
+/// Complete at owned nodes.
 struct NodalShares {
   explicit NodalShares(const fields::FieldMesh& mesh)
       : area(mesh.node_surfaces.size(), 0.0), force(mesh.node_surfaces.size()) {}
@@ -17,7 +17,7 @@ struct NodalShares {
 void add_face(const fields::FieldMesh& mesh, const fields::Face& face, double area,
               const std::array<Vec3, 3>& force, NodalShares& shares);
 
-/// What each surface takes of the reactions of the owned nodes, by the pairs of
+/// Share of each surface in the reactions of the owned nodes, by the pairs of
 /// FieldMesh::node_surfaces, see reaction_forces() [mN].
 std::vector<Vec3> shared_reactions(const fields::FieldMesh& mesh, const SurfaceTerms& terms,
                                    const std::vector<Vec3>& reaction, const NodalShares& shares);

@@ -162,8 +162,8 @@ void SurfaceTerms::constrain() {
             if (std::abs(given[a][i] * n[i]) > flat) is_clear = false;
         });
   TUNICA_CHECK(all_agree(*mesh_->comm, is_clear),
-               "Surfaces: nodes that are held along a normal are given a component across it by "
-               "another condition. Give all components, or hold the plane by components.");
+               "Surfaces: at nodes that are held along a normal, another condition prescribes a "
+               "component across it. Prescribe all components, or hold the plane by components.");
 }
 
 std::vector<std::pair<int, CommonMotion>> SurfaceTerms::common_motions() const {
@@ -294,7 +294,8 @@ std::string SurfaceTerms::restore(const fields::State& state) {
     TUNICA_CHECK(found->second.size() == size,
                  "the state of the " + name_of_state(k) + " has " +
                      std::to_string(found->second.size()) + " numbers, expected " +
-                     std::to_string(size) + ": a run goes on with the time scheme it began with.");
+                     std::to_string(size) +
+                     ": a run continues with the time scheme it began with.");
     auto next = found->second.begin();
     for (const auto& term : remembering_[k]) {
       const auto count = static_cast<std::ptrdiff_t>(term->state().size());

@@ -33,9 +33,9 @@ public:
   Vec3 free_part(int surface, const Vec3& v) const;
   bool is_interface(int surface) const { return has_condition(surface, interface_condition); }
 
-  /// What the terms prescribe, for each local node.
+  /// Constraints prescribed by the terms, for each local node.
   const assembly::Constraints& constraints() const { return fixed_; }
-  /// What moves as one, each with its surface.
+  /// Common motions, each with its surface.
   std::vector<std::pair<int, CommonMotion>> common_motions() const;
   /// Gives what is prescribed of the vector unknown its values on owned nodes. Collective.
   void impose(const Surroundings& s, Vector& u);
@@ -47,8 +47,8 @@ public:
   void add(const Surroundings& s, assembly::NodalResidual& R, assembly::BlockAssembler* K) const;
   /// Adds the derivatives with respect to where a fluid's mesh lies. Collective.
   void add_shape(const Surroundings& s, assembly::FluidShapeMatrix& S) const;
-  /// What the terms of one surface load the field with, this rank's part: minus their residual, all
-  /// nodes together [mN]. Collective.
+  /// Load of the terms of one surface on the field, this rank's part: minus their residual, summed
+  /// over all nodes [mN]. Collective.
   Vec3 load(const Surroundings& s, int surface) const;
   void observe(const Surroundings& s, const fields::Face& face,
                std::map<std::string, double>& sums) const;
@@ -77,7 +77,7 @@ private:
   std::vector<Condition> kept_;
   std::vector<std::vector<const Condition*>> conditions_;  ///< per surface
   Terms terms_;
-  /// What they are, per surface.
+  /// Terms by kind, per surface.
   std::vector<std::vector<Constraint*>> constraints_;
   std::vector<std::vector<FaceLoad*>> face_loads_;
   std::vector<std::vector<WholeLoad*>> whole_loads_;

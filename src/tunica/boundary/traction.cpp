@@ -81,7 +81,7 @@ ConditionEntry open_surface(const std::string& name, params::Table table) {
 
 ConditionEntry open_traction() {
   return open_surface("traction",
-                      traction_table("σ n on the surface; zeros let the fluid out freely"));
+                      traction_table("traction σ n on the surface; zero is a free outlet"));
 }
 
 ConditionEntry open_pressure() {

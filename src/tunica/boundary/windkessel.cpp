@@ -120,14 +120,14 @@ ConditionEntry windkessel_condition() {
       .number("distal pressure", 0.0, params::any(), "kPa", "p_d behind both resistances")
       .number("initial pressure", 0.0, params::any(), "kPa", "p_c at the start")
       .number("mean flow", 0.0, params::any(), "mm^3/ms",
-              "Q that leaves here on the mean: adds R_d Q to p_d for p_c at the start, instead of "
-              "the initial pressure, so that there is less to wait for");
+              "mean flow Q through this outlet: p_c starts at p_d + R_d Q instead of the initial "
+              "pressure, which shortens the transient");
   add_backflow_key(table);
   table.check([](const Teuchos::ParameterList& list, const std::string& path) {
     if (!list.isParameter("mean flow")) return;  // another condition
     TUNICA_CHECK(
         list.get<double>("mean flow") == 0.0 || list.get<double>("initial pressure") == 0.0,
-        path + ": \"mean flow\" and \"initial pressure\" both say how it starts. Give one.");
+        path + ": \"mean flow\" and \"initial pressure\" both define its initial state. Give one.");
   });
   return {Field::fluid, "windkessel", table, terms_of, [](const Teuchos::ParameterList& list) {
             const auto distal = list.get<double>("distal resistance");

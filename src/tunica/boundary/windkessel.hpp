@@ -6,7 +6,7 @@
 
 namespace tunica::boundary {
 
-/// What lies behind an outlet, as three elements: a resistance, and behind it a compliance beside a
+/// Three-element Windkessel behind an outlet: a resistance, followed by a compliance parallel to a
 /// second resistance.
 ///
 ///   σ n = −p n,   p = R_p Q + p_c,   C dp_c/dt = Q − (p_c − p_d)/R_d,   Q = ∫ c·n da

@@ -28,7 +28,7 @@ Constant positive(const std::string& name, double fallback, const std::string& u
 
 ViscosityEntry carreau_yasuda() {
   return {"carreau-yasuda",
-          "Thins with the shear rate, by default as blood does [ChK].",
+          "Shear-thinning, by default like blood [ChK].",
           {positive("viscosity", 3.45e-3, "kPa ms", "mu_inf at high shear rates"),
            positive("viscosity at rest", 0.056, "kPa ms", "mu_0"),
            positive("time constant", 3313.0, "ms", "lambda of 1 + (lambda rate)^a"),

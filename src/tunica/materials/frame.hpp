@@ -19,8 +19,8 @@ inline void set_lane(FrameOf<Pack>& to, int lane, const Frame& from) {
   set_lane(to.axial, lane, from.axial);
 }
 
-/// What the directions of a frame were before the deformation F: those of the same lines of
-/// material, made orthonormal.
+/// The directions of a frame before the deformation F: those of the same material lines,
+/// orthonormalised.
 inline Frame pulled_back(const Frame& frame, const Mat3& F) {
   const Mat3 F_inverse = adjugate(F);  // but for a factor, which does not matter
   const Vec3 c = unit(F_inverse * frame.circumferential);

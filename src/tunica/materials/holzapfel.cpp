@@ -197,11 +197,11 @@ LawEntry holzapfel() {
           {{"c10", 3.0, 0.0, "kPa", "Factor of (J1 - 3)/2 in the energy of the matrix."},
            {"c01", 0.0, 0.0, "kPa", "Factor of (J2 - 3)/2 in the energy of the matrix."},
            {"k1", 2.3632, 0.0, "kPa", "Stiffness of the fibres."},
-           {"k2", 0.8393, 1e-3, "1", "How fast the fibres stiffen."},
+           {"k2", 0.8393, 1e-3, "1", "Exponential stiffening of the fibres."},
            {"fibre angle", 29.0, 0.0, "deg",
-            "Between fibres and circumference, towards both sides.", 90.0},
-           {"dispersion", 0.0, 0.0, "1", "0 for parallel fibres, 1/3 for no direction at all.",
-            1.0 / 3.0}},
+            "Angle between fibres and circumference, to both sides.", 90.0},
+           {"dispersion", 0.0, 0.0, "1",
+            "0 for parallel fibres, 1/3 for an isotropic distribution.", 1.0 / 3.0}},
           [](const Constants& value) {
             return std::make_unique<Holzapfel>(
                 MooneyRivlin(value.at("c10"), value.at("c01")),

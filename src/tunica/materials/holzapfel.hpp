@@ -11,13 +11,13 @@ struct Fibres {
   double dispersion;  ///< 0: all parallel; 1/3: isotropic
 };
 
-/// The same as the equations have them.
+/// The constants as used in the equations.
 struct HolzapfelConstants {
   double k1, k2;
   double cos_angle, sin_angle;
   double dispersion;
 
-  /// Of the fibres of the first or the second family.
+  /// Direction of the fibres of the first or the second family.
   template <class Real>
   Vec3Of<Real> direction(const FrameOf<Real>& frame, int family) const {
     return cos_angle * frame.circumferential + (family == 0 ? sin_angle : -sin_angle) * frame.axial;

@@ -16,7 +16,8 @@ public:
   /// S'(C) and its tangent.
   virtual StressTangent response(const Sym3& C, const Frame& frame) const = 0;
 
-  /// The same at the points of a pack. Here point by point: a law overrides them to be fast.
+  /// Stress and response at the points of a pack. The default is point by point; a law may override
+  /// them for speed.
   virtual Sym3Of<Pack> packed_stress(const Sym3Of<Pack>& C, const FrameOf<Pack>& frame) const;
   virtual StressTangentOf<Pack> packed_response(const Sym3Of<Pack>& C,
                                                 const FrameOf<Pack>& frame) const;

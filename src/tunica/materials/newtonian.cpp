@@ -10,7 +10,7 @@ ViscosityEntry newtonian() {
   viscosity.is_low_excluded = true;
   viscosity.unit = "kPa ms";
   viscosity.sentence = "dynamic viscosity; 0.035 Poise are 3.5e-6 kPa s = 3.5e-3 kPa ms";
-  return {"newtonian", "Of constant viscosity.", {viscosity}, [](const Constants& value) {
+  return {"newtonian", "Constant viscosity.", {viscosity}, [](const Constants& value) {
             return std::make_unique<Newtonian>(value.at("viscosity"));
           }};
 }

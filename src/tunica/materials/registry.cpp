@@ -11,8 +11,10 @@
 
 namespace tunica::materials {
 
-const std::vector<LawEntry>& laws() {
-  static const std::vector<LawEntry> all = {
+namespace {
+
+std::vector<LawEntry>& known_laws() {
+  static std::vector<LawEntry> all = {
       mooney_rivlin(),
       neo_hookean(),
       holzapfel(),
@@ -20,8 +22,6 @@ const std::vector<LawEntry>& laws() {
   };
   return all;
 }
-
-namespace {
 
 template <class List>
 std::string names_of(const List& list) {
@@ -48,6 +48,14 @@ double checked_value(const LawEntry& law, const Constant& constant, double value
 }
 
 }  // namespace
+
+const std::vector<LawEntry>& laws() { return known_laws(); }
+
+void register_law(LawEntry law) {
+  TUNICA_CHECK(find_named(laws(), law.name) == laws().end(),
+               "Material law \"" + law.name + "\" is registered twice.");
+  known_laws().push_back(std::move(law));
+}
 
 std::unique_ptr<HyperelasticLaw> make_law(const std::string& name, const Constants& constants) {
   const auto law = find_named(laws(), name);

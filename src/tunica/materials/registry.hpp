@@ -36,6 +36,9 @@ struct LawEntry {
 /// Every law there is, in the order of the reference.
 const std::vector<LawEntry>& laws();
 
+/// Adds a law, before the schema of a case is asked for. Throws Error where the name is taken.
+void register_law(LawEntry law);
+
 /// The law `name` with the given constants, the others at their fallback.
 std::unique_ptr<HyperelasticLaw> make_law(const std::string& name, const Constants& constants);
 

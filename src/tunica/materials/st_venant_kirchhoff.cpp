@@ -70,15 +70,15 @@ StressTangent StVenantKirchhoff::response(const Sym3& C, const Frame& frame) con
 }
 
 LawEntry st_venant_kirchhoff() {
-  LawEntry law{
-      "st-venant-kirchhoff",
-      "St. Venant-Kirchhoff law; Hooke's where strains are small.",
-      {{"young modulus", 100.0, 0.0, "kPa", "Young's modulus."},
-       {"poisson ratio", 0.4, 0.0, "1", "Poisson's ratio; with it goes the bulk modulus.", 0.4999}},
-      [](const Constants& value) {
-        return std::make_unique<StVenantKirchhoff>(value.at("young modulus"),
-                                                   value.at("poisson ratio"));
-      }};
+  LawEntry law{"st-venant-kirchhoff",
+               "St. Venant-Kirchhoff law; Hooke's where strains are small.",
+               {{"young modulus", 100.0, 0.0, "kPa", "Young's modulus."},
+                {"poisson ratio", 0.4, 0.0, "1", "Poisson's ratio; it determines the bulk modulus.",
+                 0.4999}},
+               [](const Constants& value) {
+                 return std::make_unique<StVenantKirchhoff>(value.at("young modulus"),
+                                                            value.at("poisson ratio"));
+               }};
   law.bulk_modulus = [](const Constants& value) {
     return bulk_modulus(value.at("young modulus"), value.at("poisson ratio"));
   };

@@ -17,12 +17,11 @@ class ViscosityLaw {
 public:
   virtual ~ViscosityLaw() = default;
 
-  /// At the square of a shear rate [1/ms²].
+  /// Viscosity at the square of a shear rate [1/ms²].
   virtual Viscosity at(double squared_shear_rate) const = 0;
-  /// The same at all rates: what follows from its slope is left out.
+  /// True if the viscosity is the same at all rates; terms of its slope are then omitted.
   virtual bool is_constant() const { return false; }
-  /// What estimates and profiles of a fluid of constant viscosity take, that at high rates
-  /// [kPa ms].
+  /// Viscosity for estimates and profiles that assume a constant one: that at high rates [kPa ms].
   virtual double reference() const = 0;
 };
 

@@ -2,17 +2,31 @@
 
 #include <stdexcept>
 
+#include "tunica/base/error.hpp"
 #include "tunica/materials/carreau_yasuda.hpp"
 #include "tunica/materials/newtonian.hpp"
 
 namespace tunica::materials {
 
-const std::vector<ViscosityEntry>& viscosity_laws() {
-  static const std::vector<ViscosityEntry> all = {
+namespace {
+
+std::vector<ViscosityEntry>& known_viscosity_laws() {
+  static std::vector<ViscosityEntry> all = {
       newtonian(),
       carreau_yasuda(),
   };
   return all;
+}
+
+}  // namespace
+
+const std::vector<ViscosityEntry>& viscosity_laws() { return known_viscosity_laws(); }
+
+void register_viscosity_law(ViscosityEntry law) {
+  for (const ViscosityEntry& known : viscosity_laws())
+    TUNICA_CHECK(known.name != law.name,
+                 "Law of viscosity \"" + law.name + "\" is registered twice.");
+  known_viscosity_laws().push_back(std::move(law));
 }
 
 std::unique_ptr<ViscosityLaw> make_viscosity_law(const std::string& name,

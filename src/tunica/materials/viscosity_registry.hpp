@@ -15,6 +15,9 @@ struct ViscosityEntry {
 /// Every law there is, in the order of the reference.
 const std::vector<ViscosityEntry>& viscosity_laws();
 
+/// Adds a law, before the schema of a case is asked for. Throws Error where the name is taken.
+void register_viscosity_law(ViscosityEntry law);
+
 /// The law `name` with all of its constants.
 std::unique_ptr<ViscosityLaw> make_viscosity_law(const std::string& name,
                                                  const Constants& constants);

@@ -18,7 +18,7 @@ struct StressTangentOf {
 };
 using StressTangent = StressTangentOf<double>;
 
-/// What a law remembers at a point of the steps before, and the step that leads from there.
+/// History of a law at a point, and the time step that starts from it.
 struct Past {
   const double* state = nullptr;  ///< WallLaw::state_width() numbers
   double step = 0.0;              ///< Δt [ms]; 0: in equilibrium, where the past has faded
@@ -46,13 +46,14 @@ public:
   /// S' and its tangent.
   virtual StressTangent response(const Sym3& C, const Frame& frame, const Past& past) const = 0;
 
-  /// The same at the points of a pack. Here point by point: a law overrides them to be fast.
+  /// Stress and response at the points of a pack. The default is point by point; a law may override
+  /// them for speed.
   virtual Sym3Of<Pack> packed_stress(const Sym3Of<Pack>& C, const FrameOf<Pack>& frame,
                                      const PackedPast& past) const;
   virtual StressTangentOf<Pack> packed_response(const Sym3Of<Pack>& C, const FrameOf<Pack>& frame,
                                                 const PackedPast& past) const;
 
-  /// What it remembers of a step that has ended at C; state has room for state_width() numbers.
+  /// Stores the history of a step that has ended at C; state has room for state_width() numbers.
   virtual void remember(const Sym3& /*C*/, const Frame&, const Past&, double* /*state*/) const {}
 
   /// The modulus μ_l of the paper, 2(c10 + c01) for Mooney–Rivlin [kPa]; scales the PSPG τ.
