@@ -46,12 +46,11 @@ void print_reference(const std::string& list) {
     std::cout << params::section_of(full.str(), list);
     return;
   }
-  std::cout << "# Parameters\n\n"
-               "Printed by `tunica-check --reference`. `tunica-solvers` reads all lists, "
-               "`tunica-fsi` leaves out\nSolvers, `tunica-solid` also Fluid, Mesh Motion and "
-               "Coupling, `tunica-fluid` Wall, Mesh Motion and\nCoupling. A table that stands at "
-               "several places is printed once;\n`tunica-check --reference Fluid/Newton` prints it "
-               "in full anywhere.\n\n";
+  std::cout
+      << "# Parameters\n\nPrinted by `tunica-check --reference`. `tunica-solvers` reads all lists, "
+         "`tunica-fsi` leaves out\nSolvers, `tunica-solid` also Fluid, Mesh Motion and Coupling, "
+         "`tunica-fluid` Wall, Mesh Motion and\nCoupling. A table that occurs at several places is "
+         "printed once;\n`tunica-check --reference Fluid/Newton` prints it in full anywhere.\n\n";
   const params::Table of_system = setup::system_solvers_table();
   params::print_reference(std::cout, {{"Case", &table}, {"System Case", &of_system}});
 }

@@ -22,7 +22,7 @@
 namespace {
 
 /// Before what was at fault.
-constexpr const char* fault_of_machine = "tunica-mesh: a fault of this program or of the machine: ";
+constexpr const char* fault_of_machine = "tunica-mesh: internal or system error: ";
 
 std::string overview() {
   std::string text = "tunica-mesh COMMAND ...; COMMAND --help says more\n";

@@ -64,7 +64,7 @@ std::string Arguments::text(const std::string& option) const { return values_.at
 
 const std::string& Arguments::new_file(int i) const {
   TUNICA_CHECK(flag("overwrite") || !std::filesystem::exists(files_[i]),
-               files_[i] + ": there is such a file already. --overwrite on replaces it.");
+               files_[i] + ": the file exists already. --overwrite on replaces it.");
   const std::filesystem::path folder = std::filesystem::path(files_[i]).parent_path();
   TUNICA_CHECK(folder.empty() || std::filesystem::is_directory(folder),
                files_[i] + ": the folder does not exist. Create it first.");
@@ -72,7 +72,7 @@ const std::string& Arguments::new_file(int i) const {
 }
 
 Arguments::Option overwrite_option() {
-  return {"overwrite", "off", "on or off: what to do where OUT is there already"};
+  return {"overwrite", "off", "on or off: whether an existing OUT is replaced"};
 }
 
 double Arguments::number(const std::string& option) const {

@@ -80,12 +80,13 @@ Part part_of(const mesh::Share& share, const std::vector<bool>& is_fluid) {
 }  // namespace
 
 Arguments::Command refine_command() {
-  return {"refine",
-          {"MESH", "OUT"},
-          "Cuts every tetrahedron into 8; on several ranks also where none can hold the mesh.",
-          {{"times", "1", "how often"},
-           {"project", "", "surfaces to be rounded to cylinders about the z axis"},
-           overwrite_option()}};
+  return {
+      "refine",
+      {"MESH", "OUT"},
+      "Cuts every tetrahedron into 8; on several ranks also meshes that no single rank can hold.",
+      {{"times", "1", "how often"},
+       {"project", "", "surfaces to be rounded to cylinders about the z axis"},
+       overwrite_option()}};
 }
 
 void refine_mesh(const Arguments& arguments, const CommPtr& comm) {
@@ -102,8 +103,8 @@ void refine_mesh(const Arguments& arguments, const CommPtr& comm) {
 Arguments::Command convert_command() {
   return {"convert",
           {"MESH", "OUT"},
-          "Reads .msh, .vol or .h5 and writes .msh, .h5 or .vtu; on several ranks also to .h5 what "
-          "none can hold.",
+          "Reads .msh, .vol or .h5 and writes .msh, .h5 or .vtu; on several ranks also meshes to "
+          ".h5 that no single rank can hold.",
           {{"gmsh", "2.2", "version of a .msh file: 2.2 or 4.1"}, overwrite_option()}};
 }
 
@@ -120,7 +121,8 @@ void convert_mesh(const Arguments& arguments, const CommPtr& comm) {
 Arguments::Command partition_command() {
   return {"partition",
           {"MESH"},
-          "Shows what each rank of a run gets of a mesh: mpirun -n 4 tunica-mesh partition MESH.",
+          "Shows the share of a mesh that each rank of a run gets: mpirun -n 4 tunica-mesh "
+          "partition MESH.",
           {{"fluid", "fluid", "regions of the fluid, separated by commas, or none"},
            {"by", "automatic", "automatic, metis or geometric, as \"Mesh / partitioner\""}}};
 }

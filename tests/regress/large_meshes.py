@@ -134,8 +134,9 @@ def partitioned(verdict, programs, folder):
         verdict.claim(run.status == 0, f"{ranks} ranks solve for one field after the other")
         steps = table(results / "steps.csv")
         effort[ranks] = {field: sum(steps[f"{field}_linear"]) for field in ("fluid", "wall")}
+        most = 1.15 if ranks == 16 else 1.1  # a rank of sixteen has few nodes that are not next to another's
         for field, iterations in effort[ranks].items():
-            verdict.claim(iterations <= 1.1 * effort[1][field],
+            verdict.claim(iterations <= most * effort[1][field],
                           f"{ranks} ranks: {iterations:.0f} iterations of the {field}, {effort[1][field]:.0f} on one")
 
 

@@ -43,14 +43,14 @@ def goes_on(verdict, program, folder):
                               lambda: (results / ".tunica-lock").exists(), signal.SIGUSR1)
     loads = table(results / "prestress.csv")["load"]
     verdict.claim(0 < loads[-1] < 1, f"it has borne {loads[-1]:.3f} of the load")
-    check_stop(verdict, folder, "behind", status, f"with {loads[-1]:.3g} of the load borne. Go on with --restart.")
+    check_stop(verdict, folder, "behind", status, f"with {loads[-1]:.3g} of the load borne. Continue with --restart.")
 
     before = (results / "prestress.h5").read_bytes()
     rows = (results / "prestress.csv").read_text()
     log = folder / "within.txt"
     status = status_when_told(words(program, "broken", STUCK, "--restart", "--allow-changes", ranks=2), log,
                               lambda: "GCR iteration 100" in log.read_text(), signal.SIGTERM)
-    check_stop(verdict, folder, "within", status, f"with {loads[-1]:.3g} of the load borne. Go on with --restart.")
+    check_stop(verdict, folder, "within", status, f"with {loads[-1]:.3g} of the load borne. Continue with --restart.")
     verdict.claim((results / "prestress.h5").read_bytes() == before, "within: the file of the load before is untouched")
     verdict.claim((results / "prestress.csv").read_text() == rows, "within: so are the rows of prestress.csv")
 

@@ -164,7 +164,7 @@ def keeps_its_own_case(verdict, programs, folder):
         words = [case, "--output", output, *MONOLITHIC, "--set", "Output/fields every=0", *more]
         return Run(command(programs / "tunica-fsi", words), folder)
     other = run(CASE, "home", "--steps", 1)
-    verdict.claim(other.status == 1 and "home/case.xml: a case that is not that of this run" in other.err
+    verdict.claim(other.status == 1 and "home/case.xml: another case has the file name" in other.err
                   and [path.name for path in home.iterdir()] == ["case.xml"],
                   "the case of another run is not replaced")
     for case, output, more, name in (

@@ -29,8 +29,8 @@ public:
 
   /// Null: missing. Rows and domain of a matrix are the maps of its blocks.
   void set(int row, int column, const Teuchos::RCP<CrsMatrix>& matrix);
-  /// Where K is stored as one matrix, the first time makes copies of all blocks, which
-  /// values_changed() keeps up from then on; collective then.
+  /// If K is stored as one matrix, the first call copies all blocks, which values_changed() updates
+  /// from then on; that call is collective.
   const Teuchos::RCP<CrsMatrix>& operator()(int row, int column) const;
 
   /// Stores K as this matrix between all unknowns, in place of blocks.

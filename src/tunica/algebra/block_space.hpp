@@ -7,8 +7,8 @@
 
 namespace tunica::algebra {
 
-/// Where nodes are, for coarse levels that interpolate the rotations of solids. Both null where
-/// that is not known.
+/// Positions of the nodes, for coarse levels that interpolate the rotations of solids. Both null if
+/// unknown.
 struct NodePlaces {
   Teuchos::RCP<const MultiVector> coordinates;  ///< three columns [mm]
   Teuchos::RCP<const Vector> in_solid;          ///< 1 where vectors move a solid, 0 elsewhere
@@ -18,10 +18,10 @@ struct NodePlaces {
 struct Nodes {
   Teuchos::RCP<const CrsGraph> graph;  ///< a row per node, its neighbours and itself
   Teuchos::RCP<const Vector> order;    ///< in which nodes are picked; the same on any ranks
-  /// Of nodes that stand where those of the first block do: the number of that one. Null where
-  /// they are the same, or have nothing to do with each other.
+  /// Hosts of nodes that coincide with nodes of the first block: the number of that node. Null if
+  /// the nodes are the same, or unrelated.
   Teuchos::RCP<const Vector> hosts{};
-  /// Of each node, which of the parts that the space names it stands in. Null where it names none.
+  /// Part of each node, of the parts that the space names. Null if it names none.
   Teuchos::RCP<const Vector> parts{};
   NodePlaces places{};
 };

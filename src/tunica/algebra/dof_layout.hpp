@@ -9,8 +9,8 @@ namespace tunica::algebra {
 /// by block: dofs*node + k. In its block an unknown has the number components*node + i. Not every
 /// number need be there: a node may lack unknowns.
 ///
-/// Of a saddle-point system the first block holds the vector unknowns, all others are scalars that
-/// constrain it (pressures).
+/// Layout of a saddle-point system: the first block holds the vector unknowns, all others are
+/// scalars that constrain it (pressures).
 class DofLayout {
 public:
   /// Three components of a vector and one scalar.

@@ -11,7 +11,7 @@ void fetch_columns(const CrsGraph& graph, const MultiVector& rows, MultiVector& 
 inline void fetch_columns(const CrsMatrix& matrix, const MultiVector& rows, MultiVector& columns) {
   fetch_columns(*matrix.getCrsGraph(), rows, columns);
 }
-/// The same into a new vector.
+/// Fetches the columns into a new vector.
 Vector on_columns(const CrsGraph& graph, const Vector& rows);
 inline Vector on_columns(const CrsMatrix& matrix, const Vector& rows) {
   return on_columns(*matrix.getCrsGraph(), rows);

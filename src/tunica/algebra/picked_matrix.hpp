@@ -20,7 +20,7 @@ private:
   std::vector<std::size_t> offsets_;  ///< where each value stands in K
 };
 
-/// The same rows and columns of a graph. Collective.
+/// These rows and columns of a graph. Collective.
 Teuchos::RCP<CrsGraph> picked_graph(const CrsGraph& G, const Vector& rows, const Vector& columns);
 
 /// Local rows with a flag that is not zero, and the map of their numbers (collective).

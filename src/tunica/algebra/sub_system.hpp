@@ -13,7 +13,7 @@ namespace tunica::algebra {
 ///
 ///   K_s = R K Rᵀ        x_s = R x        x ← x + ω Rᵀ x_s
 ///
-/// The numbers of unknowns and nodes stay. What K has of low rank or without entries is left out.
+/// The numbers of unknowns and nodes stay. Low-rank and matrix-free parts of K are omitted.
 class SubSystem {
 public:
   /// parts: names of K's space. K must outlive the object. Collective.

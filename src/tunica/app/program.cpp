@@ -142,8 +142,8 @@ bool is_over(const output::CheckpointHead& head, const Teuchos::ParameterList& l
   return true;
 }
 
-int solve(const Program& program, const setup::CommandLine& command, const March& march,
-          const CommPtr& comm) {
+int run_case(const Program& program, const setup::CommandLine& command, const March& march,
+             const CommPtr& comm) {
   const Stopwatch set_up;
   const bool is_root = comm->getRank() == 0;
   const setup::Case the_case = setup::read_case(command, program.table, *comm);
@@ -184,8 +184,8 @@ int solve(const Program& program, const setup::CommandLine& command, const March
   return conclude(program, output, *comm, [&] { return march(the_case, domain, output); });
 }
 
-int solve(const Program& program, const setup::CommandLine& command, const Alternative& alternative,
-          const CommPtr& comm) {
+int run_alternative(const Program& program, const setup::CommandLine& command,
+                    const Alternative& alternative, const CommPtr& comm) {
   const Stopwatch set_up;
   const Teuchos::ParameterList list = setup::read_case(command, alternative.table, *comm).list;
   io::FolderLock lock;
@@ -211,8 +211,8 @@ int run_program(int argc, char** argv, const Program& program, const March& marc
     if (command.print_defaults && is_root) print_defaults(program);
     if (command.help || command.print_defaults) return run::exit_done;
     if (alternative && setup::has_list(command.case_file, alternative->list, *comm))
-      return solve(program, command, *alternative, comm);
-    return solve(program, command, march, comm);
+      return run_alternative(program, command, *alternative, comm);
+    return run_case(program, command, march, comm);
   });
 }
 

@@ -19,7 +19,7 @@ struct Program {
 /// The work of a run; a failure is one to converge.
 using March = std::function<Outcome(const setup::Case&, const run::Domain&, run::RunOutput&)>;
 
-/// What a program does with a case that has a certain list at the top: such a case has no mesh.
+/// Action of a program for a case with a certain list at the top; such a case has no mesh.
 struct Alternative {
   std::string list;
   params::Table table;

@@ -9,6 +9,15 @@ namespace tunica::assembly {
 
 namespace {
 
+// What is prescribed is taken out of rows and columns alike, in the matrix of each element. With
+// the projectors P_a of its nodes
+//
+//   k_ab ← P_a k_ab P_b + δ_ab s_a (I − P_a),   s_a  mean of k_aa along what P_a leaves out
+//
+// Summed over elements, what is left on the diagonal has the size of its neighbours. The state has
+// the prescribed values before Newton's method begins, and increments are zero there: the columns
+// that are dropped need no right side.
+
 /// Rows and columns of unknown i at node a become zero but for their diagonal.
 template <std::size_t n, std::size_t m>
 void leave_out(int a, int i, double (&k)[n][n][m][m]) {
@@ -21,6 +30,7 @@ void leave_out(int a, int i, double (&k)[n][n][m][m]) {
 /// The same across the axes: k ← P k P + s N, N = I − P, s the mean of k's diagonal along N.
 template <std::size_t n, std::size_t m>
 void leave_out(int a, const Mat3& P, double (&k)[n][n][m][m]) {
+  // s = tr(N k_aa)/tr N
   double trace = 0.0, rank = 3.0;
   for (int i = 0; i < 3; ++i) {
     rank -= P[i][i];
@@ -64,6 +74,7 @@ bool are_free(const Constraints& fixed, const Nodes& nodes) {
 /// Row i of a pair of nodes in all lanes into the elements' matrices.
 inline void separate(const Pack (&row)[4], int a, int b, int i, ElementMatrix* K) {
   static_assert(Pack::size == 4);
+  // A 4×4 transpose: lane l of the four entries is the row of element l.
   const auto &v0 = row[0].values(), &v1 = row[1].values(), &v2 = row[2].values(),
              &v3 = row[3].values();
   const auto even01 = __builtin_shufflevector(v0, v1, 0, 4, 2, 6);
@@ -79,6 +90,7 @@ inline void separate(const Pack (&row)[4], int a, int b, int i, ElementMatrix* K
 /// A pack of Jacobians, times the units of their blocks, as those of its elements.
 TUNICA_PACKED void separate(const kernels::MixedJacobianOf<Pack>& Ke, const double units[2][2],
                             ElementMatrix* K) {
+  // k_ab = [uu A_ab, up B1ᵀ_ab; pu B2_ab, −pp C_ab], a row of four at a time
   const Pack uu = units[0][0], up = units[0][1], pu = units[1][0], pp = units[1][1];
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b) {
@@ -121,6 +133,7 @@ TUNICA_CLONES void add_apart(const ElementMatrix& Ke, const ElementRows& rows,
       const auto& k = Ke.k[a][b];
       double* const row = rows.vector[a] + of_vector[0](a, b);
       double* const last = rows.scalar[a] + of_scalar[0](a, b);
+      // A scalar that stands behind its vector in the rows makes rows of four again.
       const int apart = of_vector[1](a, b) - of_vector[0](a, b);
       if (apart == 3) {
         for (int i = 0; i < 3; ++i) add_four(k[i], row + i * rows.length[a]);
@@ -166,6 +179,8 @@ void NodalResidual::set_zero() {
   std::fill(p.begin(), p.end(), 0.0);
 }
 
+// R_a ← R_a + Σ_e R_e,a. A ghost's row belongs to its owner, who has the element, too; lanes beyond
+// the last element repeat it and do not count.
 void NodalResidual::add(const fields::FieldMesh& mesh, const PackedElements& elements,
                         const kernels::MixedResidualOf<Pack>& R) {
   for (int lane = 0; lane < elements.n; ++lane) {
@@ -186,6 +201,7 @@ void NodalResidual::add(const fields::FieldMesh& mesh, const fields::Face& face,
     if (face.nodes[a] < mesh.n_owned) u[face.nodes[a]] += R.u[a];
 }
 
+// F_u = P R_u, F_p = R_p or zero. R itself keeps the reactions.
 void NodalResidual::store(const Constraints& fixed, algebra::BlockVector& F) const {
   store_free(u, fixed, F[0]);
   const auto fp = F[1].getLocalViewHost(overwrite_all);
@@ -193,6 +209,7 @@ void NodalResidual::store(const Constraints& fixed, algebra::BlockVector& F) con
     fp(a, 0) = fixed.is_scalar_fixed(fields::host_of(static_cast<int>(a), split_)) ? 0.0 : p[a];
 }
 
+// The field's own Jacobian: the same nodes and units, and zeros to begin with.
 BlockAssembler::BlockAssembler(fields::BlockOperator& K, const Constraints& fixed,
                                CommonMotions* motions)
     : BlockAssembler({&K, nullptr, nullptr}, K.mesh(), fixed, motions, K.low_rank().get(),
@@ -204,6 +221,7 @@ BlockAssembler::BlockAssembler(const Whole& whole, const fields::FieldMesh& mesh
     : BlockAssembler(whole, mesh, fixed, motions, products,
                      whole.K->merged()->getLocalMatrixHost().values.data()) {}
 
+// Block (i, j) of the field in the whole has the unit R_i S_j, see algebra::Embedding.
 BlockAssembler::BlockAssembler(const Whole& whole, const fields::FieldMesh& mesh,
                                const Constraints& fixed, CommonMotions* motions,
                                algebra::LowRank* products, double* values)
@@ -216,6 +234,7 @@ BlockAssembler::BlockAssembler(const Whole& whole, const fields::FieldMesh& mesh
   if (motions_ != nullptr) motions_->begin();
 }
 
+// The motions come last, since they need the diagonal of all of K. A whole is closed by its owner.
 void BlockAssembler::finish() {
   if (motions_ != nullptr) motions_->store(*fixed_, diagonal(), *products_);
   if (place_ == nullptr) K_->end_assembly();
@@ -227,6 +246,7 @@ void BlockAssembler::begin(const PackedElements& elements) {
     const std::size_t tet = tet_of(elements.number[lane]);
     ElementRows& rows = rows_[lane];
     rows = rows_of(tet);
+    // Side by side the columns of the scalar lie in the same lines of memory as the vector's.
     const int n_blocks = K_->places_side_by_side(tet) != nullptr ? 1 : 2;
     for (int block = 0; block < n_blocks; ++block) {
       const auto of_vector = K_->places(tet, 0, block), of_scalar = K_->places(tet, 1, block);
@@ -248,6 +268,7 @@ void BlockAssembler::add(const kernels::MixedJacobianOf<Pack>& Ke) {
   separate(Ke, units_, K);
   for (int lane = 0; lane < elements_.n; ++lane) {
     const std::size_t e = elements_.number[lane];
+    // K_e ← P K_e P + s (I − P); motions get the rows and columns of members before these vanish.
     if (const auto& nodes = mesh_->tets[e]; !are_free(*fixed_, nodes)) {
       if (motions_ != nullptr) motions_->collect(e, lane_of(Ke, lane));
       constrain(*fixed_, nodes, K[lane].k);
@@ -257,6 +278,7 @@ void BlockAssembler::add(const kernels::MixedJacobianOf<Pack>& Ke) {
   elements_.n = 0;
 }
 
+// s (P w)(P v)ᵀ: prescribed unknowns neither feel it nor add to it.
 void BlockAssembler::add(double s, const std::vector<Vec3>& w, const std::vector<Vec3>& v) {
   TUNICA_ASSERT(products_ != nullptr && next_product_ < products_->rank(),
                 "the terms add no more products than they announce");
@@ -266,6 +288,7 @@ void BlockAssembler::add(double s, const std::vector<Vec3>& w, const std::vector
   store_free(v, *fixed_, product.v[0]);
 }
 
+// Row i of node a begins at start_a + i length_a; all its rows have the same columns.
 ElementRows BlockAssembler::rows_of(std::size_t tet) const {
   const auto &nodes = K_->mesh().tets[tet], &scalar_nodes = K_->mesh_of(1).tets[tet];
   ElementRows rows;
@@ -279,12 +302,15 @@ ElementRows BlockAssembler::rows_of(std::size_t tet) const {
 }
 
 void BlockAssembler::scatter(std::size_t tet, const ElementRows& rows, const ElementMatrix& Ke) {
+  // Only elements where scalars jump have a table for each pair of blocks.
   if (const std::int16_t* const places = K_->places_side_by_side(tet))
     return add_side_by_side(Ke, rows, places);
   add_apart(Ke, rows, {K_->places(tet, 0, 0), K_->places(tet, 0, 1)},
             {K_->places(tet, 1, 0), K_->places(tet, 1, 1)});
 }
 
+// A ← A + k, constrained as elements are: loads of surfaces depend on the vector alone. Faces have
+// no table of places, and look their columns up.
 void BlockAssembler::add(const fields::Face& face, const kernels::SurfaceJacobian& Ke) {
   if (motions_ != nullptr) motions_->collect(face, Ke);
   kernels::SurfaceJacobian K = Ke;
@@ -301,6 +327,7 @@ void BlockAssembler::add(const fields::Face& face, const kernels::SurfaceJacobia
   }
 }
 
+// diag(A)/(R S), in units of the field as its products are
 Vector BlockAssembler::diagonal() const {
   Vector diagonal(mesh_->vector_map);
   const auto d = diagonal.getLocalViewHost(overwrite_all);

@@ -18,7 +18,7 @@ struct PackedElements {
   std::array<std::size_t, Pack::size> number;
   int n;
 
-  /// Those that follow, from first on, of so many.
+  /// The next elements, from first on, of count.
   PackedElements(std::size_t first, std::size_t count)
       : n(static_cast<int>(std::min<std::size_t>(Pack::size, count - first))) {
     for (int lane = 0; lane < Pack::size; ++lane) number[lane] = first + std::min(lane, n - 1);
@@ -51,14 +51,15 @@ struct alignas(sizeof(Pack)) ElementMatrix {
   double k[4][4][4][4];
 };
 
-/// Where the unknowns of an element's nodes have their rows; null where other ranks have them.
+/// Rows of the unknowns of an element's nodes; null if they are on other ranks.
 struct ElementRows {
   double *vector[4], *scalar[4];  ///< of component 0
   std::size_t length[4];          ///< of the vector's rows
 };
 
-/// What the Jacobian of a field is part of: that of several fields, in which the field has other
-/// numbers and units. Without place and units it is the field's own, which finish() closes.
+/// The Jacobian that the Jacobian of a field is part of: that of several fields, in which the field
+/// has other numbers and units. Without place and units it is the field's own, which finish()
+/// completes.
 struct Whole {
   fields::BlockOperator* K;         ///< open for writing
   const fields::FieldPlace* place;  ///< of the field's elements and nodes
@@ -100,7 +101,7 @@ private:
   std::size_t tet_of(std::size_t e) const { return place_ != nullptr ? place_->tets[e] : e; }
   ElementRows rows_of(std::size_t tet) const;
   void scatter(std::size_t tet, const ElementRows& rows, const ElementMatrix& Ke);
-  /// Of the vector unknowns at the owned nodes, in the field's units.
+  /// Diagonal of the vector unknowns at the owned nodes, in the field's units.
   Vector diagonal() const;
 
   fields::BlockOperator* K_;

@@ -12,6 +12,8 @@ CommonMotions::CommonMotions(const fields::FieldMesh& mesh, const fields::SplitM
       motion_of_(3 * static_cast<std::size_t>(mesh.n_nodes()), -1), is_touched_(mesh.n_nodes(), 0) {
 }
 
+// Members are fixed as prescribed components are, so that elements leave their rows and columns
+// out. What is left out is collected, and comes back as two products of vectors per motion.
 int CommonMotions::add(int component, bool has_force, const std::vector<char>& members,
                        Constraints& fixed) {
   const int number = static_cast<int>(motions_.size());
@@ -39,6 +41,7 @@ int CommonMotions::add(int component, bool has_force, const std::vector<char>& m
   return static_cast<int>(motions_.back().count);
 }
 
+// F_a = (Σ_b R_b − P)/n where P is given,   F_a = k/n (Σ_b u_b/n − ū) where ū is, k = 1 mN/mm
 void CommonMotions::store(const NodalResidual& R, const std::vector<Vec3>& u,
                           const std::vector<double>& values, algebra::BlockVector& F) const {
   if (is_empty()) return;
@@ -59,6 +62,7 @@ void CommonMotions::store(const NodalResidual& R, const std::vector<Vec3>& u,
     }
 }
 
+// q = Σ_a u_a/n
 std::vector<double> CommonMotions::means(const Vector& u) const {
   if (is_empty()) return {};
   std::vector<double> sums(motions_.size(), 0.0);
@@ -70,6 +74,7 @@ std::vector<double> CommonMotions::means(const Vector& u) const {
   return sums;
 }
 
+// u_a ← q for the members a
 void CommonMotions::insert(const std::vector<double>& values, Vector& u) const {
   if (is_empty()) return;
   const auto rows = u.getLocalViewHost(read_write);
@@ -77,6 +82,7 @@ void CommonMotions::insert(const std::vector<double>& values, Vector& u) const {
     if (motion_of_[row] >= 0) rows(row, 0) = values[motion_of_[row]];
 }
 
+// K e and Kᵀ e are summed anew for each Jacobian.
 void CommonMotions::begin() {
   for (Motion& motion : motions_)
     for (Values* each : {&motion.column, &motion.row}) {
@@ -85,6 +91,7 @@ void CommonMotions::begin() {
     }
 }
 
+// (K e)_a += K_ab for members b,   (Kᵀ e)_b += K_ab for members a
 template <class Jacobian, class Nodes>
 void CommonMotions::collect_vectors(const Nodes& nodes, const Jacobian& K) {
   const int n = static_cast<int>(nodes.size());
@@ -104,6 +111,7 @@ void CommonMotions::collect(std::size_t e, const kernels::MixedJacobian& K) {
   const auto &nodes = mesh_->tets[e], &scalar_nodes = scalar_mesh_->tets[e];
   if (std::none_of(nodes.begin(), nodes.end(), [this](int a) { return is_touched_[a]; })) return;
   collect_vectors(nodes, K);
+  // Pressures of K e from B2, those of Kᵀ e from B1ᵀ. C couples no member.
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b)
       for (int i = 0; i < 3; ++i) {
@@ -119,6 +127,7 @@ void CommonMotions::collect(const fields::Face& face, const kernels::SurfaceJaco
   if (!is_empty()) collect_vectors(face.nodes, K);
 }
 
+// e_lᵀ K e_m of all motions l, m
 std::vector<double> CommonMotions::pair_sums() const {
   const std::size_t count = motions_.size();
   std::vector<double> mine(count * count, 0.0);
@@ -131,6 +140,8 @@ std::vector<double> CommonMotions::pair_sums() const {
   return global_sum(*mesh_->comm, mine);
 }
 
+// w vᵀ = [K_ff e; −d_a] (e/n)ᵀ. On its members it takes d_a (mean y) from d_a y_a; members of other
+// motions are projected out here, as r of the second product has them.
 void CommonMotions::store_first(int m, const Constraints& fixed, const Vector& diagonal,
                                 algebra::RankOne& product) const {
   const Values& column = motions_[m].column;
@@ -150,6 +161,8 @@ void CommonMotions::store_first(int m, const Constraints& fixed, const Vector& d
   product.v[1].putScalar(0.0);
 }
 
+// w vᵀ = [0; e/n] rᵀ with r = K_fᵀ e on free unknowns and e_mᵀ K e_l/n_l on the members of each
+// motion l; r = e/n where ū is given
 void CommonMotions::store_second(int m, const Constraints& fixed,
                                  const std::vector<double>& products,
                                  algebra::RankOne& product) const {
@@ -172,6 +185,7 @@ void CommonMotions::store_second(int m, const Constraints& fixed,
     v_p(a, 0) = !motion.has_force || is_fixed_scalar(a, fixed) ? 0.0 : motion.row.p[a];
 }
 
+// The products of surfaces stand first, then two for each motion.
 void CommonMotions::store(const Constraints& fixed, const Vector& diagonal,
                           algebra::LowRank& products) const {
   if (is_empty()) return;

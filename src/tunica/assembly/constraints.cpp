@@ -12,6 +12,7 @@ constexpr double same_direction = 0.02;  // what is left of one that is known to
 
 }  // namespace
 
+// P ← P − e_i e_iᵀ
 void Constraints::fix_component(int node, int i) {
   Vec3 e{};
   e[i] = 1.0;
@@ -31,11 +32,14 @@ void Constraints::fix_direction(int node, const Vec3& n) {
   m = 1.0 / length * m;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) P[i][j] -= m[i] * m[j];
+  // replace() makes the scalar free.
   const bool has_fixed_scalar = is_scalar_fixed(node);
   replace(node, P);
   if (has_fixed_scalar) fix_scalar(node);
 }
 
+// A projector with zeros and ones on its diagonal is one of components: bits say all. Only another
+// one is stored.
 void Constraints::replace(int node, const Mat3& P) {
   bits_[node] = 0;
   bool is_oblique = false;

@@ -6,9 +6,9 @@
 
 namespace tunica::assembly {
 
-/// What is prescribed of the unknowns of a field at each of its nodes. Increments y of the vector
-/// unknown have y = P y, where P leaves out components and, on planes that lie across the axes,
-/// directions: P = I − Σ_k n_k n_kᵀ with orthonormal n_k. The scalar is prescribed, or not.
+/// Prescribed unknowns of a field at each of its nodes. Increments y of the vector unknown have y =
+/// P y, where P leaves out components and, on planes that lie across the axes, directions: P = I −
+/// Σ_k n_k n_kᵀ with orthonormal n_k. The scalar is prescribed, or not.
 class Constraints {
 public:
   explicit Constraints(int n_nodes) : bits_(n_nodes, 0) {}
@@ -16,8 +16,8 @@ public:
   void fix_component(int node, int i);
   void fix_vector(int node);
   void fix_scalar(int node) { bits_[node] |= scalar_bit; }
-  /// Of the vector; n of length 1, along an axis or across them. A direction that lies within a
-  /// degree of what is prescribed already adds nothing.
+  /// Prescribes the vector along n, of length 1, along an axis or oblique. A direction within a
+  /// degree of those already prescribed adds nothing.
   void fix_direction(int node, const Vec3& n);
   /// P of the node becomes this one, and the scalar free.
   void replace(int node, const Mat3& P);

@@ -14,11 +14,14 @@ kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh
   state.u_old = gather(s.u_old, nodes);
   state.w = gather(s.w, nodes);
   state.f = gather(s.f, nodes);
+  // ũ' = 0 and q = 0 where they are left out
   if (!s.subscale.empty()) state.subscale = s.subscale[e];
   if (!s.viscous.empty()) state.viscous = s.viscous[e];
   return state;
 }
 
+// R ← R + Σ_e R_e, K ← K + Σ_e K_e, the kernels for all elements of a pack at once, one in each
+// lane. The rows of K that they go to are fetched while the kernels run.
 void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements,
                     const FluidFields& state, NodalResidual& R, BlockAssembler* K) {
   std::array<Vec3Of<Pack>, 4> x;
@@ -46,6 +49,7 @@ void assemble_fluid(const fields::FieldMesh& mesh, const FluidElements& elements
   }
 }
 
+// μ(γ̇) with γ̇² = 2 ε:ε, constant on an element as ∇u is
 std::vector<double> fluid_viscosities(const fields::FieldMesh& mesh, const FluidElements& elements,
                                       const std::vector<Vec3>& u) {
   std::vector<double> mu(mesh.tets.size());
@@ -56,6 +60,7 @@ std::vector<double> fluid_viscosities(const fields::FieldMesh& mesh, const Fluid
   return mu;
 }
 
+// τ(c₀, h, μ) with c₀ = mean of u − w over the vertices
 std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElements& elements,
                                const std::vector<Vec3>& u, const std::vector<Vec3>& w) {
   std::vector<double> tau(mesh.tets.size());
@@ -68,6 +73,7 @@ std::vector<double> fluid_taus(const fields::FieldMesh& mesh, const FluidElement
   return tau;
 }
 
+// u' = −(τ/ρ) mean(m + h)
 std::vector<Vec3> fluid_subscales(const fields::FieldMesh& mesh, const FluidElements& elements,
                                   const FluidFields& state) {
   std::vector<Vec3> subscales(mesh.tets.size());
@@ -77,6 +83,7 @@ std::vector<Vec3> fluid_subscales(const fields::FieldMesh& mesh, const FluidElem
   return subscales;
 }
 
+// P_τ = Σ_e over owned elements
 double stabilisation_power(const fields::FieldMesh& mesh, const FluidElements& elements,
                            const FluidFields& state) {
   double power = 0.0;

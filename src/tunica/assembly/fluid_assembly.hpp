@@ -24,7 +24,7 @@ struct FluidFields {
   std::vector<Vec3> viscous = {};   ///< q per element; empty where it is left out
 };
 
-/// What an element sees of it.
+/// State of one element.
 kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh, std::size_t e);
 
 /// Adds the element residuals, and the Jacobians where K is not null.

@@ -7,6 +7,7 @@
 
 namespace tunica::assembly {
 
+// S = [∂F_u/∂x; ∂F_p/∂x], two matrices with three columns per node
 FluidShapeMatrix::FluidShapeMatrix(const fields::FieldMesh& mesh, const fields::NodeGraph& graph,
                                    const Constraints& fixed)
     : mesh_(&mesh), graph_(&graph), fixed_(&fixed), u_(fields::make_matrix(graph, mesh, 3, 3)),
@@ -20,6 +21,7 @@ void FluidShapeMatrix::begin(const FluidElements& elements, const FluidFields& s
     matrix->resumeFill();
     matrix->setAllToScalar(0.0);
   }
+  // ∂R_e/∂x_b with ∂τ/∂x_b: τ follows h and c = u* − w of the element
   kernels::ShapeJacobian Ke;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     const kernels::Tet4 T = elements.geometry[e];
@@ -48,6 +50,8 @@ void FluidShapeMatrix::add(const Values& u, int a, std::size_t column_of_b,
 }
 
 void FluidShapeMatrix::add(std::size_t e, const kernels::ShapeJacobian& Ke) {
+  // Rows P_a ∂R_a/∂x_b; a fixed pressure has no equation. Columns keep all directions: the mesh
+  // moves where the fluid is held, too.
   const auto u = u_->getLocalMatrixHost().values, p = p_->getLocalMatrixHost().values;
   for (int a = 0; a < 4; ++a) {
     const int node = mesh_->tets[e][a];
@@ -66,6 +70,7 @@ void FluidShapeMatrix::add(const fields::Face& face, const kernels::SurfaceJacob
   for (int a = 0; a < 3; ++a) {
     const int node = face.nodes[a];
     if (node >= mesh_->n_owned) continue;
+    // Columns of a row ascend: bisection finds those of a face, which has no table of places.
     const auto first =
         graph_->columns.begin() + static_cast<std::ptrdiff_t>(graph_->row_start[node]);
     const auto last = first + static_cast<std::ptrdiff_t>(graph_->length(node));
@@ -77,6 +82,7 @@ void FluidShapeMatrix::add(const fields::Face& face, const kernels::SurfaceJacob
 }
 
 void FluidShapeMatrix::add(double s, const std::vector<Vec3>& w, const std::vector<Vec3>& v) {
+  // s (P w) vᵀ
   Product& product =
       products_.emplace_back(Product{s, Vector(mesh_->vector_map), Vector(mesh_->vector_map)});
   const auto rows = product.w.getLocalViewHost(overwrite_all);
@@ -90,6 +96,7 @@ void FluidShapeMatrix::add(double s, const std::vector<Vec3>& w, const std::vect
   }
 }
 
+// F_u ← F_u + S_u d + Σ s w (vᵀ d),   F_p ← F_p + S_p d
 void FluidShapeMatrix::add_product(const Vector& d, algebra::BlockVector& F) const {
   u_->apply(d, F[0], Teuchos::NO_TRANS, 1.0, 1.0);
   p_->apply(d, F[1], Teuchos::NO_TRANS, 1.0, 1.0);

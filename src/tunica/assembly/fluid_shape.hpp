@@ -3,9 +3,9 @@
 
 namespace tunica::assembly {
 
-/// What the displacement of its mesh makes of the fluid's residual: ∂F/∂d with rows of velocity and
-/// pressure and columns 3*node + j. Constrained rows are zero. Loads on open surfaces may add
-/// products s w vᵀ of all of a surface.
+/// ALE shape derivatives of the fluid's residual, by the displacement of its mesh: ∂F/∂d with rows
+/// of velocity and pressure and columns 3*node + j. Constrained rows are zero. Loads on open
+/// surfaces may add products s w vᵀ of all of a surface.
 class FluidShapeMatrix {
 public:
   /// The fluid's mesh, the graph of its nodes and what is prescribed at them; they must outlive the

@@ -12,6 +12,7 @@ double mass_norm(const fields::FieldMesh& mesh, const fields::FieldMesh& scalar_
                  const ElementGeometry& geometry, const algebra::BlockVector& x) {
   const std::vector<Vec3> u = fields::ghosted_vectors(mesh, x[0]);
   const std::vector<double> p = fields::ghosted_scalars(scalar_mesh, x[1]);
+  // Σ_e ∫ p² + |u|² dV, each element once
   double sum = 0.0;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;

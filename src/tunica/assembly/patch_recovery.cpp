@@ -51,6 +51,7 @@ struct Moments {
   Vec3 first{};
   Sym3 second{};
 
+  // About another node y ← y + s:   Σw (y + s)(y + s)ᵀ = M₂ + m₁ sᵀ + s m₁ᵀ + M₀ s sᵀ
   void add(const Moments& other, const Vec3& shift) {
     const Vec3& f = other.first;
     count += other.count;
@@ -67,6 +68,8 @@ struct Moments {
 
 /// Of the elements around each node, on owned and ghost nodes.
 std::vector<Moments> moments_around(const fields::FieldMesh& mesh) {
+  // y = x_e − x_a, each element with the weight 1 at each of its vertices; owners have all of
+  // theirs
   std::vector<Moments> moments(mesh.n_nodes());
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     Moments one;
@@ -100,6 +103,7 @@ Vec3 slope_weight(const Moments& patch) {
   Vec3 beta{};
   for (int k = 0; k < 3; ++k) {
     const double d = -dot(axes.directions[k], mean), lambda = axes.values[k];
+    // Where all centroids lie in a plane nothing is known across it: no slope there.
     if (!(lambda > 1e-14 * axes.values[0])) continue;
     const double limit = most_deviations * std::sqrt(lambda);
     beta += std::clamp(d, -limit, limit) / lambda * axes.directions[k];
@@ -109,6 +113,9 @@ Vec3 slope_weight(const Moments& patch) {
 
 }  // namespace
 
+// The moments of a patch are those around its vertices, shifted to the node and summed n_ab times:
+//
+//   M_a = Σ_b n_ab (M_b about x_a),   hence element e counts w_e = Σ_{b∈e} n_ab
 PatchRecovery::PatchRecovery(const fields::FieldMesh& mesh) : mesh_(&mesh) {
   const std::vector<Moments> around = moments_around(mesh);
   std::vector<Moments> patches(mesh.n_owned);
@@ -125,6 +132,8 @@ std::vector<double> PatchRecovery::at_owned_nodes(int components,
                                                   const std::vector<double>& values) const {
   const fields::FieldMesh& mesh = *mesh_;
   const int columns = 4 * components;  // Σ v and Σ y v
+  // v*_a = Σ_b Σ_{e∋b} (c_a + β_a·(x_b − x_a + y_e)) v_e, y_e of its centroid from x_b: with Σ v
+  // and Σ y v around each b, which ranks share, none needs the second ring of elements.
   std::vector<double> sums(mesh.n_nodes() * static_cast<std::size_t>(columns), 0.0);
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     const Vec3 c = centroid(mesh, e);
@@ -154,6 +163,7 @@ std::vector<double> PatchRecovery::at_owned_nodes(int components,
 
 std::vector<double> PatchRecovery::at_nodes(int components,
                                             const std::vector<double>& values) const {
+  // Ghosts get the values of their owners, whose patches are whole.
   std::vector<double> nodal = at_owned_nodes(components, values);
   nodal.resize(mesh_->n_nodes() * static_cast<std::size_t>(components));
   return shared(*mesh_, components, nodal);

@@ -18,7 +18,9 @@ namespace {
   const double density = elements.layer(e).density;
   const auto& pressure_nodes = fields::scalar_mesh(mesh, elements.split).tets[e];
   kernels::SolidState state{gather(s.d, nodes), gather(s.p, pressure_nodes), gather(s.r, nodes)};
+  // Histories of the scheme are those of unit density.
   for (Vec3& r : state.r) r = density * r;
+  // Kernels see the displacement D = d + x − X from where the element is free of stress.
   if (elements.geometry.is_prestretched()) {
     const std::array<Vec3, 4> from = elements.geometry.from_stress_free(e);
     const double alpha = elements.layer(e).coefficients.alpha;
@@ -27,6 +29,7 @@ namespace {
       state.r[a] += alpha * from[a];  // inertia is that of d: α d − r = α D − (r + α (x − X))
     }
   }
+  // s = α d − r − r' + J F⁻ᵀ∇p − J div σ'*: both of the last stand where the kernel has r'.
   if (!s.subscale_r.empty()) state.subscale_r = density * s.subscale_r[e];
   if (!s.stress_force.empty()) state.subscale_r += s.stress_force[e];
   return state;
@@ -36,6 +39,7 @@ namespace {
 
 WorstElement worst_solid_element(const fields::FieldMesh& mesh, const SolidElements& elements,
                                  const std::vector<Vec3>& d) {
+  // min_e det F
   WorstElement worst{1.0, -1};
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     const double J = kernels::solid_jacobian_determinant(
@@ -46,6 +50,7 @@ WorstElement worst_solid_element(const fields::FieldMesh& mesh, const SolidEleme
   return worst;
 }
 
+// d' = −τ s̄
 std::vector<Vec3> solid_subscales(const fields::FieldMesh& mesh, const SolidElements& elements,
                                   const SolidFields& state) {
   std::vector<Vec3> subscales(mesh.tets.size());
@@ -55,6 +60,7 @@ std::vector<Vec3> solid_subscales(const fields::FieldMesh& mesh, const SolidElem
   return subscales;
 }
 
+// Each law takes what it needs from C = FᵀF at the end of the step.
 std::vector<double> remembered_by_laws(const fields::FieldMesh& mesh, const SolidElements& elements,
                                        const std::vector<Vec3>& d) {
   std::vector<double> rows(elements.past_width * mesh.tets.size(), 0.0);
@@ -67,6 +73,8 @@ std::vector<double> remembered_by_laws(const fields::FieldMesh& mesh, const Soli
   return rows;
 }
 
+// R ← R + Σ_e R_e, K ← K + Σ_e K_e, the kernels for all elements of a pack at once. These may be of
+// different layers: coefficients, laws and frames have lanes as the state has.
 void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements,
                     const SolidFields& state, NodalResidual& R, BlockAssembler* K) {
   std::array<Vec3Of<Pack>, 4> x;
@@ -98,11 +106,15 @@ void assemble_solid(const fields::FieldMesh& mesh, const SolidElements& elements
   }
 }
 
+// K ← K + Σ_e (dR_e/ds − dR_e/dd), s in G ← (I + sym ∇s) G: blocks A and B2 of the wall's Jacobian
+// at d = 0, whose derivative by the pressure stays as it is
 void assemble_prestretch(const fields::FieldMesh& mesh, const SolidElements& elements,
                          const std::vector<materials::Frame>& frames, const SolidFields& state,
                          BlockAssembler& K) {
+  // V and ∇N where the wall lies, beside V₀ and Gᵀ∇N of its elements without stress
   const ElementGeometry image(mesh, mesh.x);
   const auto& scalar_mesh = fields::scalar_mesh(mesh, elements.split);
+  // B1ᵀ and C of it stay zero.
   kernels::MixedJacobianOf<Pack> Ke{};
   for (std::size_t first = 0; first < mesh.tets.size(); first += Pack::size) {
     const PackedElements pack(first, mesh.tets.size());

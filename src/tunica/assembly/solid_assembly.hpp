@@ -8,14 +8,14 @@
 
 namespace tunica::assembly {
 
-/// What the elements of a layer have in common.
+/// Common data of the elements of a layer.
 struct SolidLayer {
   const materials::WallLaw* law = nullptr;
   double density = 0.0;                       ///< ρ [mg/mm³]
   kernels::SolidCoefficients coefficients{};  ///< but for τ
 };
 
-/// What stays constant of the wall's elements during a run.
+/// Data of the wall's elements that are constant during a run.
 struct SolidElements {
   ElementGeometry geometry;  ///< where the wall is free of stress
   std::vector<SolidLayer> layers;
@@ -41,8 +41,8 @@ struct SolidElements {
     if (past_width == 0) return {};
     return {past.data() + past_width * e, step};
   }
-  /// What kernels see of the displacement d from the mesh, that from where the element is free of
-  /// stress: D_a = d_a + x_a − X_a, so that F = I + Σ D_a ⊗ Gᵀ∇N_a = (I + ∇d) G.
+  /// The displacement that kernels use for the displacement d from the mesh, measured from the
+  /// stress-free element: D_a = d_a + x_a − X_a, so that F = I + Σ D_a ⊗ Gᵀ∇N_a = (I + ∇d) G.
   std::array<Vec3, 4> displacement(std::size_t e, const std::array<Vec3, 4>& d) const {
     std::array<Vec3, 4> D = geometry.from_stress_free(e);
     for (int a = 0; a < 4; ++a) D[a] += d[a];
@@ -72,7 +72,7 @@ WorstElement worst_solid_element(const fields::FieldMesh& mesh, const SolidEleme
 std::vector<Vec3> solid_subscales(const fields::FieldMesh& mesh, const SolidElements& elements,
                                   const SolidFields& state);
 
-/// What the laws remember of a step that ends at d: rows of elements.
+/// History of the laws for a step that ends at d: rows of elements.
 std::vector<double> remembered_by_laws(const fields::FieldMesh& mesh, const SolidElements& elements,
                                        const std::vector<Vec3>& d);
 

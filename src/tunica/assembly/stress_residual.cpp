@@ -8,6 +8,7 @@ namespace tunica::assembly {
 
 std::vector<Vec3> stress_forces(const PatchRecovery& patches, const fields::FieldMesh& mesh,
                                 const SolidElements& elements, const std::vector<Vec3>& d) {
+  // Without pressure the Cauchy stress is σ' = J⁻¹ F S' Fᵀ.
   std::vector<double> stress;
   stress.reserve(6 * mesh.tets.size());
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
@@ -17,6 +18,7 @@ std::vector<Vec3> stress_forces(const PatchRecovery& patches, const fields::Fiel
     stress.insert(stress.end(), sigma.begin(), sigma.end());
   }
   stress = patches.at_nodes(6, stress);
+  // J div σ'* = Σ_a σ'*_a J F⁻ᵀ∇N_a, constant on the element
   std::vector<Vec3> forces(mesh.tets.size(), Vec3{});
   for (std::size_t e = 0; e < forces.size(); ++e) {
     const kernels::Tet4 T = elements.geometry[e];

@@ -39,6 +39,7 @@ std::vector<Sym3> nodal_stresses(const fields::FieldMesh& mesh, const ElementGeo
       for (int k = 0; k < 6; ++k) sums[a][k] += V * rate[k];
     }
   }
+  // Sums are whole at owned nodes alone; ghosts get the owners' means.
   MultiVector owned(mesh.node_map, 6), all(mesh.ghosted_map, 6);
   {
     const auto view = owned.getLocalViewHost(overwrite_all);
@@ -58,6 +59,7 @@ std::vector<Vec3> viscous_forces(const fields::FieldMesh& mesh, const ElementGeo
                                  const materials::ViscosityLaw& viscosity,
                                  const std::vector<Vec3>& u) {
   const std::vector<Sym3> stresses = nodal_stresses(mesh, geometry, viscosity, u);
+  // μ_r is taken out of the averages: with a constant viscosity they are those of ε alone.
   const double twice = 2.0 * viscosity.reference();
   std::vector<Vec3> forces(mesh.tets.size(), Vec3{});
   for (std::size_t e = 0; e < forces.size(); ++e) {

@@ -7,8 +7,8 @@
 
 namespace tunica {
 
-/// What the ranks agree to complain about: empty if every rank passes an empty message,
-/// otherwise the message of the lowest rank that has one. The same on all ranks. Collective.
+/// The message that the ranks agree on: empty if every rank passes an empty message, otherwise the
+/// message of the lowest rank that has one. The same on all ranks. Collective.
 std::string agreed_message(const Comm& comm, const std::string& message);
 
 /// Throws the same Exception on all ranks where some have a message. Collective.

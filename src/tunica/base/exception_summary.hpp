@@ -3,7 +3,8 @@
 
 namespace tunica {
 
-/// The telling line of what an exception says: Trilinos puts its source lines before it.
+/// One-line summary of the text of an exception, without the source lines that Trilinos puts before
+/// it.
 std::string exception_summary(std::string text);
 
 }  // namespace tunica

@@ -19,7 +19,8 @@ struct Received {
 /// The communicator in MPI's terms; MPI_COMM_SELF where it has a single rank without MPI.
 MPI_Comm mpi_comm(const Comm& comm);
 
-/// How many items each rank will receive from this one, to how many this one receives. Collective.
+/// Turns the numbers of items that each rank will receive from this one into the numbers that this
+/// one receives. Collective.
 std::vector<int> exchange_counts(const Comm& comm, const std::vector<int>& outgoing);
 /// Moves bytes in items of this size. Collective.
 void exchange_items(const Comm& comm, const void* outgoing, const std::vector<int>& to,
@@ -39,8 +40,8 @@ Received<Item> exchange(const Comm& comm, const std::vector<Item>& items,
   return received;
 }
 
-/// The same where the items lie in any order: item k goes to rank ranks[k]; those for one rank keep
-/// their order. Collective.
+/// Exchanges items in any order: item k goes to rank ranks[k]; those for one rank keep their order.
+/// Collective.
 template <class Item>
 Received<Item> exchange_to(const Comm& comm, const std::vector<Item>& items,
                            const std::vector<int>& ranks) {

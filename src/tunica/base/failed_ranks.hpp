@@ -9,7 +9,7 @@
 
 namespace tunica {
 
-/// What failed ranks tell each other; each once in a program.
+/// Messages between failed ranks; each is sent once in a program.
 enum class Tidings { ending = 1, exception = 2 };
 
 /// Tells all ranks that fail as well a number, not zero, and returns theirs: zero of those that are
@@ -18,7 +18,7 @@ enum class Tidings { ending = 1, exception = 2 };
 std::vector<std::uint64_t> told_by_failed_ranks(const Comm& comm, Tidings what, std::uint64_t mine,
                                                 std::chrono::seconds patience);
 
-/// The telling line of the exception that is being handled.
+/// One-line summary of the current exception.
 std::string words_of_exception();
 
 /// While an exception is handled: does collective work if all ranks handle the same one, behind the

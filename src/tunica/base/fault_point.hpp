@@ -11,8 +11,8 @@ void fault_point(const char* place);
 /// The last one that this rank has passed; "start" before any.
 const char* last_fault_point();
 
-/// What is passed while it lives is forgotten: for work behind a failure whose place is still to be
-/// told.
+/// Fault points passed during its lifetime are forgotten: for work after a failure whose place is
+/// still to be reported.
 class KeepsLastFaultPoint {
 public:
   KeepsLastFaultPoint() : place_(last_fault_point()) {}

@@ -9,10 +9,10 @@ namespace tunica {
 
 /// The most memory that the process has had at any moment so far [MB].
 double peak_memory();
-/// The same of each rank. Collective.
+/// Peak memory of each rank. Collective.
 std::vector<double> peaks_of_memory(const Comm& comm);
 
-/// What the phases of a program need: peaks of the ranks.
+/// Memory of the phases of a program: peaks of the ranks.
 class MemoryByPhase {
 public:
   /// Collective.

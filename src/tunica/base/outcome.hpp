@@ -5,8 +5,8 @@
 
 namespace tunica {
 
-/// Success, or the reason why not, in words that go on a sentence: "the wall: " + reason().
-/// For what may go wrong in a sound run; bad input and faults are thrown (error.hpp).
+/// Success, or the reason of a failure, phrased to follow a colon: "the wall: " + reason(). For
+/// failures that may occur in a valid run; bad input and internal errors are thrown (error.hpp).
 class [[nodiscard]] Outcome {
 public:
   static Outcome success() { return Outcome(); }
@@ -42,7 +42,7 @@ public:
   bool is_success() const { return outcome_.is_success(); }
   bool is_failure() const { return outcome_.is_failure(); }
   std::string reason() const { return outcome_.reason(); }
-  /// The same without the value, for a caller that passes a failure on.
+  /// The outcome without the value, for a caller that passes a failure on.
   const Outcome& outcome() const { return outcome_; }
 
   /// Throws std::bad_optional_access after a failure.

@@ -55,8 +55,9 @@ public:
   friend Pack operator*(const Pack& a, const Pack& b) { return a.v_ * b.v_; }
   friend Pack operator/(const Pack& a, const Pack& b) { return a.v_ / b.v_; }
 
-  /// Of positive numbers, all at once, as std::cbrt does not. A third of the exponent is within 4
-  /// %, and a step of Halley's method leaves two thirds of the cube of an error.
+  /// Cube roots of positive numbers, all lanes at once, which std::cbrt does not offer. A third of
+  /// the exponent is within 4 %, and a step of Halley's method leaves two thirds of the cube of an
+  /// error.
   friend Pack cbrt(const Pack& a) {
     Pack y{third_of_exponent(a[0]), third_of_exponent(a[1]), third_of_exponent(a[2]),
            third_of_exponent(a[3])};

@@ -21,7 +21,7 @@ inline Portion portion_of(long long total, int rank, int ranks) {
   const long long first = first_row(total, rank, ranks);
   return {first, first_row(total, rank + 1, ranks) - first};
 }
-/// That of the calling rank.
+/// The portion of the calling rank.
 inline Portion portion_of(long long total, const Comm& comm) {
   return portion_of(total, comm.getRank(), comm.getSize());
 }

@@ -21,8 +21,8 @@ std::vector<int> rows_by_rank(const Comm& comm, const std::vector<Number>& rows,
   return counts;
 }
 
-/// Takes rows from where they are, in a row from first on, to where they belong. What comes from
-/// several calls follows in the order of their rows. Collective.
+/// Takes rows from where they are, in a row from first on, to where they belong. Rows of several
+/// calls follow in the order of their numbers. Collective.
 template <class Item>
 std::vector<Item> spread(const Comm& comm, const std::vector<Item>& items, long long first,
                          long long total) {

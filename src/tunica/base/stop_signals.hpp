@@ -9,8 +9,8 @@ namespace tunica {
 /// that the program ends where it can.
 void catch_early_notice();
 
-/// The same for SIGTERM and SIGINT, too, which do not let it wait for long (is_stop_urgent()). A
-/// second one of these ends the program at once.
+/// Catches SIGTERM and SIGINT, too, which are urgent (is_stop_urgent()). A second one of these ends
+/// the program at once.
 void catch_stop_signals();
 
 /// Number of the signal that has expressed the wish to this rank; 0 where none has.

@@ -14,7 +14,7 @@ private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// How often and how long something was done on this rank.
+/// Number and duration of an operation on this rank.
 struct Throughput {
   long long items = 0;
   double seconds = 0.0;

@@ -4,11 +4,11 @@
 
 namespace tunica {
 
-/// What a rank is at work on while it sends.
+/// The work during which a rank sends.
 enum class Work { other, preconditioner, solve, mesh_motion };
 constexpr int n_works = 4;
 
-/// What this rank has handed to MPI.
+/// Data that this rank has passed to MPI.
 struct Traffic {
   long long messages = 0;     ///< from this rank to one other
   long long bytes = 0;        ///< in these
@@ -16,8 +16,8 @@ struct Traffic {
   std::set<int> partners{};   ///< ranks that were sent to
 };
 
-/// Of this process, by work. Counted in programs that put counters before MPI's functions
-/// (output/traffic_report.cpp); elsewhere nothing is.
+/// Traffic of this process, by work. It is counted only in programs that wrap MPI's functions with
+/// counters (output/traffic_report.cpp).
 std::array<Traffic, n_works>& traffic();
 
 /// While it lives, what is sent belongs to this work.

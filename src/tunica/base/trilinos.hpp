@@ -3,7 +3,7 @@
 
 #include "tunica/base/types.hpp"
 
-/// What Trilinos 13 and its successors call by different names. No version is asked for elsewhere,
+/// Names that differ between Trilinos 13 and its successors. No version is asked for elsewhere,
 /// except where a signature really differs.
 namespace tunica {
 

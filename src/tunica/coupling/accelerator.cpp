@@ -41,7 +41,7 @@ void add_accelerator_keys(params::Table& table) {
   std::vector<params::Table::Case> cases;
   for (const Entry& entry : accelerators()) cases.push_back({entry.name, entry.table()});
   table.variant("accelerator", "iqn-ils", cases,
-                "how the next interface displacement is made from the residual");
+                "how the next interface displacement is computed from the residual");
 }
 
 std::unique_ptr<Accelerator> make_accelerator(const Teuchos::ParameterList& list,
@@ -52,6 +52,8 @@ std::unique_ptr<Accelerator> make_accelerator(const Teuchos::ParameterList& list
   throw std::logic_error("\"" + kind + "\" is no accelerator");
 }
 
+// Row k belongs to node k of the interface, with three numbers of each vector side by side: rows
+// may change ranks from one run to the next.
 fields::State::Array packed(const std::deque<InterfaceVector>& vectors) {
   const std::size_t columns = 3 * vectors.size();
   fields::State::Array rows{static_cast<int>(columns), {}};

@@ -19,6 +19,14 @@ Vec3 direction(const Vec3& area) {
 
 }  // namespace
 
+// With linear elements, and masses lumped on the interface,
+//
+//   (L + W C) p = W n·r,   L_ab = ∫ ∇N_a·∇N_b dV in the fluid as it lies,   p = 0 on open surfaces
+//
+//   W   diag(m A_a), zero where p is given        kPa      A_a   area of a node     mm²
+//   C   diag(c_a)                              mm/kPa
+//
+// c ≥ 0 makes this symmetric and positive definite, as conjugate gradients need it.
 AddedMass::AddedMass(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
                      const fields::NodeGraph& graph, const fields::InterfaceTransfer& interface,
                      const AddedMassModel& model)
@@ -51,6 +59,7 @@ InterfaceVector AddedMass::apply(const InterfaceVector& residual) {
   }
   p_.putScalar(0.0);
   InterfaceVector result(residual);
+  // Without an answer P is the identity: more iterations, and the same solution.
   if (!(solver_->solve(right_side_, p_) < usable)) {
     has_failed_ = true;
     return result;
@@ -67,12 +76,14 @@ InterfaceVector AddedMass::apply(const InterfaceVector& residual) {
 Result<std::vector<double>> wall_compliance(const fields::InterfaceTransfer& interface,
                                             const std::vector<Vec3>& area,
                                             problems::SolidProblem& wall) {
+  // The pressure 1 loads node k with its area times normal.
   const InterfaceVector areas = interface.from_fluid(area);
   const auto answer = wall.solve_linearised(interface.to_wall(areas));
   if (answer.is_failure()) return Result<std::vector<double>>::failure(answer.reason());
   const InterfaceVector d = interface.from_wall(answer.value());
   std::vector<double> compliance;
   for (std::size_t k = 0; k < d.size(); k += 3)
+    // A wall that moves against the pressure somewhere gets c = 0 there.
     compliance.push_back(std::max(0.0, dot(direction({areas[k], areas[k + 1], areas[k + 2]}),
                                            Vec3{d[k], d[k + 1], d[k + 2]})));
   return compliance;

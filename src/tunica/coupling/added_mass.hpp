@@ -12,10 +12,10 @@
 
 namespace tunica::coupling {
 
-/// What the added mass depends on.
+/// Input of the added-mass model.
 struct AddedMassModel {
   std::vector<Vec3> positions;     ///< of the fluid's local nodes [mm]
-  std::vector<Vec3> area;          ///< problems::nodal_areas of the interface there [mm²]
+  std::vector<Vec3> area;          ///< boundary::nodal_areas of the interface there [mm²]
   std::vector<int> open_surfaces;  ///< of the fluid: p = 0
   double fluid_inertia;            ///< m = ρ_f/Δt² of implicit Euler [kPa/mm²]
   /// c ≥ 0 of the owned nodes of the interface: what unit pressure moves the wall by within one
@@ -62,9 +62,9 @@ private:
 };
 
 /// The normal displacement of the owned interface nodes under unit pressure on the whole interface
-/// [mm/kPa], of the wall at its present state. Fails where the wall's linear solver does. Begins
-/// the clock's present step and sets up that solver. Collective. area: area times normal, out of
-/// the fluid, of the owned nodes of the fluid [mm²].
+/// [mm/kPa], of the wall at its present state. Fails where the wall's linear solver does. Comes
+/// after SolidProblem::begin_step(), and sets up that solver. Collective. area: area times normal,
+/// out of the fluid, of the owned nodes of the fluid [mm²].
 Result<std::vector<double>> wall_compliance(const fields::InterfaceTransfer& interface,
                                             const std::vector<Vec3>& area,
                                             problems::SolidProblem& wall);

@@ -6,6 +6,7 @@
 
 namespace tunica::coupling {
 
+// ω_0 is the first factor; the secant needs two residuals.
 Aitken::Aitken(const Teuchos::ParameterList& list, const CommPtr& comm)
     : comm_(comm), first_factor_(list.get<double>("first factor")),
       smallest_factor_(list.get<double>("smallest factor")),
@@ -49,8 +50,8 @@ params::Table aitken_table() {
       .number("smallest factor", 1e-4, params::Range{0.0, 1.0, true, false}, "1", "lower bound")
       .number("largest factor", 2.0, params::Range{0.0, 10.0, true, false}, "1", "upper bound")
       .choice("first factor of a step", "first factor", {"first factor", "last factor"},
-              "where a time step begins: the first factor, or the last factor of the step "
-              "before if that is smaller")
+              "factor at the start of a time step: the first factor, or the last factor of the "
+              "previous step if that is smaller")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         params::check_order(list, path, "smallest factor", "largest factor");
         params::check_order(list, path, "first factor", "largest factor");

@@ -3,7 +3,8 @@
 namespace tunica::coupling {
 
 params::Table dirichlet_neumann_table() {
-  params::Table table("Mesh motion, fluid and wall one after the other, until they agree.");
+  params::Table table(
+      "Partitioned coupling: mesh motion, fluid and wall in turn, until they agree.");
   table
       .number("tolerance", 1e-8, params::positive(), "mm",
               "stop at |r|/sqrt(n) below this, r the interface residual, n its vertices")
@@ -12,19 +13,21 @@ params::Table dirichlet_neumann_table() {
                "first guess of a step: 0 the last displacement, 1 linear and 2 quadratic "
                "extrapolation in time")
       .number("largest update", 0.0, params::non_negative(), "mm",
-              "scale an update of the interface down where a component exceeds this; 0 never")
-      .integer(
-          "halvings", 5, params::between(0, 50),
-          "how often in a row an update is halved where a field cannot follow it, each time an "
-          "iteration of its own; 0: the step fails at once")
-      .choice("when not converged", "stop", {"stop", "accept"},
-              "stop with exit status 2, or accept the step with a warning, go on, and end with 4");
-  params::Table added_mass("what the fluid's inertia takes back, foretold by a Laplace problem");
+              "scale an update of the interface down if a component exceeds this; 0: never")
+      .integer("halvings", 5, params::between(0, 50),
+               "how often in a row an update is halved if a field fails; each attempt counts as an "
+               "iteration; 0: the step fails at once")
+      .choice(
+          "when not converged", "stop", {"stop", "accept"},
+          "stop with exit status 2, or accept the step with a warning, continue, and end with 4");
+  params::Table added_mass(
+      "added-mass preconditioner: one pressure Poisson solve per coupling iteration; the wall "
+      "compliance is estimated automatically");
   added_mass.sublist("Added Mass Solver", linear::scalar_solver_table());
   table.variant("preconditioner", "added mass",
                 {{"added mass", added_mass}, {"none", params::Table("as in the paper")}},
-                "what is done to a residual before the accelerator sees it; without it first "
-                "factors of 0.05 to 0.2 are in place");
+                "preconditioner of the interface residual, applied before the accelerator; without "
+                "it first factors of 0.05 to 0.2 are appropriate");
   add_accelerator_keys(table);
   return table;
 }

@@ -53,15 +53,17 @@ Outcome DirichletNeumann::set_preconditioner(const stepping::Clock& clock) {
   AddedMassModel model{mesh.x, {}, fluid_->field().open_surfaces(), mass, {}};
   for (int a = 0; a < mesh.n_nodes(); ++a) model.positions[a] += motion_->old_displacement()[a];
   model.area = boundary::nodal_areas(mesh, model.positions, interface_->surfaces);
+  // c = n·d under p = 1, the wall linearised where the step begins
   const auto compliance = wall_compliance(*interface_, model.area, *wall_);
   std::ostringstream where;
   where << "time " << clock.time() << " ms: the wall under unit pressure, for the coupling's "
         << "preconditioner";
+  // P may be rough: the compliance of an earlier step is better than none.
   if (compliance.is_success()) compliance_ = compliance.value();
   if (!compliance_) return compliance.outcome().at(where.str());
   if (compliance.is_failure() && !has_told_compliance_) {
     remark_ = compliance.outcome().at(where.str()).reason() +
-              "; the compliance of an earlier step is in its place, now and later";
+              "; the compliance of an earlier step is used instead, now and later";
     has_told_compliance_ = true;
   }
   model.compliance = *compliance_;
@@ -212,10 +214,9 @@ std::string DirichletNeumann::remark_on(double time) {
   if (!preconditioner_ || !preconditioner_->has_failed() || has_told_relaxation_) return remark;
   has_told_relaxation_ = true;
   std::ostringstream text;
-  text
-      << remark << (remark.empty() ? "" : "; ") << "time " << time
-      << " ms: the Laplace problem of the coupling's preconditioner could not be solved; residuals "
-         "are taken as they are, here and wherever it fails";
+  text << remark << (remark.empty() ? "" : "; ") << "time " << time
+       << " ms: the Laplace problem of the coupling's preconditioner could not be solved; "
+          "residuals are not preconditioned, here and whenever it fails";
   return text.str();
 }
 
@@ -245,6 +246,8 @@ Report DirichletNeumann::solve(const stepping::Clock& clock, const Watch& watch)
       return report;
     }
   }
+  // A step whose last iteration fails has returned above: here the fields have a solution, though
+  // perhaps not an accurate one.
   report.is_accepted = report.is_converged || options_.accepts_unconverged;
   if (!report.is_converged) report.reason = why_unconverged(clock.time(), report);
   report.remark = remark_on(clock.time());

@@ -67,7 +67,7 @@ private:
   InterfaceVector wall_displacement() const;
   double size_of(const InterfaceVector& residual) const;
   void accept();
-  /// What the preconditioner did not do is told once.
+  /// Reports a failure of the preconditioner, once.
   std::string remark_on(double time);
 
   CouplingOptions options_;
@@ -77,7 +77,7 @@ private:
   problems::MeshMotion* motion_;
   std::optional<Teuchos::ParameterList> added_mass_;  ///< solver; none: residuals stay as they are
   std::unique_ptr<AddedMass> preconditioner_;
-  /// Of the wall, as it was found last: should it not be found again, also after a restart.
+  /// Last compliance of the wall, used if a new one cannot be computed, also after a restart.
   std::optional<std::vector<double>> compliance_;
   std::string remark_;  ///< to be told with the next report
   bool has_told_compliance_ = false, has_told_relaxation_ = false;

@@ -14,6 +14,7 @@ constexpr double gain = 0.9;            ///< another way must need less than thi
 constexpr double of_newton_step = 2.0;  ///< c: residual, mesh motion, a part of a Jacobian
 constexpr double of_derivatives = 0.4;  ///< s
 
+// W = c n + (1 + s) Σ_k m_k
 double work_of(const nonlinear::NewtonReport& report, bool has_derivatives) {
   return of_newton_step * static_cast<double>(report.steps.size()) +
          (has_derivatives ? 1.0 + of_derivatives : 1.0) * report.linear_iterations();
@@ -21,6 +22,7 @@ double work_of(const nonlinear::NewtonReport& report, bool has_derivatives) {
 
 }  // namespace
 
+// A way begins anew, for so many steps until the other one is tried.
 void GeometryRule::go(bool has_derivatives, int wait) {
   present_ = has_derivatives;
   wait_ = std::min(wait, longest_wait);
@@ -31,11 +33,14 @@ void GeometryRule::note(const nonlinear::NewtonReport& report, bool has_gone_ove
   before_ = last_;
   last_ = work_of(report, wants_derivatives() || has_gone_over);
   ++steps_;
+  // A trial without derivatives has needed them: it is over. On the way without them their trial
+  // begins at once, against twice the work of this step.
   if (has_gone_over && steps_ > wait_) return note_failure();
   if (has_gone_over) {
     before_ = last_;
     steps_ = wait_;
   }
+  // W of two trial steps against that of the two steps before
   if (steps_ == wait_) rival_ = before_ + last_;
   if (steps_ < wait_ + steps_of_trial) return;
   if (before_ + last_ < gain * rival_)
@@ -44,6 +49,8 @@ void GeometryRule::note(const nonlinear::NewtonReport& report, bool has_gone_ove
     go(present_, 2 * wait_);
 }
 
+// A trial that fails ends, and the next one is far off; a way without derivatives that fails is
+// left for theirs.
 void GeometryRule::note_failure() {
   if (is_trial()) return go(present_, std::max(2 * wait_, wait_after_failure));
   if (!present_) go(true, wait_after_failure);

@@ -51,8 +51,8 @@ params::Table coupling_table() {
   for (const Entry& entry : schemes()) cases.push_back({entry.name, entry.table()});
   params::Table table("How fluid and wall are coupled.");
   table.variant("scheme", "monolithic", cases,
-                "the fields one after the other until they agree, or one system of all, which is "
-                "faster and goes further; that one does without the lists \"Newton\" and \"Linear "
+                "the fields in turn until they agree, or one system for both, which is faster and "
+                "more robust; monolithic coupling does not use the lists \"Newton\" and \"Linear "
                 "Solver\" of fluid and wall");
   return table;
 }

@@ -6,7 +6,7 @@
 
 namespace tunica::coupling {
 
-/// What a scheme couples, all of which must outlive it.
+/// Fields that a scheme couples; all must outlive it.
 struct CoupledFields {
   const fields::InterfaceTransfer& interface;
   problems::FluidProblem& fluid;

@@ -51,6 +51,7 @@ Iteration Scheme::new_iteration() const {
   return iteration;
 }
 
+// begun_ is set last: a step that could not be begun cannot be solved either.
 Outcome Scheme::begin_step(const stepping::Clock& clock) {
   begun_ = -1;
   const Outcome outcome = begin(clock);
@@ -58,6 +59,7 @@ Outcome Scheme::begin_step(const stepping::Clock& clock) {
   return outcome;
 }
 
+// Once per beginning, since a solve leaves the fields accepted, or anywhere.
 Report Scheme::solve_step(const stepping::Clock& clock, const Watch& watch) {
   if (std::exchange(begun_, -1) != clock.step())
     throw std::logic_error("step " + std::to_string(clock.step()) +

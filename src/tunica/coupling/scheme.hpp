@@ -40,7 +40,7 @@ struct Iteration {
   double& seconds(const std::string& stage);
 };
 
-/// What became of a time step.
+/// Outcome of a time step.
 struct Report {
   bool is_converged = false;
   bool is_accepted = false;  ///< converged, or not and accepted as the options say
@@ -52,8 +52,8 @@ struct Report {
   int linear_iterations(const std::string& field) const;
 };
 
-/// What marches coupled fields through time: it solves the steps, and says what it reports. Its
-/// state has its name in XML as the text "scheme".
+/// A coupling scheme: it solves the time steps of coupled fields and declares the contents of its
+/// reports. Its state has its name in XML as the text "scheme".
 class Scheme : public fields::Restartable {
 public:
   /// Called after every coupling iteration with its number, counted from 1.

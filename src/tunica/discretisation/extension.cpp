@@ -42,6 +42,7 @@ public:
   /// Collective.
   Stiffness(const fields::FieldMesh& mesh, Extent extent, double exponent) : exponent_(exponent) {
     if (exponent == 0.0) return;
+    // V̄ = Σ V/n over all ranks, so that γ does not depend on how the mesh is distributed
     const std::vector<double> mine = sizes_of_owned(mesh, extent);
     const double count = global_sum(*mesh.comm, static_cast<double>(mine.size()));
     mean_ = global_sum(*mesh.comm, std::accumulate(mine.begin(), mine.end(), 0.0)) / count;
@@ -61,6 +62,8 @@ public:
   /// Collective.
   ElementMatrices(const fields::FieldMesh& mesh, Extent extent, double stiffening)
       : mesh_(&mesh), extent_(extent), stiffness_(mesh, extent, stiffening) {
+    // Sides and edges are collected here, as several may belong to one tetrahedron. Matrices of
+    // volumes are computed as they are asked for.
     if (extent == Extent::volume) return;
     const Edges lines = extent == Extent::lines ? edges_of_lines(mesh) : Edges{};
     for (const fields::Face& face : mesh.faces) {
@@ -92,6 +95,7 @@ private:
     return static_cast<int>(std::find(nodes.begin(), nodes.end(), face.nodes[k]) - nodes.begin());
   }
 
+  // K_ab += γ ∫ ∇_S N_a·∇_S N_b dA at the corners' places in the tetrahedron
   void add_triangle(const fields::Face& face) {
     const Corners x = assembly::gather(mesh_->x, face.nodes);
     const auto L = kernels::laplace_p1(x);
@@ -101,6 +105,7 @@ private:
       for (int b = 0; b < 3; ++b) K[place(face, a)][place(face, b)] += gamma * L[a][b];
   }
 
+  // K += γ/h [1 −1; −1 1], a linear element along the edge
   void add_edge(const fields::Face& face, int k, int l) {
     const double h = norm(mesh_->x[face.nodes[l]] - mesh_->x[face.nodes[k]]);
     const double stiffness = stiffness_(h) / h;
@@ -125,6 +130,7 @@ Edge edge_of(const fields::Face& face, int k) {
   return {std::min(a, b), std::max(a, b)};
 }
 
+// An edge lies in a line of the boundary where its faces belong to different surfaces.
 Edges edges_of_lines(const fields::FieldMesh& mesh) {
   std::map<Edge, int> surface_of;  // of the first face at an edge
   Edges found;
@@ -143,6 +149,8 @@ void Extension::drop_given(MultiVector& F) const {
       if (is_given_[a]) view(a, j) = 0.0;
 }
 
+// Two matrices of the same elements: L without the couplings of given nodes is inverted, and the
+// whole L makes the right side −L φ_given of the free ones.
 HarmonicExtension::HarmonicExtension(const fields::FieldMesh& mesh, std::vector<char> is_given,
                                      Extent extent, double stiffening)
     : Extension(mesh, std::move(is_given)) {
@@ -153,10 +161,13 @@ HarmonicExtension::HarmonicExtension(const fields::FieldMesh& mesh, std::vector<
 }
 
 void HarmonicExtension::residual(const MultiVector& phi, MultiVector& F) const {
+  // F = L φ at the free nodes
   laplacian_->apply(phi, F);
   drop_given(F);
 }
 
+// K_ab = ∫ γ σ(N_b e_j):ε(N_a e_i) dV in rows 3a + i of owned nodes and columns 3b + j. An element
+// between ranks is on both, and each sums the rows of its own nodes.
 ElasticExtension::ElasticExtension(const fields::FieldMesh& mesh, std::vector<char> is_given,
                                    double poisson, double stiffening)
     : Extension(mesh, is_given), harmonic_(mesh, std::move(is_given), Extent::volume, stiffening),
@@ -184,6 +195,7 @@ ElasticExtension::ElasticExtension(const fields::FieldMesh& mesh, std::vector<ch
 
 void ElasticExtension::residual(const MultiVector& phi, MultiVector& F) const {
   Vector d(mesh_->vector_map), forces(mesh_->vector_map);
+  // F = L d at the free nodes, the components of d from columns to 3a + i and back
   algebra::from_columns(phi, d);
   matrix_->apply(d, forces);
   algebra::to_columns(forces, F);

@@ -30,6 +30,8 @@ Fluid::Fluid(const FluidOptions& options, const fields::FieldMesh& mesh)
   elements_.coefficients.has_dynamic_subscales = options_.has_dynamic_subscales;
   elements_.coefficients.has_skew_convection = options_.has_skew_convection;
   elements_.coefficients.has_mean_residual = options_.has_mean_residual;
+  // u' and q of the steps before stay with their elements: the scheme makes ũ' of the one and the
+  // extrapolated force of the other.
   if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::fluid_subscales(*mesh_, elements_, local_); });
@@ -76,6 +78,7 @@ std::vector<int> Fluid::staying_surfaces() const {
   return surfaces;
 }
 
+// The first step has this velocity for its past, and the q that belongs to it.
 void Fluid::start_from(const algebra::BlockVector& x) {
   read(x);
   timeline_.value() = stepping::as_rows(local_.u);
@@ -95,11 +98,14 @@ void Fluid::begin_step(const stepping::Clock& clock) {
     predicted_ = stepping::as_vectors(scheme_->predictions(timeline_));
   if (subscales_) local_.subscale = stepping::as_vectors(scheme_->pasts(*subscales_));
   if (viscous_) local_.viscous = stepping::as_vectors(scheme_->predictions(*viscous_));
+  // μ(γ̇) in τ is that of the expected velocity too: τ is constant in a Newton solve.
   elements_.viscosity = assembly::fluid_viscosities(*mesh_, elements_, expected_velocity());
   surfaces_.begin_step();
   begin(what_fixes);
 }
 
+// x = X + d. The rate is that of the fluid's scheme, by which a uniform flow on a moving mesh stays
+// uniform.
 Outcome Fluid::set_domain(const std::vector<Vec3>& d, const std::vector<Vec3>& d_past) {
   wait_after_move_for(what_fixes);
   for (int a = 0; a < mesh_->n_nodes(); ++a) {
@@ -124,16 +130,19 @@ boundary::Surroundings Fluid::surroundings() const {
   return here;
 }
 
+// q = div 2μ ε(u), recovered at the vertices: a linear element has none of its own.
 std::vector<Vec3> Fluid::viscous_forces() const {
   return assembly::viscous_forces(*mesh_, elements_.geometry, *options_.viscosity, local_.u);
 }
 
+// ∫ u·n da = A·(u_1 + u_2 + u_3)/3 with the area vector A, exact where u is linear
 double Fluid::outflow(const fields::Face& face, const std::vector<Vec3>& u) const {
   const auto v = assembly::gather(u, face.nodes);
   const Vec3 n = kernels::area_normal(assembly::gather(position_, face.nodes));
   return dot(n, v[0] + v[1] + v[2]) / 3.0;
 }
 
+// |Σ_f ∫ u·n da| ≤ 10⁻³ Σ_f |∫ u·n da|: without an outlet div u = 0 has no solution otherwise.
 void Fluid::check_closed_flow(const algebra::BlockVector& x) const {
   const std::vector<Vec3> u = fields::ghosted_vectors(*mesh_, x[0]);
   double net = 0.0, total = 0.0;
@@ -147,12 +156,12 @@ void Fluid::check_closed_flow(const algebra::BlockVector& x) const {
   total = global_sum(*mesh_->comm, total);
   // A velocity that conserves mass does so up to the interpolation on the surface only; what is
   // left vanishes in the pinned node.
-  TUNICA_CHECK(
-      std::abs(net) <= 1e-3 * total,
-      "Fluid / Surfaces: " + std::to_string(-net) +
-          " mm^3/ms flow into a fluid that no surface lets out, of " + std::to_string(total) +
-          " that pass its surfaces. Give one a traction or a pressure, leave it out of the "
-          "list, or let the velocities balance to 0.1 %.");
+  TUNICA_CHECK(std::abs(net) <= 1e-3 * total,
+               "Fluid / Surfaces: " + std::to_string(-net) +
+                   " mm^3/ms flow into a fluid without an open surface, of " +
+                   std::to_string(total) +
+                   " that pass its surfaces. Give one a traction or a pressure, omit it from the "
+                   "list, or balance the velocities to 0.1 %.");
 }
 
 void Fluid::prescribe(algebra::BlockVector& x) {
@@ -161,6 +170,8 @@ void Fluid::prescribe(algebra::BlockVector& x) {
   fix_coefficients();
 }
 
+// The rows of the interface become balances of momentum, to which the wall's are added. The wall
+// takes up what flows in, and with its pressure that of the fluid is determined.
 void Fluid::release_interface(const std::vector<Mat3>& free) {
   for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s) {
     const int surface = static_cast<int>(s);
@@ -172,6 +183,7 @@ void Fluid::release_interface(const std::vector<Mat3>& free) {
   is_closed_ = false;
 }
 
+// τ = τ(u*, w) on the mesh as it lies, f at the places of its nodes
 void Fluid::fix_coefficients() {
   wait_for(nullptr);
   elements_.tau = assembly::fluid_taus(*mesh_, elements_, expected_velocity(), local_.w);
@@ -179,6 +191,7 @@ void Fluid::fix_coefficients() {
     for (int a = 0; a < mesh_->n_nodes(); ++a) local_.f[a] = body_force_(position_[a], time_);
 }
 
+// p ← p − ∫ p dV/∫ dV,   ∫ p dV = Σ_e V/4 Σ_a p_a
 void Fluid::fix_pressure_level(algebra::BlockVector& x) const {
   if (!is_closed_) return;
   const std::vector<double> p = fields::ghosted_scalars(*mesh_, x[1]);
@@ -200,6 +213,7 @@ void Fluid::read(const algebra::BlockVector& x) {
   local_.p = fields::ghosted_scalars(*mesh_, x[1]);
 }
 
+// S = ∂F/∂d_m: of the elements with what τ owes to h and c, then of the loads on open surfaces
 void Fluid::assemble_shape_jacobian(const algebra::BlockVector& x) {
   read(x);
   if (!shape_)
@@ -209,12 +223,15 @@ void Fluid::assemble_shape_jacobian(const algebra::BlockVector& x) {
   shape_->finish();
 }
 
+// R = Σ_e R_e(u, p) + what surfaces add,   K = ∂R/∂(u, p) at fixed τ and q
 void Fluid::assemble(assembly::BlockAssembler* K) {
   R_.set_zero();
   assembly::assemble_fluid(*mesh_, elements_, local_, R_, K);
   surfaces_.add(surroundings(), R_, K);
 }
 
+// f = −R_u before prescribed rows are removed: with inertia, stabilisation and the surfaces' terms,
+// so that the power of f on the wall is what the discrete fluid loses.
 std::vector<Vec3> Fluid::reaction(const algebra::BlockVector& x) {
   read(x);
   assemble(nullptr);

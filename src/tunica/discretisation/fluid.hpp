@@ -78,7 +78,7 @@ private:
   const std::vector<Vec3>& expected_velocity() const {
     return options_.has_predicted_tau ? predicted_ : local_.u_old;
   }
-  /// Of the values read, per local element.
+  /// Viscous forces of the values read, per local element.
   std::vector<Vec3> viscous_forces() const;
   /// Volume of fluid that leaves through the face [mm³/ms]; u on local nodes.
   double outflow(const fields::Face& face, const std::vector<Vec3>& u) const;
@@ -87,13 +87,13 @@ private:
   void assemble(assembly::BlockAssembler* K) override;
   const assembly::ElementGeometry& geometry() const override { return elements_.geometry; }
   void observe_volume(const assembly::FluidFields& state, Observables& found) const;
-  /// Of the values read, on one surface and this rank.
+  /// Sums of the values read, on one surface and this rank.
   struct SurfaceSums {
     double area, pressure, inflow;
     Vec3 pressure_force;
   };
   SurfaceSums sums_over(int surface) const;
-  /// What the stress of the elements makes of the forces on all surfaces, of the values read.
+  /// Forces on all surfaces predicted by the stress of the elements, for the values read.
   boundary::NodalShares tractions() const;
   /// Forces on the given ones of all surfaces, this rank's part.
   std::vector<Vec3> forces(const algebra::BlockVector& x, const std::vector<int>& surfaces);

@@ -13,6 +13,7 @@ constexpr const char* convection = "Schur Convection";
 
 /// ∫ N_a c·∇N_b, c linear with the nodal values given.
 assembly::ScalarElement convection_element(const kernels::Tet4& T, const std::array<Vec3, 4>& c) {
+  // ∫ N_a c dV = V/20 (Σ_b c_b + c_a), and ∇N_b is constant
   const Vec3 sum = c[0] + c[1] + c[2] + c[3];
   assembly::ScalarElement C;
   for (int a = 0; a < 4; ++a)

@@ -13,7 +13,7 @@ class ViscosityLaw;
 
 namespace tunica::discretisation {
 
-/// What a resolved "Fluid" list says of its discretisation.
+/// Options of the discretisation in a resolved "Fluid" list.
 struct FluidOptions {
   std::vector<std::string> regions;
   double density;

@@ -8,6 +8,8 @@
 
 namespace tunica::discretisation {
 
+// The rank that holds the least value sends it and all others add zeros; of several such ranks the
+// first one does. NaN counts as −∞: no value could be worse.
 NamedElement least_element(const fields::FieldMesh& mesh, double value, int element) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double badness = element < 0 ? infinity : std::isnan(value) ? -infinity : value;
@@ -31,6 +33,7 @@ NamedElement least_element(const fields::FieldMesh& mesh, double value, int elem
   return {text.str(), told[3]};
 }
 
+// All ranks take part in naming the worst element; one without an inverted one has no candidate.
 Outcome check_inversion(const fields::FieldMesh& mesh, double smallest, int element,
                         const std::string& measure) {
   const bool is_fine = element < 0 || smallest > 0.0;  // false for NaN too
@@ -41,6 +44,7 @@ Outcome check_inversion(const fields::FieldMesh& mesh, double smallest, int elem
   return Outcome::failure(text.str());
 }
 
+// min_e V_e; a NaN ends the search, since no comparison with it would be true.
 Outcome check_volumes(const fields::FieldMesh& mesh, const assembly::ElementGeometry& geometry) {
   double smallest = 1.0;
   int worst = -1;

@@ -22,7 +22,7 @@ NamedElement least_element(const fields::FieldMesh& mesh, double value, int elem
 Outcome check_inversion(const fields::FieldMesh& mesh, double smallest, int element,
                         const std::string& measure);
 
-/// The same for the volumes of elements [mm³], one for each local tetrahedron.
+/// Checks the volumes of elements [mm³], one for each local tetrahedron.
 Outcome check_volumes(const fields::FieldMesh& mesh, const assembly::ElementGeometry& geometry);
 
 }  // namespace tunica::discretisation

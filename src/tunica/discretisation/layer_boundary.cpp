@@ -4,6 +4,7 @@
 
 namespace tunica::discretisation {
 
+// Layers of the same law and constants share the number of the first of them.
 std::vector<int> material_of_regions(const std::vector<Layer>& layers,
                                      const fields::FieldMesh& mesh) {
   std::vector<int> materials(mesh.regions.size(), -1);

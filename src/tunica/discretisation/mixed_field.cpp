@@ -8,6 +8,8 @@
 
 namespace tunica::discretisation {
 
+// Unknowns that move as one are constraints beside those of the surfaces, and bring two products of
+// vectors each. In products_ those of the surfaces stand first.
 MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
     : mesh_(&mesh), split_(std::move(parts.split)), scheme_(std::move(parts.scheme)),
       timeline_(fields::Places::nodes(mesh), 3, scheme_->remembers()),
@@ -21,6 +23,7 @@ MixedField::MixedField(const fields::FieldMesh& mesh, Parts parts)
   if (rank > 0) products_ = std::make_shared<algebra::LowRank>(space_, rank);
 }
 
+// A field that is part of a system assembles into the matrix of the whole and needs none itself.
 fields::BlockOperator& MixedField::matrix() const {
   if (!K_) {
     fields::MeshParts parts;
@@ -37,18 +40,22 @@ const fields::NodeGraph& MixedField::scalar_graph() const {
   return *scalar_graph_;
 }
 
+// Nodes whose component another condition prescribes are no members: with none left there is no
+// unknown that could move.
 void MixedField::tie_surfaces() {
   std::vector<char> members(mesh_->n_nodes());
   for (const auto& [surface, motion] : surfaces_.common_motions()) {
     for (int a = 0; a < mesh_->n_nodes(); ++a) members[a] = mesh_->is_on(a, surface);
     const int count = common_motions_.add(motion.component, motion.has_force, members, fixed_);
-    TUNICA_CHECK(count > 0, "Surfaces / " + mesh_->surfaces[surface] +
-                                ": it is to move as one along " + "xyz"[motion.component] +
-                                ", but other conditions prescribe that at all of its nodes.");
+    TUNICA_CHECK(count > 0,
+                 "Surfaces / " + mesh_->surfaces[surface] + ": it is to move as one along " +
+                     "xyz"[motion.component] +
+                     ", but other conditions prescribe this component at all of its nodes.");
     given_motions_.push_back(motion);
   }
 }
 
+// ū or P of each motion, at the instant of the other loads
 std::vector<double> MixedField::motion_values() const {
   std::vector<double> values;
   for (const boundary::CommonMotion& motion : given_motions_)
@@ -56,6 +63,8 @@ std::vector<double> MixedField::motion_values() const {
   return values;
 }
 
+// awaited_ names the call that has to come next; null permits residuals. begin() opens a step, and
+// wait_for() goes on within one.
 void MixedField::begin(const char* awaited) {
   has_begun_ = true;
   awaited_ = awaited;
@@ -69,6 +78,7 @@ void MixedField::wait_for(const char* awaited) {
 }
 
 void MixedField::wait_after_move_for(const char* awaited) {
+  // Between steps only the next begin_step() is awaited, and a domain may move before it.
   const bool is_between_steps = has_begun_ && awaited_ == first_call;
   if (!is_between_steps) wait_for(awaited);
 }
@@ -78,6 +88,8 @@ void MixedField::check_ready() const {
     throw std::logic_error(std::string("a residual or a Jacobian comes before ") + awaited_);
 }
 
+// F = P R with the projectors P of the constraints; in the rows of members, which P makes zero,
+// stands the equation of their motion.
 Outcome MixedField::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
   check_ready();
   read(x);
@@ -95,6 +107,7 @@ void MixedField::assemble_jacobian(const algebra::BlockVector& x) {
   fill(assembler);
 }
 
+// K ← K + R Pᵀ K_field P S in numbers and units of the whole, see algebra::Embedding
 void MixedField::add_jacobian(const algebra::BlockVector& x, const assembly::Whole& whole) {
   check_ready();
   read(x);
@@ -117,6 +130,8 @@ stepping::Timeline* MixedField::remember(const std::string& name, stepping::Time
   return on_elements_.back().timeline.get();
 }
 
+// Vectors of elements march with the scheme of the nodal one: x̃ and what follows from it are made
+// alike.
 stepping::Timeline* MixedField::remember(const std::string& name, const ElementValues& values) {
   return remember(name, {fields::Places::elements(*mesh_), 3, scheme_->remembers()},
                   [this, values](stepping::Timeline& past) {
@@ -131,6 +146,7 @@ std::map<std::string, fields::Restartable*> MixedField::element_histories() {
   return all;
 }
 
+// What elements remember is evaluated at the accepted x.
 void MixedField::end_step(const algebra::BlockVector& x) {
   wait_for(first_call);
   read(x);
@@ -144,12 +160,16 @@ void MixedField::save_history(fields::State& state) const {
   surfaces_.save(state);
 }
 
+// The value of the last step is x, with its ghosts; only what lies before is stored beside it.
 std::string MixedField::restore_history(const fields::State& state, const algebra::BlockVector& x) {
   timeline_.restore_past("", state, stepping::as_rows(fields::ghosted_vectors(*mesh_, x[0])));
   return surfaces_.restore(state);
 }
 
+// δ_a ← P_a δ_a, δp ← 0 where p is fixed, δ_a ← Σ_b δ_b/n for the n members of a motion: what the
+// residual takes for granted, and an inexact solve misses.
 void MixedField::hold_prescribed(algebra::BlockVector& dx) const {
+  // Before the projection, which takes members for fixed
   const std::vector<double> common = common_motions_.means(dx[0]);
   {
     const auto u = dx[0].getLocalViewHost(read_write);
@@ -165,6 +185,7 @@ void MixedField::hold_prescribed(algebra::BlockVector& dx) const {
   common_motions_.insert(common, dx[0]);
 }
 
+// ‖δ‖ = (∫ |δu|² + δp² dV)^½
 double MixedField::mass_norm(const algebra::BlockVector& dx) const {
   return assembly::mass_norm(*mesh_, scalar_mesh(), geometry(), dx);
 }

@@ -13,20 +13,20 @@
 
 namespace tunica::discretisation {
 
-/// What fluid and wall have in common: a vector and a scalar at each node, whose residual and
-/// Jacobian are summed over elements and faces, and what is remembered of them from step to step:
-/// by the time scheme of the vector, on elements and by surfaces.
+/// Common base of fluid and wall: a vector and a scalar at each node, with residual and Jacobian as
+/// sums over elements and faces, and their history: that of the time scheme of the vector, of
+/// elements and of surfaces.
 ///
 /// A step is begun, what it prescribes is fixed, then come residuals and Jacobians in any number,
 /// and it is ended or begun anew. Another order throws std::logic_error.
 class MixedField : public linear::NamedOperators {
 public:
   const fields::FieldMesh& mesh() const { return *mesh_; }
-  /// Whose nodes carry the scalars: that of the field, but for scalars that jump.
+  /// The mesh whose nodes carry the scalars: that of the field, except for scalars that jump.
   const fields::FieldMesh& scalar_mesh() const { return fields::scalar_mesh(*mesh_, split()); }
   /// Null where they do not.
   const fields::SplitMesh* split() const { return split_.get(); }
-  /// Of the nodes that carry the scalars. Made when it is first asked for.
+  /// Graph of the nodes that carry the scalars. Built on first request.
   const fields::NodeGraph& scalar_graph() const;
   /// Elements of all Jacobians so far and the time they took on this rank.
   const Throughput& throughput() const { return throughput_; }
@@ -47,25 +47,25 @@ public:
   const std::shared_ptr<algebra::LowRank>& products() const { return products_; }
   /// (dxᵀ M dx)^½ with the mass matrices of all unknowns, the norm of [LY1] newstop. Collective.
   double mass_norm(const algebra::BlockVector& dx) const;
-  /// Of an increment: prescribed unknowns have none, and those that move as one the same.
+  /// Corrects an increment: zero for prescribed unknowns, equal for those that move as one.
   /// Collective.
   void hold_prescribed(algebra::BlockVector& dx) const;
 
   const stepping::TimeScheme& time_scheme() const { return *scheme_; }
-  /// What is prescribed, per local node.
+  /// Prescribed unknowns, per local node.
   const assembly::Constraints& constraints() const { return fixed_; }
-  /// What is remembered on elements, by name.
+  /// Histories on elements, by name.
   virtual std::map<std::string, fields::Restartable*> element_histories();
   /// Accepts x as the state of the new time. Collective.
   void end_step(const algebra::BlockVector& x);
-  /// What is remembered beside x, and not on elements.
+  /// History besides x that is not on elements.
   virtual void save_history(fields::State& state) const;
   /// x: of the state. Returns a sentence about what the state does not know and begins anew.
   /// Collective.
   virtual std::string restore_history(const fields::State& state, const algebra::BlockVector& x);
 
 protected:
-  /// What a field is made of.
+  /// Parts of a field.
   struct Parts {
     fields::NodalBlocks blocks;
     std::vector<boundary::Condition> conditions;
@@ -83,7 +83,7 @@ protected:
   virtual Outcome is_admissible() const { return Outcome::success(); }
   /// Fills R_, and K where it is not null, for the values read.
   virtual void assemble(assembly::BlockAssembler* K) = 0;
-  /// What the terms of the surfaces see, of the values read.
+  /// Surroundings for the terms of the surfaces, from the values read.
   virtual boundary::Surroundings surroundings() const = 0;
   /// Remembers something per local element, which goes along where the mesh moves; accept: brings
   /// it to the values read, where a step ends.
@@ -94,9 +94,10 @@ protected:
   stepping::Timeline* remember(const std::string& name, const ElementValues& values);
   /// Where a step begins. awaited: what has to be called before there are residuals; null: nothing.
   void begin(const char* awaited);
-  /// The same within a step. Throws std::logic_error where none has begun.
+  /// Sets the call awaited within a step. Throws std::logic_error if none has begun.
   void wait_for(const char* awaited);
-  /// The same where a domain has moved, also between steps; they have to be begun all the same.
+  /// Sets the call awaited after a move of the domain, also between steps, which must still be
+  /// begun.
   void wait_after_move_for(const char* awaited);
   /// There have been residuals in some step.
   bool has_been_ready() const { return has_been_ready_; }

@@ -14,7 +14,7 @@ public:
   Prestretch(const fields::FieldMesh& mesh, std::function<void()> followed)
       : places_(fields::Places::elements(mesh)), followed_(std::move(followed)) {}
 
-  /// The same object at all times.
+  /// The prestretches; always the same object.
   const std::vector<Mat3>& values() const { return values_; }
   void set(std::vector<Mat3> values) { values_ = std::move(values); }
 

@@ -45,6 +45,7 @@ Solid::Solid(const SolidOptions& options, const fields::FieldMesh& mesh,
   if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::solid_subscales(*mesh_, elements_, local_); });
+  // One width for all rows: the longest memory of any layer.
   for (const auto& law : laws_)
     elements_.past_width = std::max(elements_.past_width, law->state_width());
   if (elements_.past_width > 0)
@@ -77,6 +78,7 @@ void Solid::set_elements() {
   elements_.split = split();
 }
 
+// All det G > 0, or the old prestretch stays as it is.
 Outcome Solid::set_prestretch(std::vector<Mat3> G) {
   double smallest = 1.0;
   int worst = -1;
@@ -94,6 +96,8 @@ Outcome Solid::set_prestretch(std::vector<Mat3> G) {
   return Outcome::success();
 }
 
+// Fibres are lines of material with given directions a in the mesh; without stress they lie along
+// G⁻¹a.
 void Solid::follow_prestretch() {
   for (std::size_t e = 0; e < frames_.size(); ++e)
     elements_.frames[e] = prestretch_.values().empty()
@@ -102,6 +106,7 @@ void Solid::follow_prestretch() {
   unit_inertia_ = -1.0;  // stabilisation follows the size of elements
 }
 
+// α, 1/κ and τ_v = c μ_l of each layer;   1/τ = 4 m μ_l/h² + α of each element
 void Solid::set_coefficients() {
   for (std::size_t l = 0; l < options_.layers.size(); ++l) {
     const double modulus = laws_[l]->stabilisation_modulus();
@@ -132,6 +137,7 @@ bool Solid::is_nearly_incompressible(std::size_t element) const {
   return 1.0 >= 20.0 * layer.coefficients.inv_kappa * layer.law->stabilisation_modulus();
 }
 
+// r and r' of the scheme for unit density, and f beside r: the kernel's histories are ρ r, ρ r'.
 void Solid::set_inertia_loads() {
   local_.r = stepping::as_vectors(scheme_->inertia_loads(timeline_));
   if (body_force_)
@@ -145,6 +151,7 @@ void Solid::set_inertia_loads() {
 void Solid::begin_step(const stepping::Clock& clock) {
   time_ = scheme_->load_time(clock);
   scheme_->begin_step(clock);
+  // α and τ stay as long as Δt does.
   if (unit_inertia_ != scheme_->inertia(1.0)) {
     unit_inertia_ = scheme_->inertia(1.0);
     set_coefficients();
@@ -152,6 +159,7 @@ void Solid::begin_step(const stepping::Clock& clock) {
   begin_laws(options_.is_static ? 0.0 : clock.step_size());
   set_inertia_loads();
   past_ = stepping::as_vectors(scheme_->pasts(timeline_));
+  // σ'* of the displacement with which the step begins: constant in it, Jacobians are exact.
   if (patches_) local_.stress_force = stress_force_at(stepping::as_vectors(timeline_.value()));
   stress_change_.clear();
   stress_relaxation_ = 1.0;
@@ -159,6 +167,7 @@ void Solid::begin_step(const stepping::Clock& clock) {
   begin(nullptr);
 }
 
+// With Δt = 0 laws are in equilibrium: what relaxes has done so.
 void Solid::begin_laws(double step) {
   if (!of_laws_) return;
   elements_.past = of_laws_->value();
@@ -203,15 +212,18 @@ double Solid::renew_stress_force(const algebra::BlockVector& x) {
     const double squared = product_over_elements(difference, difference);
     if (squared > 0.0)
       stress_relaxation_ *= -product_over_elements(stress_change_, difference) / squared;
+    // Within bounds: two changes that hardly differ make ω any number.
     stress_relaxation_ = std::min(std::max(stress_relaxation_, 0.5), 3.0);
   }
   for (std::size_t e = 0; e < found.size(); ++e)
     local_.stress_force[e] += stress_relaxation_ * change[e];
   stress_change_ = std::move(change);
+  // |σ'*(x) − s| / |σ'*(x)|, before s has moved
   const double size = product_over_elements(found, found);
   return size > 0.0 ? std::sqrt(squared_change / size) : 0.0;
 }
 
+// ⟨a, b⟩ = ∫ a·b dV over owned elements of all ranks
 double Solid::product_over_elements(const std::vector<Vec3>& a, const std::vector<Vec3>& b) const {
   double sum = 0.0;
   for (std::size_t e = 0; e < a.size(); ++e)
@@ -219,6 +231,7 @@ double Solid::product_over_elements(const std::vector<Vec3>& a, const std::vecto
   return global_sum(*mesh_->comm, sum);
 }
 
+// A continuous pressure makes one part of all materials; −1 outside the wall stays.
 std::vector<int> Solid::pressure_parts() const {
   std::vector<int> parts = material_of_regions(options_.layers, *mesh_);
   if (!options_.has_doubled_pressure)
@@ -250,6 +263,7 @@ boundary::Surroundings Solid::surroundings() const {
   return here;
 }
 
+// min_e det F > 0
 Outcome Solid::is_admissible() const {
   const auto worst = assembly::worst_solid_element(*mesh_, elements_, local_.d);
   return check_inversion(*mesh_, worst.determinant, worst.element, "det F");
@@ -264,9 +278,9 @@ void Solid::save_history(fields::State& state) const {
 
 std::string Solid::restore_history(const fields::State& state, const algebra::BlockVector& x) {
   TUNICA_CHECK((state.texts.count(prestress_name) > 0) == options_.has_prestress,
-               std::string("Wall / Prestress: the state that the run goes on from has ") +
+               std::string("Wall / Prestress: the state from which the run continues has ") +
                    (options_.has_prestress ? "none" : "one") +
-                   ". A run goes on with the prestress it began with.");
+                   ". A run continues with the prestress it began with.");
   return MixedField::restore_history(state, x);
 }
 

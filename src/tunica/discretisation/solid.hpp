@@ -33,7 +33,7 @@ public:
   const std::vector<Mat3>& prestretch() const { return prestretch_.values(); }
   /// From now on Jacobians are those by s in G ← (I + sym ∇s) G, of a wall that stays on its mesh.
   void stay_on_mesh() { stays_on_mesh_ = true; }
-  /// Of the fibres, in the mesh.
+  /// Fibre frames, in the mesh.
   const std::vector<materials::Frame>& frames() const { return frames_; }
 
   void begin_step(const stepping::Clock& clock);
@@ -63,7 +63,7 @@ public:
   std::vector<int> pressure_parts() const;
   bool moves_as_one(int surface) const { return surfaces_.moves_as_one(surface); }
 
-  /// Of owned and ghost nodes, of the last accepted step [mm/ms].
+  /// Velocity of owned and ghost nodes after the last accepted step [mm/ms].
   std::vector<Vec3> velocity() const { return stepping::as_vectors(timeline_[0]); }
   const assembly::SolidElements& elements() const { return elements_; }
 
@@ -93,7 +93,7 @@ private:
   /// Gives the laws what they remember before a step of this size.
   void begin_laws(double step);
   void set_inertia_loads();
-  /// What drives the subscales beside the linear residual where the displacement is d.
+  /// Force that drives the subscales in addition to the linear residual, at the displacement d.
   std::vector<Vec3> stress_force_at(const std::vector<Vec3>& d) const;
   /// ∫ a·b over the elements of all ranks, constant in each. Collective.
   double product_over_elements(const std::vector<Vec3>& a, const std::vector<Vec3>& b) const;

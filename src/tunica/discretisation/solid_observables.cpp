@@ -69,6 +69,7 @@ Observables Solid::observe(const algebra::BlockVector& x) const {
   return found;
 }
 
+// Extremes may count an element on several ranks, sums only on the one that owns it.
 void Solid::add_element(std::size_t e, const std::array<Vec3, 4>& d, const std::array<Vec3, 4>& v,
                         const std::array<double, 4>& p, Summary& s) const {
   const auto de = elements_.displacement(e, d);
@@ -107,6 +108,7 @@ std::vector<Vec3> Solid::reaction_forces(const algebra::BlockVector& x) {
   return boundary::reaction_forces(*mesh_, surfaces_, reaction, shares);
 }
 
+// A₀, ∫ d dA₀ = Σ_f A₀/3 (d_1 + d_2 + d_3), and the area of x + d
 Solid::SurfaceSums Solid::sums_over(int surface, const std::vector<Vec3>& d) const {
   SurfaceSums sums{};
   for (const fields::Face& face : mesh_->faces) {

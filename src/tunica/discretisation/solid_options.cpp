@@ -9,6 +9,7 @@
 
 namespace tunica::discretisation {
 
+// S' = S_e + Q: the law gives S_e, in equilibrium, and a Maxwell element beside it Q.
 std::unique_ptr<materials::WallLaw> law_of(const Layer& layer) {
   std::unique_ptr<materials::WallLaw> law =
       materials::make_law(layer.law, {layer.constants.begin(), layer.constants.end()});
@@ -26,6 +27,7 @@ Layer layer_of(const std::string& region, const Teuchos::ParameterList& list) {
     if (law.name != layer.law) continue;
     for (const materials::Constant& c : law.constants)
       layer.constants.emplace_back(c.name, list.get<double>(c.name));
+    // Constants of some laws imply κ; beside others it is a key.
     layer.bulk_modulus = law.bulk_modulus
                              ? law.bulk_modulus({layer.constants.begin(), layer.constants.end()})
                              : list.get<double>("bulk modulus");
@@ -54,12 +56,11 @@ params::Table layer_table() {
   params::Table table("One layer of the wall.");
   table.variant("law", laws.front().value, laws, "hyperelastic law")
       .number("density", 1.2, params::positive(), "mg/mm^3", "density of the unloaded wall")
-      .number(
-          "viscous fraction", 0.0, params::non_negative(), "1",
-          "of the law's stress, what a sudden stretch meets in addition and what then fades; 0: "
-          "the wall is elastic, arteries have about 0.1 to 0.3")
+      .number("viscous fraction", 0.0, params::non_negative(), "1",
+              "additional stress after a sudden stretch, as a part of the elastic stress, which "
+              "then relaxes; 0: the wall is elastic, arteries have about 0.1 to 0.3")
       .number("relaxation time", 100.0, params::positive(), "ms",
-              "in which that fades to 1/e; of no account without it")
+              "time in which the additional stress decays to 1/e; ignored without it")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         try {
           law_of(layer_of("", list));
@@ -79,8 +80,8 @@ void add_layer_keys(params::Table& table) {
 void add_solid_keys(params::Table& table) {
   params::Table continuous;
   continuous.number("stabilisation at layers", 0.03, params::Range{0.0, 1.0, true, false}, "1",
-                    "multiplies the PSPG parameter of elements that touch another material, which "
-                    "takes a jump of the pressure for a gradient; 1 as in the paper");
+                    "factor of the PSPG parameter of elements that touch another material, where "
+                    "PSPG mistakes the pressure jump for a gradient; 1 as in the paper");
   table
       .entries("Surfaces",
                boundary::condition_table(
@@ -91,31 +92,29 @@ void add_solid_keys(params::Table& table) {
               "with inertia, or a sequence of equilibria");
   stepping::add_wall_scheme_keys(table);
   table
-      .choice(
-          "stabilisation", "dynamic", {"dynamic", "inertial", "paper"},
-          "subscales of PSPG: time-dependent, which keep the pressure as the time step shrinks; "
-          "without inertia of their own, it stands in the parameter 1/(4 mu/h^2 + "
-          "rho/(beta dt^2)) only; or with the paper's h^2/(4 mu), which ignores it")
-      .choice(
-          "stabilisation residual", "automatic", {"automatic", "linear", "stress"},
-          "what drives the subscales: the residual that linear elements have, without the "
-          "divergence of their stress, which makes the pressure flat at surfaces; or with it, "
-          "recovered from the elements around each vertex. It is that of the step before, and "
-          "in statics each step is solved again until it is its own. Not with a Prestress; "
-          "automatic: stress in statics without a Prestress and with doubled pressures at layers, "
-          "else linear")
+      .choice("stabilisation", "dynamic", {"dynamic", "inertial", "paper"},
+              "subscales of PSPG: time-dependent, which keep the pressure stable as the time step "
+              "shrinks (dynamic); quasi-static, with inertia in the parameter 1/(4 mu/h^2 + "
+              "rho/(beta dt^2)) only (inertial); or with the paper's parameter h^2/(4 mu), which "
+              "ignores inertia (paper)")
+      .choice("stabilisation residual", "automatic", {"automatic", "linear", "stress"},
+              "residual that drives the subscales: without the divergence of the stress, as on "
+              "linear elements, which makes the pressure too flat at surfaces (linear); or with "
+              "it, recovered from the elements around each vertex (stress). The recovered stress "
+              "is that of the previous step; in statics each step is solved again until the stress "
+              "is its own. Not with a Prestress; automatic: stress in statics without a Prestress "
+              "and with doubled pressures at layers, otherwise linear")
       .number("stabilisation modulus factor", 1.0, params::positive(), "1",
-              "multiplies the modulus mu of the PSPG parameter")
+              "factor of the modulus mu in the PSPG parameter")
       .variant("pressure at layers", "doubled",
                {{"doubled", params::Table()}, {"continuous", continuous}},
-               "at vertices between layers of different material, where the pressure jumps: one "
-               "for each material, or a single one as in the paper, of first order")
-      .number(
-          "volumetric stabilisation", 0.0, params::non_negative(), "1",
-          "in parts of the modulus mu, how much of its pressure an element has for itself where "
-          "it does not keep its volume. Large deformations under pressures of the size of mu "
-          "and more need about 1; with much more the elements lock. 0: none, but 1 with a "
-          "Prestress");
+               "pressures at vertices between layers of different material, where the pressure "
+               "jumps: one for each material (doubled), or a single one as in the paper, of first "
+               "order (continuous)")
+      .number("volumetric stabilisation", 0.0, params::non_negative(), "1",
+              "stiffness of a pressure of each element against its own change of volume, relative "
+              "to the modulus mu. Large deformations under pressures of the order of mu or more "
+              "need about 1; with much more the elements lock. 0: none, but 1 with a Prestress");
 }
 
 SolidOptions solid_options(const Teuchos::ParameterList& list) {
@@ -124,6 +123,7 @@ SolidOptions solid_options(const Teuchos::ParameterList& list) {
     options.layers.push_back(layer_of(name, layer));
   });
   const auto& stabilisation = list.get<std::string>("stabilisation");
+  // In statics there is no inertia that subscales could have.
   options.has_dynamic_subscales =
       stabilisation == "dynamic" && list.get<std::string>("analysis") == "dynamic";
   options.has_inertia_in_tau = stabilisation != "paper";

@@ -10,7 +10,7 @@
 
 namespace tunica::discretisation {
 
-/// What one layer of the wall is made of.
+/// Material of one layer of the wall.
 struct Layer {
   std::string region;
   std::string law;
@@ -26,7 +26,7 @@ struct Layer {
   }
 };
 
-/// What a resolved "Wall" list says of its discretisation.
+/// Options of the discretisation in a resolved "Wall" list.
 struct SolidOptions {
   std::vector<Layer> layers;
   bool has_dynamic_subscales;  ///< those of PSPG have inertia of their own
@@ -44,7 +44,7 @@ struct SolidOptions {
   std::vector<std::string> regions() const;
 };
 
-/// The same wall in equilibrium.
+/// The options of the same wall in equilibrium.
 SolidOptions in_statics(SolidOptions options);
 
 std::unique_ptr<materials::WallLaw> law_of(const Layer& layer);

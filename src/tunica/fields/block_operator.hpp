@@ -9,8 +9,8 @@
 
 namespace tunica::fields {
 
-/// Which nodes each owned node couples to, and where each element finds its pairs: row a of
-/// the node graph holds the local nodes columns[row_start[a] .. row_start[a+1]), ascending.
+/// Coupling of owned nodes, and the positions of each element's pairs: row a of the node graph
+/// holds the local nodes columns[row_start[a] .. row_start[a+1]), ascending.
 struct NodeGraph {
   std::vector<std::size_t> row_start;  ///< size n_owned + 1
   std::vector<int> columns;            ///< local nodes
@@ -30,7 +30,7 @@ struct NodalBlock {
   int components;  ///< 1 or 3
 };
 using NodalBlocks = std::vector<NodalBlock>;
-/// What a mixed formulation has, whatever it calls them.
+/// The blocks of a mixed formulation, under generic names.
 inline const NodalBlocks mixed_blocks{{"vector", 3}, {"scalar", 1}};
 
 /// Their space, without nodes for multigrid. split: carries the scalars where it is not null.
@@ -42,7 +42,7 @@ inline algebra::BlockVector zero_vector(const FieldMesh& mesh) {
   return algebra::BlockVector(nodal_space(mesh));
 }
 
-/// What the regions of a mesh with several fields are parts of.
+/// Parts of a mesh with several fields, by its regions.
 struct MeshParts {
   std::vector<std::string> names;  ///< the last is that of the nodes between other parts
   std::vector<int> of_region;      ///< index into names
@@ -82,13 +82,13 @@ public:
     if (own < 0) return {places_[tet].data(), offsets_[column]};
     return {more_places_[static_cast<std::size_t>(own) + row * n_blocks() + column].data(), 0};
   }
-  /// Of an element where the unknowns of each node stand side by side in every row: where they
-  /// begin; else null. Of a vector and a scalar only.
+  /// Positions at which the unknowns of an element's nodes begin, if they are side by side in every
+  /// row; otherwise null. For a vector and a scalar only.
   const std::int16_t* places_side_by_side(std::size_t tet) const {
     if (!own_places_.empty() && own_places_[tet] >= 0) return nullptr;
     return places_[tet].data();
   }
-  /// The same between two local nodes of the first block that share an element.
+  /// The position for two local nodes of the first block that share an element.
   int place(int row, int column) const;
 
   /// Opens merged() with zeros for writing; its values. Collective, as end_assembly() is.
@@ -112,8 +112,7 @@ private:
   /// other columns follow with these offsets and other rows look the same.
   std::vector<ElementPlaces> places_;
   std::vector<int> offsets_;
-  /// Where scalars jump they do not: per tetrahedron where it has tables of its own for all pairs
-  /// of blocks, -1: none.
+  /// Position of a tetrahedron's own tables for all pairs of blocks, where scalars jump; -1: none.
   std::vector<int> own_places_;
   std::vector<ElementPlaces> more_places_;
 };

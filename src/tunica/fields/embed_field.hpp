@@ -4,8 +4,8 @@
 
 namespace tunica::fields {
 
-/// Where a field is in a mesh of several fields, both of this rank's share of one mesh: by its
-/// local tetrahedra and nodes those of the whole.
+/// Position of a field in a mesh of several fields, both of this rank's share of one mesh: for its
+/// local tetrahedra and nodes, those of the whole.
 struct FieldPlace {
   std::vector<int> tets, nodes;
 };

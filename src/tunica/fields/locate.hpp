@@ -3,7 +3,7 @@
 
 namespace tunica::fields {
 
-/// Where a point lies in a field's undeformed mesh. A value there is the sum of those at the nodes
+/// Location of a point in a field's undeformed mesh. A value there is the sum of those at the nodes
 /// of a tetrahedron, each times its weight.
 struct Place {
   bool is_here;                   ///< true on exactly one rank; nodes and weights hold there
@@ -21,7 +21,7 @@ struct Place {
   }
 };
 
-/// The same on any number of ranks. Collective.
+/// Locates a point on any number of ranks. Collective.
 Place locate(const FieldMesh& mesh, const Vec3& point);
 
 }  // namespace tunica::fields

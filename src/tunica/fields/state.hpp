@@ -11,9 +11,9 @@ namespace tunica::fields {
 struct FieldMesh;
 struct SplitMesh;
 
-/// What a part of a run keeps between time steps and needs to go on from there: words, numbers,
-/// and values at nodes or elements. They are named by their number in the mesh, so that another
-/// number of ranks can take the state over.
+/// State that a part of a run keeps between time steps and needs to continue: words, numbers, and
+/// values at nodes or elements. They are named by their number in the mesh, so that another number
+/// of ranks can take the state over.
 struct State {
   /// Rows of the calling rank, one per entry of places, each of so many numbers.
   struct Array {
@@ -21,7 +21,7 @@ struct State {
     std::vector<double> values;
   };
 
-  /// Of the rows: vertices, or elements from 1; each on exactly one rank.
+  /// Places of the rows: vertices, or elements from 1; each on exactly one rank.
   std::vector<GlobalOrdinal> places;
   std::map<std::string, std::string> texts;
   std::map<std::string, std::vector<double>> numbers;
@@ -46,12 +46,12 @@ public:
   /// Collective.
   virtual std::string restore(const State& state) = 0;
 
-  /// What belongs to it and has rows of another kind, by name.
+  /// Parts of it that have rows of another kind, by name.
   virtual std::map<std::string, Restartable*> inner_parts() { return {}; }
 };
 
-/// What rows of numbers belong to: nodes of a mesh, its elements, their quadrature points, or
-/// nothing in space. Each place is owned by one rank; others may hold a copy of its rows. Places
+/// Places that rows of numbers belong to: nodes of a mesh, its elements, their quadrature points,
+/// or nothing in space. Each place is owned by one rank; others may hold a copy of its rows. Places
 /// are known by their number in the mesh, so that a state outlives its partition.
 class Places {
 public:
@@ -94,8 +94,8 @@ State state_on(const FieldMesh& mesh);
 State::Array rows_of(const Vector& v, int columns);
 State::Array rows_of(const std::vector<Vec3>& values, int count);
 void assign_rows(const State::Array& rows, Vector& v);
-/// The same for a number at each node of a split mesh: a row holds those of a vertex, and zeros
-/// where it has fewer than others.
+/// Rows for a number at each node of a split mesh: a row holds the numbers of a vertex, and zeros
+/// if it has fewer than others.
 State::Array rows_of(const Vector& v, const SplitMesh& split);
 void assign_rows(const State::Array& rows, const SplitMesh& split, Vector& v);
 /// On owned and ghost nodes. Collective.

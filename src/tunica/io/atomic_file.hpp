@@ -27,8 +27,8 @@ public:
   Outcome close();
   /// Gives the draft its name.
   Outcome commit();
-  /// The same when the draft is on the disk; the folder follows, or a failing power could take the
-  /// name back.
+  /// Gives the draft its name once it is on the disk; the folder is flushed too, otherwise a power
+  /// failure could undo the name.
   Outcome commit_to_disk();
 
 private:

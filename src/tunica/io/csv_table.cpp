@@ -58,7 +58,7 @@ void CsvTable::keep(const std::string& heading, int kept_step) {
     const Result<std::string> old_path = set_aside(path_);
     if (old_path.is_failure()) throw std::runtime_error(old_path.reason());
     print_error_line("warning: " + path_ +
-                     " has other columns than before and begins anew; its rows are in " +
+                     " has other columns than before and begins anew; its previous rows are in " +
                      old_path.value());
   }
   const Outcome written = kept.commit();

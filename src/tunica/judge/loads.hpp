@@ -9,7 +9,7 @@
 
 namespace tunica::judge {
 
-/// What a resolved case drives its vessel by, in the time of the run.
+/// Loads by which a resolved case drives its vessel, during the run.
 struct Loads {
   double end = 0.0;        ///< of the run [ms]
   bool are_zero = true;    ///< nothing pushes, pulls or flows
@@ -24,9 +24,9 @@ struct Loads {
   double peak_pressure = 0.0;        ///< largest on openings of the fluid and on the wall [kPa]
   std::string pressure_surface{};    ///< with the list that names it
   double pressure_difference = 0.0;  ///< largest between openings [kPa]
-  /// Of openings with a pressure in the beginning, given or that of an outlet [kPa].
+  /// First pressures of openings, prescribed or those of an outlet [kPa].
   std::vector<std::pair<std::string, double>> first_pressures{};
-  /// Of the case on the wall, as they are at the start; a traction by its length [kPa].
+  /// Loads of the case on the wall at the start; a traction by its magnitude [kPa].
   struct OnWall {
     std::string surface;
     bool is_pressure;
@@ -45,18 +45,19 @@ struct Loads {
   std::optional<Balance> balance{};
   double impulse = 0.0;           ///< largest that it gives: its integral over time [kPa ms]
   std::vector<double> periods{};  ///< of the amplitudes, each once [ms]
-  /// Of the fastest amplitude that changes in the run: the range of its whole course over its
-  /// largest slope; 0: all are constant [ms]. A run of a few steps makes no load fast.
+  /// Rise time of the fastest amplitude that changes during the run: its range over its largest
+  /// slope; 0: all are constant [ms]. A run of a few steps makes no load fast.
   double rise = 0.0;
-  /// What fixed steps do not see of an amplitude: how far it strays within one from a straight
-  /// line, over its largest value. Tables of steps count where they change faster than that.
+  /// Part of an amplitude that fixed steps do not resolve: its largest deviation from a straight
+  /// line within a step, over its largest value. Tables of steps count where they change faster
+  /// than that.
   double missed = 0.0;
   /// How far a spline goes beyond the values of its table, over their range.
   double overshoot = 0.0;
 };
 
-/// Amplitudes count at their kinks and at 2000 times. What an opening's traction does beside
-/// pressing is left out; what an outlet makes of the flow counts in the balance alone.
+/// Amplitudes count at their kinks and at 2000 times. Only the normal part of an opening's traction
+/// counts; the response of an outlet to the flow counts in the balance alone.
 Loads loads_of(const setup::Case& the_case, const std::vector<Vessel::Opening>& openings);
 
 }  // namespace tunica::judge

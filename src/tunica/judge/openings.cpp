@@ -16,25 +16,25 @@ void doubt_outlets(const Loads& loads, Doubts& doubts) {
   if (!loads.balance) return;
   const Loads::Balance& b = *loads.balance;
   if (b.inflow < 0.0)
-    doubts.push_back(formatted(
-        "the flow rates that are given draw %.3g mm^3/ms out of the vessel on the mean, and the "
-        "outlets have to let it in; usual is the other way. A flow rate above zero flows in.",
-        -b.inflow));
+    doubts.push_back(
+        formatted("the given flow rates draw %.3g mm^3/ms out of the vessel on average, and the "
+                  "outlets must supply it; usual is the opposite. A positive flow rate flows in.",
+                  -b.inflow));
   else if (b.pressure > 50.0)
     doubts.push_back(formatted(
-        "behind resistances like those of the outlets a mean flow of %.3g mm^3/ms raises the "
-        "pressure to %.3g kPa; arteries have 8 to 18. 1 mmHg s/ml = 0.1333 kPa ms/mm^3, 1 "
-        "dyn s/cm^5 = 1e-4 kPa ms/mm^3, 1 ml/s = 1 mm^3/ms. Check the units of what is given.",
+        "with the resistances of the outlets a mean flow of %.3g mm^3/ms raises the pressure to "
+        "%.3g kPa; arteries have 8 to 18. 1 mmHg s/ml = 0.1333 kPa ms/mm^3, 1 dyn s/cm^5 = 1e-4 "
+        "kPa ms/mm^3, 1 ml/s = 1 mm^3/ms. Check the units of these values.",
         b.inflow, b.pressure));
   else if (b.pressure < 0.0)
     doubts.push_back(
-        formatted("the outlets let the pressure settle to %.3g kPa, below zero; arteries have 8 to "
-                  "18. Look at their \"distal pressure\".",
+        formatted("with these outlets the pressure settles at %.3g kPa, below zero; arteries have "
+                  "8 to 18. Check their \"distal pressure\".",
                   b.pressure));
   if (b.mean_flow != 0.0 && std::abs(b.mean_flow - b.inflow) > 0.25 * std::abs(b.inflow))
     doubts.push_back(formatted(
-        "the outlets begin as if %.3g mm^3/ms left through them (their \"mean flow\"), but "
-        "%.3g flow in on the mean: the pressure drifts for some time constants. Let them add up.",
+        "the outlets begin as if %.3g mm^3/ms left through them (their \"mean flow\"), but %.3g "
+        "flow in on average: the pressure drifts for some time constants. Make them equal in sum.",
         b.mean_flow, b.inflow));
 }
 
@@ -44,8 +44,8 @@ void doubt_bare(const Loads& loads, double imaged, Doubts& doubts) {
   for (const std::string& surface : loads.bare)
     doubts.push_back(formatted(
         "the opening %s has no condition, so that blood leaves there against a pressure of 0 kPa, "
-        "%s; was it forgotten? Name it in Fluid / Surfaces, with \"traction\" = {0, 0, 0} if "
-        "this is meant.",
+        "%s; was it forgotten? Name it in Fluid / Surfaces, with \"traction\" = {0, 0, 0} if this "
+        "is intended.",
         surface.c_str(),
         imaged != 0.0 ? formatted("but the wall was imaged under %.3g kPa", imaged).c_str()
                       : "past outlets that hold it back"));
@@ -65,11 +65,11 @@ void doubt_prestress(const Loads& loads, const Vessel& vessel, double imaged, do
   for (const auto& [surface, p] : loads.first_pressures) {
     const double strain = p * vessel.radius / (modulus * vessel.thickness);
     if (strain < 0.05) continue;
-    doubts.push_back(formatted(
-        "%s begins with a pressure of %.3g kPa, under which a wall that is free of stress widens "
-        "by about %.0f %% at once. Where the vessel was imaged under it, say so (Wall / Prestress "
-        "/ pressure = %.3g); else let it rise from zero.",
-        surface.c_str(), p, 100.0 * strain, p));
+    doubts.push_back(
+        formatted("%s begins with a pressure of %.3g kPa, under which a wall that is free of "
+                  "stress widens by about %.0f %% at once. If the vessel was imaged under it, set "
+                  "Wall / Prestress / pressure = %.3g; otherwise let it rise from zero.",
+                  surface.c_str(), p, 100.0 * strain, p));
     return;  // the others say the same
   }
 }
@@ -85,24 +85,24 @@ void doubt_loads_on_wall(const problems::SolidSettings& wall, const Loads& loads
     if (std::count(bearing.begin(), bearing.end(), load.surface) == 0) continue;
     const char* const surface = load.surface.c_str();
     if (!load.is_pressure && load.first != 0.0)
-      doubts.push_back(formatted(
-          "%s bears a traction of %.3g kPa at the start, and the %.3g kPa under which the wall was "
-          "imaged (Wall / Prestress) besides: it is the shape for both together. Where the "
-          "traction "
-          "is that pressure, leave one of them out; \"condition\" = \"pressure\" takes its place.",
-          surface, load.first, imaged));
+      doubts.push_back(
+          formatted("%s bears a traction of %.3g kPa at the start, and the %.3g kPa under which "
+                    "the wall was imaged (Wall / Prestress) besides: the mesh is then the shape "
+                    "under both together. If the traction is that pressure, omit one of them, or "
+                    "use \"condition\" = \"pressure\" instead.",
+                    surface, load.first, imaged));
     else if (load.is_pressure && is_coupled)
-      doubts.push_back(formatted(
-          "%s bears the pressure of the fluid, and one of %.3g kPa that Wall / Surfaces gives it "
-          "besides: from the start on they add up, but the wall was imaged under %.3g kPa (Wall / "
-          "Prestress). Leave that of the wall out.",
-          surface, load.first, imaged));
+      doubts.push_back(
+          formatted("%s bears the pressure of the fluid, and one of %.3g kPa that Wall / Surfaces "
+                    "gives it besides: from the start on they add up, but the wall was imaged "
+                    "under %.3g kPa (Wall / Prestress). Omit that of the wall.",
+                    surface, load.first, imaged));
     else if (load.is_pressure && std::abs(load.first - imaged) > 0.25 * std::abs(imaged))
-      doubts.push_back(formatted(
-          "%s begins with a pressure of %.3g kPa, but the wall was imaged under %.3g kPa (Wall / "
-          "Prestress), in place of which it comes: the vessel jumps in its first step. Begin with "
-          "that pressure.",
-          surface, load.first, imaged));
+      doubts.push_back(
+          formatted("%s begins with a pressure of %.3g kPa, but the wall was imaged under %.3g kPa "
+                    "(Wall / Prestress), which it replaces: the vessel jumps in its first step. "
+                    "Begin with that pressure.",
+                    surface, load.first, imaged));
   }
 }
 

@@ -86,22 +86,21 @@ void Judge::mesh(const char* field, const ElementShapes& s) {
       "below 1000");
   const Vec3& x = s.worst_place;
   if (s.worst_quality < 0.05 || s.least_angle < 3.0)
-    doubts_.push_back(formatted(
-        "the %s has an element of quality %.3f at (%.3g, %.3g, %.3g), and angles down to %.1f "
-        "degrees; usual are 0.1 and 8 degrees. Mesh anew or smooth there: solvers slow down, "
-        "and it is the first to be inverted.",
-        field, s.worst_quality, x[0], x[1], x[2], s.least_angle));
+    doubts_.push_back(
+        formatted("the %s has an element of quality %.3f at (%.3g, %.3g, %.3g), and angles down to "
+                  "%.1f degrees; usual are 0.1 and 8 degrees. Remesh or smooth there: solvers slow "
+                  "down, and this element is the first to be inverted.",
+                  field, s.worst_quality, x[0], x[1], x[2], s.least_angle));
   if (s.volume_ratio > 1e5)
     doubts_.push_back(
-        formatted("the largest element of the %s has %.2g times the volume of the "
-                  "smallest; usual is below 1000. Look for a speck of tiny elements.",
+        formatted("the largest element of the %s has %.2g times the volume of the smallest; usual "
+                  "is below 1000. Look for a cluster of tiny elements.",
                   field, s.volume_ratio));
   if (s.pieces.size() > 1)
-    doubts_.push_back(
-        formatted("the %s consists of %d pieces that do not touch, of %d and %d tetrahedra "
-                  "at most; a vessel is one. Join vertices that stand at the same place "
-                  "(tunica-import --merge), or take the others out.",
-                  field, static_cast<int>(s.pieces.size()), s.pieces[0], s.pieces[1]));
+    doubts_.push_back(formatted(
+        "the %s consists of %d pieces that do not touch, of %d and %d tetrahedra at most; a vessel "
+        "is one. Join coincident vertices (tunica-import --merge), or remove the other pieces.",
+        field, static_cast<int>(s.pieces.size()), s.pieces[0], s.pieces[1]));
 }
 
 void Judge::shape() {
@@ -111,19 +110,18 @@ void Judge::shape() {
   if (v.elements_across_lumen > 0) {
     row("elements across the lumen", formatted("%d", v.elements_across_lumen), "10 and more");
     if (v.elements_across_lumen < 8)
-      doubts_.push_back(
-          formatted("the lumen has %d elements across where it has fewest; usual are 10 "
-                    "and more, for shear at the wall 20. Refine the mesh (tunica-mesh "
-                    "refine) before numbers are believed.",
-                    v.elements_across_lumen));
+      doubts_.push_back(formatted(
+          "the lumen has %d elements across where it has fewest; usual are 10 or more, for wall "
+          "shear stress 20. Refine the mesh (tunica-mesh refine) before you rely on the results.",
+          v.elements_across_lumen));
   }
   if (v.elements_across_wall == 0) return;
   row("wall", formatted("%.3g mm, %d elements across", v.thickness, v.elements_across_wall),
       "3 and more");
   if (v.elements_across_wall < 3)
     doubts_.push_back(
-        formatted("the wall has %d element%s across; usual are 3 and more, or bending and "
-                  "the stress through the wall are lost. Grow it with more (tunica-mesh "
+        formatted("the wall has %d element%s across; usual are 3 or more; with fewer, bending and "
+                  "the stress through the wall are not resolved. Grow it with more (tunica-mesh "
                   "wall --layers), or refine the mesh.",
                   v.elements_across_wall, v.elements_across_wall == 1 ? "" : "s"));
 }
@@ -139,8 +137,8 @@ void Judge::stiffness() {
   // A layer may be as soft; below 0.5 kPa it is doubted itself.
   if (found_.modulus < 5.0 && found_.modulus >= 0.5)
     doubts_.push_back(formatted(
-        "the wall's Young's modulus at small strain is %.3g kPa in the mean of its layers; walls "
-        "have 20 to 5000 kPa; 1 MPa = 1000 kPa. Check the unit of what is given.",
+        "the wall's Young's modulus at small strain is %.3g kPa, averaged over its layers; walls "
+        "have 20 to 5000 kPa; 1 MPa = 1000 kPa. Check the units of its constants.",
         found_.modulus));
   if (vessel_.thickness > 0.0 && vessel_.radius > 0.0) {
     const double E = found_.modulus, h = vessel_.thickness, R = vessel_.radius;
@@ -165,25 +163,24 @@ void Judge::held() {
         c.kind() != boundary::interface_condition)
       return;
   doubts_.emplace_back(
-      "no surface holds the wall; usually its ends are held. It will float away: give a surface "
+      "no surface holds the wall; usually its ends are held. It will drift away: give a surface "
       "the condition \"clamped\", \"held\" or \"support\".");
 }
 
 void Judge::loads() {
   if (loads_.are_zero)
-    doubts_.push_back(formatted(
-        "all loads are zero during the run, up to %.4g ms: nothing will move. Give a surface "
-        "%s, and look at the Amplitudes' times, which are in ms.",
-        loads_.end,
-        vessel_.fluid ? "of the fluid a pressure, a velocity or a flow rate"
-                      : "of the wall a pressure"));
-  if (loads_.overshoot > 0.2)
     doubts_.push_back(
-        formatted("a load's spline goes beyond the values of its table by %.0f %% of their range; "
-                  "usual is below 20 %%. Give it more times where there are few and the values "
-                  "change (a gap at the end of a period counts), or \"interpolation\" = "
-                  "\"linear\".",
-                  100.0 * loads_.overshoot));
+        formatted("all loads are zero during the run, up to %.4g ms: nothing will move. Give a "
+                  "surface %s, and check the times of the Amplitudes, which are in ms.",
+                  loads_.end,
+                  vessel_.fluid ? "of the fluid a pressure, a velocity or a flow rate"
+                                : "of the wall a pressure"));
+  if (loads_.overshoot > 0.2)
+    doubts_.push_back(formatted(
+        "a load's spline exceeds the values of its table by %.0f %% of their range; usual is below "
+        "20 %%. Give it more times where there are few and the values change (a gap at the end of "
+        "a period counts), or \"interpolation\" = \"linear\".",
+        100.0 * loads_.overshoot));
   if (loads_.peak_pressure > 0.0)
     row("largest pressure given",
         formatted("%.3g kPa = %.3g mmHg", loads_.peak_pressure, loads_.peak_pressure * 7.50062),
@@ -239,8 +236,8 @@ void Judge::flow() {
   row("Reynolds number", formatted("%.3g", found_.reynolds), "up to 4000");
   if (found_.speed > 5.0)
     doubts_.push_back(
-        formatted("a mean velocity of %.3g mm/ms (m/s) is to be expected, %s; usual is up "
-                  "to 1.5. Check the units: mm/ms, mm^3/ms (= ml/s), kPa.",
+        formatted("the expected mean velocity is %.3g mm/ms (m/s), %s; usual is up to 1.5. Check "
+                  "the units: mm/ms, mm^3/ms (= ml/s), kPa.",
                   found_.speed, how.c_str()));
   else if (loads_.course_speed > 0.0 && loads_.course_speed < 0.005 && vessel_.radius > 0.5)
     doubts_.push_back(
@@ -249,9 +246,9 @@ void Judge::flow() {
                   loads_.course_speed, loads_.speed_surface.c_str()));
   else if (found_.reynolds > 10000.0)
     doubts_.push_back(
-        formatted("the Reynolds number is about %.3g; usual is up to 4000. Flow beyond is "
-                  "turbulent, and no model of that exists here. Check velocity and "
-                  "viscosity (kPa ms, blood has 0.0035).",
+        formatted("the Reynolds number is about %.3g; usual is up to 4000. Flow beyond that is "
+                  "turbulent, and there is no turbulence model. Check velocity and viscosity (kPa "
+                  "ms, blood has 0.0035).",
                   found_.reynolds));
   if (loads_.periods.empty()) return;
   const double longest = *std::max_element(loads_.periods.begin(), loads_.periods.end());
@@ -287,28 +284,27 @@ void Judge::steps() {
     const double memory =
         vessel_.radius * vessel_.radius * fluid_.density / (5.78 * fluid_.viscosity->reference());
     if (found_.cfl > 10.0 && dt < memory)
-      doubts_.push_back(formatted(
-          "in a step of %.3g ms the fluid crosses about %.2g elements; usual is about 1, and "
-          "vortices are lost and solvers slow above 10. A step of %.2g ms, or \"step control\" "
-          "= \"adaptive\".",
-          dt, found_.cfl, dt / found_.cfl));
+      doubts_.push_back(
+          formatted("in a step of %.3g ms the fluid crosses about %.2g elements; usual is about 1; "
+                    "above 10 vortices are not resolved and solvers are slow. Use a step of %.2g "
+                    "ms, or \"step control\" = \"adaptive\".",
+                    dt, found_.cfl, dt / found_.cfl));
   }
   if (found_.wave_speed > 0.0) waves();
   for (const double period : loads_.periods)
     if (period < 40.0 * dt)
       doubts_.push_back(
-          formatted("a load of period %.4g ms has %.3g steps of %.3g ms in it; usual are "
-                    "100 and more. Shorten \"Time / step size\", in ms.",
+          formatted("a load of period %.4g ms has %.3g steps of %.3g ms; usual are 100 or more. "
+                    "Reduce \"Time / step size\", in ms.",
                     period, period / dt, dt));
   if (loads_.rise > 0.0)
     row("load within a step, off a straight line", formatted("%.0f %%", 100.0 * loads_.missed),
         "below 10 %");
   if (loads_.missed > 0.25)
     doubts_.push_back(
-        formatted("within a step of %.3g ms a load strays from a straight line by %.0f %% "
-                  "of its largest value, which the run does not see; usual is below 10 %%. "
-                  "Shorten \"Time / step size\", or \"step control\" = \"adaptive\"; are "
-                  "the times in ms?",
+        formatted("within a step of %.3g ms a load deviates from a straight line by %.0f %% of its "
+                  "largest value, which the run does not resolve; usual is below 10 %%. Reduce "
+                  "\"Time / step size\", or \"step control\" = \"adaptive\"; are the times in ms?",
                   dt, 100.0 * loads_.missed));
 }
 
@@ -321,9 +317,8 @@ void Judge::waves() {
   const double scale = loads_.rise > 0.0 ? loads_.rise : loads_.end;
   if (found_.steps_per_transit < 4.0 && scale < 2.0 * transit)
     doubts_.push_back(
-        formatted("a wave runs through the vessel in %.3g ms, %.2g steps of %.3g ms, and "
-                  "loads change as fast; usual are 20 steps. Shorten \"Time / step size\" "
-                  "to %.2g ms.",
+        formatted("a wave runs through the vessel in %.3g ms, %.2g steps of %.3g ms, and loads "
+                  "change as fast; usual are 20 steps. Reduce \"Time / step size\" to %.2g ms.",
                   transit, found_.steps_per_transit, dt, transit / 20.0));
 }
 

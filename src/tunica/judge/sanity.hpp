@@ -8,7 +8,7 @@
 
 namespace tunica::judge {
 
-/// What a case amounts to, and whether this is what vessels usually are.
+/// Expected properties of a case, compared with the usual ones of vessels.
 ///
 ///   U   mean velocity: what is prescribed; else the least that the pressure difference Δp can
 ///       drive: Δp R²/(8 μ L) of Poiseuille, √(2 Δp/ρ) of Bernoulli, and the larger of

@@ -44,7 +44,7 @@ void doubt(const std::string& what, double value, const Quantity& quantity,
            std::vector<std::string>& doubts) {
   if (value == 0.0 || (std::abs(value) >= quantity.low && std::abs(value) <= quantity.high)) return;
   doubts.push_back(what + " is " + number(value) + " " + quantity.unit + "; " + quantity.usual +
-                   ". Check the unit of what is given.");
+                   ". Check the unit of this value.");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace tunica::judge {
 
-/// What the elements of a field look like. Lengths in mm, angles in degrees.
+/// Shapes of the elements of a field. Lengths in mm, angles in degrees.
 struct ElementShapes {
   long long tets = 0;
   std::vector<long long>
@@ -24,7 +24,7 @@ struct ElementShapes {
 /// 1e-9 of the range of their values. Collective.
 ElementShapes element_shapes(const mesh::Share& share, const std::vector<int>& regions);
 
-/// What the surfaces of a field are to a vessel: names.
+/// Roles of the surfaces of a field in a vessel: names.
 struct VesselSurfaces {
   std::vector<std::string>
       lumen_sides;  ///< of the fluid: where it passes along, no slip or interface

@@ -163,18 +163,17 @@ std::string text_of(const LayerVolume& volume) {
       volume.place[0], volume.place[1], volume.place[2], volume.beyond);
   if (volume.at_edges > 0)
     text += formatted(
-        ", %lld of them at sharp edges, where stress has no bound and finer elements "
-        "show more",
+        ", %lld of them at sharp edges, where stress is unbounded and finer elements show more",
         volume.at_edges);
   text += formatted(". About nodes they have %.3g to %.3g together", volume.least_mean,
                     volume.most_mean);
   if (!loses_volume(volume))
     return text +
-           ": no volume is lost, linear elements of this size vary so where strain does. "
-           "Displacements are right; stress is to be read at the nodes.";
+           ": no volume is lost; linear elements of this size vary like this where the strain "
+           "varies. Displacements are correct; read the stress at the nodes.";
   return text +
-         ": volume is lost. A finer mesh, or a larger \"volumetric stabilisation\" in Wall; is "
-         "the load as large as it should be?";
+         ": volume is lost. Use a finer mesh, or a larger \"volumetric stabilisation\" in Wall; is "
+         "the load as large as intended?";
 }
 
 }  // namespace tunica::judge

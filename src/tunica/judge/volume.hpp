@@ -26,19 +26,20 @@ struct LayerVolume {
 /// mean of all that meet there, per local node.
 std::vector<char> nodes_at_edges(const fields::FieldMesh& mesh);
 
-/// Of the elements of a region; geometry: where they are free of stress; d: displacement from the
-/// positions of their vertices, at local nodes [mm]; is_at_edge: per local node. Collective.
+/// Volumes of the elements of a region; geometry: where they are free of stress; d: displacement
+/// from the positions of their vertices, at local nodes [mm]; is_at_edge: per local node.
+/// Collective.
 LayerVolume layer_volume(const fields::FieldMesh& mesh, int region,
                          const assembly::ElementGeometry& geometry, const std::vector<Vec3>& d,
                          const std::vector<char>& is_at_edge);
 
-/// Of the layers that are nearly incompressible: κ beyond 50 times the shear modulus. Collective.
+/// Volumes of the nearly incompressible layers: κ beyond 50 times the shear modulus. Collective.
 std::vector<LayerVolume> layer_volumes(const problems::SolidProblem& wall);
 
 /// Whether means about nodes leave 0.9 to 1.1.
 bool loses_volume(const LayerVolume& volume);
 
-/// What to say of a layer with elements beyond 0.9 to 1.1.
+/// The warning about a layer with elements beyond 0.9 to 1.1.
 std::string text_of(const LayerVolume& volume);
 
 }  // namespace tunica::judge

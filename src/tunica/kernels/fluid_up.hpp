@@ -8,7 +8,7 @@ class ViscosityLaw;
 
 namespace tunica::kernels {
 
-/// What the ALE fluid needs on one tetrahedron of the current mesh; nodal values.
+/// State of the ALE fluid on one tetrahedron of the current mesh; nodal values.
 template <class Real>
 struct FluidStateOf {
   std::array<Vec3Of<Real>, 4> u;      ///< velocity [mm/ms]
@@ -40,7 +40,7 @@ struct FluidCoefficients {
   bool has_mean_residual = false;    ///< SUPG has only the mean of an element's residual
 };
 
-/// How τ follows the mesh, at a given viscosity.
+/// Derivative of τ by the mesh, at a given viscosity.
 struct TauDerivative {
   double by_volume;  ///< V ∂τ/∂V [ms]
   Vec3 by_velocity;  ///< ∂τ/∂c, c the velocity at the centroid [ms²/mm]
@@ -67,7 +67,8 @@ struct ShapeJacobian {
   double u[4][4][3][3];  ///< u[a][b][i][j] = ∂R_u[a][i]/∂x[b][j]
   double p[4][4][3];     ///< ∂R_p[a]/∂x[b][j]
 };
-/// Of the fluid, where τ depends on the mesh as derivative says; see fluid_up.cpp.
+/// ALE shape derivatives of the fluid's residual; derivative is that of τ by the mesh; see
+/// fluid_up.cpp.
 void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
                              double tau, const TauDerivative& derivative, ShapeJacobian& K);
 

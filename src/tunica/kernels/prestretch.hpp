@@ -15,9 +15,9 @@ struct PrestretchedElement {
   materials::Frame frame_in_place;  ///< does not change
 };
 
-/// What makes the Jacobian of solid_up_jacobian(), by a motion s of the element, the derivative of
-/// its residual, body forces apart, by s in G ← (I + ε) G, ε the symmetric part of ∇s. The blocks A
-/// and B2; the others are zero.
+/// Correction of the Jacobian of solid_up_jacobian(), which is by a motion s of the element. Their
+/// sum is the derivative of the residual, without body forces, by s in G ← (I + ε) G, ε the
+/// symmetric part of ∇s. The blocks A and B2; the others are zero.
 MixedJacobian prestretch_jacobian(const PrestretchedElement& element);
 
 }  // namespace tunica::kernels

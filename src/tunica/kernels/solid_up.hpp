@@ -4,7 +4,7 @@
 
 namespace tunica::kernels {
 
-/// What the mixed solid needs on one tetrahedron; nodal values.
+/// State of the mixed solid on one tetrahedron; nodal values.
 template <class Real>
 struct SolidStateOf {
   std::array<Vec3Of<Real>, 4> d;  ///< displacement [mm]

@@ -9,6 +9,7 @@ ActionSum::ActionSum(const Teuchos::RCP<const Operator>& A, const algebra::Block
     : A_(A), L_(K.action()), gather_(std::move(gather)), scatter_(std::move(scatter)),
       space_(K.space()) {}
 
+// Y ← α (A + L) X + β Y. L acts on the blocks of one column at a time.
 void ActionSum::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,
                       Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("ActionSum: no transpose");

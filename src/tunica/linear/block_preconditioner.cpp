@@ -195,6 +195,7 @@ struct BlockPreconditioner::Stack {
 
   Teuchos::RCP<Thyra::DefaultProductMultiVector<double>> view(
       const std::vector<Teuchos::RCP<MultiVector>>& parts) const {
+    // The blocks are views of a long vector: nothing is copied.
     Teuchos::Array<Teuchos::RCP<Thyra::MultiVectorBase<double>>> blocks;
     for (std::size_t b = 0; b < parts.size(); ++b)
       blocks.push_back(
@@ -203,6 +204,8 @@ struct BlockPreconditioner::Stack {
   }
 };
 
+// Requests are answered before the list is read: strategies ask for their operators while they are
+// built, and one that is not offered fails there.
 BlockPreconditioner::BlockPreconditioner(const Teuchos::ParameterList& stratimikos,
                                          const algebra::BlockMatrix& K,
                                          const NamedOperators& operators)
@@ -217,6 +220,7 @@ BlockPreconditioner::BlockPreconditioner(const Teuchos::ParameterList& stratimik
   builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(stratimikos)));
   stack_->factory = builder.createPreconditioningStrategy("");
 
+  // The operators refer to the matrices of K, whose values they follow.
   stack_->K = blocked_operator(K);
   for (int b = 0; b < K.n_blocks(); ++b)
     stack_->spaces.push_back(
@@ -248,6 +252,7 @@ void BlockPreconditioner::refresh() {
   stack_->preconditioner = preconditioner;
 }
 
+// Y ← α P⁻¹ X + β Y, on views of the blocks
 void BlockPreconditioner::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,
                                 Scalar alpha, Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("BlockPreconditioner: no transpose");
@@ -256,6 +261,7 @@ void BlockPreconditioner::apply(const MultiVector& X, MultiVector& Y, Teuchos::E
   Thyra::apply<double>(*P, Thyra::NOTRANS, *x, y.ptr(), alpha, beta);
 }
 
+// P_R = [Ã B1ᵀ; 0 −S̃], with a nodal cycle for Ã⁻¹ and for each inverse in S̃⁻¹
 Teuchos::ParameterList default_block_preconditioner(int velocity_sweeps, int schur_sweeps,
                                                     const std::string& schur) {
   Teuchos::ParameterList list("Stratimikos");

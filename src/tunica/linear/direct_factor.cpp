@@ -15,6 +15,7 @@ DirectFactor::DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix) : matrix
 
 DirectFactor::~DirectFactor() = default;
 
+// A singular matrix is a result for Newton's method. All ranks get it, whichever has found it.
 void DirectFactor::refresh() {
   const Outcome outcome = attempt(*matrix_->getComm(), "factoring a matrix", [this] {
     fault_point("direct set-up");
@@ -24,6 +25,7 @@ void DirectFactor::refresh() {
     throw SetupFailure("the matrix is singular: are all rigid motions held, is a pressure given?");
 }
 
+// Y ← α K⁻¹ X + β Y
 void DirectFactor::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,
                          Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("DirectFactor: no transposed solve");
@@ -35,6 +37,8 @@ void DirectFactor::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp 
 Teuchos::RCP<const Map> DirectFactor::getDomainMap() const { return matrix_->getRangeMap(); }
 Teuchos::RCP<const Map> DirectFactor::getRangeMap() const { return matrix_->getDomainMap(); }
 
+// A = tridiag(−2, 4, −1) is not symmetric and has both factors, so that a solve that leaves out one
+// of them shows in r = b − A x.
 void check_direct_solver(const CommPtr& comm) {
   const int n = 6 * comm->getSize();
   const Teuchos::RCP<const Map> map = Teuchos::rcp(new Map(n, 0, comm));
@@ -52,6 +56,7 @@ void check_direct_solver(const CommPtr& comm) {
   DirectFactor factor(A);
   factor.refresh();
   factor.apply(b, x);
+  // |b − A x| < 10⁻¹² |b|
   A->apply(x, r);
   r.update(1.0, b, -1.0);
   if (!(r.norm2() < 1e-12 * b.norm2()))

@@ -14,7 +14,7 @@ public:
   /// Factors the present values. Throws SetupFailure where the matrix is singular.
   void refresh();
 
-  /// Of the factors, before they are made. Collective.
+  /// Estimated bytes of the factors, before they are made. Collective.
   double expected_bytes() const { return factors_->expected_bytes(); }
 
   /// Y = alpha K⁻¹ X + beta Y.

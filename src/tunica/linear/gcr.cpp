@@ -78,6 +78,8 @@ void Directions::keep_first(int number) {
 }
 
 bool Directions::add(const Teuchos::RCP<MultiVector>& z, const Teuchos::RCP<MultiVector>& q) {
+  // Two passes: the second takes out what round-off has left of the first. z gets the same
+  // combination as q, so that q = A z stays true.
   const double before = norm(*q);
   std::vector<double> all(q_.size(), 0.0);
   for (int pass = 0; pass < 2; ++pass) {
@@ -87,6 +89,7 @@ bool Directions::add(const Teuchos::RCP<MultiVector>& z, const Teuchos::RCP<Mult
   }
   add_columns(z_, 0, -1.0, all, *z);
   const double after = norm(*q);
+  // Nothing but round-off is left: q lies in the span of Q.
   if (!(after > 1e-10 * before)) return false;
   q->scale(1.0 / after);
   z->scale(1.0 / after);
@@ -125,6 +128,9 @@ void Gcr::setParameters(const Teuchos::RCP<Teuchos::ParameterList>& list) {
   list_->validateParametersAndSetDefaults(*getValidParameters());
 }
 
+// x ← x + Z Qᵀ r of recycled directions, then new ones until |r| is small. After "Num Blocks" of
+// them the basis is dropped. A solve of one or two iterations leaves no new directions: there P is
+// good enough by itself.
 Belos::ReturnType Gcr::solve() {
   const double tolerance = list_->get<double>("Convergence Tolerance");
   const int cap = list_->get<int>("Maximum Iterations");

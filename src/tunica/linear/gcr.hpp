@@ -24,8 +24,8 @@ public:
 
   /// x ← x + Z Qᵀ r, r ← r − Q Qᵀ r: the least |r| that all directions permit. Collective.
   void minimise(MultiVector& r, MultiVector& x) const { minimise_from(0, r, x); }
-  /// The same by the direction added last, where the others have done so. The message takes a
-  /// vote of each rank along; returns their sum.
+  /// Minimises along the direction added last, after the others. The message takes a vote of each
+  /// rank along; returns their sum.
   double minimise_by_last(MultiVector& r, MultiVector& x, double vote) const {
     return minimise_from(size() - 1, r, x, vote);
   }

@@ -20,9 +20,11 @@ public:
 protected:
   bool opSupportedImpl(Thyra::EOpTransp mode) const override { return mode == Thyra::NOTRANS; }
 
+  // Y ← β Y + α Σ_i c_i A_i X, each term by itself and from zero
   void applyImpl(Thyra::EOpTransp mode, const Thyra::MultiVectorBase<Scalar>& X,
                  const Teuchos::Ptr<Thyra::MultiVectorBase<Scalar>>& Y, Scalar alpha,
                  Scalar beta) const override {
+    // Y may hold anything then, NaN as well.
     if (beta == 0.0)
       Thyra::assign(Y, 0.0);
     else

@@ -20,6 +20,7 @@ Teuchos::RCP<Teuchos::ParameterList> belos_list(const KrylovOptions& options, do
   list->set("Convergence Tolerance", tolerance);
   // CG starts from a guess; Belos would reduce the guess's residual, however small, further.
   if (options.method == "CG") list->set("Implicit Residual Scaling", "Norm of RHS");
+  // Recycled directions stand in the basis beside those of a cycle.
   if (options.restart > 0) {
     list->set("Num Blocks",
               std::min(options.restart, options.max_iterations) + options.most_recycled);
@@ -71,6 +72,7 @@ bool has_stagnated(const Belos::SolverManager<Scalar, MultiVector, Operator>& so
 
 }  // namespace
 
+// A P⁻¹ y = b, x = P⁻¹ y: preconditioned from the right, the residual is that of the system itself.
 KrylovResult solve_krylov(const KrylovOptions& options, const Teuchos::RCP<const Operator>& A,
                           const Teuchos::RCP<const Operator>& preconditioner, const MultiVector& B,
                           MultiVector& X, double tolerance) {

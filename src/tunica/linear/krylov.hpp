@@ -11,7 +11,7 @@ struct KrylovOptions {
   std::string method;  ///< name of a Belos solver manager, or GCR
   int max_iterations;
   int restart;  ///< basis vectors kept, of methods that keep a basis; 0 for others
-  /// Of GCR: directions from solves with the same matrix, which it begins with and adds to.
+  /// For GCR: directions from solves with the same matrix, which it begins with and adds to.
   Teuchos::RCP<Directions> recycled = Teuchos::null;
   int most_recycled = 0;
   Teuchos::RCP<StagnationRule> stagnation = Teuchos::null;  ///< of GCR; null: none

@@ -15,15 +15,14 @@ params::Table inner_krylov_table(const SolverDefaults& defaults, bool has_restar
   params::Table table;
   add_preconditioner_keys(table, defaults);
   table.integer("max iterations", 200, params::between(1, 1e6), "cap on the iterations")
-      .number(
-          "refresh factor", 1.0, params::non_negative(), "1",
-          "within a time step, set up a new preconditioner when the iterations lost by keeping the "
-          "old one are this times what a set-up costs, and in a solve that a new one would end "
-          "sooner; 0: a new one for each matrix");
+      .number("refresh factor", 1.0, params::non_negative(), "1",
+              "within a time step, set up a new preconditioner when the iterations lost by keeping "
+              "the old one reach this multiple of the cost of a set-up, and during a solve that a "
+              "new one would end sooner; 0: a new one for each matrix");
   if (has_recycling)
     table.integer("recycle", defaults.recycled, params::between(0, 1000),
-                  "search directions kept from one right side to the next of the same matrix; they "
-                  "cost as much memory as twice as many vectors");
+                  "search directions kept from one right-hand side to the next of the same matrix; "
+                  "they need the memory of twice as many vectors");
   if (has_restart)
     table.integer("restart", 200, params::between(1, 1e6), "basis vectors between restarts");
   return table;
@@ -51,11 +50,13 @@ params::Table linear_solver_table(const SolverDefaults& defaults) {
                  {"bicgstab", krylov_table(linear, false)},
                  {"tfqmr", krylov_table(linear, false)},
                  {"fixed point", krylov_table(defaults, false)}},
-                "sparse direct (Amesos2 KLU2), a Krylov method (Belos, GCR ours), or the "
-                "preconditioner alone, again and again (fixed point)");
+                "sparse direct (Amesos2 KLU2), a Krylov method (of Belos, except GCR), or the "
+                "preconditioner alone, iterated (fixed point)");
   return table;
 }
 
+// A field within a preconditioner has no fields in its turn, and no fallbacks: the method around it
+// takes care of what is left.
 params::Table inner_solver_table(SolverDefaults defaults) {
   defaults.has_fields = false;
   defaults.recycled = 0;
@@ -65,8 +66,8 @@ params::Table inner_solver_table(SolverDefaults defaults) {
                {{"direct", params::Table("sparse LU on rank 0, for small systems")},
                 {"gcr", inner_krylov_table(defaults, true, true)},
                 {"fixed point", inner_krylov_table(defaults, false)}},
-               "sparse direct (Amesos2 KLU2), GCR, or the preconditioner alone, as often as "
-               "\"max iterations\" says (fixed point)")
+               "sparse direct (Amesos2 KLU2), GCR, or the preconditioner alone, applied \"max "
+               "iterations\" times (fixed point)")
       .number("tolerance", 0.1, params::Range{0.0, 1.0, false, true}, "1",
               "ends at this relative residual, or at \"max iterations\"");
   return table;
@@ -76,6 +77,7 @@ std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& o
                                                  const algebra::BlockMatrix& K,
                                                  const NamedOperators& operators) {
   if (options.get<std::string>("method") == "direct") return std::make_unique<DirectSolver>(K);
+  // A solver within a preconditioner lacks the key.
   const bool may_fall_back = options.isParameter("fallbacks") && !fallbacks_of(options).empty();
   if (may_fall_back) return std::make_unique<SolverChain>(options, K, operators);
   return std::make_unique<KrylovSolver>(options, K, operators);

@@ -10,7 +10,7 @@
 
 namespace tunica::linear {
 
-/// What became of one linear solve. Not converging is a result, not an error.
+/// Outcome of one linear solve. Not converging is a result, not an error.
 struct SolveReport {
   std::string method;
   std::string preconditioner;  ///< as XML names it
@@ -23,8 +23,8 @@ struct SolveReport {
   double true_residual = 0.0;        ///< relative, |b − Kx| / |b| computed anew
   double setup_seconds = 0.0;
   double solve_seconds = 0.0;
-  /// Where more than one preconditioner was tried: what each of them did, the last one last. The
-  /// numbers of the whole are their sums, and residuals of the last.
+  /// Reports of all preconditioners if more than one was tried, the last one last. The numbers of
+  /// the whole are their sums, and residuals of the last.
   std::vector<SolveReport> attempts;
   multigrid::Levels levels;  ///< none where the preconditioner is no multigrid for the whole system
 };
@@ -46,8 +46,8 @@ public:
   /// Lets nothing that earlier solves have left, a preconditioner or directions, serve a later one.
   virtual void forget() = 0;
 
-  /// What forget() keeps, for a checkpoint: which of several preconditioners is in use. Nothing
-  /// where it is the first.
+  /// State that forget() keeps, for a checkpoint: the preconditioner in use, if there are several.
+  /// Empty if it is the first.
   virtual std::vector<double> save() const { return {}; }
   virtual void restore(const std::vector<double>& numbers) { static_cast<void>(numbers); }
 
@@ -63,9 +63,9 @@ params::Table linear_solver_table(const SolverDefaults& defaults = {});
 /// The keys of one within a preconditioner, with its "tolerance".
 params::Table inner_solver_table(SolverDefaults defaults);
 
-/// Builds the solver that the resolved list describes; K and operators must outlive it. What K has
-/// of low rank stands in the products; preconditioners and factors of its blocks are made those of
-/// all of K (low_rank.hpp).
+/// Builds the solver that the resolved list describes; K and operators must outlive it. The
+/// low-rank part of K is included in products; preconditioners and factors of its blocks are
+/// extended to all of K (low_rank.hpp).
 std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& options,
                                                  const algebra::BlockMatrix& K,
                                                  const NamedOperators& operators = no_operators());

@@ -46,6 +46,7 @@ LowRankForm::LowRankForm(const algebra::BlockMatrix& K, const Teuchos::RCP<const
                                  std::vector<algebra::Block>{{"all", map}})),
       gather_(std::move(gather)) {}
 
+// W, S and V of the blocks, each w and v as one long vector
 algebra::LowRank LowRankForm::take() const {
   algebra::LowRank L(long_space_, blocks_->rank());
   for (int k = 0; k < L.rank(); ++k) {
@@ -56,6 +57,7 @@ algebra::LowRank LowRankForm::take() const {
   return L;
 }
 
+// Y ← α (A + W S Vᵀ) X + β Y
 void LowRankSum::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,
                        Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("LowRankSum: no transpose");
@@ -75,8 +77,11 @@ bool LowRankInverse::refresh(const Teuchos::RCP<const Operator>& P_inverse, cons
     solve(L[j].w[0], *Z[j]);  // K z_j = w_j
     for (int i = 0; i < n; ++i) VZ[i * n + j] = L[i].v[0].dot(*Z[j]);
   }
+  // Each rank computes D by itself, and all take it or none.
   const std::vector<double> D = core(L, VZ);
   const bool is_regular = all_agree(*P_inverse_->getRangeMap()->getComm(), !D.empty());
+  // The correction −Z D Vᵀ keeps V and gets the columns of Z D in place of W. Without an inverse
+  // its scales are zero, which leaves P⁻¹ alone.
   for (int j = 0; j < n; ++j) {
     L[j].scale = is_regular ? -1.0 : 0.0;
     L[j].w[0].putScalar(0.0);
@@ -88,6 +93,7 @@ bool LowRankInverse::refresh(const Teuchos::RCP<const Operator>& P_inverse, cons
 void LowRankInverse::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,
                            Scalar alpha, Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("LowRankInverse: no transpose");
+  // The correction is one of P⁻¹ x alone, without what Y held before.
   if (beta != 0.0) {
     MultiVector T(Y.getMap(), Y.getNumVectors());
     apply(X, T);

@@ -35,6 +35,7 @@ public:
   Teko::LinearOp buildPreconditionerOperator(Teko::BlockedLinearOp& K,
                                              Teko::BlockPreconditionerState& state) const override {
     const Teko::LinearOp A = Teko::getBlock(0, 0, K);
+    // Ã⁻¹ keeps what it can of its last set-up.
     Teko::ModifiableLinearOp& inverse_A = state.getModifiableOp("inverse A");
     if (inverse_A.is_null())
       inverse_A = Teko::buildInverse(*inverse_A_, A);

@@ -15,9 +15,9 @@ public:
   virtual void refresh() = 0;
   /// Null: none.
   virtual Teuchos::RCP<const Operator> as_operator() const = 0;
-  /// Of a multigrid hierarchy. Collective.
+  /// Levels of a multigrid hierarchy. Collective.
   virtual multigrid::Levels levels() const { return {}; }
-  /// Of the factors of a direct solver. Collective.
+  /// Estimated bytes of the factors of a direct solver. Collective.
   virtual double expected_bytes() const { return 0.0; }
 };
 

@@ -16,10 +16,11 @@ public:
   virtual Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const = 0;
 };
 
-/// What a part of a coupled system adds to the block of its vectors, on the graph of that block.
+/// Name of the contribution of a part of a coupled system to the block of its vectors, on the graph
+/// of that block.
 inline std::string own_block_of(const std::string& part) { return "Own Block of " + part; }
 
-/// Of a system that has none.
+/// The operators of a system that has none.
 const NamedOperators& no_operators();
 
 }  // namespace tunica::linear

@@ -14,6 +14,7 @@ namespace tunica::linear {
 
 namespace {
 
+// Ã⁻¹ or a part of S̃⁻¹ as one cycle on a block of the mixed matrix.
 class NodalMultigrid : public Teko::PreconditionerFactory {
 public:
   void initializeFromParameterList(const Teuchos::ParameterList& list) override {
@@ -22,6 +23,7 @@ public:
     const int sweeps = own.get("Sweeps", 1), coarse_size = own.get("Coarse Size", 500);
     if (sweeps < 1 || coarse_size < 1)
       throw std::invalid_argument("\"Sweeps\" and \"Coarse Size\" must be at least 1.");
+    // A list of MueLu's replaces both keys: beside it they would do nothing, in silence.
     if (list.isParameter("MueLu")) {
       if (!list.isSublist("MueLu")) throw std::invalid_argument("\"MueLu\" must be a list.");
       if (list.isParameter("Sweeps") || list.isParameter("Coarse Size"))
@@ -37,10 +39,12 @@ public:
                                              Teko::PreconditionerState& state) const override {
     const auto A = Teuchos::rcp_const_cast<CrsMatrix>(matrix_of(op));
     auto& kept = dynamic_cast<Kept&>(state);
+    // The same matrix on the same graph: the levels follow its values by numeric work.
     if (kept.matrix == A) {
       kept.cycle->refresh();
       return kept.as_operator;
     }
+    // All blocks share the nodes, on each level.
     using Coarsening = Teuchos::RCP<multigrid::MixedCoarsening>;
     const auto nodes =
         getRequestHandler()->request<Coarsening>(Teko::RequestMesg("Nodal Coarsening"));

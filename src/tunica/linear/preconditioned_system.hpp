@@ -14,7 +14,7 @@ public:
   virtual Teuchos::RCP<const Map> map() const = 0;
   /// The blocks, without what K has of low rank.
   virtual Teuchos::RCP<const Operator> matrix() const = 0;
-  /// Of matrix(). Null: none.
+  /// Preconditioner of matrix(). Null: none.
   virtual Teuchos::RCP<const Operator> preconditioner() const = 0;
 
   /// Takes over the present values of the block operator.
@@ -22,11 +22,11 @@ public:
   /// Sets the preconditioner up for them.
   virtual void refresh_preconditioner() = 0;
 
-  /// Of the factors that refresh_preconditioner() will make, where they are those of a direct
-  /// solver; else 0. Collective.
+  /// Estimated bytes of the factors that refresh_preconditioner() will make, for a direct solver;
+  /// otherwise 0. Collective.
   virtual double expected_bytes() const { return 0.0; }
 
-  /// Of the multigrid hierarchy as it was set up last, none by default. Collective.
+  /// Levels of the multigrid hierarchy as it was set up last, none by default. Collective.
   virtual multigrid::Levels levels() const { return {}; }
 
   virtual void gather(const algebra::BlockVector& x, MultiVector& all) const = 0;

@@ -11,7 +11,7 @@
 
 namespace tunica::linear {
 
-/// What a field makes of keys that are not given.
+/// Defaults of a field for keys that are not given.
 struct SolverDefaults {
   std::string preconditioner = "block";
   /// The Stratimikos list of the block preconditioner.
@@ -22,11 +22,11 @@ struct SolverDefaults {
   bool has_fields = false;
   /// Directions that GCR keeps from solve to solve.
   int recycled = 0;
-  /// What takes the place of a preconditioner that stagnates (solvers/fallbacks.hpp).
+  /// Preconditioners that replace one that stagnates (solvers/fallbacks.hpp).
   std::vector<std::string> fallbacks{};
 };
 
-/// Of the fields and of the coupled system.
+/// Default fallbacks of the fields and of the coupled system.
 inline std::vector<std::string> usual_fallbacks() { return {"vanka", "direct"}; }
 
 /// A preconditioner, as XML names it.

@@ -15,6 +15,7 @@ constexpr int pace_over = 5;
 
 }  // namespace
 
+// 2 ρ log₁₀(1/τ) + L + 10: twice what a new one needs, and what it costs to set up
 double RefreshRule::cap(double tolerance) const {
   return 2.0 * rate_ * decades(tolerance) + allowance_ + 10.0;
 }
@@ -26,6 +27,8 @@ void RefreshRule::renew() {
   lost_ = 0.0;
 }
 
+// ρ from the first solve. Later ones lose k − max(1, ρ log₁₀(1/reduction)), where that is positive;
+// one that fails calls for a new preconditioner at once.
 void RefreshRule::note(int iterations, double reduction, bool is_converged) {
   if (!is_converged) {
     renew();

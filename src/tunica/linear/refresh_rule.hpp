@@ -21,7 +21,7 @@ public:
 
   /// The preconditioner is new, could not be made, or is not to serve any more.
   void renew();
-  /// What it did in a solve; reduction: |b − Kx|/|b| reached.
+  /// Records the preconditioner's work in a solve; reduction: |b − Kx|/|b| reached.
   void note(int iterations, double reduction, bool is_converged);
 
 private:

@@ -27,6 +27,7 @@ struct Norms {
   std::vector<double> r, b;  ///< |B − K X|, |B|
 };
 
+// max_j |b_j − K x_j|/|b_j| over the columns; what is no number is infinite
 double largest_residual(const CrsMatrix& K, const MultiVector& B, const MultiVector& X) {
   const auto [r, b] = Norms(K, B, X);
   double largest = 0.0;
@@ -37,6 +38,7 @@ double largest_residual(const CrsMatrix& K, const MultiVector& B, const MultiVec
   return largest;
 }
 
+// (Σ_j |b_j − K x_j|² / Σ_j |b_j|²)^½: a column that is next to zero does not count for itself
 double common_residual(const CrsMatrix& K, const MultiVector& B, const MultiVector& X) {
   const auto [r, b] = Norms(K, B, X);
   const double of_b = std::inner_product(b.begin(), b.end(), b.begin(), 0.0);
@@ -56,6 +58,7 @@ public:
   double residual(const MultiVector& B, const MultiVector& X) const override {
     return common_residual(*K_, B, X);
   }
+  // Factors reach it, whatever else is asked for.
   double tolerance() const override { return 1e-10; }
 
 private:
@@ -82,10 +85,12 @@ public:
       for (std::size_t j = 0; j < B.getNumVectors(); ++j)
         solve_krylov(options_, K_, preconditioner_, *B.getVector(j), *X.getVectorNonConst(j),
                      tolerance);
+    // The recurrence of CG estimates the true residual: twice the goal is good enough.
     const double residual = largest_residual(*K_, B, X);
     if (residual <= 2.0 * tolerance || !may_factor_) return residual;
     if (!factors_) {
-      io::announce("conjugate gradients do not reach their goal; sparse LU factors do it");
+      io::announce(
+          "conjugate gradients do not reach their tolerance; sparse LU factors are used instead");
       factors_ = std::make_unique<DirectScalarSolver>(K_);
     }
     return factors_->solve_to(tolerance, B, X);
@@ -117,6 +122,7 @@ public:
     MultiVector x(M_->getDomainMap(), 3), y(M_->getRangeMap(), 3);
     MultiVector result(map_, 1);
     for (std::size_t j = 0; j < X.getNumVectors(); ++j) {
+      // (M x_1, M x_2, M x_3) of the components of x
       algebra::to_columns(*X.getVector(j), x);
       M_->apply(x, y);
       algebra::from_columns(y, result);
@@ -168,7 +174,7 @@ params::Table scalar_solver_table() {
             "reduction of the residual")
       .integer("max iterations", 200, params::between(1, 1e6), "cap on the iterations")
       .integer("direct unknowns", 300000, params::between(0, 1e9),
-               "largest system that sparse LU solves where that cap is reached");
+               "largest system that sparse LU solves if that cap is reached");
   table.variant("method", "cg",
                 {{"cg", cg}, {"direct", params::Table("sparse LU on rank 0, for small systems")}},
                 "conjugate gradients with smoothed-aggregation multigrid, or sparse direct");
@@ -184,6 +190,8 @@ std::unique_ptr<ScalarSolver> make_scalar_solver(const Teuchos::ParameterList& o
 std::unique_ptr<ScalarSolver> make_vector_solver(const Teuchos::ParameterList& options,
                                                  const Teuchos::RCP<CrsMatrix>& K,
                                                  const Teuchos::RCP<CrsMatrix>& L) {
+  // c L ≤ K ≤ C L in each component (Korn), so that diag(M, M, M) with the cycle M for L
+  // preconditions K: iterations depend on C/c.
   const Teuchos::RCP<const Map> map = K->getRowMap();
   std::unique_ptr<ScalarSolver> solver;
   if (is_direct(options)) {

@@ -13,7 +13,7 @@ public:
   virtual ~ScalarSolver() = default;
   /// X = K⁻¹ B for every column, started from the X given. Returns the relative residual.
   double solve(const MultiVector& B, MultiVector& X) { return solve_to(tolerance(), B, X); }
-  /// The same to another relative residual.
+  /// Solves to another relative residual.
   virtual double solve_to(double tolerance, const MultiVector& B, MultiVector& X) = 0;
   /// |B − K X| / |B| over all columns together, 0 for B = 0.
   virtual double residual(const MultiVector& B, const MultiVector& X) const = 0;
@@ -28,8 +28,9 @@ params::Table scalar_solver_table();
 std::unique_ptr<ScalarSolver> make_scalar_solver(const Teuchos::ParameterList& options,
                                                  const Teuchos::RCP<CrsMatrix>& K);
 
-/// Of a matrix K of three unknowns for each row of L, 3 row + i, which is as stiff as L in each of
-/// them up to a factor: a cycle for L preconditions all three. The maps have no gaps. Collective.
+/// A solver for a matrix K of three unknowns for each row of L, 3 row + i, which is as stiff as L
+/// in each of them up to a factor: a cycle for L preconditions all three. The maps have no gaps.
+/// Collective.
 std::unique_ptr<ScalarSolver> make_vector_solver(const Teuchos::ParameterList& options,
                                                  const Teuchos::RCP<CrsMatrix>& K,
                                                  const Teuchos::RCP<CrsMatrix>& L);

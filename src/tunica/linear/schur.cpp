@@ -50,6 +50,7 @@ public:
   Teko::LinearOp build(const Teko::BlockedLinearOp& K,
                        Teko::BlockPreconditionerState& state) const override {
     const auto A = matrix_of(Teko::getBlock(0, 0, K));
+    // S̃ = C + B2 diag(A)⁻¹ B1ᵀ
     const auto S = schur_matrix(K, diagonal_of(*A));
     return invert(*inverse_, thyra_operator(S), "inverse S", state);
   }
@@ -62,7 +63,7 @@ Teko::LinearOp ask(Teko::RequestHandler& handler, const std::string& name) {
   return handler.request<Teko::LinearOp>(Teko::RequestMesg(name));
 }
 
-/// The part of A that does not see translations of the whole body: per row the sum over the
+/// The part of A that translations of the whole body see, its inertia: per row the sum over the
 /// unknowns of its own component, which is the lumped inertia. Rows whose sum says nothing (next
 /// to fixed nodes, or without inertia) keep a small share of the diagonal.
 Vector lumped_inertia(const CrsMatrix& A, int components) {
@@ -99,7 +100,9 @@ public:
   Teko::LinearOp build(const Teko::BlockedLinearOp& K,
                        Teko::BlockPreconditionerState& state) const override {
     const int components = handler_->request<int>(Teko::RequestMesg(components_request));
+    // With D ~ α alone B2 D⁻¹ B1ᵀ ~ k²/α; diag(A) would have the stiffness in it, too.
     const auto L = schur_matrix(K, lumped_inertia(*matrix_of(Teko::getBlock(0, 0, K)), components));
+    // Block (1, 1) of K is −C.
     const auto M = sum(1.0, *matrix_of(ask(*handler_, "Schur Mass")), -1.0,
                        *matrix_of(Teko::getBlock(1, 1, K)));
     // S̃⁻¹ = L⁻¹ + M⁻¹ with L = C + B2 D⁻¹ B1ᵀ, M = C + the mass over μ
@@ -122,6 +125,7 @@ public:
 
   Teko::LinearOp build(const Teko::BlockedLinearOp& K,
                        Teko::BlockPreconditionerState& state) const override {
+    // L = Δt/ρ Dp (+ C),   M = Mp/μ,   N = Δt/μ Cp
     Teko::LinearOp L = ask(*handler_, "Schur Laplacian");
     if (has_stabilisation_)
       L = thyra_operator(sum(1.0, *matrix_of(L), -1.0, *matrix_of(Teko::getBlock(1, 1, K))));

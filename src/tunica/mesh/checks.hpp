@@ -27,7 +27,7 @@ void check_use(const std::vector<char>& is_used, const std::vector<Vec3>& vertic
 /// No inverted and no degenerate tetrahedron among those whose lowest vertex the rank answers for.
 void check_shapes(const Excerpt& part, const std::string& name);
 
-/// What triangles cover of the faces that the rank answers for.
+/// Coverage by triangles of the faces that the rank is responsible for.
 struct Covering {
   std::vector<std::array<int, 2>> tets;  ///< beside each triangle; -1 for none, or not answered for
   long long bare = 0;                    ///< boundary faces without triangle

@@ -8,9 +8,10 @@
 
 namespace tunica::mesh {
 
-/// What one rank knows of a mesh and answers for, or all of it. A face is checked where its lowest
-/// vertex is answered for; all tetrahedra around such a vertex are there, and vertices and
-/// tetrahedra stand in the order of the whole, so that the lowest is the same everywhere.
+/// The part of a mesh that one rank knows and is responsible for, or the whole mesh. A face is
+/// checked on the rank responsible for its lowest vertex. That rank has all tetrahedra around such
+/// a vertex. Vertices and tetrahedra are in the order of the whole mesh, so that the lowest is the
+/// same everywhere.
 struct Excerpt {
   /// Places in the whole, for messages; empty where they are those of the mesh.
   struct Numbers {

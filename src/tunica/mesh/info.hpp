@@ -6,7 +6,7 @@
 
 namespace tunica::mesh {
 
-/// What a mesh consists of and how good it is. Lengths in the user's unit.
+/// Contents and quality of a mesh. Lengths in the user's unit.
 struct Info {
   struct Region {
     std::string name;
@@ -47,7 +47,7 @@ Info inspect(const Mesh& mesh);
 
 /// Mean-ratio quality 12 (3V)^(2/3) / Σ l² of a tetrahedron: 1 if regular, 0 if flat.
 double quality(const Mesh& mesh, int tet);
-/// The same of four corners.
+/// Quality of a tetrahedron by its corners.
 double quality(const std::array<Vec3, 4>& x);
 /// The least of the six angles between faces of a tetrahedron [degrees].
 double least_dihedral_angle(const std::array<Vec3, 4>& x);

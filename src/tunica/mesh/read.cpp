@@ -55,8 +55,8 @@ std::function<void(RowStream&)> text_reader(const std::string& path) {
     return [path](RowStream& rows) { read_netgen(path, rows); };
   TUNICA_CHECK(std::ifstream(path), path + ": cannot be opened for reading");
   throw Error(path +
-              ": not a mesh this program knows. Expected Gmsh (.msh, ASCII 2.2 or 4.1), "
-              "Netgen (.vol) or tunica's own (.h5). tunica-import makes that of others.");
+              ": not a known mesh format. Expected Gmsh (.msh, ASCII 2.2 or 4.1), Netgen (.vol) or "
+              "tunica's own (.h5). tunica-import converts other formats.");
 }
 
 Mesh read(const std::string& path) {

@@ -12,10 +12,11 @@ namespace tunica::mesh {
 /// is an Error that names the file and the line (text) or the dataset (HDF5).
 Mesh read(const std::string& path);
 
-/// Who reads a mesh of another program, by the file's content. Throws Error if it is none.
+/// The reader for a mesh of another program, chosen by the content of the file. Throws Error if it
+/// is none.
 std::function<void(RowStream&)> text_reader(const std::string& path);
 
-/// Whether read() takes it for tunica's own file.
+/// True if read() treats the file as tunica's own format.
 bool is_hdf5(const std::string& path);
 
 }  // namespace tunica::mesh

@@ -21,8 +21,9 @@ void check_interface(const Mesh& mesh, const std::vector<std::string>& fluid,
                      const std::vector<std::string>& wall,
                      const std::vector<std::string>& interface);
 
-/// The same of what one rank knows, in steps; what may be wrong on several ranks is counted over
-/// all of them by the caller. regions_beside: those on the two sides of each triangle, -1 for none.
+/// The check for the part of one rank, in steps; faults that several ranks may have are counted
+/// over all of them by the caller. regions_beside: those on the two sides of each triangle, -1 for
+/// none.
 class InterfaceCheck {
 public:
   /// Throws Error if a name is none of the mesh's or a region is both.

@@ -88,21 +88,22 @@ void add_forcing_keys(params::Table& table, double linear_tolerance) {
                   "reduction of the linear residual in each step");
   increment
       .number("largest tolerance", 0.1, part, "1",
-              "of the first step, and bound of the later ones; small where the residual falls "
-              "faster than the error, as in nearly incompressible walls")
+              "relative tolerance of the first step, and upper bound of the later ones; small if "
+              "the residual falls faster than the error, as in nearly incompressible walls")
       .number("smallest tolerance", 1e-12, part, "1", "bound of the later ones from below")
       .number("scale", 100.0, params::positive(), "1",
               "s in (s |dx_{k-1}|/|dx_1|)^2, the reduction of the linear residual in step k")
       .number("final part", 0.0, params::Range{0.0, 1.0, false, true}, "1",
-              "solve no better than to leave this part of the increment that is the goal of "
-              "Newton's method; 0: the paper's rule, which does not look at the goal");
-  table.variant("forcing", "constant",
-                {{"constant", constant},
-                 {"type 1", eisenstat_walker_table()},
-                 {"type 2", eisenstat_walker_table()},
-                 {"increment", increment}},
-                "how well each linear system is solved: alike, by Eisenstat and Walker's choices, "
-                "or by the paper's rule from the increments");
+              "solve no more accurately than to leave this part of the increment at which Newton's "
+              "method stops; 0: the paper's rule, which ignores that increment");
+  table.variant(
+      "forcing", "constant",
+      {{"constant", constant},
+       {"type 1", eisenstat_walker_table()},
+       {"type 2", eisenstat_walker_table()},
+       {"increment", increment}},
+      "relative tolerance of each linear system: constant, by the choices of Eisenstat and Walker "
+      "(type 1, type 2), or from the increments by the paper's rule (increment)");
 }
 
 ForcingOptions forcing_options(const Teuchos::ParameterList& list) {

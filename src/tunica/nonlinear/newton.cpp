@@ -17,13 +17,13 @@ namespace tunica::nonlinear {
 params::Table newton_table(const NewtonDefaults& defaults) {
   params::Table next;
   next.number("safety", 30.0, params::positive(), "1",
-              "s in s |F_k|/|F_{k-1}|, the part of an increment that is expected of the next one: "
+              "s in s |F_k|/|F_{k-1}|, the predicted ratio of the next increment to the last one: "
               "residuals fall faster than errors");
   params::Table table("Newton's method.");
   table
       .integer("max iterations", 20, params::between(1, 1000),
-               "cap on the Newton steps of a solve; a careful one of monolithic coupling, after "
-               "one that failed, may take four times as many")
+               "cap on the Newton steps of a solve; after a failed solve of monolithic coupling, "
+               "the careful repetition may take four times as many")
       .number("relative increment", defaults.relative_increment, params::non_negative(), "1",
               "stop when the norm of the increment has fallen to this part of the first one")
       .number("absolute increment", defaults.absolute_increment, params::non_negative(),
@@ -34,20 +34,20 @@ params::Table newton_table(const NewtonDefaults& defaults) {
                {{"increment", params::Table()},
                 {"next increment", next},
                 {"remaining error", params::Table()}},
-               "what those two look at: the increment made, as in the paper; the one that would "
-               "follow, predicted from the residual, which saves the last step; or the error that "
-               "is left where increments go on falling as the last two")
-      .number(
-          "jacobian cost", defaults.jacobian_cost, params::non_negative(), "1",
-          "of a new Jacobian, in Newton steps: within a time step the last one serves as long as "
-          "it takes fewer steps than a new one would and cost; 0: a new one in each step")
+               "quantity that those two bound: the last increment, as in the paper; the next "
+               "increment, predicted from the residual, which saves the last step; or the "
+               "remaining error, if increments go on falling like the last two")
+      .number("jacobian cost", defaults.jacobian_cost, params::non_negative(), "1",
+              "cost of a new Jacobian, in Newton steps: within a time step the last one is reused "
+              "as long as it needs no more steps than a new one would, plus this cost; 0: a new "
+              "one in each step")
       .number("growth limit", 1e4, params::positive(), "1",
               "give up when the increment has grown to this multiple of the first one")
-      .choice(
-          "line search", "guarded", {"guarded", "decrease", "full step", "backtrack", "polynomial"},
-          "guarded: full steps, halved only where an element would invert or the residual grow a "
-          "thousandfold; where the increment grows beyond the limit, decrease from the start; "
-          "decrease: halved until the residual falls, too; the others are NOX's");
+      .choice("line search", "guarded",
+              {"guarded", "decrease", "full step", "backtrack", "polynomial"},
+              "guarded: full steps, halved only if an element would be inverted or the residual "
+              "grow a thousandfold; if the increment exceeds \"growth limit\", decrease from the "
+              "start; decrease: also halved until the residual falls; the others are those of NOX");
   add_forcing_keys(table, defaults.linear_tolerance);
   return table;
 }

@@ -56,7 +56,7 @@ struct NewtonOptions {
   bool looks_ahead = false;
   NewtonWatch watch{};  ///< may be empty
 };
-/// Of the keys that say where it stops.
+/// Defaults of the keys of the stopping criterion.
 struct NewtonDefaults {
   double relative_increment = 1e-8;
   double absolute_increment = 1e-9;

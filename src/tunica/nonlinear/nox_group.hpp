@@ -9,7 +9,7 @@ namespace tunica::nonlinear {
 /// The blocks of a NOX vector over the space, sharing its storage.
 algebra::BlockVector blocks_of(const NOX::Abstract::Vector& v, const algebra::BlockSpacePtr& space);
 
-/// What the groups of one solve leave behind for its report.
+/// Log of the groups of one solve, for its report.
 struct SolveLog {
   std::vector<linear::SolveReport> linear;
   double step_length = 1.0;

@@ -16,16 +16,17 @@
 
 namespace tunica::observe {
 
-/// What must be there again when a step is repeated, or a run goes on: parts by name.
+/// Parts that must be restored when a step is repeated or a run continues, by name.
 using Parts = std::vector<std::pair<std::string, fields::Restartable*>>;
 
-/// What a probe may ask for at a point of a field, and the unit of its column: "kPa", "mm_per_ms".
+/// A quantity that a probe may request at a point of a field, and the unit of its column: "kPa",
+/// "mm_per_ms".
 struct Quantity {
   std::string name;
   std::string unit;
 };
 
-/// Of a quantity, at a place that lies on this rank.
+/// Value of a quantity at a place on this rank.
 using Sampler = std::function<double(const std::string& quantity, const fields::Place& at)>;
 
 /// The fields of one grid at one time.
@@ -72,7 +73,7 @@ public:
     return {};
   }
   virtual std::vector<Quantity> quantities() const { return {}; }
-  /// Of the present state; empty where there are no quantities.
+  /// Sampler of the present state; empty without quantities.
   virtual Sampler sampler() { return {}; }
 
   // 3. Arrays of fields.h5.
@@ -81,7 +82,7 @@ public:
   virtual std::string grid_name() const { return name(); }
   /// Asked for where the grid is its own.
   virtual output::Grid grid();
-  /// Of the present state.
+  /// Arrays of the present state.
   virtual GridFields arrays() { return {grid_name(), {}, {}}; }
 
   // 4. The record of the run.

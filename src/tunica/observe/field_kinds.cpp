@@ -37,8 +37,8 @@ void add_field_entries(bool has_fluid, bool has_wall, params::Table& table) {
   for (const FieldKind& kind : field_kinds())
     if (kind.lives_in(has_fluid, has_wall)) kinds.push_back({kind.name, kind.table});
   if (kinds.empty()) return;
-  params::Table entry("A field that is solved in each step behind the others.");
-  entry.variant("kind", std::nullopt, kinds, "what it is");
+  params::Table entry("A field that is solved in each step after the others.");
+  entry.variant("kind", std::nullopt, kinds, "kind of the field");
   table.entries("Fields", entry, "fields beside fluid and wall");
 }
 

@@ -12,7 +12,7 @@ class SolidProblem;
 
 namespace tunica::observe {
 
-/// What a field may look at: the fields that are solved before it, and the case.
+/// Input of a field: the fields that are solved before it, and the case.
 struct FieldContext {
   const Teuchos::ParameterList& the_case;  ///< resolved
   problems::FluidProblem* fluid;           ///< null where the case has none
@@ -41,7 +41,7 @@ struct FieldKind {
 /// Adds a kind; before the schema of a case is asked for. The library itself has none so far.
 void register_field_kind(FieldKind kind);
 const std::vector<FieldKind>& field_kinds();
-/// Of a resolved entry of "Fields".
+/// The kind of a resolved entry of "Fields".
 const FieldKind& kind_of(const Teuchos::ParameterList& entry);
 
 /// Adds the list "Fields" where there are kinds that live on the regions of the case.

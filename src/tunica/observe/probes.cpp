@@ -91,9 +91,11 @@ params::Table probe_table(bool has_fluid, bool has_wall) {
           "the z axis [mm], or a component of the fluid's velocity [mm/ms] or of the wall's "
           "displacement [mm]")
       .numbers("position", std::nullopt, params::any(), 3, "mm",
-               "in the undeformed field, where the value is interpolated");
+               "point in the undeformed field at which the value is interpolated");
   if (names.size() > n_own)
-    table.text("field", "", "name in the list Fields, of a quantity that fluid and wall have not");
+    table.text(
+        "field", "",
+        "name of a field in the list Fields, for a quantity that fluid and wall do not have");
   return table;
 }
 

@@ -102,16 +102,15 @@ std::vector<std::string> kinds_of_wall_arrays() {
 
 void add_wall_array_keys(params::Table& table) {
   table
-      .names(
-          wall_arrays_key, kinds_of_wall_arrays(),
-          "what fields.h5 has of the wall's elements: stress (cauchy_stress, von_mises), "
-          "principal (principal_stress, principal_stretch, the largest first), fibres (fibre_1, "
-          "fibre_2 in the deformed wall, as long as they are stretched; fibre_stress_1, "
-          "fibre_stress_2 along them; circumferential and axial in the unloaded one); and at the "
-          "nodes, each layer for itself, the stress as it is recovered from the elements around "
-          "them: recovered_stress, recovered_von_mises, recovered_principal_stress, "
-          "recovered_fibre_stress_1, recovered_fibre_stress_2, with stress_error, the root mean "
-          "square of what the elements' stress differs from it")
+      .names(wall_arrays_key, kinds_of_wall_arrays(),
+             "arrays in fields.h5 for the elements of the wall: stress (cauchy_stress, von_mises), "
+             "principal (principal_stress, principal_stretch, the largest first), fibres (fibre_1, "
+             "fibre_2 in the deformed wall, as long as they are stretched; fibre_stress_1, "
+             "fibre_stress_2 along them; circumferential and axial in the unloaded one); and at "
+             "the nodes, for each layer separately, the stress recovered from the elements around "
+             "them: recovered_stress, recovered_von_mises, recovered_principal_stress, "
+             "recovered_fibre_stress_1, recovered_fibre_stress_2, with stress_error, the root mean "
+             "square of the difference between it and the stress of the elements")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         const std::vector<std::string> kinds = kinds_of_wall_arrays();
         for (const auto& kind : list.get<Teuchos::Array<std::string>>(wall_arrays_key))

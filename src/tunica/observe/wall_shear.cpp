@@ -21,8 +21,8 @@ output::Array array_of(const std::string& name, const std::vector<Vec3>& values)
 
 void add_wall_shear_keys(params::Table& table) {
   table.number(averages_key, 0.0, params::non_negative(), "ms",
-               "time from which the wall shear stress is averaged over time; the beginning of the "
-               "last beat where there are several");
+               "time from which the wall shear stress is averaged; with several beats, the "
+               "beginning of the last one");
 }
 
 WallShear::WallShear(const Teuchos::ParameterList& the_case, problems::FluidProblem& fluid)

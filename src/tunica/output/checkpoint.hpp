@@ -16,7 +16,7 @@ struct CheckpointHead {
   int step = 0;                        ///< accepted last, counted from 1
   double time = 0.0, step_size = 0.0;  ///< [ms]; a size of zero: steps of any size
   double seconds = 0.0;                ///< spent on the steps up to here
-  /// What the step control needs to go on, by name.
+  /// State that the step control needs to continue, by name.
   std::map<std::string, std::vector<double>> control{};
   std::string parameters{};  ///< with which the step was made, XML; empty in older files
   /// Hashes of what the files held that these name, by key; on rank 0.

@@ -50,7 +50,7 @@ public:
 
   /// Replaces both files.
   Outcome replace();
-  /// The same where they lag behind too far.
+  /// Replaces the files if they lag behind too far.
   Outcome replace_if_due();
 
 private:

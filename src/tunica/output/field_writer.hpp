@@ -60,7 +60,7 @@ public:
   FieldWriter(const std::string& folder, const std::vector<Grid>& grids, const CommPtr& comm,
               int kept_step = 0);
 
-  /// Of the steps to come, see io::Hdf5File::compress().
+  /// Compression of later steps, see io::Hdf5File::compress().
   void compress(int level) { compression_ = level; }
 
   /// A sentence for the user if files of an earlier run could not be continued, or nothing.
@@ -77,7 +77,7 @@ public:
   void finish();
 
 private:
-  /// What remains of a Grid when its geometry is on the disk.
+  /// The data of a Grid that are kept after its geometry is on the disk.
   struct Shape {
     std::string name;
     long long points_total = 0, first_point = 0, points = 0;  ///< rows of the file that this rank
@@ -93,7 +93,8 @@ private:
   };
 
   Shape shape_of(const Grid& grid) const;
-  /// False, with a remark, where there is nothing to continue. What cannot be is set aside.
+  /// False, with a remark, if there is nothing to continue. Files that cannot be continued are set
+  /// aside.
   bool can_go_on(int kept_step);
   void go_on(const std::vector<Grid>& grids);
   /// Sets which rows of the file this rank writes; returns how they come from those given.

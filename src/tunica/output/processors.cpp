@@ -67,9 +67,8 @@ std::string doubt_of(const Processors& found, bool ranks_yield) {
   if (found.ranks <= found.processors || ranks_yield) return "";
   return std::to_string(found.ranks) + " ranks share " + std::to_string(found.processors) +
          (found.processors == 1 ? " processor" : " processors") +
-         " of a machine or container, and those that wait take the time of those that compute. "
-         "Take fewer ranks, or at least set OMPI_MCA_mpi_yield_when_idle=1 in the environment of "
-         "mpirun.";
+         " of a machine or container, and waiting ranks take time from computing ones. Use fewer "
+         "ranks, or at least set OMPI_MCA_mpi_yield_when_idle=1 in the environment of mpirun.";
 }
 
 bool ranks_yield() {

@@ -9,7 +9,7 @@ namespace tunica::output {
 /// microseconds, or "max"; rounded up. 0 where it sets no limit.
 int granted_processors(const std::string& cpu_max);
 
-/// Of the machine that has the most ranks for each of its processors.
+/// Processors of the machine with the most ranks per processor.
 struct Processors {
   int ranks = 1;
   int processors = 1;  ///< on which its ranks may run, and which its container is granted

@@ -32,7 +32,7 @@ const Leg& leg_of_step(const std::vector<Leg>& history, int step);
 /// The section with the peaks of memory of each rank at the ends of phases.
 constexpr const char* memory_section = "memory by phase [MB]";
 
-/// What a run was and how it went: "run.json".
+/// Record of a run and its outcome: "run.json".
 ///
 ///   program, status, message, started, ended   texts; dates in UTC; ended null while running
 ///   ranks, memory                              peak resident memory [MB] of one rank and of all
@@ -72,7 +72,7 @@ public:
   /// Writes the end of the run. Collective, throws as save().
   void finish(RunStatus status, const std::string& message = "");
 
-  /// What the file holds (JSON), for other files of the run that repeat a part of it.
+  /// Content of the file (JSON), for other files of the run that repeat a part of it.
   std::string text() const;
 
 private:

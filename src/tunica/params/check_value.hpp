@@ -6,12 +6,12 @@
 
 namespace tunica::params {
 
-/// What is wrong with the value that the list holds for the key (`"density" is -1 mg/mm³,
-/// expected > 0`); "" if nothing. On the way integers become numbers where numbers are
-/// expected, and file names become absolute.
+/// The fault of the value that the list holds for the key (`"density" is -1 mg/mm³, expected > 0`);
+/// "" if there is none. On the way integers become numbers where numbers are expected, and file
+/// names become absolute.
 std::string check_value(const Key& key, Teuchos::ParameterList& list, const std::string& directory);
 
-/// What is wrong with a list of another package, given the keys and types it declares.
+/// The fault of a list of another package, given the keys and types it declares.
 std::string check_foreign(const Key& key, const Teuchos::ParameterList& list,
                           const std::string& path);
 

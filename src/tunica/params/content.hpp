@@ -56,7 +56,7 @@ struct Owned {
   std::vector<Condition> conditions;
 };
 
-/// What counts for one list: the table's own keys and those of the chosen cases.
+/// Keys that are valid for one list: the table's own and those of the chosen cases.
 struct Active {
   std::vector<const Key*> keys;
   std::vector<const Table::Check*> checks;

@@ -11,7 +11,7 @@ struct Difference {
   std::string before, after;  ///< as in XML; "none" where it is not there
 };
 
-/// What has changed, at all depths, in the order of the lists, first those of `before`.
+/// All changes, at all depths, in the order of the lists, first those of `before`.
 std::vector<Difference> differences(const Teuchos::ParameterList& before,
                                     const Teuchos::ParameterList& after);
 

@@ -10,8 +10,8 @@ namespace tunica::params {
 void check_keys(const Teuchos::ParameterList& list, const std::vector<std::string>& known,
                 const std::string& owner = "");
 
-/// What is wrong with the fields of a coupled system, sublists with "parts" (Array(string)) each:
-/// the system has no such part, or no field has one of its own. Empty: nothing.
+/// The fault of the fields of a coupled system, sublists with "parts" (Array(string)) each: the
+/// system has no such part, or no field has one of its own. Empty: nothing.
 std::string complaint_about_parts(const Teuchos::ParameterList& fields,
                                   const std::vector<std::string>& of_system);
 

@@ -11,7 +11,7 @@ namespace tunica::params {
 /// (Teuchos reads `1,5` as 1 and `abc` as 0; here they are errors).
 Teuchos::ParameterList read_xml(const std::string& path);
 
-/// The same of a text; messages begin with `where` in place of the file.
+/// Reads a list from a text; messages begin with `where` instead of the file.
 Teuchos::ParameterList from_xml(const std::string& text, const std::string& where);
 
 /// Sets one value from the command line: "Fluid/Surfaces/inlet/pressure=1.3".

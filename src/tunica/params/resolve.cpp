@@ -138,7 +138,7 @@ void Resolver::visit_key(const Key& key, ParameterList& list, const std::string&
   const Teuchos::ParameterEntry* entry = list.getEntryPtr(key.name);
   if (key.kind == Kind::removed) {
     if (entry != nullptr)
-      complain(path, "\"" + key.name + "\" is no more; use \"" + key.successor + "\"");
+      complain(path, "\"" + key.name + "\" no longer exists; use \"" + key.successor + "\"");
     return;
   }
   if (entry != nullptr && !entry->isList())

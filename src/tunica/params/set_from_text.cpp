@@ -70,7 +70,7 @@ const Key& Setter::find(const ParameterList& list, const Table& table) const {
   for (const Owned& owned : all_keys(table)) {
     if (owned.key->kind == Kind::removed) {
       if (owned.key->name == name())
-        fail(quoted_name() + " is no more; use \"" + owned.key->successor + "\"");
+        fail(quoted_name() + " no longer exists; use \"" + owned.key->successor + "\"");
       continue;
     }
     if (owned.key->name == name()) return *owned.key;

@@ -86,7 +86,7 @@ public:
   /// One Markdown section per list.
   void print_markdown(std::ostream& out, const std::string& name) const;
 
-  /// What was declared; defined in content.hpp, for the sources of this folder.
+  /// The declared keys; defined in content.hpp, for the sources of this folder.
   struct Content;
   const Content& content() const { return *content_; }
 
@@ -94,8 +94,8 @@ private:
   std::unique_ptr<Content> content_;
 };
 
-/// The sections of several tables. What stands at more than one place is printed once, elsewhere a
-/// reference to it and the defaults that are others there.
+/// The sections of several tables. A section that occurs at several places is printed once;
+/// elsewhere there is a reference to it, with the defaults that differ there.
 void print_reference(std::ostream& out,
                      const std::vector<std::pair<std::string, const Table*>>& tables);
 

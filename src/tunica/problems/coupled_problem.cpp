@@ -110,6 +110,8 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
 
 CoupledProblem::~CoupledProblem() = default;
 
+// P_f and P_w pick the unknowns of the fields from x; at the interface both pick the same y, free
+// as far as the wall leaves it.
 void CoupledProblem::tie_fields() {
   for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s) {
     bool meets = false;
@@ -367,6 +369,7 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
   Solution solution{find_root(options, rule, x), false};
   solution.has_gone_over = knows_domain_ && !knew;
   solution.is_taken = solution.newton.is_converged;
+  // Not accurate, but admissible after all the steps that are permitted
   if (!solution.is_taken && wants_any &&
       static_cast<int>(solution.newton.steps.size()) - solution.newton.earlier_steps >=
           options.max_iterations) {
@@ -383,6 +386,7 @@ CoupledProblem::Solution CoupledProblem::solve(const nonlinear::NewtonOptions& o
 }
 
 Outcome CoupledProblem::accept() {
+  // f = −R_u of the fluid, with which the wall's residual is that of the wall alone
   wall_->field().set_nodal_force(interface_->to_wall(interface_->from_fluid(fluid_->reaction())));
   fluid_->end_step();
   wall_->end_step();

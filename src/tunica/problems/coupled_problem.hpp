@@ -65,8 +65,8 @@ public:
   };
   Solution solve(const algebra::BlockVector& fluid, const algebra::BlockVector& wall,
                  bool wants_any);
-  /// The same, where that has failed: steps that are shortened until the residual falls, each with
-  /// a new Jacobian that knows how the domain moves, and four times as many of them.
+  /// Repeats a failed solve: steps are shortened until the residual falls, each with a new Jacobian
+  /// with shape derivatives, and four times as many are permitted.
   Solution solve_carefully(const algebra::BlockVector& fluid, const algebra::BlockVector& wall,
                            bool wants_any);
   /// Accepts the present states as those of the new time. Fails, and says why, where the mesh

@@ -19,6 +19,7 @@ Vector flags_of_free(const discretisation::Extension& extension, int components 
 }
 
 Teuchos::RCP<CrsMatrix> rows_of_free(const CrsMatrix& K, const Vector& flags) {
+  // R K Rᵀ with numbers without gaps, as packages need them
   return algebra::renumbered(*algebra::PickedMatrix(K, flags, flags).matrix());
 }
 
@@ -37,6 +38,7 @@ ExtensionProblem::ExtensionProblem(const Teuchos::ParameterList& solver,
 ExtensionProblem::ExtensionProblem(const Teuchos::ParameterList& solver,
                                    const discretisation::ElasticExtension& extension)
     : extension_(&extension) {
+  // diag(L, L, L) with the same γ preconditions K, see linear/scalar_solver.hpp.
   const Vector flags = flags_of_free(extension);
   free_ = algebra::flagged_rows(flags);
   const Teuchos::RCP<CrsMatrix> L = rows_of_free(*extension.harmonic().jacobian(), flags);
@@ -58,6 +60,8 @@ MultiVector ExtensionProblem::right_side(const MultiVector& given) const {
 
 Outcome ExtensionProblem::extend(MultiVector& values, const ExtensionAccuracy& accuracy) {
   if (!solver_) return Outcome::success();
+  // |L φ₀ − b| ≤ max(τ, reduction · min(0.01, what the last φ₀ leaves)) |b|: no better than the
+  // interface itself will be known
   const MultiVector b = right_side(values);
   double wanted = accuracy.tolerance.value_or(solver_->tolerance());
   if (accuracy.reduction > 0.0) {
@@ -66,16 +70,19 @@ Outcome ExtensionProblem::extend(MultiVector& values, const ExtensionAccuracy& a
     wanted = std::max(wanted, accuracy.reduction * (change < most ? change : most));
   }
   const double residual = solver_->solve_to(wanted, b, solution_);
+  // Iterative solvers stop by an estimate of the residual, of which twice is permitted.
   if (!(residual <= 2.0 * wanted)) {
     const auto [left, most] = told_apart(residual, wanted);
     solution_.putScalar(0.0);  // it may be no number, and is the next start
     return Outcome::failure("the linear solver left a relative residual of " + left +
                             " instead of " + most);
   }
+  // φ = φ_given + φ₀
   algebra::add_rows(free_, 1.0, solution_, values);
   return Outcome::success();
 }
 
+// From zero: each product with the Jacobian has another right side.
 void ExtensionProblem::extend_roughly(double tolerance, MultiVector& values) const {
   if (!solver_) return;
   MultiVector phi(solution_.getMap(), values.getNumVectors());

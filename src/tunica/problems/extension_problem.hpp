@@ -31,8 +31,8 @@ public:
   /// values: on entry those of the given nodes, zero elsewhere; on return those of all nodes.
   /// Begins with the last solution. Says why where the linear solver fails. Collective.
   Outcome extend(MultiVector& values, const ExtensionAccuracy& accuracy = {});
-  /// The same, from nothing and to a relative residual of its own: values that are small to others
-  /// are not known better. What a failing solver leaves is what is wrong with the result.
+  /// Extends from a zero start, to a relative residual of its own: values that are small compared
+  /// with others are not more accurate. If the solver fails, its result is used with its error.
   void extend_roughly(double tolerance, MultiVector& values) const;
   /// Makes the next extend() begin with these values of all nodes.
   void start_from(const MultiVector& values);

@@ -56,6 +56,7 @@ Directions tube_directions(const Teuchos::ParameterList& list, const fields::Fie
   const Vec3 point = vector_of(list, "axis point"), axis = vector_of(list, "axis direction");
   Directions directions;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
+    // o = x_e − x_axis; its part along the axis is taken out in frames_of()
     directions.outward.push_back(centroid(mesh, e) - point);
     directions.along.push_back(axis);
   }
@@ -75,6 +76,7 @@ std::vector<Vec3> smooth_gradient(const fields::FieldMesh& mesh, const std::vect
       volume[a] += T.volume;
     }
   }
+  // g_a = Σ_e V_e ∇φ_e / Σ_e V_e at the nodes, then the mean of an element's four
   for (int a = 0; a < mesh.n_owned; ++a) sum[a] = 1.0 / volume[a] * sum[a];
   Vector owned(mesh.vector_map);
   fields::store(sum, mesh, owned);
@@ -105,6 +107,7 @@ std::vector<Vec3> gradient_between(const Teuchos::ParameterList& list,
   std::vector<char> is_given = on_surfaces(mesh, list.get<Names>(from));
   const std::vector<char> is_one = on_surfaces(mesh, list.get<Names>(to));
   for (std::size_t a = 0; a < is_given.size(); ++a) is_given[a] = is_given[a] || is_one[a];
+  // −Δφ = 0, φ = 0 on the one and 1 on the other, no flux elsewhere
   Vector phi(mesh.node_map);
   {
     const auto view = phi.getLocalViewHost(overwrite_all);
@@ -144,6 +147,7 @@ void agree(const fields::FieldMesh& mesh, int element, const std::string& what) 
 std::vector<materials::Frame> frames_of(const fields::FieldMesh& mesh, const Directions& d,
                                         const std::string& advice) {
   constexpr double tiny = 1e-6;  // relative: below, directions are noise
+  // Lengths count against the largest one: those of gradients depend on the size of the vessel.
   const double scale_along = largest_norm(mesh, d.along);
   const double scale_outward = largest_norm(mesh, d.outward);
   std::vector<materials::Frame> frames;
@@ -152,6 +156,7 @@ std::vector<materials::Frame> frames_of(const fields::FieldMesh& mesh, const Dir
     const double length = norm(d.along[e]);
     if (no_axial < 0 && !(length > tiny * scale_along)) no_axial = static_cast<int>(e);
     materials::Frame frame;
+    // e_z = l/|l|,   e_r ∥ o − (o·e_z) e_z,   e_θ = e_z × e_r
     frame.axial = 1.0 / length * d.along[e];
     const Vec3 across = d.outward[e] - dot(d.outward[e], frame.axial) * frame.axial;
     if (no_radial < 0 && !(norm(across) > tiny * scale_outward)) no_radial = static_cast<int>(e);
@@ -175,12 +180,14 @@ std::vector<Vec3> vectors_of(const fields::FieldMesh& mesh, const std::string& n
 }
 
 params::Table mesh_table() {
-  params::Table table("from vectors that the mesh file gives on its elements");
+  params::Table table("from vectors on the elements of the mesh file");
   table
-      .text("axial vectors", "axial",
-            "along the vessel: name of a $ElementData of three components in a Gmsh file")
+      .text(
+          "axial vectors", "axial",
+          "name of the vectors along the vessel: a $ElementData of three components in a Gmsh file")
       .text("radial vectors", "radial",
-            "out of the lumen; their part across the axial ones counts, of any length");
+            "name of the vectors out of the lumen, of any length; only their part perpendicular to "
+            "the axial ones is used");
   return table;
 }
 
@@ -188,7 +195,7 @@ params::Table tube_table() {
   params::Table table("from a straight axis");
   table.numbers("axis point", std::vector<double>{0, 0, 0}, params::any(), 3, "mm", "on the axis")
       .numbers("axis direction", std::vector<double>{0, 0, 1}, params::any(), 3, "1",
-               "along the axis, of any length")
+               "direction of the axis, of any length")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         TUNICA_CHECK(norm(vector_of(list, "axis direction")) > 0.0,
                      path + ": \"axis direction\" is zero, expected a vector along the axis.");
@@ -230,7 +237,7 @@ params::Table fibre_frame_table() {
                  {"tube", tube_table()},
                  {"laplace", laplace_table()},
                  {"mesh", mesh_table()}},
-                "where the directions come from");
+                "source of the directions");
   return table;
 }
 

@@ -23,6 +23,7 @@ void FieldProblem::watch_solves(SolveWatch watch) {
   solver_ = watched(std::move(solver_), std::move(watch));
 }
 
+// Blocks by their names, a row for each vertex, so that a state does not depend on the ranks.
 fields::State FieldProblem::save() const {
   fields::State state = fields::state_on(mesh());
   for (int b = 0; b < x_.n_blocks(); ++b) state.arrays[(*space())[b].name] = rows_of(x_, b);
@@ -34,9 +35,11 @@ fields::State FieldProblem::save() const {
 std::string FieldProblem::restore(const fields::State& state) {
   for (int b = 0; b < x_.n_blocks(); ++b) {
     const algebra::Block& block = (*space())[b];
+    // A row has as many scalars as the vertex with the most copies.
     const int columns = is_split(block) ? split()->n_copies : block.components;
     assign_rows(state.array(block.name, columns), b, x_);
   }
+  // Numbers of a solver need one to go to; without any it is made when it is first asked for.
   if (solver_ || has_solver(state)) restore_solver(state, linear_solver());
   return field_->restore_history(state, x_);
 }
@@ -59,11 +62,13 @@ std::map<std::string, fields::Restartable*> FieldProblem::inner_parts() {
   return field_->element_histories();
 }
 
+// K and P of a step serve its Newton steps alone.
 void FieldProblem::forget_solves() {
   rule_ = nonlinear::JacobianRule(newton_.jacobian_cost);
   if (solver_) solver_->forget();
 }
 
+// x ← x − K⁻¹ F(x) on a copy: where that fails the state is the last one that was found.
 nonlinear::NewtonReport FieldProblem::find_state(const nonlinear::NewtonOptions& options) {
   algebra::BlockVector x(space());
   x.assign(x_);
@@ -72,6 +77,7 @@ nonlinear::NewtonReport FieldProblem::find_state(const nonlinear::NewtonOptions&
   return report;
 }
 
+// What was set up for the last K may serve the new one; the solver's rule decides.
 void FieldProblem::jacobian(const algebra::BlockVector& x) {
   field_->assemble_jacobian(x);
   if (solver_) solver_->matrix_changed();

@@ -8,7 +8,7 @@
 
 namespace tunica::problems {
 
-/// What the resolved list of a field says of how it is solved for.
+/// Solver settings in the resolved list of a field.
 struct SolveSettings {
   explicit SolveSettings(const Teuchos::ParameterList& field);
 
@@ -33,7 +33,7 @@ public:
   const algebra::BlockVector& state() const { return x_; }
   /// Makes x the present state: what a coupled problem has found for all of its fields.
   void take(const algebra::BlockVector& x) { x_.assign(x); }
-  /// What is prescribed, per local node.
+  /// Prescribed unknowns, per local node.
   const assembly::Constraints& constraints() const { return field_->constraints(); }
   const Throughput& jacobian_throughput() const { return field_->throughput(); }
 
@@ -82,8 +82,8 @@ protected:
   /// Where a step begins. Jacobians and preconditioners are kept within steps alone: a run that
   /// goes on from a checkpoint does what it would have done, to the last digit.
   void forget_solves();
-  /// Newton's method from the present state, to which it goes back where it fails. What a step or
-  /// an iteration prescribes stays.
+  /// Newton's method from the present state, which is restored if it fails. Values prescribed by a
+  /// step or an iteration are kept.
   nonlinear::NewtonReport find_state() { return find_state(newton_); }
   nonlinear::NewtonReport find_state(const nonlinear::NewtonOptions& options);
   const nonlinear::NewtonOptions& newton() const { return newton_; }

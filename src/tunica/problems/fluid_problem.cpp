@@ -14,6 +14,8 @@ nonlinear::NewtonReport FluidProblem::solve() {
   const io::ProgressScope scope("fluid");
   prepare();
   const nonlinear::NewtonReport report = find_state();
+  // While Newton's method runs a closed fluid has its pressure held at a node, in place of the
+  // mean.
   if (report.is_converged) field().fix_pressure_level(x_);
   return report;
 }

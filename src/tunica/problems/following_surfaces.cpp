@@ -21,6 +21,8 @@ Edges edges_of_faces(const fields::FieldMesh& mesh) {
 /// Flags of the nodes that edges lead to from flagged ones, on any ranks. Collective.
 std::vector<char> reached(const fields::FieldMesh& mesh, std::vector<char> flags,
                           const Edges& edges) {
+  // The rank's own edges until nothing changes, then the owners' flags to ghosts, until no rank
+  // finds more.
   for (bool changes = true; changes;) {
     bool found = false;
     for (bool again = true; again;) {
@@ -48,6 +50,7 @@ std::vector<char> given_nodes(const fields::FieldMesh& mesh, const std::vector<c
                               const Edges& edges) {
   std::vector<char> is_given;
   for (const char free : is_free) is_given.push_back(!free);
+  // What no edge ties to a given node stays where it is, at zero.
   const std::vector<char> hangs = reached(mesh, is_given, edges);
   for (std::size_t a = 0; a < hangs.size(); ++a) is_given[a] = is_given[a] || !hangs[a];
   return is_given;
@@ -55,6 +58,8 @@ std::vector<char> given_nodes(const fields::FieldMesh& mesh, const std::vector<c
 
 }  // namespace
 
+// A node on one surface, which follows, is free in it; on two that do, along their line. One that
+// is on a third surface, on one that stays or on the interface is given.
 FollowingSurfaces::FollowingSurfaces(const Teuchos::ParameterList& solver,
                                      const fields::FieldMesh& mesh,
                                      const std::vector<int>& interface,
@@ -89,9 +94,11 @@ bool FollowingSurfaces::moves_rim(const MultiVector& values) const {
   };
   const auto sums =
       global_sum(*mesh_->comm, std::vector<double>{squares(rim_), squares(interface_)});
+  // |d|_rim > 10⁻¹² |d|_interface
   return sums[0] > still * still * sums[1];
 }
 
+// −Δ_l d = 0 along lines with their ends given, −Δ_S d = 0 in surfaces with their edges given
 const FollowingSurfaces::Stages& FollowingSurfaces::stages() {
   if (!stages_.empty()) return stages_;
   const std::vector<char> on_lines =
@@ -104,6 +111,7 @@ const FollowingSurfaces::Stages& FollowingSurfaces::stages() {
   return stages_;
 }
 
+// Lines first, which are edges of the surfaces.
 Outcome FollowingSurfaces::extend(MultiVector& values, const ExtensionAccuracy& accuracy) {
   if (!moves_rim(values)) {
     for (const auto& stage : stages_) stage->problem.start_from(values);  // zero there
@@ -120,6 +128,7 @@ void FollowingSurfaces::extend_roughly(double tolerance, MultiVector& values) {
   for (const auto& stage : stages()) stage->problem.extend_roughly(tolerance, values);
 }
 
+// The start of iterative solvers is that of a run which has not been interrupted.
 void FollowingSurfaces::start_from(const MultiVector& values) {
   if (moves_rim(values)) stages();
   for (const auto& stage : stages_) stage->problem.start_from(values);

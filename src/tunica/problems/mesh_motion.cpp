@@ -9,6 +9,7 @@ namespace tunica::problems {
 
 namespace {
 
+// The whole boundary is given to the volume: surfaces that follow have been found before it.
 std::vector<char> nodes_of_surfaces(const fields::FieldMesh& mesh) {
   std::vector<char> is_given(mesh.n_nodes());
   for (int a = 0; a < mesh.n_nodes(); ++a) is_given[a] = mesh.is_on_boundary(a);
@@ -17,6 +18,7 @@ std::vector<char> nodes_of_surfaces(const fields::FieldMesh& mesh) {
 
 }  // namespace
 
+// The scheme is the fluid's: w = (d_f − d̃_f)/Δt_e is made as u̇ is, from the timeline kept here.
 MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
                        const std::vector<int>& interface, const std::vector<int>& staying,
                        const stepping::TimeScheme& scheme)
@@ -27,6 +29,7 @@ MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMe
   for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, interface);
 }
 
+// −∇·(γ σ(d)) = 0 of the three components together, or −∇·(γ ∇d_i) = 0 of each with one matrix
 ExtensionProblem MeshMotion::volume_problem(const Teuchos::ParameterList& list) {
   const std::vector<char> given = nodes_of_surfaces(*mesh_);
   const double stiffening = list.get<double>("stiffening");
@@ -42,6 +45,9 @@ ExtensionProblem MeshMotion::volume_problem(const Teuchos::ParameterList& list) 
   return {solver, *harmonic_, 3};
 }
 
+// d_f = E d: d on the interface and zero on what stays, then lines, surfaces and volume in turn,
+// each with what was found before for its boundary. E is linear and acts on the undeformed mesh, so
+// that d_f does not depend on the way there.
 Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
                            const ExtensionAccuracy& accuracy) {
   const TrafficScope scope(Work::mesh_motion);
@@ -57,6 +63,7 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
   if (const Outcome outcome = surfaces_.extend(total, accuracy); outcome.is_failure())
     return outcome;
   if (const Outcome outcome = volume_.extend(total, accuracy); outcome.is_failure()) return outcome;
+  // Elements between ranks need d_f at ghosts as well.
   MultiVector ghosted(mesh_->ghosted_map, 3);
   ghosted.doImport(total, *mesh_->import, insert);
   const auto view = ghosted.getLocalViewHost(read_only);
@@ -64,6 +71,8 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
   return Outcome::success();
 }
 
+// δd_f = E δd, the same map, only as well as a product with the Jacobian needs it. The last d_f,
+// with which extend() begins next time, stays.
 void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vector& d) {
   const TrafficScope scope(Work::mesh_motion);
   const io::ProgressScope progress("mesh motion");
@@ -96,23 +105,25 @@ std::string MeshMotion::restore(const fields::State& state) {
     for (int a = 0; a < mesh_->n_owned; ++a)
       for (int i = 0; i < 3; ++i) view(a, i) = rows.values[3 * a + i];
   }
+  // d_f is where iterative solvers begin: with it a restarted run makes the same iterations.
   surfaces_.start_from(last);
   volume_.start_from(last);
   return "";
 }
 
 params::Table mesh_motion_table() {
-  params::Table table("Extension of the wall's displacement into the fluid's mesh.");
+  params::Table table(
+      "ALE mesh motion: extension of the wall's displacement into the fluid's mesh.");
   params::Table elastic("as a linear elastic body, which shears before it is squeezed");
   elastic.number("poisson ratio", 0.3, params::between(0.0, 0.45), "1",
-                 "how much it resists a change of volume");
-  table.variant("law", "harmonic",
-                {{"harmonic", params::Table("each component by itself")}, {"elastic", elastic}},
-                "what the mesh is in between");
-  table.number(
-      "stiffening", 0.0, params::between(0.0, 4.0), "1",
-      "elements have the modulus (mean volume / their volume) to this power, so that small "
-      "ones keep their shape where the wall moves far; 0: all the same, 1: usual");
+                 "Poisson's ratio, the resistance to a change of volume");
+  table.variant(
+      "law", "harmonic",
+      {{"harmonic", params::Table("harmonic extension of each component")}, {"elastic", elastic}},
+      "law of the mesh between its boundaries");
+  table.number("stiffening", 0.0, params::between(0.0, 4.0), "1",
+               "elements have the modulus (mean volume / their volume) to this power, so that "
+               "small ones keep their shape where the wall moves far; 0: all equal, 1: usual");
   table.sublist("Linear Solver", linear::scalar_solver_table());
   return table;
 }

@@ -24,18 +24,18 @@ public:
   Outcome extend(const std::vector<Vec3>& interface_displacement,
                  const ExtensionAccuracy& accuracy = {});
 
-  /// What an increment of the interface's displacement moves the owned nodes by, solved for to a
-  /// relative residual; other entries of the given one are ignored. Collective.
+  /// Increment of the owned nodes for an increment of the interface's displacement, solved to a
+  /// relative residual; other entries of the given increment are ignored. Collective.
   void extend_increment(double tolerance, const Vector& interface, Vector& d);
 
   const std::vector<Vec3>& displacement() const { return d_; }  ///< local nodes
-  /// Of the last step.
+  /// Displacement of the last step.
   std::vector<Vec3> old_displacement() const { return stepping::as_vectors(timeline_.value()); }
   /// The time scheme's past of the displacement in the present step.
   std::vector<Vec3> past_displacement() const {
     return stepping::as_vectors(scheme_->pasts(timeline_));
   }
-  /// What the steps before let expect of the displacement at the present step's end.
+  /// Displacement extrapolated from earlier steps to the end of the present step.
   std::vector<Vec3> predicted_displacement() const {
     return stepping::as_vectors(scheme_->predictions(timeline_));
   }

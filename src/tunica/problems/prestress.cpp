@@ -25,29 +25,27 @@ Result<Prestress> find_prestress(const SolidSettings& settings, const SolidProbl
 }
 
 params::Table prestress_table() {
-  params::Table table("The stress that the wall has in the geometry of the mesh.");
+  params::Table table("Stress of the wall in the geometry of the mesh, as it was imaged.");
   table
-      .number(
-          "pressure", 0.0, params::any(), "kPa",
-          "in the lumen of the vessel when it was imaged; 0: the mesh is free of stress. 80 mmHg "
-          "are 10.67 kPa")
+      .number("pressure", 0.0, params::any(), "kPa",
+              "pressure in the lumen when the vessel was imaged; 0: the mesh is stress-free. 80 "
+              "mmHg are 10.67 kPa")
       .names("surfaces", std::vector<std::string>{"interface"},
-             "that bear this pressure; pressures that the case itself gives them begin with the "
-             "run")
+             "surfaces that bear this pressure; pressures that the case itself prescribes there "
+             "begin with the run")
       .choice("method", "deformation gradient", {"deformation gradient", "stress-free shape"},
-              "what is found: a deformation gradient for each element, which need not come from "
-              "any shape; or that of a shape without stress, which soft forks do not have")
-      .integer(
-          "load steps", 8, params::Range{1.0, 1000.0},
-          "in which the loads are raised at first; where one fails it is halved, where it does "
-          "not the next is longer")
+              "unknown of the search: a deformation gradient for each element, which need not "
+              "belong to any shape; or a stress-free shape, which does not exist for soft forks")
+      .integer("load steps", 8, params::Range{1.0, 1000.0},
+               "initial number of load increments; an increment that fails is halved, and after a "
+               "success the next one is larger")
       .number("tolerance", 1e-3, params::Range{0.0, 0.1, true, false}, "1",
-              "how far the wall may still be off the mesh, in parts of the vessel's radius: the "
-              "largest step of the search")
+              "permitted distance of the wall from the mesh, relative to the radius of the vessel: "
+              "the largest step of the search")
       .number("linear tolerance", 1e-3, params::Range{0.0, 1.0, true, true}, "1",
-              "reduction of the linear residual in each step of the search: what is left is out of "
-              "balance in the next one")
-      .integer("max iterations", 100, params::Range{1.0, 10000.0}, "at all of the load");
+              "relative tolerance of the linear system in each step of the search; the remaining "
+              "residual is out of balance in the next one")
+      .integer("max iterations", 100, params::Range{1.0, 10000.0}, "cap on the steps at full load");
   return table;
 }
 

@@ -46,7 +46,7 @@ struct PrestressIteration {
   std::string reason{};  ///< why it was given up; empty where it was not
 };
 
-/// What looks on.
+/// Observer of the search.
 struct PrestressWatch {
   /// After each step.
   std::function<void(const PrestressIteration&)> report = [](const auto&) {};
@@ -64,7 +64,7 @@ struct PrestressWatch {
 Result<Prestress> find_prestress(const SolidSettings& settings, const SolidProblem& wall,
                                  const PrestressWatch& watch, const PrestressPoint& from = {});
 
-/// Of a resolved "Prestress" list.
+/// Options in a resolved "Prestress" list.
 PrestressOptions prestress_options(const Teuchos::ParameterList& list);
 
 params::Table prestress_table();

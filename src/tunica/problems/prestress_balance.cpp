@@ -29,6 +29,8 @@ ParameterList rising_to(double value) {
 /// Springs that alone hold a wall keep the matrix regular; what they bear is left over.
 constexpr double part_of_springs = 1e-3;
 
+// Every load becomes λ times what it is at the start. A wall that stays on its mesh has no
+// displacements to be raised.
 void raise_loads(std::vector<boundary::Condition>& conditions) {
   for (boundary::Condition& condition : conditions) {
     ParameterList& list = condition.list;
@@ -61,6 +63,7 @@ SolidSettings in_equilibrium(const SolidSettings& settings) {
   std::vector<boundary::Condition>& conditions = wall.options.conditions;
   leave_out_pressures(settings.prestress.surfaces, conditions);
   raise_loads(conditions);
+  // λ p₀ on each of its surfaces
   for (const std::string& surface : settings.prestress.surfaces) {
     ParameterList load;
     load.set("surface", surface)
@@ -83,6 +86,7 @@ PrestressBalance::PrestressBalance(const SolidSettings& settings, const SolidPro
 
 Outcome PrestressBalance::residual(double load, const algebra::BlockVector& state,
                                    algebra::BlockVector& R) {
+  // Statics of the wall where it lies, at d = 0; the clock's time is the part of the loads.
   wall_.take(state);
   wall_.begin_step(stepping::Clock(load, 1));
   return wall_.residual(state, R);
@@ -91,6 +95,7 @@ Outcome PrestressBalance::residual(double load, const algebra::BlockVector& stat
 /// A direction that leaves no more of the residual than that will do: the step is judged by R.
 constexpr double direction_residual = 0.5;
 
+// K δ = R with K of the last residual; s = −δ is the caller's
 Result<int> PrestressBalance::solve(const algebra::BlockVector& R, algebra::BlockVector& dx) {
   try {
     wall_.jacobian(wall_.state());

@@ -4,8 +4,8 @@
 
 namespace tunica::problems {
 
-/// What is out of balance in a wall that lies where its mesh does, under a part of the pressure in
-/// its lumen and of the loads that it has at the start:
+/// Imbalance of a wall in the position of its mesh, under a part of the pressure in its lumen and
+/// of its loads at the start:
 ///
 ///   R(G, p)      G  prestretch of its elements, p  pressure
 ///

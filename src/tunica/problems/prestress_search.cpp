@@ -36,6 +36,7 @@ std::vector<Vec3> with_ghosts(const std::vector<Vec3>& values, const fields::Fie
 template <class Function>
 std::vector<Mat3> of_gradients(const std::vector<Vec3>& s, const fields::FieldMesh& mesh,
                                const Function& f) {
+  // ∇s of an element between ranks takes s at ghosts, too.
   const std::vector<Vec3> all = with_ghosts(s, mesh);
   const assembly::ElementGeometry geometry(mesh, mesh.x);
   std::vector<Mat3> values(mesh.tets.size());
@@ -46,6 +47,7 @@ std::vector<Mat3> of_gradients(const std::vector<Vec3>& s, const fields::FieldMe
 
 /// By halves and Taylor's series.
 Mat3 exponential(const Mat3& A) {
+  // exp(A) = exp(A/2ⁿ)^(2ⁿ) with |A|/2ⁿ ≤ ¼, where ten terms of the series leave some 10⁻¹⁴
   double size = 0.0;
   for (const Vec3& row : A) size += dot(row, row);
   int halves = 0;
@@ -117,17 +119,26 @@ PrestressSearch::PrestressSearch(const SolidSettings& settings, const SolidProbl
     method_ = std::make_unique<ByShape>(wall.mesh());
   else
     method_ = std::make_unique<ByGradient>(wall.mesh());
+  // A search that goes on: its prestretch and pressure are the wall's, its shape the method's.
   if (from.load > 0.0) {
     point_ = from;
     method_->start_from(from.shape);
     go_back_to({wall.field().prestretch(), wall.state()});
   }
+  // goal = tolerance · r, r the radius of the vessel
   std::vector<int> surfaces;
   for (const std::string& name : options_.surfaces)
     surfaces.push_back(wall.mesh().surface_index(name));
   goal_ = options_.tolerance * surface_radius(wall.mesh(), surfaces);
 }
 
+// Loads λ from 0 to 1, and at each of them Newton's method in G and p, while d = 0:
+//
+//   run()        λ ← λ + Δλ
+//   bear()       steps at one λ: a few on the way, at λ = 1 until max |s| is within the goal
+//   improve()    K (δ, δp) = R(G, p; λ), s = −δ, and the part θ of the step that is taken
+//   try_step()   G and p behind θ s, and |R_u| there
+//
 // An increment that fails, and not for its linear systems, is halved; the next is longer where one
 // step was enough.
 
@@ -144,10 +155,13 @@ Result<Prestress> PrestressSearch::run() {
     const Verdict verdict = bear(load);
     if (verdict.cause == Cause::none && load == 1.0) return std::move(found_);
     if (verdict.cause == Cause::none) {
+      // The fewer steps this load has taken, the further off the next one may be.
       point_.step *= iterations_ == 1 ? 1.5 : iterations_ <= 3 ? 1.0 : 0.7;
       if (watch_->goes_on(point_, found_)) continue;
       return Result<Prestress>::failure(stopped);
     }
+    // Down to a sixteenth of the first increment. A linear solver that fails, or steps that creep
+    // at the whole load, end the search.
     const bool is_cut = verdict.cause == Cause::nonlinear && point_.step > first / 16.0;
     if (!is_cut) return Result<Prestress>::failure(failure(load, verdict));
     go_back_to(before);
@@ -157,6 +171,7 @@ Result<Prestress> PrestressSearch::run() {
   }
 }
 
+// G and p of the point, d = 0. They have been admissible before.
 void PrestressSearch::go_back_to(const Prestress& point) {
   found_.prestretch = point.prestretch;
   found_.state["pressure"].assign(point.state["pressure"]);
@@ -184,17 +199,21 @@ PrestressSearch::Verdict PrestressSearch::bear(double load) {
     point_.shape = method_->shape();
     if (load == 1.0 && !watch_->goes_on(point_, found_)) return {Cause::stopped, stopped};
     history.push_back(now.moved);
+    // On the way the next load may come where the step has left less than 0.3 of the residual, or
+    // is shorter than a fifth of the first one.
     const bool is_on_its_way = now.residual < 0.3 || now.moved < 0.2 * history.front();
     if (load < 1.0 && k == most && now.moved > 0.5 * history.front())
       return {Cause::nonlinear,
               "steps do not get shorter than " + std::to_string(now.moved) + " mm"};
     if (load < 1.0 ? is_on_its_way || k == most : now.moved <= now.goal) return {};
+    // Ten steps that do not halve |s| creep, as where nothing but weak springs holds the wall.
     if (k > patience && now.moved > 0.5 * history[k - 1 - patience])
       return {Cause::creeps, "steps do not get shorter than " + std::to_string(now.moved) + " mm"};
   }
   return {Cause::creeps, std::to_string(most) + " steps (\"max iterations\") are not enough"};
 }
 
+// A step is reported with the range of det G whether it was taken or not.
 PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
   stop_if_urgent(comm());
   const Stopwatch watch;
@@ -206,11 +225,14 @@ PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
   return verdict;
 }
 
+// K (δ, δp) = R(G, p),   G ← G after −θ δ,   p ← p − θ δp,   with the first θ of 1, ½, ¼, ⅛ by
+// which |R_u| falls
 PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
   algebra::BlockVector R(wall_->space()), dx(wall_->space());
   Outcome begun = balance_.wall().field().set_prestretch(found_.prestretch);
   if (begun.is_success()) begun = balance_.residual(now.load, found_.state, R);
   if (begun.is_failure()) return {Cause::nonlinear, begun.reason()};
+  // |R_u| before the step
   const double before = R["displacement"].norm2();
   const Result<int> solved = balance_.solve(R, dx);
   if (solved.is_failure()) return {Cause::linear_solver, solved.reason()};
@@ -229,6 +251,7 @@ PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
   return {Cause::nonlinear, refusal_};
 }
 
+// Taken where |R_u(G, p)| is less than before; else G, p and what the method keeps stay.
 bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockVector& dx,
                                double part, double before, PrestressIteration& now) {
   algebra::BlockVector state(wall_->space()), R(wall_->space());
@@ -243,8 +266,8 @@ bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockV
   }
   now.residual = R["displacement"].norm2() / before;
   if (!(now.residual < 1.0)) {  // nor where it is not a number
-    refusal_ = std::isfinite(now.residual) ? "no step leaves less out of balance"
-                                           : "stresses are beyond what the law can tell";
+    refusal_ = std::isfinite(now.residual) ? "no step reduces the imbalance"
+                                           : "stresses exceed the range of the law";
     return false;
   }
   method_->keep();
@@ -253,6 +276,7 @@ bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockV
   return true;
 }
 
+// min_e det G, max_e det G
 void PrestressSearch::note_prestretch(PrestressIteration& now) const {
   double least = 1.0, most = 1.0;
   for (std::size_t e = 0; e < found_.prestretch.size(); ++e) {
@@ -264,6 +288,7 @@ void PrestressSearch::note_prestretch(PrestressIteration& now) const {
   now.most = global_max(comm(), most);
 }
 
+// max_e λ_1(GᵀG), by the least of −λ_1
 std::string PrestressSearch::most_stretched() const {
   double most = 0.0;
   int element = -1;
@@ -289,12 +314,11 @@ std::string PrestressSearch::failure(double load, const Verdict& verdict) const 
     text << "the linear solver gives up, whatever the wall may bear: ";
   text << verdict.reason << ". ";
   if (global_max(comm(), found_.prestretch.empty() ? 0.0 : 1.0) > 0.0) text << most_stretched();
-  text
-      << (verdict.cause == Cause::linear_solver
-              ? ". Take another preconditioner in Wall / Linear Solver, or method = direct"
-          : verdict.cause == Cause::creeps
-              ? ". Is it held firmly enough (support, clamped ends)? Or take a larger \"tolerance\""
-              : ". Is the wall too soft or too thin there for the pressure, or an element bad?");
+  text << (verdict.cause == Cause::linear_solver
+               ? ". Use another preconditioner in Wall / Linear Solver, or method = direct"
+           : verdict.cause == Cause::creeps
+               ? ". Is it held firmly enough (support, clamped ends)? Or use a larger \"tolerance\""
+               : ". Is the wall too soft or too thin there for the pressure, or an element bad?");
   return text.str();
 }
 

@@ -6,7 +6,7 @@
 
 namespace tunica::problems {
 
-/// What a method makes of the steps.
+/// Effect of the search steps in one method.
 class PrestressMethod {
 public:
   virtual ~PrestressMethod() = default;
@@ -26,7 +26,7 @@ public:
 /// The way from no load to all of it.
 class PrestressSearch {
 public:
-  /// What it refers to must outlive the object.
+  /// The arguments must outlive the object.
   PrestressSearch(const SolidSettings& settings, const SolidProblem& wall,
                   const PrestressWatch& watch, const PrestressPoint& from);
   Result<Prestress> run();

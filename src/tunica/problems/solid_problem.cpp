@@ -16,6 +16,7 @@ SolidSettings::SolidSettings(const Teuchos::ParameterList& list)
 
 std::vector<materials::Frame> frames_of_wall(const SolidSettings& settings,
                                              const fields::FieldMesh& mesh) {
+  // Without fibres no directions are needed, nor the surfaces to make them of.
   if (!has_fibres(settings.options)) return {};
   return fibre_frames(settings.frame, mesh);
 }
@@ -30,6 +31,7 @@ SolidProblem::SolidProblem(const SolidSettings& settings, const fields::FieldMes
 
 nonlinear::NewtonReport SolidProblem::solve() {
   const io::ProgressScope scope("wall");
+  // Newton's method begins where all that is prescribed holds: its increments there are zero.
   field().prescribe(x_);
   return field().has_stress_residual() && field().is_static() ? find_equilibrium() : find_state();
 }
@@ -68,11 +70,13 @@ nonlinear::NewtonReport SolidProblem::find_equilibrium() {
     least = std::min(least, change);
     go_on(1.0, newton().absolute_increment);  // one step
   }
+  // s = 0 for the rest of the step, from the state before s was renewed
   if (!has_settled) {
     const bool had_any = field().leave_out_stress_force();
     if (!report.is_converged && !had_any) return report;
     io::announce(
-        "the stress that drives the wall's subscales does not settle: this step does without");
+        "the recovered stress that drives the wall's subscales does not converge: this step omits "
+        "it");
     x_.assign(before);
   }
   const double first = report.steps.empty() ? 0.0 : report.steps.front().increment;
@@ -86,6 +90,7 @@ nonlinear::NewtonReport SolidProblem::find_equilibrium() {
 /// to end a run.
 constexpr double usable_residual = 1e-2;
 
+// K x = P f with K at the present state
 Result<std::vector<Vec3>> SolidProblem::solve_linearised(const std::vector<Vec3>& force) {
   jacobian(x_);
   algebra::BlockVector b(space()), x(space());
@@ -109,6 +114,8 @@ std::vector<Vec3> SolidProblem::velocity() const {
   return {v.begin(), v.begin() + mesh().n_owned};
 }
 
+// More sweeps than for a fluid, as on fine meshes A turns from mass to elasticity: 6 + 6 for Ã and
+// 2 + 2 for S̃, three with Chebyshev's weights in the cycle for all of K.
 params::Table solid_solver_table() {
   linear::SolverDefaults defaults{"multigrid", linear::default_block_preconditioner(6, 2),
                                   multigrid::mixed_cycle_list(3, "chebyshev")};

@@ -4,7 +4,7 @@
 
 namespace tunica::problems {
 
-/// How the stress in the geometry of the mesh is found (prestress.hpp).
+/// Options of the search for the prestress (prestress.hpp).
 struct PrestressOptions {
   double pressure;                    ///< in the lumen of the image [kPa]; zero: no stress
   std::vector<std::string> surfaces;  ///< that bear it; none without it
@@ -44,10 +44,9 @@ public:
   /// Solves the step for the present loads, started from the present state.
   nonlinear::NewtonReport solve();
 
-  /// What nodal forces [mN] on the owned nodes displace the owned nodes by within one time step
-  /// [mm], linearised at the present state. Fails, and says why, where the linear solver comes
-  /// nowhere near.
-  /// Comes after begin_step(), and sets up the solver for the Jacobian. Collective.
+  /// Displacement [mm] of the owned nodes within one time step under nodal forces [mN] on them,
+  /// linearised at the present state. Fails with a reason if the linear solver is far from its
+  /// tolerance. Comes after begin_step(), and sets up the solver for the Jacobian. Collective.
   Result<std::vector<Vec3>> solve_linearised(const std::vector<Vec3>& force);
 
   std::vector<Vec3> displacement() const;  ///< of owned nodes [mm]

@@ -2,6 +2,7 @@
 
 namespace tunica::problems {
 
+// A polynomial of the degree needs degree + 1 values, of which the first is the state at the start.
 StateHistory::StateHistory(const FieldProblem& field, int degree)
     : field_(&field), degree_(degree) {
   const algebra::BlockVector& x = field.state();
@@ -19,6 +20,7 @@ void StateHistory::accept() {
     block.push(field_->rows_of(field_->state(), b++).values);
 }
 
+// x⁰ = Σ_k c_k xⁿ⁻ᵏ, each block by itself
 algebra::BlockVector StateHistory::extrapolated(const stepping::StepSizes& sizes) const {
   algebra::BlockVector x(field_->space());
   int b = 0;
@@ -35,6 +37,7 @@ fields::State StateHistory::save() const {
   return state;
 }
 
+// The value of the last step is the field's state, which has been restored before.
 std::string StateHistory::restore(const fields::State& state) {
   int b = 0;
   for (stepping::Timeline& block : blocks_) {

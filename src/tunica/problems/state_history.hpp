@@ -13,8 +13,8 @@ public:
 
   /// The present state is accepted.
   void accept();
-  /// What the polynomial through the last states, of the degree as far as there are as many, takes
-  /// at the end of the clock's step.
+  /// Value of the polynomial through the last states at the end of the clock's step; its degree is
+  /// lower if there are too few states.
   algebra::BlockVector extrapolated(const stepping::StepSizes& sizes) const;
 
   // Restartable: all but the last state, which is the field's and has to be restored before

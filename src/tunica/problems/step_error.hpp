@@ -14,7 +14,7 @@ class FieldProblem;
 class FluidProblem;
 class SolidProblem;
 
-/// What is permitted: see StepError.
+/// Permitted errors: see StepError.
 struct StepTolerance {
   double tolerance;           ///< ε
   double displacement_scale;  ///< s of a displacement [mm]
@@ -31,8 +31,8 @@ StepTolerance step_tolerance(const Teuchos::ParameterList& time);
 ///   x    the fluid's velocity; the wall's displacement, and its velocity        mm, mm/ms
 ///   C, xᵖ, p   error constant, extrapolation and order of its time scheme       (time_scheme.hpp)
 ///
-/// What steps of an error ε^((p + 1)/p) add up to while the solution changes by its own size is
-/// about ε, so that the error of a run is proportional to ε. Source: [Soe].
+/// While the solution changes by its own size, steps with an error ε^((p + 1)/p) add up to about ε,
+/// so that the error of a run is proportional to ε. Source: [Soe].
 class StepError final : public fields::Restartable {
 public:
   /// The field must outlive the object and stand at its start.
@@ -45,7 +45,7 @@ public:
     double ratio = 0.0;  ///< error over what is permitted
     double eta = 0.0;    ///< by what part the step is too long: ratio^(1/(q + 1))
   };
-  /// Of the step that the field has just accepted; the worst quantity. Collective.
+  /// Error estimate of the step that the field has just accepted; the worst quantity. Collective.
   Estimate estimate(const stepping::Clock& clock);
   /// The step stays. Collective.
   void accept();

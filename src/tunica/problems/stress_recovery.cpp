@@ -58,6 +58,7 @@ std::vector<double> elementwise(const SolidProblem& wall, int columns) {
     auto at = values.begin() + static_cast<std::ptrdiff_t>(columns * e);
     at = std::copy(sigma.begin(), sigma.end(), at);
     if (columns == 6) continue;
+    // f ⊗ f/|f|², f = F a of each family
     const std::vector<Vec3> fibres = law.fibre_directions(frame);
     for (std::size_t f = 0; f < std::min<std::size_t>(families, fibres.size()); ++f) {
       const Sym3 dyad = along(kernels::deformation_gradient(T, d_e) * fibres[f]);
@@ -77,6 +78,7 @@ double mean_square_root(const std::array<Sym3, 4>& D) {
 
 }  // namespace
 
+// Stress jumps between layers where pressures do not: patches end there all the same.
 StressRecovery::StressRecovery(const SolidProblem& wall) : wall_(&wall) {
   if (wall.split() == nullptr)
     own_split_ = fields::split_mesh(wall.mesh(), layers_of_regions(wall));
@@ -93,12 +95,14 @@ NodalStress StressRecovery::recover() const {
   for (int a = 0; a < mesh().n_owned; ++a) {
     found.stress.push_back(tensor_at(at_nodes, a, columns));
     for (int f = 0; has_fibres && f < families; ++f) {
+      // The mean of dyads has the mean direction for its first axis, whatever the signs of a.
       const auto axes = kernels::principal_axes(tensor_at(at_nodes, a, columns, 6 * (1 + f)));
       found.fibres[f].push_back(axes.values[0] > 0.0 ? axes.directions[0] : Vec3{});
     }
   }
   for (std::size_t e = 0; e < mesh().tets.size(); ++e) {
     const Sym3 sigma = tensor_at(of_elements, e, columns);
+    // σ* − σ at the vertices, σ* linear in between
     std::array<Sym3, 4> difference;
     for (int a = 0; a < 4; ++a) {
       difference[a] = tensor_at(at_nodes, mesh().tets[e][a], columns);

@@ -32,7 +32,7 @@ public:
   /// That mesh where it is split, else null.
   const fields::SplitMesh* split() const { return own_split_ ? own_split_.get() : wall_->split(); }
 
-  /// Of the wall's present state. Collective.
+  /// Nodal stress of the wall's present state. Collective.
   NodalStress recover() const;
 
 private:

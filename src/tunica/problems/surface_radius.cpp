@@ -15,6 +15,7 @@ double surface_radius(const fields::FieldMesh& mesh, const std::vector<int>& sur
   const auto counts = [&](const fields::Face& face) {
     return std::count(surfaces.begin(), surfaces.end(), face.surface) > 0;
   };
+  // n_a = Σ_T A_T n_T / |Σ_T A_T n_T|, as owners see them
   std::vector<Vec3> normals(mesh.n_owned);
   for (const fields::Face& face : mesh.faces) {
     if (!counts(face)) continue;
@@ -27,6 +28,7 @@ double surface_radius(const fields::FieldMesh& mesh, const std::vector<int>& sur
   Vector owned(mesh.vector_map);
   fields::store(normals, mesh, owned);
   normals = fields::ghosted_vectors(mesh, owned);
+  // ∫ ∇_S·n dA = Σ_T Σ_a A ∇N_a·n_a = ½ Σ_T Σ_a (n × e_a)·n_a
   double area = 0.0, curvature = 0.0;
   for (const fields::Face& face : mesh.faces) {
     if (!face.is_owned || !counts(face)) continue;
@@ -39,6 +41,7 @@ double surface_radius(const fields::FieldMesh& mesh, const std::vector<int>& sur
   }
   area = global_sum(*mesh.comm, area);
   curvature = std::abs(global_sum(*mesh.comm, curvature));
+  // r = A/|∫ ∇_S·n dA|; flat surfaces have none, and A^½ in its place
   return std::min(std::sqrt(area), area / std::max(curvature, 1e-300));
 }
 

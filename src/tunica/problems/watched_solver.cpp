@@ -40,6 +40,7 @@ constexpr const char* solver_numbers = "linear solver";
 
 void save_solver(const linear::LinearSolver& solver, fields::State& state) {
   const std::vector<double> numbers = solver.save();
+  // A fresh solver has nothing to keep.
   if (!numbers.empty()) state.numbers[solver_numbers] = numbers;
 }
 

@@ -15,7 +15,7 @@ using SolveWatch = std::function<void(const algebra::BlockVector& b)>;
 std::unique_ptr<linear::LinearSolver> watched(std::unique_ptr<linear::LinearSolver> solver,
                                               SolveWatch watch);
 
-/// What of a solver belongs into a checkpoint, and back.
+/// Saves the state of a solver for a checkpoint, and restores it.
 void save_solver(const linear::LinearSolver& solver, fields::State& state);
 bool has_solver(const fields::State& state);
 void restore_solver(const fields::State& state, linear::LinearSolver& solver);

@@ -56,7 +56,7 @@ std::string Checkpoints::why_to_stop() {
   text << "stopped by " << (wish == by_the_clock ? "\"wall limit\"" : signal_name(wish))
        << " after step " << march_->clock().step() << ", at " << march_->clock().time() << " ms";
   text << (output_->checkpoint_every > 0
-               ? ". Go on with --restart."
+               ? ". Continue with --restart."
                : ", without a checkpoint, since \"checkpoint every\" is 0.");
   return text.str();
 }
@@ -95,9 +95,9 @@ void Checkpoints::give_way(const StopRequest& request) {
   if (output_->checkpoint_every == 0)
     text << ", without a checkpoint, since \"checkpoint every\" is 0.";
   else if (ended == 0)
-    text << ", before there was anything to go on from.";
+    text << ", before there was a step to continue from.";
   else
-    text << ". Go on with --restart.";
+    text << ". Continue with --restart.";
   output_->stopped = text.str();
   march_->stop();
   if (has_news()) write_last_ended();

@@ -36,7 +36,7 @@ public:
   Outcome give_up(const std::string& reason);
 
 private:
-  /// The same where a signal has ended a step before its end.
+  /// Leaves a checkpoint of the last completed step after a signal has interrupted a step.
   void give_way(const StopRequest& request);
   void restore(const std::string& path) const;
   /// Why the march ends here, agreed by all ranks; empty where it does not.

@@ -267,8 +267,8 @@ void check_held(const setup::Case& the_case, const Domain& domain) {
   const std::string free = boundary::free_rigid_motions(terms, domain.mesh("wall"));
   TUNICA_CHECK(free.empty(), "Wall / Surfaces: nothing holds the wall against " + free + ", but " +
                                  (is_static ? "\"analysis\" = \"static\"" : "its prestress") +
-                                 " is an equilibrium, of which there are then many. Give a surface "
-                                 "the condition \"clamped\", \"held\" or \"support\".");
+                                 " is an equilibrium, which is then not unique. Give a surface the "
+                                 "condition \"clamped\", \"held\" or \"support\".");
 }
 
 }  // namespace tunica::run

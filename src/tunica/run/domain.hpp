@@ -34,13 +34,13 @@ struct Domain {
 /// Throws Error on all ranks alike. Collective.
 Domain load_domain(const setup::Case& the_case, const CommPtr& comm);
 
-/// What the case amounts to, and where it is known what a run takes, on rank 0's screen: for those
-/// who look before they run. Collective.
+/// Prints the expected properties of the case and, if known, the cost of a run on rank 0's screen,
+/// before a run. Collective.
 void print_expectations(const setup::Case& the_case, const Domain& domain);
 
-/// What a run would find on that domain before its first step: the directions of the wall's fibres,
-/// the conditions of all surfaces with their files, and check_held(); and in its steps: flows
-/// through a fluid that no surface lets out, which do not balance. Throws Error on all ranks alike.
+/// Checks that a run makes on that domain before its first step: the directions of the wall's
+/// fibres, the conditions of all surfaces with their files, and check_held(); and in its steps:
+/// unbalanced flows through a fluid without an open surface. Throws Error on all ranks alike.
 /// Collective.
 void check_fields(const setup::Case& the_case, const Domain& domain);
 

@@ -2,7 +2,7 @@
 
 namespace tunica::run {
 
-/// What a driver returns to the shell.
+/// Exit statuses of the drivers.
 constexpr int exit_done = 0;
 constexpr int exit_bad_input = 1;          ///< the user's input or data is wrong
 constexpr int exit_not_converged = 2;      ///< a diagnosis and the steps before are on disk

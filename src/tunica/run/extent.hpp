@@ -13,8 +13,8 @@ void scale(mesh::Mesh& mesh, double factor);
 /// "3.0 x 3.0 x 15.0 mm": three digits of the longest.
 std::string extent_text(const Vec3& extent);
 
-/// What to ask where the longest is below 0.5 mm or above 5000 mm, as no vessel in mm is;
-/// otherwise empty.
+/// A question about the unit if the longest extent is below 0.5 mm or above 5000 mm, as no vessel
+/// in mm is; otherwise empty.
 std::string doubt_of_unit(const Vec3& extent);
 
 /// Prints the extent, and on the error stream the doubt, on rank 0.

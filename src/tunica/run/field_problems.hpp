@@ -11,11 +11,11 @@
 
 namespace tunica::run {
 
-/// The fields that a case solves for, each with its kernels, blocks and solver, and where there are
-/// two what couples them. What the case lacks is null.
+/// The fields that a case solves for, each with its kernels, blocks and solver, and the coupling if
+/// there are two. Absent parts are null.
 struct FieldProblems {
   /// The domain must outlive the object. Collective.
-  FieldProblems(const setup::Case& what, const Domain& domain);
+  FieldProblems(const setup::Case& what, const Domain& of_case);
 
   /// The fields before their first step: the wall with its prestress, and coupled. Where a signal
   /// ends the search for the prestress, RunOutput::stopped says so and nothing is coupled. Fails as

@@ -145,8 +145,8 @@ Outcome give(const problems::Prestress& found, problems::SolidProblem& wall) {
 std::string about_stop(int signal, double kept, bool has_checkpoints) {
   std::string text = "stopped by " + signal_name(signal) + " in the prestress, ";
   if (!has_checkpoints) return text + "without a checkpoint, since \"checkpoint every\" is 0.";
-  if (kept == 0.0) return text + "before there was anything to go on from.";
-  return text + formatted("with %.3g of the load borne. Go on with --restart.", kept);
+  if (kept == 0.0) return text + "before there was a step to continue from.";
+  return text + formatted("with %.3g of the load borne. Continue with --restart.", kept);
 }
 
 }  // namespace
@@ -164,10 +164,10 @@ std::optional<output::CheckpointHead> begun_prestress(const Teuchos::ParameterLi
   if (!all_agree(comm, is_there || comm.getRank() > 0)) return {};
   output::CheckpointHead head;
   on_all(comm, [&] { head = output::CheckpointFile(path).head(); });
-  TUNICA_CHECK(head.mesh == domain.fingerprint, "--restart: " + path +
-                                                    " belongs to another mesh than " +
-                                                    list.sublist("Mesh").get<std::string>("file") +
-                                                    ". A run goes on with the mesh it began with.");
+  TUNICA_CHECK(head.mesh == domain.fingerprint,
+               "--restart: " + path + " belongs to another mesh than " +
+                   list.sublist("Mesh").get<std::string>("file") +
+                   ". A run continues with the mesh it began with.");
   return head;
 }
 

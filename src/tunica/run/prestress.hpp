@@ -14,8 +14,8 @@ namespace tunica::run {
 Outcome take_prestress(const problems::SolidSettings& settings, RunOutput& output,
                        problems::SolidProblem& wall, problems::FluidProblem* fluid = nullptr);
 
-/// Of the search that a run in the folder of the case was ended in, before its first checkpoint;
-/// nothing where there is none. Throws Error where it belongs to another mesh. Collective.
+/// Head of the file of an interrupted search in the folder of the case, before the first checkpoint
+/// of the run; empty if there is none. Throws Error if it belongs to another mesh. Collective.
 std::optional<output::CheckpointHead> begun_prestress(const Teuchos::ParameterList& list,
                                                       const Domain& domain);
 

@@ -52,17 +52,17 @@ void check_fit(const output::CheckpointFile& file, const std::string& path,
   TUNICA_CHECK(file.head().mesh == domain.fingerprint,
                "--restart: " + path + " belongs to another mesh than " +
                    list.sublist("Mesh").get<std::string>("file") +
-                   ". A run goes on with the mesh it began with.");
+                   ". A run continues with the mesh it began with.");
   if (list.isSublist("Coupling")) {
     const auto& scheme = list.sublist("Coupling").get<std::string>("scheme");
     const std::string& former = file.text("coupling/scheme");
     TUNICA_CHECK(former == scheme, "--restart: " + path + " was made with Coupling / scheme = \"" +
                                        former + "\", not \"" + scheme +
-                                       "\". A run goes on with the one it began with.");
+                                       "\". A run continues with the one it began with.");
   }
   const stepping::StepControlOptions steps = stepping::step_control_options(list.sublist("Time"));
   TUNICA_CHECK(!file.head().control.empty(),
-               "--restart: " + path + " lacks what the step control needs to go on.");
+               "--restart: " + path + " lacks the state of the step control.");
   const auto& was = file.head().control;
   const std::string kind = file.head().step_size > 0.0     ? "fixed"
                            : was.at("pseudo-time").empty() ? "adaptive"
@@ -70,13 +70,13 @@ void check_fit(const output::CheckpointFile& file, const std::string& path,
   const auto wanted = list.sublist("Time").get<std::string>("step control");
   TUNICA_CHECK(kind == wanted, "--restart: " + path + " was made with \"step control\" = \"" +
                                    kind + "\", not \"" + wanted +
-                                   "\". A run goes on with the one it began with.");
+                                   "\". A run continues with the one it began with.");
   if (kind != "fixed") return;
   const double step_size = steps.first_step;
   std::ostringstream sizes;
   sizes.precision(17);
   sizes << "Time: \"step size\" is " << step_size << " ms, but " << path << " was made with "
-        << file.head().step_size << " ms. A run goes on with the step size it began with.";
+        << file.head().step_size << " ms. A run continues with the step size it began with.";
   TUNICA_CHECK(std::abs(step_size - file.head().step_size) <= 1e-12 * step_size, sizes.str());
 }
 

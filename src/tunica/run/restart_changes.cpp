@@ -93,20 +93,18 @@ bool is_of_jacobians(const params::Difference& change) {
 Changes tell_changes(const output::CheckpointHead& head, const std::string& file,
                      const Teuchos::ParameterList& list, const params::Table& table, bool allowed) {
   const std::string advice =
-      "Take the case of the steps before, or go on all the same with "
-      "--allow-changes.";
+      "Use the case of the previous steps, or accept the changes with --allow-changes.";
   TUNICA_CHECK(allowed || !head.parameters.empty(),
                "--restart: " + file +
-                   " does not tell with which case it was made, so that nobody "
-                   "knows what has changed since. Go on all the same with --allow-changes.");
+                   " does not contain the case it was made with, so that changes cannot be "
+                   "detected. Continue all the same with --allow-changes.");
   if (head.parameters.empty()) return {{"case", "unknown", "as in this file"}};
   const Changes changes = changes_since(head, list, table);
   Changes bound;
   for (const params::Difference& change : changes)
     if (!may_change_freely(change.path) && !is_of_jacobians(change)) bound.push_back(change);
-  TUNICA_CHECK(allowed || bound.empty(),
-               "--restart: " + file +
-                   " was made with a case that says otherwise:" + lines_of(bound) + "\n" + advice);
+  TUNICA_CHECK(allowed || bound.empty(), "--restart: " + file + " was made with a different case:" +
+                                             lines_of(bound) + "\n" + advice);
   if (!changes.empty())
     io::print_line("changed after step " + std::to_string(head.step) + ":" + lines_of(changes));
   return changes;

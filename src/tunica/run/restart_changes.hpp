@@ -11,7 +11,7 @@
 
 namespace tunica::run {
 
-/// What a restart changes in the case.
+/// Changes of the case by a restart.
 using Changes = std::vector<params::Difference>;
 
 /// True for keys that say how long a run goes, what it writes and how its equations are solved;

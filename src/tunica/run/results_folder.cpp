@@ -59,7 +59,7 @@ void check_results_folder(const std::string& folder, const setup::CommandLine& c
     const bool can_go_on =
         setup::takes(program, "--restart") && (!output::checkpoints_in(folder).empty() ||
                                                std::filesystem::exists(folder + "/prestress.h5"));
-    const std::string go_on = can_go_on ? "Go on with --restart, choose" : "Choose";
+    const std::string go_on = can_go_on ? "Continue with --restart, choose" : "Choose";
     TUNICA_CHECK(command.overwrite || names.empty(),
                  "\"" + folder + "\" holds results of an earlier run (" + names + "). " + go_on +
                      " another --output, or replace them with --overwrite.");
@@ -68,11 +68,11 @@ void check_results_folder(const std::string& folder, const setup::CommandLine& c
                      is_same_file(command.case_file, case_there) ||
                      is_result(history_of(folder), used_name),
                  case_there +
-                     ": a case that is not that of this run stands where the parameters that it "
-                     "uses are kept. Choose another --output.");
+                     ": another case has the file name under which this run stores its parameters. "
+                     "Choose another --output.");
     TUNICA_CHECK(!name_for_parameters(folder, command.case_file).empty(),
                  folder + ": " + case_name + " and " + used_name +
-                     " are cases that no run has written. Choose another --output.");
+                     " are cases that were not written by a run. Choose another --output.");
   });
 }
 

@@ -27,8 +27,8 @@ std::vector<output::Leg> history_of(const std::string& folder);
 /// "case-used.xml" where a case.xml is there that no run has written. Not collective.
 std::string name_for_parameters(const std::string& folder, const std::string& case_file);
 
-/// The same where a run goes on with other parameters: "case-2.xml", "case-3.xml", ..., whichever
-/// is not there. Not collective.
+/// Name for the parameters if a run continues with changes: the first free one of "case-2.xml",
+/// "case-3.xml", ... Not collective.
 std::string name_for_changed(const std::string& folder, const std::string& first);
 
 /// Removes the parameters that an earlier run has written, but those under its first name and the

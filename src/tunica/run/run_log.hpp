@@ -19,7 +19,7 @@ struct IterationIndex {
   int attempt = 1;         ///< of the step
 };
 
-/// What became of one time step, and its totals.
+/// Outcome of one time step, and its totals.
 struct StepSummary {
   bool is_converged = false;
   bool is_accepted = false;  ///< converged, or not and accepted as the case says
@@ -64,7 +64,7 @@ private:
   /// ", about 12 min left" for so many steps to come, from the mean of the last ones.
   std::string time_left(double steps) const;
   void print(const stepping::Clock& clock, const StepSummary& summary) const;
-  void linear_row(const std::string& field, const linear::SolveReport& solve);
+  void linear_row(const std::string& field, const linear::SolveReport& l);
 
   output::RunRecord* record_;
   std::string steps_file_;
@@ -85,10 +85,10 @@ private:
 std::string rough_duration(double seconds);
 
 StepSummary summary_of(const coupling::Report& report, const std::vector<std::string>& fields);
-/// Of a field that is solved alone.
+/// Summary for a field that is solved alone.
 StepSummary summary_of(const nonlinear::NewtonReport& report, const std::string& field,
                        const stepping::Clock& clock);
-/// Of a step that could not even begin.
+/// Summary of a step that could not begin.
 StepSummary summary_of(const Outcome& failure, const std::vector<std::string>& fields);
 
 /// All observables in one list.

@@ -13,18 +13,18 @@
 
 namespace tunica::run {
 
-/// What every run writes beside its tables. Made when the case and the mesh are known to be
-/// good, so that a bad input leaves nothing behind.
+/// Output of every run besides its tables. Created when the case and the mesh are known to be
+/// valid, so that bad input leaves no files.
 struct RunOutput {
   /// lock: of the folder, taken if it was there before. Throws Error where another run has begun in
   /// it meanwhile.
   RunOutput(const setup::CommandLine& command, const Teuchos::ParameterList& list,
             const CommPtr& comm, io::FolderLock& lock, std::optional<Restart> from = {},
-            const Stopwatch& since_start = {});
-  /// Of a case on its domain.
+            const Stopwatch& started = {});
+  /// Output of a case on its domain.
   RunOutput(const setup::CommandLine& command, const Teuchos::ParameterList& list,
             const Domain& domain, io::FolderLock& lock, std::optional<Restart> from = {},
-            const Stopwatch& since_start = {});
+            const Stopwatch& started = {});
 
   int steps_done() const { return restart ? restart->head.step : 0; }
 

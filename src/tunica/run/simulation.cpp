@@ -58,11 +58,11 @@ struct Simulation::Impl {
   void record_unknowns() const;
   observe::Parts parts() const;
   void open_files();
-  StepSummary solve(const stepping::Clock& clock, int attempt);
-  StepSummary solve_coupled(const stepping::Clock& clock);
+  StepSummary attempt(const stepping::Clock& clock, int number);
+  StepSummary step_coupled(const stepping::Clock& clock);
   template <class Problem>
-  StepSummary solve_alone(Problem& problem, const std::string& name, const stepping::Clock& clock);
-  void solve_behind(const stepping::Clock& clock, StepSummary& step);
+  StepSummary step_alone(Problem& problem, const std::string& name, const stepping::Clock& clock);
+  void step_behind(const stepping::Clock& clock, StepSummary& step);
   StepSummary make_step();
   void observe();
   void write_fields();
@@ -108,16 +108,16 @@ void Simulation::Impl::open_files() {
   series.emplace(*output, grids, comm);
 }
 
-StepSummary Simulation::Impl::solve(const stepping::Clock& clock, int attempt) {
-  log->begin({clock.step(), clock.time(), is_coupled() ? 1 : 0, attempt});
-  StepSummary step = is_coupled()     ? solve_coupled(clock)
-                     : problems.fluid ? solve_alone(*problems.fluid, "fluid", clock)
-                                      : solve_alone(*problems.wall, "wall", clock);
-  solve_behind(clock, step);
+StepSummary Simulation::Impl::attempt(const stepping::Clock& clock, int number) {
+  log->begin({clock.step(), clock.time(), is_coupled() ? 1 : 0, number});
+  StepSummary step = is_coupled()     ? step_coupled(clock)
+                     : problems.fluid ? step_alone(*problems.fluid, "fluid", clock)
+                                      : step_alone(*problems.wall, "wall", clock);
+  step_behind(clock, step);
   return step;
 }
 
-StepSummary Simulation::Impl::solve_coupled(const stepping::Clock& clock) {
+StepSummary Simulation::Impl::step_coupled(const stepping::Clock& clock) {
   coupling::Scheme& scheme = *problems.scheme;
   const Outcome begun = scheme.begin_step(clock);
   if (begun.is_failure()) return summary_of(begun, scheme.fields());
@@ -128,8 +128,8 @@ StepSummary Simulation::Impl::solve_coupled(const stepping::Clock& clock) {
 }
 
 template <class Problem>
-StepSummary Simulation::Impl::solve_alone(Problem& problem, const std::string& name,
-                                          const stepping::Clock& clock) {
+StepSummary Simulation::Impl::step_alone(Problem& problem, const std::string& name,
+                                         const stepping::Clock& clock) {
   problem.begin_step(clock);
   const nonlinear::NewtonReport report = problem.solve();
   if (report.is_converged) problem.end_step();
@@ -137,7 +137,7 @@ StepSummary Simulation::Impl::solve_alone(Problem& problem, const std::string& n
 }
 
 /// The fields that nothing else solves for: each looks at those before it.
-void Simulation::Impl::solve_behind(const stepping::Clock& clock, StepSummary& step) {
+void Simulation::Impl::step_behind(const stepping::Clock& clock, StepSummary& step) {
   for (const auto& field : fields) {
     if (!field->is_solved_behind()) continue;
     const std::string name = field->name();
@@ -156,7 +156,7 @@ void Simulation::Impl::solve_behind(const stepping::Clock& clock, StepSummary& s
 
 StepSummary Simulation::Impl::make_step() {
   StepSummary step = march->make_step(
-      [this](const stepping::Clock& clock, int attempt) { return solve(clock, attempt); }, *log);
+      [this](const stepping::Clock& clock, int number) { return attempt(clock, number); }, *log);
   const stepping::Clock& clock = march->clock();
   if (step.is_accepted)
     for (const auto& field : fields) field->accept(clock);

@@ -46,10 +46,11 @@ public:
   /// begin(), step() until is_done(), finish().
   Outcome march();
 
-  /// Of the step made last; before the first one of the state that the run goes on from.
+  /// Number and time of the last step; before the first step, those of the state that the run
+  /// continues from.
   int steps_made() const;
   double time() const;  ///< [ms]
-  /// What the row of the last step in steps.csv has of the fields.
+  /// Columns of the fields in the row of the last step in steps.csv.
   const discretisation::Observables& observed() const;
 
   /// "wall", "fluid", and the names in the list "Fields"; from begin() on.

@@ -36,7 +36,7 @@ public:
 
   /// All that a run needs to go on: the parts, theirs, and what the accuracy is judged by.
   Parts parts() const;
-  /// What the control needs to go on behind clock(), and back.
+  /// State that the control needs to continue after clock(), and its restoration.
   using Numbers = std::map<std::string, std::vector<double>>;
   Numbers save() const;
   void restore(const Numbers& numbers);

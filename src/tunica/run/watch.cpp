@@ -94,9 +94,9 @@ void Watch::look_at_outlets(const discretisation::Observables& observables, doub
     double& out = volume_out_[name];
     if (out > 0.0 && o.value > 0.1 * largest_flow_)
       say("backflow " + name,
-          formatted("flow comes back through %s, at %.3g mm^3/ms, and no backflow stabilisation is "
-                    "there to take out what it brings in; it may grow without bound. \"backflow "
-                    "stabilisation\" = 0.2 in Fluid / Surfaces / %s.",
+          formatted("flow returns through %s, at %.3g mm^3/ms, without backflow stabilisation to "
+                    "remove the energy that it brings in; it may grow without bound. Set "
+                    "\"backflow stabilisation\" = 0.2 in Fluid / Surfaces / %s.",
                     name.c_str(), o.value, name.c_str()));
     out -= o.value * step_size;
   }
@@ -105,11 +105,10 @@ void Watch::look_at_outlets(const discretisation::Observables& observables, doub
 void Watch::look_at_iterations(const StepSummary& step) {
   const auto near_cap = [&](int made, int most, const char* what, const char* cure) {
     if (most < 10 || made < 0.8 * most) return;
-    say("iterations",
-        formatted("the step took %d %s, where an attempt ends at %d; usual are a third of "
-                  "that and less. Shorter steps (Time / cuts = 4 halves those that fail), a "
-                  "load that rises more slowly, or %s.",
-                  made, what, most, cure));
+    say("iterations", formatted("the step took %d %s, where an attempt ends at %d; usual is a "
+                                "third of that or less. Use shorter steps (Time / cuts = 4 halves "
+                                "those that fail), a load that rises more slowly, or %s.",
+                                made, what, most, cure));
   };
   near_cap(step.coupling_iterations, most_iterations_, "coupling iterations",
            "a higher \"Coupling / max iterations\"");
@@ -123,12 +122,11 @@ void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>&
   const Deformation worst = worst_deformation(mesh, d);
   if (worst.part_of_quality > 0.3 && worst.part_of_volume > 0.1) return;
   say("mesh",
-      formatted(
-          "an element of the fluid's mesh has %.2g of the quality that it had, one %.2g of "
-          "its volume, the worst is of quality %.2g; usual are 0.5 and more. It will soon "
-          "be inverted: Mesh Motion / stiffening = 1 and law = elastic keep elements in shape, or "
-          "mesh with larger ones beside the interface, where it moves far.",
-          worst.part_of_quality, worst.part_of_volume, worst.quality));
+      formatted("an element of the fluid's mesh has %.2g of the quality that it had, one %.2g of "
+                "its volume, the worst is of quality %.2g; usual are 0.5 or more. It will soon be "
+                "inverted: Mesh Motion / stiffening = 1 and law = elastic keep elements in shape, "
+                "or mesh with larger ones beside the interface, where it moves far.",
+                worst.part_of_quality, worst.part_of_volume, worst.quality));
 }
 
 std::vector<std::string> Watch::look(const StepSummary& step, double step_size,

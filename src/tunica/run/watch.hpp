@@ -21,21 +21,21 @@ struct Deformation {
 /// d: at local nodes. Collective.
 Deformation worst_deformation(const fields::FieldMesh& mesh, const std::vector<Vec3>& d);
 
-/// What a run says while it goes on, each thing once: a wall that does not keep its volume, flow
-/// that comes back through an outlet, a lumen whose mesh is bent badly, iterations near their cap.
+/// Warnings of a run, each given once: a wall that does not keep its volume, flow that returns
+/// through an outlet, a badly deformed mesh of the lumen, iterations near their cap.
 class Watch {
 public:
   explicit Watch(const setup::Case& the_case);
 
-  /// What is new at the end of an accepted step: a line each, with the cure. d: displacement of the
-  /// fluid's mesh at its local nodes, empty where it stands still. wall: asked only where it does
-  /// not keep its volume. Collective.
+  /// New warnings at the end of an accepted step: a line each, with the cure. d: displacement of
+  /// the fluid's mesh at its local nodes, empty where it stands still. wall: asked only where it
+  /// does not keep its volume. Collective.
   std::vector<std::string> look(const StepSummary& step, double step_size,
                                 const discretisation::Observables& observables,
                                 const fields::FieldMesh* fluid = nullptr,
                                 const std::vector<Vec3>& d = {},
                                 const std::function<std::vector<judge::LayerVolume>()>& wall = {});
-  /// The same, said on the screen.
+  /// Prints the new warnings on the screen.
   void tell(const RunLog& log, const stepping::Clock& clock, const StepSummary& step,
             const discretisation::Observables& observables,
             const fields::FieldMesh* fluid = nullptr, const std::vector<Vec3>& d = {},

@@ -31,8 +31,9 @@ std::vector<Option> options_of(const std::string& program) {
                    {"--overwrite", "", "replace the results of an earlier run in the folder"});
   if (program == "tunica-fsi" || program == "tunica-solid" || program == "tunica-fluid")
     options.insert(options.begin() + 2,
-                   {{"--restart", "", "go on from the folder's last checkpoint"},
-                    {"--allow-changes", "", "also where the case is another one than before"}});
+                   {{"--restart", "", "continue in the output folder from its newest checkpoint"},
+                    {"--allow-changes", "",
+                     "with --restart: accept changes of the physics, loads or discretisation"}});
   if (program == "tunica-check")
     options.push_back({"--reference", "",
                        "print the parameter reference (Markdown); --reference Fluid/Surfaces: of a "
@@ -110,9 +111,9 @@ CommandLine parse(int argc, char** argv, const std::string& program, const std::
   TUNICA_CHECK(!needs_case || !line.case_file.empty(),
                "the case file is missing\n\n" + usage(program, sentence));
   TUNICA_CHECK(line.restart || !line.allow_changes, "--allow-changes is for --restart");
-  TUNICA_CHECK(!line.restart || !line.overwrite,
-               "--restart goes on with earlier results, --overwrite replaces them: expected one of "
-               "the two");
+  TUNICA_CHECK(
+      !line.restart || !line.overwrite,
+      "--restart continues earlier results, --overwrite replaces them: expected one of the two");
   return line;
 }
 
@@ -131,10 +132,9 @@ std::string usage(const std::string& program, const std::string& sentence) {
     text += left + option.sentence + "\n";
   }
   return text +
-         "\nExit status: 0 done, 1 bad input, 2 not converged, 3 a fault of the program "
-         "or the machine, 4 done with steps that were accepted unconverged, 5 stopped by a signal "
-         "or "
-         "the wall limit, to go on with --restart.\n";
+         "\nExit status: 0 done, 1 bad input, 2 not converged, 3 internal or system error, 4 done, "
+         "but steps were accepted unconverged, 5 stopped by a signal or the wall limit, continue "
+         "with --restart.\n";
 }
 
 }  // namespace tunica::setup

@@ -5,7 +5,7 @@
 
 namespace tunica::setup {
 
-/// What the drivers accept: tunica-fsi CASE.xml --output DIR --set "Fluid/density=1.06"
+/// Command line of the drivers: tunica-fsi CASE.xml --output DIR --set "Fluid/density=1.06"
 struct CommandLine {
   std::string program{};  ///< the driver's name
   std::string case_file;

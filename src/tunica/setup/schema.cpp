@@ -32,9 +32,10 @@ params::Table mesh_table() {
             "Gmsh 2.2 or 4.1, Netgen .vol, or our HDF5; lengths in mm, or see scale")
       .number("scale", 1.0, params::positive(), "",
               "the vertices are multiplied by it; 1000 for a mesh in m, 10 for one in cm")
-      .choice("partitioner", "automatic", mesh::partitioner_names(),
-              "who cuts the mesh for several ranks: metis, for which one rank has all of it; "
-              "geometric, by planes and without; automatic, the first up to 100,000 tetrahedra");
+      .choice(
+          "partitioner", "automatic", mesh::partitioner_names(),
+          "partitioner of the mesh: metis, for which the whole mesh must fit on rank 0; geometric, "
+          "by planes, which needs no whole mesh; automatic, metis up to 100,000 tetrahedra");
   return table;
 }
 
@@ -52,7 +53,7 @@ params::Table output_table(bool has_fluid, bool has_wall) {
       .integer("checkpoint every", 1, params::non_negative(),
                "write a checkpoint for --restart after every so many steps; 0 never")
       .number("progress every", 5.0, params::non_negative(), "s",
-              "on the screen, a line about so often from within a long step: its Newton step, "
+              "interval of progress lines on the screen within a long step: its Newton step, "
               "iteration and residual; 0: each iteration");
   observe::add_surface_keys(table);
   if (has_wall) observe::add_wall_array_keys(table);
@@ -84,8 +85,8 @@ void check_steady(const Teuchos::ParameterList& list, const std::string&) {
   const Teuchos::ParameterList& output = list.sublist("Output");
   TUNICA_CHECK(output.get<Teuchos::Array<double>>("fields at").empty() &&
                    output.get<double>("fields interval") == 0.0,
-               "Output: \"fields at\" and \"fields interval\" mean nothing on the way to a steady "
-               "flow; the last step is always written.");
+               "Output: \"fields at\" and \"fields interval\" have no meaning for a steady flow; "
+               "the last step is always written.");
 }
 
 /// Times at which fields are wanted are kept in memory.
@@ -137,7 +138,8 @@ params::Table fluid_table() {
 }
 
 params::Table solvers_table() {
-  params::Table solvers("What tunica-solvers compares, and on which linear systems.");
+  params::Table solvers(
+      "Settings that tunica-solvers compares, and the linear systems on which it does.");
   compare::add_capture_keys(solvers);
   compare::add_setting_keys(solvers);
   compare::add_export_keys(solvers);
@@ -147,7 +149,7 @@ params::Table solvers_table() {
 }
 
 params::Table system_solvers_table() {
-  params::Table solvers("What tunica-solvers compares.");
+  params::Table solvers("Settings that tunica-solvers compares.");
   compare::add_system_setting_keys(solvers);
   params::Table output("What a run leaves behind.");
   output.text("folder", "results", "folder of the results; --output overrides it");

@@ -7,9 +7,9 @@ namespace tunica::setup {
 params::Table fsi_table();
 params::Table solid_table();
 params::Table fluid_table();
-/// Of tunica-solvers: every case of tunica-fsi, with the list "Solvers" beside the others.
+/// Schema of tunica-solvers: every case of tunica-fsi, with the additional list "Solvers".
 params::Table solvers_table();
-/// The same for a system of another program: no fields, no mesh.
+/// Schema of tunica-solvers for a system of another program: no fields, no mesh.
 params::Table system_solvers_table();
 
 }  // namespace tunica::setup

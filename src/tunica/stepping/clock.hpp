@@ -42,7 +42,7 @@ public:
   int steps() const { return steps_; }
   double end() const { return end_; }  ///< of the run [ms]
 
-  /// What "every so many steps" goes by: the number of the step, zero within a step that was cut.
+  /// Counter for "every so many steps": the number of the step, zero within a step that was cut.
   int count() const { return count_; }
   bool is_every(int steps) const { return count_ > 0 && count_ % steps == 0; }
   bool is_last() const { return is_last_; }

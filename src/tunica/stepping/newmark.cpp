@@ -57,9 +57,10 @@ SchemeEntry newmark_scheme() {
               "β; more than 0.5 keeps the pressure free of oscillations in time")
       .number("gamma", 1.0, params::between(0.5, 1.0), "1", "γ; 1 is the first-order scheme")
       .choice("start", "rest", {"rest", "implicit euler"},
-              "of the first step, and behind a kink of the loads: with the acceleration of before "
-              "(rest, the paper's), or by a step of implicit euler, which finds that of the load "
-              "and so keeps second order where the load is there at once");
+              "first step, and first step after a kink of the loads: with the earlier acceleration "
+              "(rest, the paper's choice), or by a step of implicit Euler (implicit euler), which "
+              "finds the acceleration of the load and so keeps second order if the load is applied "
+              "as a step");
   return {"newmark",
           "the paper's for the wall, with the keys below",
           false,

@@ -22,7 +22,7 @@ void check_span(double period, std::vector<double> times, const std::string& pat
   const double end = times.front() + period;
   TUNICA_CHECK(times.back() <= end && (n < 2 || times[n - 2] < end),
                path + ": the times span " + span + " ms, more than the period of " + most +
-                   " ms. Leave out what lies beyond it, or correct the period.");
+                   " ms. Omit the times beyond it, or correct the period.");
 }
 
 }  // namespace tunica::stepping

@@ -52,14 +52,14 @@ void PseudoTime::restore(const std::vector<double>& numbers) {
 params::Table steady_table() {
   const params::Range below_one{0.0, 1.0, true, true};
   params::Table table("steps in pseudo-time to a steady flow");
-  table.integer("steps", 200, params::between(1, 1e9), "give up after so many")
+  table.integer("steps", 200, params::between(1, 1e9), "maximum number of steps")
       .number("tolerance", 1e-8, below_one, "1",
-              "steady is what a step without time derivative changes by no more than this part of "
-              "the velocity (root mean square)")
+              "the flow is steady if a step without time derivative changes the velocity by at "
+              "most this part of it (root mean square)")
       .number("velocity scale", 1e-3, params::positive(), "mm/ms",
               "smaller velocities are judged as if they were of this size")
       .number("load time", 0.0, params::between(0.0, 1e12), "ms",
-              "the instant whose loads act; pseudo-time does not move them")
+              "time at which loads are taken; pseudo-time does not change them")
       .number("smallest growth", 1.5, params::Range{1.0, 100.0, true, false}, "1",
               "a step is at least so many times as long as the one before, unless that was cut")
       .number("largest growth", 10.0, params::Range{1.0, 1e6, true, false}, "1",
@@ -68,8 +68,8 @@ params::Table steady_table() {
               "once a step changes the velocity by less than this part, the next has no time "
               "derivative")
       .number("newton increment", 0.01, below_one, "1",
-              "relative increment at which Newton's method of a step stops, in the place of the "
-              "one of the fluid: the next step goes on")
+              "relative increment at which Newton's method of a step stops, instead of that of the "
+              "fluid: the next step continues")
       .integer("cuts", 20, params::between(0, 50),
                "how often in a row a step that fails is cut to a quarter and repeated");
   return table;

@@ -17,7 +17,7 @@ public:
   /// From a resolved "Time" list of a steady flow.
   explicit PseudoTime(const Teuchos::ParameterList& time);
 
-  /// Of the present step, infinite at last.
+  /// Size of the present step, finally infinite.
   double size() const { return size_; }
   /// A step without time derivative has changed x by no more than is permitted.
   bool is_steady() const { return is_steady_; }

@@ -46,7 +46,9 @@ std::unique_ptr<TimeScheme> make_scheme(const Teuchos::ParameterList& field, int
 
 }  // namespace
 
-void add_wall_scheme_keys(params::Table& table) { add_keys(table, false, "of a dynamic wall"); }
+void add_wall_scheme_keys(params::Table& table) {
+  add_keys(table, false, "time scheme of a dynamic wall");
+}
 
 std::unique_ptr<TimeScheme> make_wall_scheme(const Teuchos::ParameterList& wall) {
   if (wall.get<std::string>("analysis") == "static") return std::make_unique<Statics>();
@@ -54,7 +56,7 @@ std::unique_ptr<TimeScheme> make_wall_scheme(const Teuchos::ParameterList& wall)
 }
 
 void add_fluid_scheme_keys(params::Table& table) {
-  add_keys(table, true, "of the fluid, its mesh and the interface");
+  add_keys(table, true, "time scheme of the fluid, its mesh and the interface");
 }
 
 std::unique_ptr<TimeScheme> make_fluid_scheme(const Teuchos::ParameterList& fluid) {

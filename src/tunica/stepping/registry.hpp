@@ -13,7 +13,7 @@ void add_wall_scheme_keys(params::Table& table);
 /// The scheme that a resolved "Wall" list names.
 std::unique_ptr<TimeScheme> make_wall_scheme(const Teuchos::ParameterList& wall);
 
-/// The same of a fluid, whose equations are of first order in time.
+/// Adds the scheme keys of a fluid, whose equations are of first order in time.
 void add_fluid_scheme_keys(params::Table& table);
 std::unique_ptr<TimeScheme> make_fluid_scheme(const Teuchos::ParameterList& fluid);
 

@@ -201,7 +201,8 @@ params::Table adaptive_table() {
   table
       .number("end time", std::nullopt, params::Range{0.0, 1e12, true, false}, "ms",
               "end of the run")
-      .integer("steps", 0, params::non_negative(), "end after so many steps, if not before; 0: any")
+      .integer("steps", 0, params::non_negative(),
+               "end after so many steps, if not before; 0: no limit")
       .number("tolerance", 0.01, below_one, "1",
               "error that may add up while the solution changes by its own size, relative to the "
               "largest displacement and velocity so far")
@@ -217,13 +218,13 @@ params::Table adaptive_table() {
       .number("largest growth", 2.0, params::Range{1.0, 2.4, true, false}, "1",
               "a step is at most so many times as long as the one before; BDF2 bears 1 + sqrt(2)")
       .number("largest cut", 0.1, below_one, "1",
-              "and at least this times as long, also where it is repeated")
+              "and at least this multiple, also if it is repeated")
       .number("safety", 0.9, params::Range{0.0, 1.0, true, false}, "1",
               "part of the predicted step that is taken")
       .number("integral gain", 0.6, params::Range{0.0, 1.0, true, false}, "1",
-              "how much the last error says about the next step")
+              "weight of the last error in the choice of the next step")
       .number("proportional gain", 0.2, params::between(0.0, 1.0), "1",
-              "how much the change of the error does")
+              "weight of the change of the error")
       .flag("hit kinks", true,
             "steps end where the amplitude of a load has a kink or a jump, and the time scheme "
             "begins anew there; without it the error estimate must find them")
@@ -251,7 +252,7 @@ params::Table time_table() {
               "time step; of adaptive or pseudo-time steps the first one")
       .variant("step control", "fixed",
                {{"fixed", fixed}, {"adaptive", adaptive_table()}, {"steady", steady_table()}},
-               "how long the steps are; steady: a fluid alone, in pseudo-time");
+               "choice of the step size; steady: a fluid alone, in pseudo-time");
   add_wall_limit(table);
   return table;
 }

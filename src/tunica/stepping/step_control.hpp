@@ -51,7 +51,7 @@ public:
   bool is_done() const;
   bool is_adaptive() const { return options_.is_adaptive; }
   bool is_steady_sought() const { return pseudo_time_.has_value(); }
-  /// What was sought is found.
+  /// True if the steady flow is found.
   bool is_steady() const { return is_steady_sought() && pseudo_time_->is_steady(); }
   /// Size of fixed steps [ms]; zero where they are of any.
   double fixed_step() const {
@@ -68,7 +68,7 @@ public:
   /// change over what is permitted. Plans the next.
   void advance(double eta = 0.0);
 
-  /// What a run needs to go on, by name; and back.
+  /// State that a run needs to continue, by name; and its restoration.
   std::map<std::string, std::vector<double>> save() const;
   void restore(const std::map<std::string, std::vector<double>>& state);
 

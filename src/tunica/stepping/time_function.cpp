@@ -70,12 +70,12 @@ void check_closed(double period, Samples s, const std::string& path) {
   const auto [low, high] = std::minmax_element(s.values.begin(), s.values.end());
   const double first_value = s.values.front(), last_value = s.values.back();
   const auto [first_text, last_text] = told_apart(first_value, last_value);
-  TUNICA_CHECK(std::abs(last_value - first_value) <= round_off * (*high - *low),
-               path + ": the last time, " + last +
-                   " ms, lies a period behind the first one, but the values differ: " + first_text +
-                   " first and " + last_text +
-                   " last. Leave out the last, which the first one is again, or make them the "
-                   "same.");
+  TUNICA_CHECK(
+      std::abs(last_value - first_value) <= round_off * (*high - *low),
+      path + ": the last time, " + last +
+          " ms, lies a period behind the first one, but the values differ: " + first_text +
+          " first and " + last_text +
+          " last. Omit the last time, which repeats the first one, or make the values equal.");
 }
 
 void check_period(const Teuchos::ParameterList& options, const std::string& path, Samples s) {
@@ -252,10 +252,9 @@ params::Table time_function_table() {
     table
         .choice("interpolation", "linear", {"linear", "spline", "steps"},
                 "between the times: linear, a cubic spline, or the value of the last time passed")
-        .number(
-            "period", 0.0, params::non_negative(), "ms",
-            "after which the table is repeated, for all times; the times span no more; 0: it is "
-            "not, and its first and last values hold before and after");
+        .number("period", 0.0, params::non_negative(), "ms",
+                "period after which the table is repeated, for all times; its times must not span "
+                "more; 0: not periodic, its first and last values hold before and after");
   };
   params::Table arrays, file, fourier;
   arrays.numbers("times", std::nullopt, params::any(), 0, "ms", "increasing times")
@@ -263,7 +262,7 @@ params::Table time_function_table() {
   of_samples(arrays);
   file.file("file", std::nullopt, "text file with a time and a value on each line");
   of_samples(file);
-  fourier.number("period", std::nullopt, params::positive(), "ms", "of the first harmonic")
+  fourier.number("period", std::nullopt, params::positive(), "ms", "period of the first harmonic")
       .number("mean", 0.0, params::any(), "1",
               "a_0 of a_0 + sum a_k cos(2 pi k t/T) + b_k sin(...)")
       .numbers("cosines", std::vector<double>{}, params::any(), 0, "1", "a_1, a_2, ...")
@@ -275,7 +274,7 @@ params::Table time_function_table() {
                 {"table", arrays},
                 {"file", file},
                 {"fourier", fourier}},
-               "where the factor comes from")
+               "source of the factor")
       .check(check_samples);
   return table;
 }

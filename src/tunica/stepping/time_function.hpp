@@ -20,7 +20,7 @@ public:
   double operator()(double time) const;
   /// Where it jumps or its slope does, up to a time.
   std::vector<double> kinks(double end) const;
-  /// Of the repetition [ms]; 0 where there is none.
+  /// Period of the repetition [ms]; 0: none.
   double period() const { return period_; }
   /// A period, or up to the last time of a table [ms]; 0 where it is constant.
   double span() const;
@@ -34,7 +34,8 @@ private:
   enum class Kind { constant, linear, steps, spline, fourier };
   Kind kind_ = Kind::constant;
   double period_ = 0.0;
-  /// Of a periodic table they span the period, the last value being the first one again.
+  /// Times of the table; for a periodic table they span the period, with the first value repeated
+  /// at the end.
   std::vector<double> times_;
   std::vector<double> values_;
   Spline spline_;

@@ -25,7 +25,7 @@ struct ErrorFormula {
 /// The formula of a step that loses c Δt³ times the third derivative.
 ErrorFormula error_of_third_derivative(double c, const StepSizes& sizes);
 
-/// What the new value x of a quantity makes of its time derivatives in an implicit step:
+/// Time derivatives of a quantity as functions of its new value x in an implicit step:
 ///
 ///   ẋ = c (x − x̃)          first derivative,    x̃ from the history
 ///   ρ ẍ = α x − ρ r        second derivative,   r from the history
@@ -59,7 +59,7 @@ public:
   virtual double rate() const = 0;
   virtual double past(const Timeline& x, int i) const = 0;
   Rows pasts(const Timeline& x) const;  ///< of all entries
-  /// What the values before let expect at the new time, to the order of the scheme.
+  /// Extrapolation of earlier values to the new time, at the order of the scheme.
   virtual double prediction(const Timeline& x, int i) const = 0;
   Rows predictions(const Timeline& x) const;  ///< of all entries
 
@@ -70,9 +70,9 @@ public:
   /// Takes `now` for the value at the new time, and brings what is remembered beside it there.
   virtual void accept(Rows now, Timeline& x) const = 0;
 
-  /// What it loses over a given time falls as Δt to this power.
+  /// Order: the error over a given time decreases as Δt to this power.
   virtual int order() const = 0;
-  /// Of the present step, in x and in the ẋ of an equation of second order.
+  /// Error formulas of the present step, for x and for ẋ of an equation of second order.
   virtual ErrorFormula value_error(const StepSizes& sizes) const = 0;
   virtual ErrorFormula velocity_error(const StepSizes& sizes) const { return value_error(sizes); }
 

@@ -38,7 +38,10 @@ void Timeline::push(Rows x) {
   if (n_kept() > n_values_) values_.pop_back();
 }
 
-void Timeline::start_from(Rows x) { values_.assign(1, std::move(x)); }
+void Timeline::start_from(Rows x) {
+  values_.clear();
+  values_.push_back(std::move(x));
+}
 
 // Σ_k c_k xⁿ⁻ᵏ
 Rows Timeline::extrapolated(int degree, const StepSizes& sizes) const {

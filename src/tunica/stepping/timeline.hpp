@@ -17,12 +17,12 @@ using Rows = std::vector<double>;
 std::vector<Vec3> as_vectors(const Rows& rows);
 Rows as_rows(const std::vector<Vec3>& vectors);
 
-/// What is remembered of a quantity from step to step: a row of numbers at each of some places, of
-/// the last step and of as many before it as are wanted, and what a time scheme adds (a velocity,
-/// an acceleration), each by its name. Zero at the start.
+/// History of a quantity: a row of numbers at each place, for the last step and as many earlier
+/// ones as requested, and the additional quantities of a time scheme (a velocity, an acceleration),
+/// each by its name. Zero at the start.
 ///
-/// It can be saved, restored, and so put back to before a step, by itself or within the state of
-/// what it belongs to.
+/// It can be saved and restored, and thus returned to the start of a step, by itself or within the
+/// state of its owner.
 class Timeline final : public fields::Restartable {
 public:
   /// width: numbers per place; names: of what is added, TimeScheme::remembers(); n_values: of how
@@ -30,14 +30,14 @@ public:
   Timeline(fields::Places places, int width, std::vector<std::string> names = {}, int n_values = 1);
 
   int width() const { return width_; }
-  /// Of so many steps before the last, which must be kept.
+  /// Value of this many steps before the last; it must be kept.
   const Rows& value(int steps_before = 0) const { return values_[steps_before]; }
   Rows& value(int steps_before = 0) { return values_[steps_before]; }
   /// Steps whose values there are: 1 at the start, at most n_values.
   int n_kept() const { return static_cast<int>(values_.size()); }
 
   const std::vector<std::string>& names() const { return names_; }
-  /// What is added by the name of this position.
+  /// Additional quantity with the name at this position.
   const Rows& operator[](int k) const { return added_[k]; }
   Rows& operator[](int k) { return added_[k]; }
 
@@ -53,8 +53,8 @@ public:
   fields::State save() const override;
   std::string restore(const fields::State& state) override;
 
-  /// The same within a state on its owned places, under names that begin alike; all but the value
-  /// of the last step, which the state has elsewhere.
+  /// Saves the past within a state on its owned places, under names with this prefix, without the
+  /// value of the last step, which the state contains elsewhere.
   void save_past(const std::string& prefix, fields::State& state) const;
   /// last: the value that was left out. Throws Error where something is missing. Collective where
   /// places have copies.

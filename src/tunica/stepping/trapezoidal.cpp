@@ -33,7 +33,7 @@ ErrorFormula Trapezoidal::value_error(const StepSizes& sizes) const {
 
 SchemeEntry trapezoidal_scheme() {
   return {"trapezoidal",
-          "second order, takes no energy out and damps nothing: for smooth loads",
+          "second order, without dissipation and damping: for smooth loads",
           true,
           "",
           params::Table(),

@@ -23,7 +23,7 @@ double seconds_of(const std::string& text) {
 void add_wall_limit(params::Table& time) {
   time.text("wall limit", "",
             "seconds or h:mm:ss from the start of the program: no step is begun that would end "
-            "later, going by the last one; the run then writes a checkpoint and stops with exit "
+            "later, judging by the last one; the run then writes a checkpoint and stops with exit "
             "status 5; empty: none")
       .check([](const Teuchos::ParameterList& list, const std::string& path) {
         try {

@@ -206,8 +206,9 @@ TEUCHOS_UNIT_TEST(mesh_formats, unsupported_files_say_what_to_do) {
                     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n"
                     "1 0 0 0 1 1 1 2 5 6 0\n$EndEntities\n"));
   TEST_ASSERT(fails_with("no such file", out, [] { read("/nowhere/tube.msh"); }));
-  TEST_ASSERT(fails_with("not a mesh", out, [] { read(data_folder); }));
-  TEST_ASSERT(fails_with("not a mesh", out, [&] { read_text_as("odd.txt", "hello"); }));
+  TEST_ASSERT(fails_with("not a known mesh format", out, [] { read(data_folder); }));
+  TEST_ASSERT(
+      fails_with("not a known mesh format", out, [&] { read_text_as("odd.txt", "hello"); }));
 }
 
 TEUCHOS_UNIT_TEST(text_scanner, pieces_of_any_size_give_the_same_words) {

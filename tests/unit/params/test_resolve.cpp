@@ -182,7 +182,7 @@ TEUCHOS_UNIT_TEST(resolve, a_removed_key_names_its_successor) {
   ParameterList list;
   list.set("viscosity mu", 1.0);
   TEST_EQUALITY(resolve_message(fluid_table(), list, "Fluid"),
-                "Fluid: \"viscosity mu\" is no more; use \"viscosity\"");
+                "Fluid: \"viscosity mu\" no longer exists; use \"viscosity\"");
 }
 
 TEUCHOS_UNIT_TEST(resolve, checks_between_keys_run_once_the_keys_are_valid) {

@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(set_from_text, unknown_keys_name_the_nearest) {
   TEST_EQUALITY(refused("Fluid/Density=1"),
                 "Fluid: unknown key \"Density\". Did you mean \"density\"?");
   TEST_EQUALITY(refused("Fluid/viscosity mu=1"),
-                "Fluid: \"viscosity mu\" is no more; use \"viscosity\"");
+                "Fluid: \"viscosity mu\" no longer exists; use \"viscosity\"");
 }
 
 TEUCHOS_UNIT_TEST(set_from_text, a_text_of_another_type_is_refused) {

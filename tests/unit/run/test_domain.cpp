@@ -41,7 +41,7 @@ std::string flow(const std::string& surface, const std::string& rate,
 
 TEUCHOS_UNIT_TEST(check_fields, flows_through_a_fluid_that_is_closed_must_balance_at_all_times) {
   const auto lets_nothing_out = [](const std::string& said) {
-    return said.find("flow into a fluid that no surface lets out") != std::string::npos;
+    return said.find("flow into a fluid without an open surface") != std::string::npos;
   };
   const std::string in = flow("inlet", "2"), shut = condition("outlet", "no slip");
   TEST_ASSERT(lets_nothing_out(said_of(in + shut)));

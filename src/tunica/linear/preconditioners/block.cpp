@@ -21,8 +21,8 @@ params::Table block_table(const SolverDefaults& defaults) {
   params::Table table;
   table
       .foreign("Stratimikos", defaults.block, Teuchos::ParameterList(),
-               "a Stratimikos list with a Teko preconditioner, as Trilinos users write it; our "
-               "strategies in it are LU Upper, LU Lower and LU Full")
+               "a Stratimikos list with a Teko preconditioner, as usual in Trilinos; additional "
+               "strategies of Tunica are LU Upper, LU Lower and LU Full")
       .check(check_block_list);
   return table;
 }

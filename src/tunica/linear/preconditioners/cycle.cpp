@@ -19,6 +19,7 @@ public:
         nodes_(Teuchos::rcp(new multigrid::MixedCoarsening(*K.space()))) {}
 
   void refresh() override {
+    // The first set-up finds nodes and graphs, later ones follow new values.
     Teuchos::RCP<multigrid::Cycle> cycle = cycle_;
     cycle_ = Teuchos::null;  // nothing to keep on any rank should the set-up fail on one
     set_up(*A_->getComm(), "the multigrid cycle", [&] {
@@ -55,11 +56,11 @@ params::Table cycle_table(const SolverDefaults& defaults) {
   params::Table table;
   table
       .choice("matrix", "merged", {"merged", "blocked"},
-              "what the MueLu list works on: one matrix with the unknowns of a node side by side, "
-              "or MueLu's 2×2 matrix of blocks, as its own block smoothers want it")
+              "matrix that the MueLu list works on: one matrix with the unknowns of a node side by "
+              "side, or MueLu's 2×2 matrix of blocks, as its own block smoothers require")
       .foreign("MueLu", defaults.cycle, Teuchos::ParameterList(),
                "a MueLu list of factories for the whole system, the unknowns of a node side by "
-               "side; our factories in it are " +
+               "side; additional factories of Tunica are " +
                    multigrid::our_factories_text())
       .check(check_cycle_list);
   return table;

@@ -33,6 +33,8 @@ public:
   /// Sets up for the present values of K.
   void refresh() {
     system_.refresh();
+    // A_f alone on the interface in place of the sum over the fields: the field as if no other were
+    // tied to it.
     if (!own_.empty())
       system_.refresh_block(0, 0, *operators_->assemble_operator(own_block_of(own_)));
     solver_->matrix_changed();
@@ -51,6 +53,7 @@ public:
   Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& name) const override {
     const Teuchos::RCP<const CrsMatrix> whole = operators_->assemble_operator(name);
     if (whole.is_null()) return Teuchos::null;
+    // R A Rᵀ
     return system_.pick(*whole);
   }
 
@@ -82,6 +85,7 @@ public:
     for (const auto& field : fields_) field->refresh();
   }
 
+  // Y ← α P⁻¹ X + β Y, column by column
   void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
              Scalar alpha = 1.0, Scalar beta = 0.0) const override {
     if (mode != Teuchos::NO_TRANS) throw std::logic_error("FieldSweeps: no transpose");
@@ -113,6 +117,8 @@ private:
   }
 
   void sweep(const algebra::BlockVector& b, algebra::BlockVector& y) const {
+    // From y = 0, where the first residual takes no product. On the way back the last field is left
+    // out, as it has just been solved for.
     const int n = static_cast<int>(fields_.size());
     bool is_first = true;
     algebra::BlockVector r(K_->space());
@@ -159,19 +165,19 @@ params::Table field_by_field_table(const SolverDefaults& defaults) {
   params::Table field = inner_solver_table(defaults);
   field
       .names("parts", std::nullopt,
-             "the unknowns of the field, by the parts of the system that they stand in: \"wall\", "
-             "\"lumen\", and the \"interface\" between them; fields may share parts")
+             "parts of the system that contain the unknowns of the field: \"wall\", \"lumen\", and "
+             "the \"interface\" between them; fields may share parts")
       .text("own block of", "",
-            "\"wall\" or \"lumen\": take from the matrix of the vector unknowns only what this "
-            "part adds to it, as if the others were not tied to it; nothing: take all");
+            "\"wall\" or \"lumen\": use only the contribution of this part to the matrix of the "
+            "vector unknowns, as if the others were not coupled to it; empty: use all");
   params::Table table;
   table.integer("sweeps", 1, params::between(1, 1000), "sweeps over the fields")
       .number("damping", 1.0, params::Range{0.0, 2.0, true, false}, "1",
               "factor of each correction")
       .flag("is symmetric", false, "go back through the fields in each sweep")
-      .entries("Fields", field,
-               "what is solved for in turn, in the order of the entries; together they have all "
-               "parts")
+      .entries(
+          "Fields", field,
+          "fields to solve for in turn, in the order of the entries; together they have all parts")
       .check(check_field_by_field_list);
   return table;
 }

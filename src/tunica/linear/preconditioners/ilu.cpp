@@ -29,6 +29,8 @@ public:
 
 private:
   void initialize(int fill_level, int overlap) {
+    // P⁻¹ = Σ_r R̃_rᵀ (L U)_r⁻¹ R_r, restricted additive Schwarz: R_r has the rows of rank r and of
+    // its overlap, R̃_r those of the rank alone
     factors_ = Ifpack2::Factory::create<RowMatrix>("SCHWARZ", rows_);
     Teuchos::ParameterList list;
     list.set("schwarz: inner preconditioner name", "RILUK");

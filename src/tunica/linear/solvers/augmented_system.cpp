@@ -2,6 +2,8 @@
 
 namespace tunica::linear {
 
+// K = A + W S Vᵀ + L: entries, products of vectors, and what has no entries at all. Inverses have
+// the products, too; L is in the matrix only.
 AugmentedSystem::AugmentedSystem(const algebra::BlockMatrix& K,
                                  const Teuchos::RCP<const Operator>& A,
                                  const ActionSum::Gather& gather, const ActionSum::Scatter& scatter)
@@ -33,6 +35,7 @@ bool AugmentedSystem::refresh_inverse(const Teuchos::RCP<const Operator>& P_inve
   return sum_inverse_.is_null() || sum_inverse_->refresh(P_inverse, solve);
 }
 
+// (I − Z D Vᵀ) P⁻¹ where K has products
 Teuchos::RCP<const Operator> AugmentedSystem::inverse(
     const Teuchos::RCP<const Operator>& P_inverse) const {
   if (sum_inverse_.is_null() || P_inverse.is_null()) return P_inverse;

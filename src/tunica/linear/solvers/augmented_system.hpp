@@ -27,7 +27,7 @@ public:
   /// Collective.
   bool refresh_inverse(const Teuchos::RCP<const Operator>& P_inverse,
                        const LowRankInverse::Solve& solve);
-  /// What refresh_inverse() has made of P_inverse; itself where there is no part of low rank.
+  /// P_inverse as extended by refresh_inverse(); P_inverse itself if there is no low-rank part.
   Teuchos::RCP<const Operator> inverse(const Teuchos::RCP<const Operator>& P_inverse) const;
 
 private:

@@ -21,9 +21,10 @@ void DirectSolver::prepare() {
   K_.refresh();
   factor_.refresh();
   augmented_.refresh_matrix();
+  // K Z = W by the factors: Z is exact, and with it the inverse of the sum.
   if (!augmented_.refresh_inverse(Teuchos::rcpFromRef(factor_),
                                   [this](const Vector& w, Vector& z) { factor_.apply(w, z); }))
-    throw SetupFailure("the matrix is singular with what couples whole surfaces");
+    throw SetupFailure("the matrix is singular with the terms that couple whole surfaces");
   is_stale_ = false;
 }
 
@@ -48,11 +49,13 @@ SolveReport DirectSolver::solve(const algebra::BlockVector& b, algebra::BlockVec
   report.solve_seconds = solving.seconds();
   report.true_residual = relative_residual(*augmented_.matrix(), b_, x_);
   report.recurrence_residual = report.true_residual;
+  // Factors leave what round-off does, whatever is asked for.
   const double enough = std::max(tolerance, 1e-8);
   report.is_converged = report.true_residual <= (augmented_.has_action() ? 2.0 * enough : enough);
   return report;
 }
 
+// (A + W S Vᵀ + L) x = b by GCR, with the inverse of all but L for preconditioner
 int DirectSolver::solve_whole(double tolerance) {
   const int most = 100;
   x_.putScalar(0.0);

@@ -18,7 +18,7 @@ public:
                     double tolerance) override;
 
 private:
-  /// What has no entries is not in the factors. Iterations.
+  /// Solves with all of K, whose matrix-free parts are not in the factors. Returns iterations.
   int solve_whole(double tolerance);
   void solve_sum();
 

@@ -30,9 +30,9 @@ void check_fallbacks(const Teuchos::ParameterList& list, const std::string& path
 void add_fallback_keys(params::Table& table, const std::vector<std::string>& defaults) {
   table
       .names("fallbacks", defaults,
-             "preconditioners that take the place of one that stagnates, fails or reaches \"max "
-             "iterations\", one after another: vanka, multigrid with Vanka's smoother; ilu, "
-             "incomplete factors with two levels of fill; direct, sparse LU; none: {}")
+             "preconditioners that replace one that stagnates, fails or reaches \"max "
+             "iterations\", in turn: vanka, multigrid with Vanka's smoother; ilu, incomplete "
+             "factors with two levels of fill; direct, sparse LU; none: {}")
       .integer("direct unknowns", 300000, params::between(0, 1e9),
                "largest system for which the fallback \"direct\" is tried")
       .number("direct memory", 2.0, params::non_negative(), "GB",
@@ -40,6 +40,7 @@ void add_fallback_keys(params::Table& table, const std::vector<std::string>& def
       .check(check_fallbacks);
 }
 
+// The list of the solver with another preconditioner in it: its method and its limits stay.
 std::vector<Fallback> fallbacks_of(const Teuchos::ParameterList& options) {
   std::vector<Fallback> all;
   for (const std::string& name : names_of_fallbacks(options)) {
@@ -50,6 +51,7 @@ std::vector<Fallback> fallbacks_of(const Teuchos::ParameterList& options) {
     } else if (name == "ilu") {
       list.set("preconditioner", "ilu").set("fill level", 2).set("overlap", 1);
     } else {
+      // The same levels with a smoother that asks less of the matrix
       list.set("preconditioner", "multigrid").set("matrix", "merged");
       list.sublist("MueLu") = multigrid::vanka_cycle_list(1);
     }

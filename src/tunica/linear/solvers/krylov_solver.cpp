@@ -49,6 +49,8 @@ void KrylovSolver::forget() {
   is_behind_ = true;
 }
 
+// With the present preconditioner, if the rule lets it serve; where an old one does not finish,
+// with a new one.
 SolveReport KrylovSolver::solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                                 double tolerance) {
   SolveReport report;
@@ -71,12 +73,14 @@ SolveReport KrylovSolver::solve(const algebra::BlockVector& b, algebra::BlockVec
     refresh(report);
     iterations = iterate(report);
   }
+  // The reduction is that of the last attempt, which has begun at this residual.
   rule_.note(iterations, report.true_residual / start, report.is_converged);
   system_->scatter(x_, x);
   report.levels = system_->levels();
   return report;
 }
 
+// Recycled images Q = K Z are those of the old matrix.
 void KrylovSolver::refresh_matrix() {
   system_->refresh_matrix();
   augmented_.refresh_matrix();
@@ -118,6 +122,7 @@ void KrylovSolver::refine(KrylovOptions options, const Teuchos::RCP<const Operat
     K->apply(x_, r);
     r.update(1.0, b_, -1.0);  // r = b − K x
     dx.putScalar(0.0);
+    // K dx = r to τ |b|/|r|, so that |b − K (x + dx)| comes to τ |b|
     report.iterations +=
         solve_krylov(options, K, preconditioner(), r, dx, report.tolerance / rest).iterations;
     x_.update(1.0, dx, 1.0);
@@ -125,6 +130,8 @@ void KrylovSolver::refine(KrylovOptions options, const Teuchos::RCP<const Operat
   }
 }
 
+// One attempt. An old preconditioner ends where a new one would be faster, a new one where the next
+// of the chain would.
 int KrylovSolver::iterate(SolveReport& report) {
   const Stopwatch watch;
   const TrafficScope scope(Work::solve);
@@ -144,6 +151,7 @@ int KrylovSolver::iterate(SolveReport& report) {
   report.recurrence_residual = result.recurrence_residual;
   report.has_stagnated = result.has_stagnated;
   report.true_residual = relative_residual(*augmented_.matrix(), b_, x_);
+  // Where the method itself has not got there, its cap or its rule has ended it.
   if (result.recurrence_residual <= report.tolerance) refine(options, K, report);
   report.operator_applications += K->count();
   if (!std::isfinite(report.true_residual)) {  // a breakdown: keep the start

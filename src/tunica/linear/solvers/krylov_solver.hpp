@@ -15,7 +15,8 @@ public:
 
   /// How solves are given up from now on.
   void give_up_by(const StagnationRule& rule) { *stagnation_ = rule; }
-  /// Of the factors that a direct preconditioner will make; 0 for others. Collective.
+  /// Estimated bytes of the factors that a direct preconditioner will make; 0 for others.
+  /// Collective.
   double expected_bytes() const { return system_->expected_bytes(); }
 
   void matrix_changed() override { is_stale_ = true; }

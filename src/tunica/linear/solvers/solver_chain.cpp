@@ -41,6 +41,8 @@ SolverChain::SolverChain(const Teuchos::ParameterList& options, const algebra::B
     : most_factor_bytes_(1e9 * options.get<double>("direct memory")) {
   links_.push_back({options.get<std::string>("preconditioner"), {}, {}});
   links_.front().solver = std::make_unique<KrylovSolver>(options, K, operators);
+  // Of further links only how to make them; one that is too large gives its reason when its turn
+  // comes.
   for (const Fallback& fallback : fallbacks_of(options)) {
     Link link{fallback.name,
               [list = fallback.list, &K, &operators] {
@@ -56,12 +58,15 @@ SolverChain::SolverChain(const Teuchos::ParameterList& options, const algebra::B
   }
 }
 
+// Hierarchies and factors take memory: a link is made when its turn comes.
 KrylovSolver& SolverChain::present() {
   Link& link = links_[present_];
   if (!link.solver) link.solver = link.make();
   return *link.solver;
 }
 
+// r_k > 0.1 r_{k−30} with more iterations to come than the next link costs. The last one that may
+// serve has no rule, and goes on to its cap.
 StagnationRule SolverChain::rule() const {
   const auto next = std::find_if(links_.begin() + present_ + 1, links_.end(),
                                  [](const Link& link) { return link.refusal.empty(); });
@@ -69,6 +74,7 @@ StagnationRule SolverChain::rule() const {
   return {30, 0.1, next->has_size_limit ? cost_of_factors : cost_of_multigrid};
 }
 
+// An order of elimination foretells the size of factors before they are made.
 void SolverChain::check_size(Link& link) {
   if (!link.has_size_limit || link.solver) return;
   link.solver = link.make();
@@ -79,6 +85,8 @@ void SolverChain::check_size(Link& link) {
   link.solver.reset();
 }
 
+// Links that cannot serve are passed over, each with a word the first time. The successor stays for
+// 1, 2, 4, … 64 steps, twice as many each time that the first link has failed anew.
 bool SolverChain::take_next(const std::string& why) {
   for (std::size_t next = present_ + 1; next < links_.size(); ++next) {
     Link& link = links_[next];
@@ -104,6 +112,8 @@ void SolverChain::matrix_changed() {
 
 void SolverChain::prepare() { present().prepare(); }
 
+// Where a step begins. A successor counts down to the trial of the first link; that one, once it
+// has served a whole step, starts the count from the beginning.
 void SolverChain::forget() {
   for (const Link& link : links_)
     if (link.solver) link.solver->forget();
@@ -134,6 +144,7 @@ SolveReport SolverChain::try_present(const algebra::BlockVector& b, algebra::Blo
   return report;
 }
 
+// Each link solves from zero. The answer is that of the last one, the cost that of all.
 SolveReport SolverChain::solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                                double tolerance) {
   std::vector<SolveReport> attempts;

@@ -32,7 +32,7 @@ Partitioner partitioner_of(const std::string& name);
 SlabPartition partition(const Slab& slab, const std::vector<bool>& region_is_fluid,
                         const std::vector<char>& fields, Partitioner by, const std::string& name);
 
-/// What a partition is worth.
+/// Quality of a partition.
 struct Balance {
   double fluid = 1.0, wall = 1.0;  ///< most vertices of a rank over their mean: fluid, wall
   double cut = 0.0;                ///< part of the tetrahedra whose vertices have several owners

@@ -10,8 +10,8 @@
 
 namespace tunica::mesh {
 
-/// What a text file says of a tetrahedron, a triangle, a vector on a tetrahedron. Tag 0 means that
-/// the file gives none.
+/// Content of a text file for a tetrahedron, a triangle, a vector on a tetrahedron. Tag 0: none in
+/// the file.
 struct TetRow {
   std::array<int, 4> corners;  ///< places of vertices
   int tag;
@@ -53,8 +53,8 @@ private:
   std::vector<Row> filling_, mine_;
 };
 
-/// Where a reader of a text format, on rank 0, puts what it finds. No rank ever has more of it than
-/// its portion and a piece.
+/// Sink for a reader of a text format on rank 0. No rank ever holds more than its portion and a
+/// piece.
 class RowStream {
 public:
   static constexpr int piece = 1 << 15;

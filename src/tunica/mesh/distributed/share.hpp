@@ -31,9 +31,9 @@ private:
   std::vector<int> to_, from_;      ///< how many of them for each rank
 };
 
-/// What one rank has of a mesh: the vertices it owns, all tetrahedra around them and those of its
-/// part, and whatever vertices these have. Vertices and tetrahedra stand in the order of the whole.
-/// Of triangles it has all at a vertex of its own and all on tetrahedra of its part.
+/// The part of a mesh on one rank: the vertices it owns, all tetrahedra around them and those of
+/// its part, and all vertices of these. Vertices and tetrahedra are in the order of the whole mesh.
+/// It has all triangles at its own vertices and on tetrahedra of its part.
 struct Share {
   CommPtr comm;
   Mesh mesh;                                       ///< numbers of its own; all tags
@@ -44,10 +44,10 @@ struct Share {
   long long tets = 0;                              ///< of the whole
   GhostValues ghosts;                              ///< of vertices
 
-  /// What the rank answers for: faces and triangles whose lowest vertex it owns.
+  /// The rank's responsibility: faces and triangles whose lowest vertex it owns.
   Excerpt excerpt() const { return {mesh, is_owned, numbers}; }
   bool counts(std::size_t tet) const { return tet_part[tet] == comm->getRank(); }
-  /// Whether a triangle bounds the part of the mesh that these regions fill. is_in: per region.
+  /// True if a triangle bounds the part of the mesh that these regions fill. is_in: per region.
   bool is_between(std::size_t triangle, const std::vector<char>& is_in) const {
     const auto& [a, b] = regions_beside[triangle];
     return (a >= 0 && is_in[a] != 0) != (b >= 0 && is_in[b] != 0);

@@ -17,9 +17,9 @@ struct Slab {
   Place place() const;
 };
 
-/// Reads a mesh as mesh::read() does. Of tunica's own files each rank reads its rows; others are
-/// read by rank 0 in pieces, which are handed on. Checks all that rows show by themselves: numbers
-/// in range, finite, tags. Throws Error on all ranks alike. Collective.
+/// Reads a mesh as mesh::read() does. Each rank reads its rows of tunica's own files; rank 0 reads
+/// other files in pieces and distributes them. Checks all that rows show by themselves: numbers in
+/// range, finite, tags. Throws Error on all ranks alike. Collective.
 Slab read_slab(const std::string& path, const CommPtr& comm);
 
 /// Hands out a mesh that rank 0 has. Collective.
@@ -39,7 +39,7 @@ Vec3 extent(const Slab& slab);
 /// the number of ranks. Collective.
 std::string fingerprint(const Slab& slab);
 
-/// Which fields each vertex of the rank's rows belongs to.
+/// Flags for the fields that each vertex of the rank's rows belongs to.
 constexpr char in_fluid = 1, in_wall = 2;
 /// Throws Error that begins with name on all ranks alike where a vertex belongs to no tetrahedron.
 /// Collective.

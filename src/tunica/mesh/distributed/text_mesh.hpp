@@ -8,7 +8,7 @@ namespace tunica::mesh {
 
 /// Reads a mesh of another program: rank 0 the file, in pieces, which are handed on so that no rank
 /// has more of it than its portion; rank 0 also has the numbers of nodes and elements, run by run.
-/// What such files leave open is settled:
+/// Everything that such files leave open is resolved:
 /// - if all tetrahedra are negative they are flipped; single ones are an Error that names
 ///   the element's number in the file;
 /// - triangles without tag are dropped unless they lie on the boundary;

@@ -32,7 +32,7 @@ Hdf5Rows read_hdf5_rows(const std::string& path, int rank, int ranks);
 /// A failed write leaves all as it was.
 void write_hdf5(const Mesh& mesh, const std::string& path);
 
-/// What the attribute "format" says.
+/// Value of the attribute "format".
 constexpr const char* hdf5_format = "tunica-mesh 1";
 
 }  // namespace tunica::mesh

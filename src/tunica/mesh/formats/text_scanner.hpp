@@ -35,7 +35,7 @@ public:
   long long count(const std::string& expected, int least_bytes);
   /// A word in double quotes, which may hold blanks.
   std::string quoted(const std::string& expected);
-  /// What is left of this line, without white space at its ends.
+  /// The rest of this line, without white space at its ends.
   std::string rest_of_line();
   /// Fails unless the next word is this one.
   void expect(const std::string& expected);

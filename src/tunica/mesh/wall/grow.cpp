@@ -88,8 +88,8 @@ private:
   int add_tag(std::vector<Tag>& tags, const std::string& name, const std::string& kind) {
     for (const Tag& tag : tags)
       TUNICA_CHECK(tag.name != name, "wall: the lumen has a " + kind + " \"" + name +
-                                         "\" already, which is what a part of the wall is to be "
-                                         "called. Give a mesh of the lumen alone, or rename it.");
+                                         "\" already, which is the name of a part of the wall. "
+                                         "Give a mesh of the lumen alone, or rename it.");
     tags.push_back({next_id(tags), name});
     return static_cast<int>(tags.size()) - 1;
   }

@@ -15,7 +15,7 @@ struct Options {
   std::string interface = "interface";  ///< new name of these surfaces
 };
 
-/// What became of it. Lengths in the user's unit.
+/// Report of a grown wall. Lengths in the user's unit.
 struct Report {
   struct LayerReport {
     std::string name;
@@ -59,7 +59,7 @@ struct Grown {
 /// the wall have the layers' names. Surfaces: interface, outer, wall_CAP around each cap, and
 /// between layers "layer" if there are two, otherwise their names, "intima-media". Throws Error if
 /// a name is taken or if no valid wall exists. The result passes validate() and check_interface().
-Grown grow(const Mesh& lumen, const Options& options);
+Grown grow(const Mesh& lumen, const Options& wanted);
 
 /// Several lines of text.
 std::string to_text(const Report& report);

@@ -100,7 +100,7 @@ void spread(Plan& plan) {
 
 [[noreturn]] void fail(const Plan& plan, int vertex, bool is_crossing) {
   throw Error("wall: no wall can grow at " + show(plan.surface.x[vertex]) + ", where " +
-              show(plan.thickness[vertex]) + " mm are wanted: " +
+              show(plan.thickness[vertex]) + " mm are requested: " +
               (is_crossing ? "parts of it cross one another" : "elements are inverted") +
               " even with a twentieth of that. Smooth the lumen there, mesh it with smaller "
               "elements, or ask for less thickness.");

@@ -191,15 +191,17 @@ std::string to_text(const Report& report) {
   text += line("limited vertices: %d of %d", report.limited_vertices, report.surface_vertices);
   for (std::size_t i = 0; i < std::min(most_places, report.limited.size()); ++i) {
     const Report::Limited& each = report.limited[i];
-    text += "  " + std::to_string(each.vertices) + " around " + show(each.place) + ", down to " +
-            show(each.least_thickness) + " of " + show(each.wanted) + ": " +
-            (each.is_dense ? "another part is close" : "the surface is too bent for more") + "\n";
+    text +=
+        "  " + std::to_string(each.vertices) + " around " + show(each.place) + ", down to " +
+        show(each.least_thickness) + " of " + show(each.wanted) + ": " +
+        (each.is_dense ? "another part is close" : "the curvature of the surface permits no more") +
+        "\n";
   }
   if (report.limited.size() > most_places)
     text += "  and at " + std::to_string(report.limited.size() - most_places) + " places more\n";
   text += warnings_of_flat_elements(report);
   for (const std::string& cap : report.bent_caps)
-    text += "the cap \"" + cap + "\" is not flat, and so the wall's end is not\n";
+    text += "the cap \"" + cap + "\" is not flat, and therefore the end of the wall is not\n";
   return text;
 }
 

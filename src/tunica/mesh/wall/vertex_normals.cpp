@@ -151,7 +151,7 @@ Growth growth_directions(const LumenSurface& surface, const std::vector<double>&
     TUNICA_CHECK(norm(inside) > least_in_cap,
                  "wall: at " + show(surface.x[v]) +
                      " the opening is nearly tangential to the surface, so that no wall ends in "
-                     "its plane. Cut the vessel more squarely there.");
+                     "its plane. Cut the vessel at a right angle there.");
     growth.along[v] = unit(inside);
   }
   for (int round = smoothing_rounds(surface, all, thickness); round > 0; --round)

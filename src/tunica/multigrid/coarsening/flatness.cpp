@@ -9,6 +9,7 @@
 
 namespace tunica::multigrid {
 
+// exp(Σ_a ln(h_max/h_min)_a / n) over the n nodes of solids that have neighbours
 double flatness_of_solids(const CrsGraph& nodes, const algebra::NodePlaces& places) {
   if (places.coordinates.is_null()) return 1.0;
   MultiVector all(nodes.getColMap(), 3);
@@ -30,6 +31,7 @@ double flatness_of_solids(const CrsGraph& nodes, const algebra::NodePlaces& plac
       longest = std::max(longest, square);
     }
     if (longest == 0.0) continue;
+    // Squares of lengths, hence the half
     logarithms += 0.5 * std::log(longest / shortest);
     n += 1.0;
   }

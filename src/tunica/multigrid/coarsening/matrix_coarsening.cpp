@@ -60,6 +60,8 @@ void append(const CrsMatrix& M, const Map& nodes, const NodeOf& node_of, Neighbo
 algebra::Nodes nodes_of(const CrsMatrix& K, const algebra::DofLayout& numbering) {
   const Teuchos::RCP<const Map> nodes = numbering.block_map(*K.getRowMap(), 1);
   check_nodes(*K.getRowMap(), *nodes, numbering);
+  // a ~ b where K_ab or K_ba has an entry: first the rows of K, then those of the transposed graph
+  // of nodes. The diagonal is there even where K lacks it.
   Neighbours neighbours(n_local(*nodes));
   for (std::size_t a = 0; a < neighbours.size(); ++a)
     neighbours[a].push_back(nodes->getGlobalElement(static_cast<int>(a)));
@@ -69,12 +71,14 @@ algebra::Nodes nodes_of(const CrsMatrix& K, const algebra::DofLayout& numbering)
   Tpetra::RowMatrixTransposer<Scalar, LocalOrdinal, GlobalOrdinal, Node> transposer(one_way);
   const auto itself = [](GlobalOrdinal node) { return node; };
   append(*transposer.createTranspose(), *nodes, itself, neighbours);
+  // The numbers themselves: on any ranks the same nodes are picked.
   const auto order = Teuchos::rcp(new Vector(nodes));
   for (const GlobalOrdinal node : global_numbers(*nodes))
     order->replaceGlobalValue(node, static_cast<Scalar>(node));
   return {graph_of(neighbours, nodes), order};
 }
 
+// Both blocks stand on the same nodes, so that they are coarsened as one.
 Teuchos::RCP<MixedCoarsening> make_coarsening(const CrsMatrix& K, int components) {
   const algebra::DofLayout numbering({components, 1});
   const algebra::Nodes nodes = nodes_of(K, numbering);

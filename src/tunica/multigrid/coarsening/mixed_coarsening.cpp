@@ -20,6 +20,8 @@ class Expansion {
 public:
   Expansion(NodalCoarsening& nodes, int level, int stride, int first, int count, const Map& fine)
       : P_(nodes.prolongator(level)), stride_(stride), first_(first), count_(count) {
+    // Bit i of a node's number says that it has unknown i. As numbers these travel to the coarse
+    // nodes and to the ghosts among the columns of P.
     Vector owns(P_->getRowMap()), coarse_owns(P_->getDomainMap());
     const auto has = owns.getLocalViewHost(read_write);
     for (std::size_t a = 0; a < has.extent(0); ++a)
@@ -59,6 +61,8 @@ public:
   void insert_into(CrsMatrix& result) const {
     const auto local = P_->getLocalMatrixHost();
     std::vector<GlobalOrdinal> parents;
+    // u_i = Σ_k B_ik u_k with blocks of 3×3 where rotations are interpolated; else each unknown is
+    // the mean of the parents that have it, so that rows sum to one
     for (int a = 0; a < local.numRows(); ++a) {
       if (turns_ && fine_[a] == 7 && rigid_->has(a)) {
         insert_rigid(a, result);
@@ -81,6 +85,7 @@ public:
   }
 
 private:
+  // The three rows of a node from its blocks, each with the components of all coarse nodes k.
   void insert_rigid(int a, CrsMatrix& result) const {
     const GlobalOrdinal node = P_->getRowMap()->getGlobalElement(a);
     std::vector<GlobalOrdinal> columns;
@@ -125,6 +130,8 @@ Teuchos::RCP<const Vector> between(const algebra::Nodes& nodes,
 
 }  // namespace
 
+// Blocks on one graph share their coarsening, so that a node that stays keeps all its unknowns.
+// Nodes with hosts follow the coarsening of the first block.
 MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space)
     : numbering_(space), part_names_(space.parts()), parts_(1) {
   for (int b = 0; b < space.n_blocks(); ++b) {
@@ -150,6 +157,7 @@ Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, const Map&
 }
 
 int MixedCoarsening::block_of(int level, const Map& rows) {
+  // A matrix is recognised by its rows: lists name no blocks.
   std::vector<int> found;  // blocks on different nodes may have as many rows
   for (int b = all; b < numbering_.n_blocks(); ++b) {
     if (map(level, b)->getGlobalNumElements() != rows.getGlobalNumElements()) continue;
@@ -162,6 +170,7 @@ int MixedCoarsening::block_of(int level, const Map& rows) {
                            std::to_string(level) + ".");
 }
 
+// Followers, where there are any, are the nodes of the last block.
 Teuchos::RCP<const Vector> MixedCoarsening::hosts(int level, const CrsMatrix& K) {
   const Teuchos::RCP<const Vector> hosts = nodes_.back()->hosts(level);
   if (hosts.is_null() || map(level, all)->getGlobalNumElements() != K.getGlobalNumRows())
@@ -181,6 +190,7 @@ Vector MixedCoarsening::parts(int level, const CrsMatrix& K) {
       parts_[l].push_back(coarse);
     }
   }
+  // A row is in the part of its node.
   Vector result(K.getRowMap());
   const auto part = result.getLocalViewHost(overwrite_all);
   for (std::size_t r = 0; r < part.extent(0); ++r) {
@@ -212,11 +222,15 @@ void MixedCoarsening::check_mixed(int level, const CrsMatrix& K) {
                                       std::to_string(dofs) + " unknowns per node, the scalar last");
 }
 
+// The unknowns of a level are the columns of the prolongator that leads to it.
 const Teuchos::RCP<const Map>& MixedCoarsening::map(int level, int block) {
   if (level > 0) prolongator(level - 1, block);
   return maps_.at({level, block});
 }
 
+// P of one block, or of all blocks in one matrix: there the rows and columns of block b have the
+// numbers dofs·node + first_b + i, so that P is block-diagonal with the nodes' unknowns
+// interleaved.
 Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, int block,
                                                            bool has_rotations) {
   const auto found = prolongators_.find({level, block, has_rotations});
@@ -240,6 +254,7 @@ Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, int block,
     expansion.append_coarse(numbers);
     most_parents = std::max(most_parents, expansion.most_entries());
   }
+  // Ascending, the unknowns of a node stand side by side on the next level, too.
   std::sort(numbers.begin(), numbers.end());
   const Teuchos::RCP<const Map> coarse = map_of(numbers, fine->getComm());
   const auto P = Teuchos::rcp(new CrsMatrix(fine, most_parents));

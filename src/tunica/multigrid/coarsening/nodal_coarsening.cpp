@@ -38,6 +38,7 @@ struct CoarseNumbers {
     for (int i = 0; i < static_cast<int>(n_local(own_nodes)); ++i)
       if (is_coarse[nodes.getColMap()->getLocalElement(own_nodes.getGlobalElement(i))])
         rows.push_back(i);
+    // The set has flags at ghosts, too; their numbers come from the owners.
     of_row->putScalar(no_number);
     number(own_nodes, hosts);
     const Vector all = algebra::on_columns(nodes, *of_row);
@@ -48,6 +49,8 @@ struct CoarseNumbers {
   }
 
 private:
+  // A node with the number of its host takes the number that the host has on the next level; all
+  // others are numbered rank by rank, behind the n_coarse hosts.
   void number(const Map& own_nodes, const Hosts& hosts) {
     std::vector<GlobalOrdinal> numbers(rows.size(), -1);
     std::size_t n_new = rows.size();
@@ -77,6 +80,7 @@ private:
 /// The order with those nodes first that have another value than this.
 Vector first_without(double value, const Vector& values, const Vector& order) {
   Vector result(order, Teuchos::Copy);
+  // A shift beyond the range of the order puts a node before all others and keeps their order.
   const double beyond = 1.0 + 2.0 * order.normInf();
   const auto at_node = values.getLocalViewHost(read_only);
   const auto view = result.getLocalViewHost(read_write);
@@ -96,7 +100,8 @@ Vector most_neighbours_first(const CrsGraph& nodes, const Vector& order) {
 }
 
 /// The second set where it is much smaller.
-std::vector<char> much_smaller(const CrsGraph& nodes, std::vector<char> a, std::vector<char> b) {
+const std::vector<char>& much_smaller(const CrsGraph& nodes, const std::vector<char>& a,
+                                      const std::vector<char>& b) {
   const auto size = [&nodes](const std::vector<char>& set) {
     double n = 0.0;
     for (const GlobalOrdinal node : global_numbers(*nodes.getRowMap()))
@@ -108,6 +113,8 @@ std::vector<char> much_smaller(const CrsGraph& nodes, std::vector<char> a, std::
 
 /// Nodes without neighbours, unless the graph has no others.
 void leave_out_single_nodes(const CrsGraph& nodes, std::vector<char>& is_coarse) {
+  // Fixed nodes, where systems keep only the diagonal: a sweep solves for them, and coarser levels
+  // would carry them along for nothing.
   Vector is_single(nodes.getRowMap());
   {
     const auto single = is_single.getLocalViewHost(overwrite_all);
@@ -131,6 +138,8 @@ std::vector<char> flags_between(const CrsGraph& nodes, const Teuchos::RCP<const 
   return flags;
 }
 
+// P of means. Between fields a node has parents between fields alone: one in the softer field would
+// take on the stiffness of the other.
 Teuchos::RCP<const CrsMatrix> averaging(const CrsGraph& nodes, const CoarseNumbers& coarse,
                                         const std::vector<char>& is_between) {
   const auto P = Teuchos::rcp(new CrsMatrix(nodes.getRowMap(), longest_local_row(nodes)));
@@ -159,6 +168,7 @@ Teuchos::RCP<const CrsMatrix> averaging(const CrsGraph& nodes, const CoarseNumbe
 /// Coarse nodes are neighbours where any of their children are. GP: by fine node, the coarse nodes
 /// that are parents of any of its neighbours.
 Teuchos::RCP<const CrsGraph> coarse_graph(const CrsMatrix& P, const CrsMatrix& GP) {
+  // Entries of Pᵀ G P, G the graph of the fine nodes
   CrsMatrix PtGP(P.getDomainMap(), 0);
   Tpetra::MatrixMatrix::Multiply(P, true, GP, false, PtGP);
   return PtGP.getCrsGraph();
@@ -186,12 +196,14 @@ NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, cons
                places}},
       flatness_(flatness_of_solids(*nodes, places)) {}
 
+// Followers are scalars, which have no rotations, hence no places.
 NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
                                  const Vector& hosts, std::shared_ptr<NodalCoarsening> leader)
     : leader_(std::move(leader)), levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)),
                                            Teuchos::rcp(new Vector(hosts, Teuchos::Copy)),
                                            Teuchos::null}} {}
 
+// n_c[i] = numbers[host_i]: where the host is on the next level, -1 where it does not stay
 Vector NodalCoarsening::numbers_of_hosts(int level) {
   const Vector& hosts = *levels_[level].hosts;
   const Vector& numbers = *leader_->at(level).numbers;
@@ -222,6 +234,9 @@ std::vector<char> NodalCoarsening::chosen_nodes(const Level& level,
   return is_coarse;
 }
 
+// One level: the set of nodes that stay, their numbers, P, and the graph of Pᵀ G P. Followers pick
+// nodes with staying hosts first, other nodes those between fields. GP serves twice: for the coarse
+// graph, and for the coarse nodes around a fine one by which rotations are fitted.
 void NodalCoarsening::coarsen() {
   Level& level = levels_.back();
   Hosts hosts;
@@ -263,6 +278,7 @@ Teuchos::RCP<const Vector> NodalCoarsening::hosts(int level) {
   return leader_ ? levels_[level].hosts : Teuchos::null;
 }
 
+// P of a level exists once the next one does.
 const NodalCoarsening::Level& NodalCoarsening::at(int level) {
   while (static_cast<int>(levels_.size()) <= level + 1) coarsen();
   return levels_[level];

@@ -8,6 +8,7 @@
 
 #include "tunica/algebra/sparse_product.hpp"
 #include "tunica/base/agreement.hpp"
+#include "tunica/base/reduce.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::multigrid {
@@ -38,6 +39,7 @@ struct Extents {
     for (const Vec3& d : offsets)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) S[3 * j + i] += d[i] * d[j];
+    // S = Q diag(λ) Qᵀ, λ ascending
     int info = 0;
     Teuchos::LAPACK<int, double>().SYEV('V', 'U', 3, S, 3, squares.data(), work, 16, &info);
     for (int k = 0; k < 3; ++k) {
@@ -49,6 +51,7 @@ struct Extents {
   double spread() const { return squares[2] > 0.0 ? extent(1) / extent(2) : 0.0; }
   /// Pseudo-inverse of Σ (|d|² I − d dᵀ).
   Mat3 inverse_inertia() const {
+    // T = (tr S) I − S with S = Σ d dᵀ has the axes of S and the values tr S − λ_k.
     Mat3 inverse{};
     for (int k = 0; k < 3; ++k) {
       const double inertia = sum - squares[k];
@@ -66,6 +69,7 @@ struct CoarseNode {
 };
 
 std::vector<Vec3> offsets_from_mean(const std::vector<CoarseNode>& nodes) {
+  // d_k = x_k − Σ_l x_l/n
   Vec3 mean{};
   for (const CoarseNode& node : nodes) mean += (1.0 / static_cast<double>(nodes.size())) * node.x;
   std::vector<Vec3> offsets;
@@ -111,6 +115,8 @@ public:
     std::sort(around.begin(), around.end(), [&](const CoarseNode& a, const CoarseNode& b) {
       return std::make_pair(distance(a), a.x) < std::make_pair(distance(b), b.x);
     });
+    // The nearest node of each direction first. Those behind are added, the nearest first, only as
+    // long as the others do not span a plane.
     std::vector<CoarseNode> hidden;
     for (const CoarseNode& node : around)
       (is_behind_another(node) ? hidden : nodes_).push_back(node);
@@ -144,6 +150,7 @@ private:
   std::vector<double> weights() const {
     const std::size_t n = nodes_.size();
     std::vector<double> w(n);
+    // w_k ~ (|x_k − x_i|²/h² + 0.05)⁻², h² the mean of |x_k − x_i|²
     double h2 = 0.0, sum = 0.0;
     for (const CoarseNode& node : nodes_)
       h2 += dot(node.x - x_, node.x - x_) / static_cast<double>(n);
@@ -152,6 +159,7 @@ private:
       w[k] = std::pow(dot(d, d) / h2 + blunt, -2.0);
       sum += w[k];
     }
+    // Normal equations of λ₀ and λ; ε h² makes them definite where nodes lie in a plane.
     double A[16] = {}, b[4] = {};
     for (std::size_t k = 0; k < n; ++k) {
       w[k] /= sum;
@@ -165,6 +173,7 @@ private:
     for (int i = 1; i < 4; ++i) A[5 * i] += leniency * h2;
     int info = 0;
     Teuchos::LAPACK<int, double>().POSV('U', 4, 1, A, 4, b, 4, &info);
+    // Σ φ_k = 1 to the last digit: translations are exact.
     double total = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
       const Vec3 d = nodes_[k].x - x_;
@@ -181,6 +190,7 @@ private:
   }
 
   bool is_behind_another(const CoarseNode& node) const {
+    // cos∠(d, e) ≥ 0.6 for a nearer node at e
     const Vec3 d = node.x - x_;
     return std::any_of(nodes_.begin(), nodes_.end(), [&](const CoarseNode& other) {
       const Vec3 e = other.x - x_;
@@ -205,6 +215,7 @@ public:
   explicit Fits(const RigidSource& source) : source_(source) {
     const auto x = source.fine.coordinates->getLocalViewHost(read_only);
     const auto in_solid = source.fine.in_solid->getLocalViewHost(read_only);
+    // Fitted are nodes of solids that do not stay, unless they are left out of the next level.
     const std::vector<char> is_coarse = flags_of(source.coarse_rows, x.extent(0));
     for (std::size_t i = 0; i < x.extent(0); ++i) {
       places_.push_back({x(i, 0), x(i, 1), x(i, 2)});

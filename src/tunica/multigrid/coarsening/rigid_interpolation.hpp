@@ -36,7 +36,7 @@ struct RigidInterpolation {
   bool has(int node) const { return start[node + 1] > start[node]; }
 };
 
-/// What it is made of, on one level.
+/// Input of a rigid interpolation, on one level.
 struct RigidSource {
   const CrsGraph& nodes;    ///< of the fine level
   const CrsMatrix& P;       ///< the means: a row per fine node, a column per coarse one

@@ -29,6 +29,7 @@ GalerkinProduct::GalerkinProduct(const Teuchos::RCP<const CrsMatrix>& R,
                                  const Teuchos::RCP<const CrsMatrix>& P,
                                  const algebra::DofLayout& numbering, double stabilisation_factor)
     : R_(R), A_(A), P_(P), numbering_(numbering), stabilisation_factor_(stabilisation_factor) {
+  // Pᵀ A P in one go saves the storage of A P.
   if (algebra::TripleProduct::serves(*A, *P) && is_transpose(*R, *P)) {
     triple_.emplace(*A, *P);
   } else {

@@ -23,6 +23,7 @@ struct Side {
   Teuchos::RCP<const Extractor> extractor;
 
   Side(const Map& all, const algebra::DofLayout& numbering) {
+    // Blocks keep the merged numbers, dofs·node + k, of which each has its stride of components.
     std::vector<std::size_t> striding;
     for (int b = 0; b < numbering.n_blocks(); ++b) striding.push_back(numbering.components(b));
     const auto strided = [&](const std::vector<GlobalOrdinal>& numbers, int block) {
@@ -61,6 +62,7 @@ Teuchos::RCP<CrsMatrix> block_of(const CrsMatrix& M, const algebra::DofLayout& n
     for (int k = 0; k < row.length; ++k) {
       const GlobalOrdinal number = M.getColMap()->getGlobalElement(row.colidx(k));
       if (numbering.block_of(number) != blocks[1]) continue;
+      // Entries of a static graph that are zero couple nothing; a diagonal has to be there.
       if (row.value(k) == 0.0 && number != row_number) continue;
       numbers.push_back(number);
       values.push_back(row.value(k));
@@ -75,6 +77,7 @@ Teuchos::RCP<CrsMatrix> block_of(const CrsMatrix& M, const algebra::DofLayout& n
 }  // namespace
 
 Teuchos::RCP<XBlockedMatrix> blocked(const CrsMatrix& M, const algebra::DofLayout& numbering) {
+  // M = [M_rc], each block with the strides of its rows and columns
   Side rows(*M.getRangeMap(), numbering), columns(*M.getDomainMap(), numbering);
   // Xpetra asks for extractors it may change.
   const auto result = Teuchos::rcp(new XBlockedMatrix(rows.extractor, columns.extractor, 0));
@@ -90,6 +93,8 @@ Teuchos::RCP<XBlockedMatrix> blocked(const CrsMatrix& M, const algebra::DofLayou
   return result;
 }
 
+// Near-null space of a block: e_i at all nodes, the translations of a vector, the constant of a
+// scalar.
 Teuchos::RCP<XMultiVector> constants(const XBlockedMatrix& A, int block, int components) {
   const auto map = A.getRangeMap(block);
   const auto vectors =
@@ -103,6 +108,7 @@ Teuchos::RCP<XMultiVector> constants(const XBlockedMatrix& A, int block, int com
 
 void set_blocks(MueLu::Level& finest, const CrsMatrix& A, const algebra::DofLayout& numbering) {
   const Map& rows = *A.getRowMap();
+  // MueLu counts the rows of a strided map by components, and takes each node for whole.
   bool is_whole = true;
   GlobalOrdinal expected = 0;  // component
   for (const GlobalOrdinal number : global_numbers(rows)) {

@@ -47,6 +47,8 @@ std::vector<std::string> names_of_ours() {
 
 /// What must follow new values, in this order; empty where a part cannot.
 std::vector<algebra::Refreshable*> parts_to_refresh(Hierarchy& hierarchy) {
+  // Coarse matrices from the finest on, as each is made of the one before; then smoothers, each
+  // once, since one may stand before and behind the coarse correction.
   std::vector<algebra::Refreshable*> parts;
   for (int l = 1; l < hierarchy.GetNumLevels(); ++l) {
     MueLu::Level& level = *hierarchy.GetLevel(l);
@@ -86,6 +88,8 @@ Cycle::Cycle(const Teuchos::RCP<CrsMatrix>& A, int components, const Teuchos::Pa
 
 Cycle::~Cycle() = default;
 
+// The levels as the list has them; W cycles where solids have flat elements, unless it says
+// otherwise.
 void Cycle::set_up() {
   parts_ = std::make_unique<Parts>();
   Teuchos::ParameterList list(muelu_);
@@ -113,6 +117,7 @@ void Cycle::set_up() {
     if (!is_blocked_) throw;
     throw std::runtime_error(cannot_work_on_blocks + error.what());
   }
+  // Matrices of blocks are copies, which follow by a new set-up only.
   if (!is_blocked_) parts_->refreshable = parts_to_refresh(hierarchy);
   parts_->levels = count_levels();
 }
@@ -121,9 +126,11 @@ void Cycle::iterate(const MultiVector& b, MultiVector& x) const {
   // Xpetra asks for a vector it may change; MueLu leaves right sides alone.
   const Wrapper wrapped_b(Teuchos::rcpFromRef(const_cast<MultiVector&>(b)));
   Wrapper wrapped_x(Teuchos::rcpFromRef(x));
+  // One cycle, from x = 0
   parts_->hierarchy->Iterate(wrapped_b, wrapped_x, 1, true);
 }
 
+// Numeric work where all parts can follow; else, graphs included, all anew.
 void Cycle::refresh() {
   if (!keeps_graphs()) return set_up();
   for (algebra::Refreshable* part : parts_->refreshable) part->refresh();
@@ -136,6 +143,7 @@ void Cycle::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, S
                   Scalar beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("Cycle: no transpose");
   algebra::check_columns("Cycle", X, Y);
+  // Y ← α M⁻¹ X + β Y
   if (alpha == 1.0 && beta == 0.0) return iterate(X, Y);
   MultiVector result(Y.getMap(), Y.getNumVectors());
   iterate(X, result);
@@ -144,6 +152,7 @@ void Cycle::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, S
 
 const Levels& Cycle::levels() const { return parts_->levels; }
 
+// Of a matrix of blocks, a merged copy.
 Teuchos::RCP<const CrsMatrix> Cycle::matrix(int level) const {
   const auto A = parts_->hierarchy->GetLevel(level)->Get<Teuchos::RCP<XMatrix>>("A");
   return unwrapped(is_blocked_ ? Teuchos::rcp_dynamic_cast<XBlockedMatrix>(A, true)->Merge() : A);
@@ -161,6 +170,7 @@ std::vector<SmootherState> Cycle::smoother_states() const {
   return states;
 }
 
+// Operator complexity: Σ_l nnz(A_l) / nnz(A_0).
 Levels Cycle::count_levels() const {
   Levels levels;
   double finest = 0.0, all = 0.0;
@@ -180,6 +190,7 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked) {
   TUNICA_CHECK(list.isSublist("Hierarchy") && list.isSublist("Factories"),
                "the list lacks \"Factories\" or \"Hierarchy\"; a mixed matrix needs a MueLu list "
                "in the form of factories.");
+  // The interpreter builds all factories, and throws at a name or a key that none has.
   std::string cause;
   try {
     const Interpreter interpreter(list, Teuchos::rcp(new Teuchos::SerialComm<int>),
@@ -188,6 +199,7 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked) {
     if (is_out_of_memory(error)) throw;
     cause = error.what();
   }
+  // Of MueLu's long message the name counts.
   const auto found = cause.find("unknown factory name : ");
   if (found != std::string::npos)
     cause = cause.substr(found, cause.find('\n', found) - found) + ". Ours are " +
@@ -203,6 +215,7 @@ constexpr int coarsest_mixed = 1500;  ///< unknowns
 /// The levels of the nodal coarsening with a smoother named "Sweeps".
 Teuchos::ParameterList nodal_levels(const Teuchos::ParameterList& sweeps, int coarse_size) {
   Teuchos::ParameterList list("MueLu");
+  // P by nodes, R = Pᵀ, A_l+1 = R A_l P; sweeps before and behind, sparse LU at the coarsest level
   Teuchos::ParameterList& factories = list.sublist("Factories");
   factories.sublist("Nodes").set("factory", "NodalPFactory");
   factories.sublist("Transpose").set("factory", "TransPFactory").set("P", "Nodes");
@@ -225,6 +238,7 @@ Teuchos::ParameterList nodal_levels(const Teuchos::ParameterList& sweeps, int co
 
 }  // namespace
 
+// For a definite block: Gauss–Seidel forth and back, so that the cycle is symmetric where A is.
 Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
   Teuchos::ParameterList smoother;
   smoother.set("factory", "Ifpack2Smoother").set("type", "RELAXATION");
@@ -234,6 +248,7 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
   return nodal_levels(smoother, coarse_size);
 }
 
+// Rotations change nothing where no node belongs to a solid.
 Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial) {
   Teuchos::ParameterList smoother;
   smoother.set("factory", "NodalIluSmoother").set("sweeps", sweeps).set("polynomial", polynomial);
@@ -242,6 +257,8 @@ Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomia
   return list;
 }
 
+// The levels of mixed_cycle_list() but for rotations. Each patch is inverted by itself, with row
+// exchanges: nothing grows along an order of elimination.
 Teuchos::ParameterList vanka_cycle_list(int sweeps) {
   Teuchos::ParameterList smoother;
   smoother.set("factory", "VankaSmoother").set("sweeps", sweeps).set("patch", "node pair");

@@ -79,12 +79,12 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked = fal
 /// and after, sparse LU at the coarsest level of at most coarse_size unknowns.
 Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
 
-/// The same for a mixed system, smoothed by incomplete factors in blocks of a node's unknowns.
-/// polynomial: as NodalIluSmoother has it.
+/// The default list for a mixed system, smoothed by incomplete factors in node blocks. polynomial:
+/// as NodalIluSmoother has it.
 Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial = "power");
 
-/// The same smoothed by Vanka's sweeps over pairs of nodes (smoothers/vanka/), which cost more and
-/// ask less of the matrix than incomplete factors.
+/// A list for a mixed system, smoothed by Vanka's sweeps over pairs of nodes (smoothers/vanka/),
+/// which cost more and are more robust than incomplete factors.
 Teuchos::ParameterList vanka_cycle_list(int sweeps);
 
 }  // namespace tunica::multigrid

@@ -23,6 +23,7 @@ Teuchos::RCP<const MueLu::FactoryBase> smoother(
 Teuchos::RCP<const MueLu::FactoryBase> from_zero(
     const Teuchos::RCP<const MueLu::FactoryBase>& theirs) {
   using Smoothers = MueLu::SmootherFactory<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  // One prototype serves before and behind the coarse correction.
   Teuchos::RCP<ZeroStartSmoother::Prototype> before, after;
   Teuchos::rcp_dynamic_cast<const Smoothers>(theirs, true)->GetSmootherPrototypes(before, after);
   return smoother(Teuchos::rcp(new ZeroStartSmoother(before)));
@@ -49,6 +50,8 @@ public:
   explicit OurFactories(const Teuchos::RCP<MixedCoarsening>& coarsening)
       : coarsening_(coarsening) {}
 
+  // Ours by their names, Schwarz with a patch for each pressure, and MueLu's others. Some of these
+  // add to what x holds even from a zero start: they get a zero there.
   Teuchos::RCP<const MueLu::FactoryBase> BuildFactory(const Teuchos::ParameterEntry& entry,
                                                       const Factories& factories,
                                                       const Managers& managers) const override {
@@ -72,6 +75,7 @@ private:
   Teuchos::RCP<PressureSchwarzSmoother> pressure_schwarz(Teuchos::ParameterList list,
                                                          const Factories& factories,
                                                          const Managers& managers) const {
+    // Between ranks; how far patches reach is a key of Ifpack2's own list.
     const int overlap = list.isParameter("overlap") ? list.get<int>("overlap") : 0;
     const auto schwarz =
         Teuchos::rcp(new PressureSchwarzSmoother(list.sublist("ParameterList"), overlap));

@@ -33,6 +33,7 @@ void check_keys(const Teuchos::ParameterList& list, const MueLu::Factory& factor
 
 template <class Ours>
 Teuchos::RCP<Ours> built(const FactoryRequest& request) {
+  // A new factory with the keys of the list, and with the factories that it names.
   check_keys(request.list, Ours());
   return request.builder.template Build2<Ours>(request.list, request.factories, request.managers);
 }

@@ -31,10 +31,12 @@ void GalerkinFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   const auto A = unwrapped(Get<Teuchos::RCP<XMatrix>>(fine, "A"));
   const auto P = unwrapped(Get<Teuchos::RCP<XMatrix>>(coarse, "P"));
   const auto R = unwrapped(Get<Teuchos::RCP<XMatrix>>(coarse, "R"));
+  // A_c = R A P, with −σ C in its scalar block. Only a mixed matrix has such a block.
   const double factor = GetParameterList().get<double>("stabilisation scaling");
   if (factor != 1.0) coarsening_->check_mixed(fine.GetLevelID(), *A);
   const Teuchos::RCP<GalerkinProduct> product =
       Teuchos::rcp(new GalerkinProduct(R, A, P, coarsening_->numbering(), factor));
+  // The product stays on the level, so that new values of A need no graphs.
   coarse.Set(kept_as, Teuchos::rcp_implicit_cast<algebra::Refreshable>(product),
              MueLu::NoFactory::get());
   Set(coarse, "A", wrapped(product->matrix()));

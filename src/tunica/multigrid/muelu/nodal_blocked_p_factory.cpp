@@ -20,6 +20,7 @@ void NodalBlockedPFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const
   const auto A = Teuchos::rcp_dynamic_cast<XBlockedMatrix>(Get<Teuchos::RCP<XMatrix>>(fine, "A"));
   if (A.is_null()) throw std::runtime_error("NodalBlockedPFactory: A is no matrix of blocks.");
   using Transposer = Tpetra::RowMatrixTransposer<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  // P of all unknowns, cut into its blocks; R = Pᵀ likewise, as MueLu transposes no blocks.
   const auto P =
       coarsening_->prolongator(fine.GetLevelID(), *Xpetra::toTpetra(A->getFullRangeMap()));
   Set<Teuchos::RCP<XMatrix>>(coarse, "P", blocked(*P, coarsening_->numbering()));

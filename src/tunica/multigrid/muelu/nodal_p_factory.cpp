@@ -22,12 +22,14 @@ Teuchos::RCP<const Teuchos::ParameterList> NodalPFactory::GetValidParameterList(
 void NodalPFactory::DeclareInput(MueLu::Level& fine, MueLu::Level&) const { Input(fine, "A"); }
 
 void NodalPFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
+  // The rows of A say whether it is a block or the whole.
   const auto A = Get<Teuchos::RCP<XMatrix>>(fine, "A");
   // Xpetra asks for a matrix it may change; MueLu leaves prolongators alone.
   const auto P = Teuchos::rcp_const_cast<CrsMatrix>(
       coarsening_->prolongator(fine.GetLevelID(), *Xpetra::toTpetra(A->getRangeMap()),
                                GetParameterList().get<bool>("rotations")));
   Set(coarse, "P", wrapped(P));
+  // The mark of a prolongator that does not depend on values, so that new ones leave it as it is.
   coarse.Set(marker, true, MueLu::NoFactory::get());
 }
 

@@ -73,6 +73,7 @@ struct BraessSarazin::Parts {
       const auto inverse = inverse_D.getLocalViewHost(overwrite_all);
       for (std::size_t i = 0; i < d.extent(0); ++i) {
         if (!(std::abs(d(i, 0)) > 0.0)) problem = "Braess-Sarazin: no pivot on the diagonal of A.";
+        // Ã⁻¹ = 1/(s A_ii), s = 1 where nothing stands beside A_ii
         inverse(i, 0) = 1.0 / ((blocks.is_uncovered[i] ? 1.0 : options.scaling) * d(i, 0));
       }
     }
@@ -98,6 +99,7 @@ BraessSarazin::BraessSarazin(const CrsMatrix& K, const algebra::DofLayout& numbe
 
 BraessSarazin::~BraessSarazin() = default;
 
+// Ã and S follow the values of K, on the graphs of the first set-up.
 void BraessSarazin::refresh() {
   Parts& parts = *parts_;
   parts.blocks.refresh();
@@ -111,6 +113,11 @@ void BraessSarazin::smooth(const MultiVector& b, MultiVector& x) const {
                            [&](const auto& b_c, auto& x_c) { smooth_column(b_c, x_c); });
 }
 
+// K̃ (u, q) = r by its factors, K̃ = [Ã B1ᵀ; B2 −C]:
+//
+//   S q = B2 Ã⁻¹ r_u − r_p,   Ã u = r_u − B1ᵀ q,   S = C + B2 Ã⁻¹ B1ᵀ
+//
+// S is all that is inverted inexactly.
 void BraessSarazin::smooth_column(const MultiVector& b, MultiVector& x) const {
   const Parts& parts = *parts_;
   const MixedBlocks& blocks = parts.blocks;

@@ -24,6 +24,7 @@ Teuchos::RCP<CrsMatrix> block(const CrsMatrix& K, int row_block, int column_bloc
       const GlobalOrdinal number = K.getColMap()->getGlobalElement(row.colidx(k));
       if (numbering.block_of(number) == column_block) numbers.push_back(numbering.in_block(number));
     }
+    // The graph alone, as values are copied by their offsets with each new matrix.
     const std::vector<Scalar> zeros(numbers.size(), 0.0);
     result->insertGlobalValues(numbering.in_block(row_number),
                                Teuchos::arrayViewFromVector(numbers),
@@ -33,6 +34,7 @@ Teuchos::RCP<CrsMatrix> block(const CrsMatrix& K, int row_block, int column_bloc
   return result;
 }
 
+// Where each value of a block stands among those of K.
 std::vector<int> offsets(const CrsMatrix& part, int row_block, int column_block,
                          const algebra::DofLayout& numbering, const CrsMatrix& K) {
   return algebra::entry_offsets(part, numbering.merged_numbers(*part.getRowMap(), row_block),
@@ -65,6 +67,7 @@ MixedBlocks::MixedBlocks(const CrsMatrix& K, const algebra::DofLayout& layout) :
   offsets_of_B2_ = offsets(*B2, 1, 0, numbering, K);
   offsets_of_mC_ = offsets(*mC, 1, 1, numbering, K);
   for (int i = 0; i < static_cast<int>(n_local(rows)); ++i)
+    // Rows of K by blocks, in the order of the blocks' own rows
     (numbering.is_scalar(rows.getGlobalElement(i)) ? scalar_rows_ : vector_rows_).push_back(i);
   diagonal = Teuchos::rcp(new Vector(u));
   is_uncovered.resize(vector_rows_.size());
@@ -75,6 +78,7 @@ void MixedBlocks::refresh() {
   copy(*K_, offsets_of_B1T_, *B1T);
   copy(*K_, offsets_of_B2_, *B2);
   copy(*K_, offsets_of_mC_, *mC);
+  // diag(A). A row of K with nothing beside it is an eliminated one, which a sweep solves.
   const auto local = K_->getLocalMatrixHost();
   const auto D = diagonal->getLocalViewHost(overwrite_all);
   for (std::size_t i = 0; i < vector_rows_.size(); ++i) {

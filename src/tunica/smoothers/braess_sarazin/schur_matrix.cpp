@@ -21,6 +21,8 @@ Teuchos::RCP<CrsMatrix> sum_of_graphs(const CrsMatrix& A, const CrsMatrix& B) {
 
 }  // namespace
 
+// S has the graphs of B2 D⁻¹ B1ᵀ and of C together, found once, and places in it for the values of
+// both.
 SchurMatrix::SchurMatrix(const CrsMatrix& B1T, const CrsMatrix& B2, const CrsMatrix& mC,
                          const Vector& inverse_D)
     : B1T_(&B1T), mC_(&mC), scaled_(B1T, Teuchos::Copy), product_(B2, scaled_),
@@ -31,6 +33,7 @@ SchurMatrix::SchurMatrix(const CrsMatrix& B1T, const CrsMatrix& B2, const CrsMat
 }
 
 void SchurMatrix::refresh(const Vector& inverse_D) {
+  // D⁻¹ B1ᵀ
   scaled_.resumeFill();
   {
     const auto from = B1T_->getLocalMatrixHost().values;
@@ -40,6 +43,7 @@ void SchurMatrix::refresh(const Vector& inverse_D) {
   scaled_.fillComplete(scaled_.getDomainMap(), scaled_.getRangeMap());
   scaled_.leftScale(inverse_D);
   product_.refresh();
+  // S = B2 (D⁻¹ B1ᵀ) − (−C)
   const auto domain = S_->getDomainMap(), range = S_->getRangeMap();
   S_->resumeFill();
   S_->setAllToScalar(0.0);

@@ -20,6 +20,8 @@ constexpr int width = 8;  ///< columns that are eliminated together
 /// them is what the elimination makes of the other columns, see update(). panel: n rows of width.
 [[gnu::always_inline]] inline bool eliminate(int n, int k, int columns, double* panel,
                                              int* exchanged) {
+  // Step c of Gauss and Jordan: the pivot's row over the pivot is subtracted from all others, and
+  // column c becomes that of the inverse, 1/pivot and −factor/pivot.
   for (int c = 0; c < columns; ++c) {
     int pivot_row = k + c;
     for (int i = k + c + 1; i < n; ++i)
@@ -63,6 +65,7 @@ constexpr int width = 8;  ///< columns that are eliminated together
 /// a ← T a in all columns but those of the panel, T the identity but for the panel's columns.
 [[gnu::always_inline]] inline void update_others(int n, int k, int columns, const double* panel,
                                                  double* pivots, double* a) {
+  // The panel's rows, without its columns, are the pivots; T replaces them, hence the zeros.
   std::fill_n(pivots, width * n, 0.0);
   for (int c = 0; c < columns; ++c) {
     double* const row = a + (k + c) * n;
@@ -78,6 +81,8 @@ constexpr int width = 8;  ///< columns that are eliminated together
 
 }  // namespace
 
+// A ← T_m … T_1 A with a T for each panel of eight columns: what a panel makes of the other columns
+// is then one product of matrices, in place of eight passes over them.
 TUNICA_CLONES bool invert_dense(int n, double* a, DenseScratch& scratch) {
   scratch.exchanged.resize(n);
   scratch.panel.resize(n * width);
@@ -95,6 +100,7 @@ TUNICA_CLONES bool invert_dense(int n, double* a, DenseScratch& scratch) {
         std::swap_ranges(a + r * n, a + (r + 1) * n, a + scratch.exchanged[r] * n);
     update_others(n, k, columns, panel, scratch.pivots.data(), a);
   }
+  // (P A)⁻¹ P = A⁻¹: exchanges of rows before are exchanges of columns after, the last one first.
   for (int k = n - 1; k >= 0; --k)
     if (scratch.exchanged[k] != k)
       for (int i = 0; i < n; ++i) std::swap(a[i * n + k], a[i * n + scratch.exchanged[k]]);

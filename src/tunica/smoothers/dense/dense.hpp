@@ -3,7 +3,7 @@
 
 namespace tunica::smoothers {
 
-/// What invert_dense() works in: kept from one matrix to the next.
+/// Work space of invert_dense(), kept from one matrix to the next.
 struct DenseScratch {
   std::vector<int> exchanged;
   std::vector<double> panel, pivots;

@@ -34,6 +34,7 @@ public:
   explicit Factors(const Teuchos::RCP<const CrsMatrix>& A)
       : A_(A), klu2_(Amesos2::create<CrsMatrix, MultiVector>("KLU2", A)) {
     const Map& rows = *A->getRowMap();
+    // Amesos2 takes the numbers for contiguous unless a key says otherwise.
     if (static_cast<GlobalOrdinal>(rows.getGlobalNumElements()) < span_of(rows)) {
       const auto list = Teuchos::rcp(new Teuchos::ParameterList("Amesos2"));
       list->sublist("KLU2").set("IsContiguous", false, "Are GIDs Contiguous");
@@ -43,6 +44,7 @@ public:
   }
 
   Verdict refactor() {
+    // Order and symbolic factors stay: values alone are new.
     klu2_->setA(A_, Amesos2::SYMBFACT);
     try {
       klu2_->numericFactorization();
@@ -145,6 +147,7 @@ public:
   /// New values on rank 0. Collective.
   void refresh(const CrsMatrix& A) {
     const auto K = A.getLocalMatrixHost();
+    // Values come in the order in which entries came, and entry_ says where each one stands.
     const std::vector<double> values =
         to_root(*A.getComm(), std::vector<double>(K.values.data(), K.values.data() + K.nnz()))
             .items;
@@ -155,6 +158,7 @@ public:
 
   /// factors: null but on rank 0.
   void solve(const MultiVector& B, MultiVector& X, const Factors* factors) const {
+    // b to rank 0, x = A⁻¹ b there, and x back: two collective calls
     if (n_columns_ != B.getNumVectors()) set_columns(B.getNumVectors());
     const auto n = static_cast<int>(mine_.size());
     const auto b = B.getLocalViewHost(Tpetra::Access::ReadOnly);
@@ -178,6 +182,7 @@ private:
     return exchange(comm, mine, counts);
   }
 
+  // From the order in which ranks send their rows to that of the numbers, and back
   void solve_alone(const Factors& factors) const {
     {
       const auto b = b_.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -190,6 +195,7 @@ private:
       for (std::size_t j = 0; j < n_columns_; ++j) all_[k++] = x(row_[row], j);
   }
 
+  // Buffers for so many right sides, kept until another number of them comes.
   void set_columns(std::size_t n) const {
     n_columns_ = n;
     mine_.resize(n_mine_ * n);
@@ -252,6 +258,7 @@ SparseLu::SparseLu(const Teuchos::RCP<const CrsMatrix>& A) : A_(A) {
 
 SparseLu::~SparseLu() = default;
 
+// Rank 0 factors; all ranks get its verdict, and throw alike.
 void SparseLu::refactor() {
   if (gathered_) gathered_->refresh(*A_);
   agree(*A_->getComm(), [this] { return factors_->refactor(); });
@@ -261,6 +268,7 @@ double SparseLu::expected_bytes() const {
   constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
   double bytes = 0.0;
   agree(*A_->getComm(), [&] {
+    // L and U have as many entries each, of a value and an index.
     bytes = 2.0 * bytes_per_entry * factors_->expected_entries();
     return Verdict::good;
   });

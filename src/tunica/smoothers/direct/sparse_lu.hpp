@@ -20,8 +20,8 @@ public:
   /// the matrix is singular. Collective.
   void refactor();
 
-  /// Of the factors, from an order of elimination like that of KLU2, before they are made; as long
-  /// as no pivot is sought off the diagonal. Collective.
+  /// Estimated bytes of the factors, from an elimination order like that of KLU2, before they are
+  /// made; valid as long as no pivot is off the diagonal. Collective.
   double expected_bytes() const;
 
   /// X = A⁻¹ B, with any number of columns. Collective.

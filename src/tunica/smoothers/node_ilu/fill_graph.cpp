@@ -20,6 +20,7 @@ public:
       if (column < row_) pivots_.push(column);
       level_[column] = level;
     }
+    // The shortest chain counts.
     level_[column] = std::min(level_[column], level);
   }
   void begin(int row) { row_ = row; }
@@ -52,6 +53,8 @@ private:
 
 }  // namespace
 
+// lev(i, j) = min_k lev(i, k) + lev(k, j) + 1 over pivots k < i, j; zero for entries of the graph.
+// What exceeds the level is dropped. Pivots of a row come ascending, those of fill among them.
 RowGraph with_fill(const RowGraph& graph, int level) {
   if (level == 0) return graph;
   RowGraph filled;

@@ -8,6 +8,9 @@
 
 namespace tunica::smoothers {
 
+// An unknown has the place width·node + i: own nodes first, in the order of K's rows, then the
+// nodes of other ranks in the columns of K. Each place has its row in K or in the ghosts' rows, or
+// none where the node lacks the unknown.
 NodeBlocks::NodeBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering,
                        const Teuchos::RCP<const Vector>& hosts)
     : K_(&K), width_(numbering.dofs()) {
@@ -23,12 +26,14 @@ NodeBlocks::NodeBlocks(const CrsMatrix& K, const algebra::DofLayout& numbering,
   count_unknowns();
   numbers_.resize(nodes_.size());
   for (const auto& [number, node] : nodes_) numbers_[node] = number;
+  // A follower is in the group of its host, with which it is eliminated.
   group_.resize(nodes_.size());
   for (std::size_t node = 0; node < group_.size(); ++node) group_[node] = static_cast<int>(node);
   for (const auto& [host, others] : followers_)
     if (const auto found = nodes_.find(host); found != nodes_.end())
       for (const GlobalOrdinal other : others) group_[nodes_.at(other)] = found->second;
   find_blocks();
+  // Needed for numbering alone
   nodes_ = Nodes();
   followers_.clear();
 }
@@ -42,6 +47,7 @@ void NodeBlocks::find_followers(const Vector& hosts) {
   std::vector<int> owners(wanted.size());
   hosts.getMap()->getRemoteIndexList(Teuchos::arrayViewFromVector(wanted),
                                      Teuchos::arrayViewFromVector(owners));
+  // A node without an owner among the scalars has no host.
   std::vector<GlobalOrdinal> present;
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (owners[i] >= 0) present.push_back(wanted[i]);
@@ -54,6 +60,8 @@ void NodeBlocks::find_followers(const Vector& hosts) {
   }
 }
 
+// Followers are numbered right behind their host, so that a group stays together in the order of
+// elimination.
 int NodeBlocks::place(GlobalOrdinal number) {
   const int next = static_cast<int>(nodes_.size());
   const auto [entry, is_new] = nodes_.emplace(number / width_, next);
@@ -64,6 +72,7 @@ int NodeBlocks::place(GlobalOrdinal number) {
   return width_ * node + static_cast<int>(number % width_);
 }
 
+// Own rows before anything else: own nodes are those below n_own_nodes_.
 void NodeBlocks::number_nodes() {
   const Map &rows = *K_->getRowMap(), &columns = *K_->getColMap();
   for (const GlobalOrdinal number : global_numbers(rows)) place_of_row_.push_back(place(number));
@@ -72,6 +81,8 @@ void NodeBlocks::number_nodes() {
     own_.places.push_back(rows.isNodeGlobalElement(number) ? place(number) : -1);
 }
 
+// Columns of other ranks make their nodes known, and the rows of these are fetched. Columns of such
+// rows that lead beyond are left out: the factors overlap by one layer of nodes.
 void NodeBlocks::number_ghosts() {
   std::vector<GlobalOrdinal> numbers;
   for (std::size_t c = 0; c < own_.places.size(); ++c) {
@@ -87,6 +98,7 @@ void NodeBlocks::number_ghosts() {
     other_.places.push_back(nodes_.count(number / width_) > 0 ? place(number) : -1);
 }
 
+// The graph of the ghosts' rows, found once; refresh() brings values.
 void NodeBlocks::fetch_ghosts(const std::vector<GlobalOrdinal>& numbers) {
   const auto map = map_of(numbers, K_->getComm());
   import_ = Teuchos::rcp(new Import(K_->getRowMap(), map));
@@ -97,6 +109,7 @@ void NodeBlocks::fetch_ghosts(const std::vector<GlobalOrdinal>& numbers) {
       Teuchos::rcp(new CrsMatrix(first.getCrsGraph()));  // Tpetra replaces only in given graphs
 }
 
+// A node with the scalar alone, a further pressure of a vertex, has a block of one row and column.
 void NodeBlocks::count_unknowns() {
   unknowns_.reserve(nodes_.size());
   for (std::size_t first = 0; first < rows_.size(); first += width_) {
@@ -108,6 +121,8 @@ void NodeBlocks::count_unknowns() {
   }
 }
 
+// The columns of a row are those of its whole group, each with its group: without fill the factors
+// then have a full block for the unknowns of a vertex, as if it were one node.
 void NodeBlocks::find_blocks() {
   own_.look();
   other_.look();
@@ -142,6 +157,7 @@ void NodeBlocks::add_columns_of(int node) {
   }
 }
 
+// block_of_node_ marks what the present row has; between rows all of it is −1.
 void NodeBlocks::add_column(int node) {
   if (block_of_node_[node] >= 0) return;
   block_of_node_[node] = 0;
@@ -156,6 +172,7 @@ void NodeBlocks::Source::look() {
   values = local.values.data();
 }
 
+// Values of the ghosts' rows; pointers too, as a matrix may have moved its storage.
 void NodeBlocks::refresh() {
   if (!ghosts_.is_null()) {
     ghosts_->resumeFill();
@@ -177,6 +194,8 @@ double NodeBlocks::bytes() const {
                              sizeof(Row) * rows_.size() + unknowns_.size());
 }
 
+// The blocks of a node's row in the order of its columns. Missing unknowns have the rows of the
+// unit matrix, so that their pivots are one.
 void NodeBlocks::read(int node, double* blocks) {
   const std::size_t size = static_cast<std::size_t>(width_) * width_;
   const std::size_t first = graph_.start[node], last = graph_.start[node + 1];

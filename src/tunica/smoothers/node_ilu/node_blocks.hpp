@@ -25,10 +25,11 @@ public:
   int n_nodes() const { return graph_.n_rows(); }
   int n_own_nodes() const { return n_own_nodes_; }
   int width() const { return width_; }  ///< unknowns per node, at most
-  /// Of each node: 1 where it has the last of them alone, width otherwise. Of a node of another
-  /// rank those count that rows of this one reach; what read() has of others means nothing.
+  /// Unknowns of each node: 1 if it has the last of them alone, otherwise width. For a node of
+  /// another rank, those reached by rows of this rank; the values of read() for others are
+  /// undefined.
   const std::vector<std::uint8_t>& unknowns() const { return unknowns_; }
-  /// Of nodes; the diagonal is in it.
+  /// Graph of the nodes, with the diagonal.
   const RowGraph& graph() const { return graph_; }
 
   /// Fetches the present rows of other ranks. Before a round of read(). Collective.

@@ -75,6 +75,7 @@ public:
       message = "NodalIluSmoother: the block of node " + std::to_string(blocks_.number(singular)) +
                 " cannot be inverted in the order of the nodes; systems without stabilisation need "
                 "another smoother.";
+    // On all ranks if on one: the set-up is collective.
     throw_if_any<std::runtime_error>(*K_->getComm(), message);
   }
 
@@ -85,6 +86,7 @@ public:
 
   void smooth_from_zero(double damping, const MultiVector& b, MultiVector& x) override {
     algebra::for_each_column("NodeIlu", b, x, [&](const auto& b_c, auto& x_c) {
+      // r = b: the first product is saved.
       gather(b_c, r_);
       fetch_ghosts(b_c, r_);
       x_c.putScalar(0.0);
@@ -121,6 +123,7 @@ private:
     subtract_product(NodeMatrix<Real>{pattern(blocks_.graph(), blocks_.n_own_nodes()),
                                       matrix_start_.data(), matrix_.data()},
                      x_.data(), r_.data());
+    // Rows of ghosts are not whole here: their owners' residuals take the place of what is missing.
     if (has_ghosts()) {
       MultiVector r(b.getMap(), 1);
       const auto& places = blocks_.place_of_row();
@@ -131,6 +134,8 @@ private:
     add_solution(damping, x);
   }
 
+  // Rows of L end before the diagonal, rows of U begin with it, and K has a copy of the own rows.
+  // Blocks of nodes with one unknown take one row or column each.
   void make_room() {
     std::size_t lower = 0, upper = 0, matrix = 0;
     for (auto* places : {&diagonal_, &lower_start_, &upper_start_})
@@ -202,6 +207,7 @@ private:
       if (kept != nullptr) kept = parts_.keep(node, column, block, kept);
       double* const to = row_.data() + size() * slot_of_node_[column];
       std::copy_n(block, size(), to);
+      // D_i ← (1 + s) D_i before the elimination; K itself keeps its values for r = b − K x.
       if (column == node)
         for (std::size_t i = 0; i < size(); ++i) to[i] *= 1.0 + shift_;
       block += size();
@@ -211,6 +217,7 @@ private:
   /// Eliminates the column of a node from the row of another in work: L = block · D⁻¹ of that node.
   /// Returns where the next block of L is kept.
   Real* subtract_row(int node, int pivot, Real* lower) {
+    // L_ik = K_ik D_k⁻¹,   K_i· ← K_i· − L_ik U_k· in the columns that the row has
     double inverse[16], factor[16] = {}, other[16];
     const Real* upper =
         parts_.fill_in(pivot, pivot, upper_values_.data() + upper_start_[pivot], inverse);

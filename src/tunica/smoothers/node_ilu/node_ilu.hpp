@@ -20,7 +20,7 @@ public:
   /// each rank moves its own unknowns. Column by column. Throws std::invalid_argument for unlike
   /// numbers of columns. Collective.
   virtual void smooth(double damping, const MultiVector& b, MultiVector& x) = 0;
-  /// The same from x = 0, whatever it holds. Throws as smooth(). Collective.
+  /// As smooth(), starting from x = 0 whatever x contains. Throws as smooth(). Collective.
   virtual void smooth_from_zero(double damping, const MultiVector& b, MultiVector& x) = 0;
   /// Bytes of the factors and a copy of the matrix on this rank.
   virtual double bytes() const = 0;
@@ -29,8 +29,8 @@ public:
 struct NodeIluOptions {
   int fill = 0;           ///< k
   bool is_single = true;  ///< keep the factors and the matrix in single precision
-  /// Of nodes that stand where others do, as further pressures of a vertex: the number of the other
-  /// one, by node; -1 or their own where they stand alone. Null: all do.
+  /// Hosts of nodes that coincide with others, such as further pressures of a vertex: the number of
+  /// the other node, by node; -1 or their own number for single nodes. Null: all nodes are single.
   Teuchos::RCP<const Vector> hosts{};
 };
 

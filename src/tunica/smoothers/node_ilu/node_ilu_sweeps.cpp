@@ -25,6 +25,7 @@ template <int width, int rows, class Real>
   for (std::size_t k = first; k < last; ++k) {
     const int node = pattern.columns[k];
     const double* const x_k = x + static_cast<std::size_t>(width) * node;
+    // Widths are constants of the compiler: blocks of 4, 3 or 2, or the scalar alone.
     if (pattern.unknowns[node] == width) {
       subtract<rows, width>(M, x_k, y);
       M += rows * width;

@@ -22,8 +22,7 @@ struct NodeMatrix {
   const Real* values;
 };
 
-/// Triangular factors in such blocks. Of each row of U, the inverse of its diagonal block stands
-/// first.
+/// Triangular factors in such blocks. In each row of U the inverse of its diagonal block is first.
 template <class Real>
 struct NodeFactors {
   BlockPattern pattern;                          ///< of both together, the diagonal among them

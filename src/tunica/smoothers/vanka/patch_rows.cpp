@@ -110,6 +110,7 @@ struct Blocks {
 
 TUNICA_CLONES void residual_of_nodes(const Blocks& K, const int* rows, int n, const double* b,
                                      const double* x, double* r, const PrefetchRange& ahead) {
+  // r = b − K x. A node's velocity rows are read together, for as many as the patch has.
   for (int a = 0; a < n;) {
     const int first = a, node = rows[a] / 4;
     if (rows[a] % 4 == 3) {
@@ -128,6 +129,7 @@ bool NodeRows::can_hold(const CrsMatrix& K, const std::vector<char>& is_pressure
   const Map& columns = *K.getColMap();
   const auto numbers = global_numbers(columns);
   if (numbers.size() % 4 != 0 || is_pressure.size() % 4 != 0) return false;
+  // Columns come as whole nodes, 4 node + 0 … 3, and each fourth row is a pressure.
   for (int i = 0; i < numbers.size(); ++i)
     if (numbers[i] != numbers[i - i % 4] + i % 4) return false;
   for (std::size_t i = 0; i < is_pressure.size(); ++i)
@@ -141,6 +143,7 @@ NodeRows::NodeRows(const CrsMatrix& K) : K_(&K), block_of_node_(n_local(*K.getCo
   pressure_.resize(4 * columns_.size());
 }
 
+// A block for each pair of nodes between which any of the 4×4 entries is in the graph
 void NodeRows::find_blocks() {
   const auto local = K_->getLocalMatrixHost();
   start_.push_back(0);

@@ -25,6 +25,7 @@ public:
   }
 
   int refresh() override {
+    // A_P⁻¹ of each patch, inverted in double precision and kept in that asked for
     int singular = -1;
     const auto K = K_->getLocalMatrixHost();
     for (int p = 0; p < patches_->n_patches(); ++p) {
@@ -99,6 +100,7 @@ public:
   }
 
   int refresh() override {
+    // D⁻¹ of all places first: each patch that reaches one shares it.
     const int singular_pressure = invert_places();
     int singular = -1;
     for (int p = 0; p < patches_->n_patches(); ++p) {
@@ -109,6 +111,9 @@ public:
   }
 
   void solve(int patch, const double* r, double* correction) const override {
+    // [D B1ᵀ; B2 −c] (u, p) = (r_u, r_p) by its Schur complement S:
+    //
+    //   p = (r_p − s·r_u)/S,   u = D⁻¹ r_u − t p,   s = B2 D⁻¹,   t = D⁻¹ B1ᵀ
     const int n = patches_->size(patch) - 1;
     const int* const rows = patches_->rows.data() + patches_->start[patch];
     const Real* const s = local_.data() + 2 * patches_->start[patch];
@@ -116,6 +121,7 @@ public:
     double rest = r[n];
     for (int a = 0; a < n; ++a) rest -= s[a] * r[a];
     const double p = correction[n] = t[n] * rest;  // (r_p − B2 D⁻¹ r_u) / S
+    // Velocities of a vertex stand together in a patch, and D⁻¹ acts among them alone.
     for (int first = 0, end; first < n; first = end) {
       const int place = mixed_->place[rows[first]], m = places_.n_velocities[place];
       const Real* const inverse = inverses_.data() + inverse_at_[place];
@@ -162,6 +168,7 @@ private:
               !is_uncovered_[j])
             D[i * m + slot_[j]] = row.value(k);
         }
+        // A one keeps the block regular; it is taken out again behind the inversion.
         if (is_uncovered_[rows[i]]) D[i * m + i] = 1.0;
       }
       if (m > 0 && !invert_dense(m, D.data(), scratch_) && singular < 0)
@@ -187,6 +194,7 @@ private:
     Real* const s = local_.data() + 2 * patches_->start[patch];
     Real* const t = s + n;
     const double mc = read_coupling(rows, n);
+    // s_a = Σ_j B2_j (D⁻¹)_ja,   t_a = Σ_j (D⁻¹)_aj B1ᵀ_j,   S = −c − Σ_a s_a B1ᵀ_a
     double S = mc;
     for (int a = 0; a < n; ++a) {
       const int place = mixed_->place[rows[a]], m = places_.n_velocities[place], i = slot_[rows[a]];

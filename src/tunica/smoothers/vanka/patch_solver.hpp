@@ -16,7 +16,7 @@ public:
   virtual int refresh() = 0;
   /// correction = solution of a patch for the residual r of its rows.
   virtual void solve(int patch, const double* r, double* correction) const = 0;
-  /// What solve() will read.
+  /// Memory that solve() will read.
   virtual PrefetchRange memory(int patch) const = 0;
   virtual double bytes() const = 0;
 };

@@ -27,6 +27,7 @@ public:
   }
 
   void refresh() override {
+    // Of the values patches depend on the zeros of B2 alone.
     if (update_b2_pattern(*K_, mixed_.is_pressure, reaches_)) find_patches();
     rows_->refresh();
     std::string singular;
@@ -64,6 +65,7 @@ private:
     MultiVector all(K_->getColMap(), 1);  // own and ghost values
     Scratch scratch(patches_.largest(), options_.is_additive ? share_.size() : 0);
     for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+      // Ghosts keep these values during the sweep: between ranks it is additive.
       algebra::fetch_columns(*K_, x, all);
       const auto rhs = b.getLocalViewHost(read_only);
       {
@@ -85,6 +87,7 @@ private:
       patches_ = make_pair_patches(*K_, mixed_);
     solver_.reset();  // its memory first
     solver_ = options_.is_single ? solver<float>() : solver<double>();
+    // W of the additive sweep: 1 over the number of patches that have the row
     share_.assign(mixed_.is_pressure.size(), 0.0);
     for (const int row : patches_.rows) share_[row] += 1.0;
     for (double& share : share_)

@@ -45,6 +45,9 @@ int VankaPatches::largest() const {
   return most;
 }
 
+// P_i = {i} ∪ {velocities j : B2_ij ≠ 0} for each pressure i, on the rows of the rank. Values
+// count, not the graph: where Dirichlet conditions have dropped a column its velocity is
+// eliminated.
 VankaPatches make_vanka_patches(const CrsMatrix& K, const std::vector<char>& is_pressure) {
   const auto local = K.getLocalMatrixHost();
   VankaPatches patches;
@@ -68,10 +71,13 @@ VankaPatches make_vanka_patches(const CrsMatrix& K, const std::vector<char>& is_
     patches.start.push_back(patches.rows.size());
   }
   for (int i = 0; i < local.numRows(); ++i)
+    // In no patch it would never move: it is solved alone.
     if (!is_pressure[i] && !is_covered[i]) patches.uncovered_rows.push_back(i);
   return patches;
 }
 
+// P_i with all velocities of the vertices that it reaches: node blocks of A are then whole in each
+// patch, and their inverses serve all.
 VankaPatches make_nodal_patches(const CrsMatrix& K, const MixedRows& mixed) {
   const RowsOfPlaces places = rows_of_places(mixed);
   const VankaPatches reached = make_vanka_patches(K, mixed.is_pressure);
@@ -98,6 +104,7 @@ VankaPatches make_pair_patches(const CrsMatrix& K, const MixedRows& mixed) {
     append(patches, places, last);
     patches.start.push_back(patches.rows.size());
   };
+  // Neighbours by pressure in the graph, and vertices without pressure that B2 reaches
   for (int here = 0; here < places.n_places(); ++here) {
     std::vector<int> with_pressure, without;
     for (std::size_t r = places.start[here] + places.n_velocities[here]; r < places.start[here + 1];
@@ -114,6 +121,8 @@ VankaPatches make_pair_patches(const CrsMatrix& K, const MixedRows& mixed) {
     }
     sort_once(with_pressure);
     sort_once(without);
+    // A pair once, from its lower place; a vertex without pressure with each that reaches it; a
+    // pressure without neighbours alone
     for (const int other : with_pressure)
       if (other > here) add_patch(here, other);
     for (const int other : without) add_patch(other, here);
@@ -131,6 +140,7 @@ bool update_b2_pattern(const CrsMatrix& K, const std::vector<char>& is_pressure,
   for (int i = 0; i < local.numRows(); ++i) {
     if (!is_pressure[i]) continue;
     const auto row = local.rowConst(i);
+    // 2 is neither of both, so that entries seen for the first time count as new.
     if (reaches.size() < next + row.length) reaches.resize(next + row.length, 2);
     for (int k = 0; k < row.length; ++k, ++next) {
       const char now = row.value(k) != 0.0;
@@ -141,6 +151,7 @@ bool update_b2_pattern(const CrsMatrix& K, const std::vector<char>& is_pressure,
   return is_new;
 }
 
+// A node with a host stands at the host's vertex, others at their own.
 MixedRows mixed_rows(const CrsMatrix& K, const algebra::DofLayout& numbering,
                      const Teuchos::RCP<const Vector>& hosts) {
   MixedRows mixed;
@@ -162,6 +173,7 @@ RowsOfPlaces rows_of_places(const MixedRows& mixed) {
       std::any_of(place_of.begin(), place_of.end(), [](int place) { return place < 0; }))
     throw std::invalid_argument("Vanka: patches of nodes need the place of each row.");
   RowsOfPlaces places;
+  // Sorted by counting: rows of a place together, and its velocities before its pressures
   std::vector<int> count;
   for (std::size_t row = 0; row < mixed.place.size(); ++row) {
     const std::size_t place = mixed.place[row];

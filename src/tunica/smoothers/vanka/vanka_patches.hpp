@@ -21,13 +21,12 @@ struct VankaPatches {
 /// The rows of a mixed matrix on one rank.
 struct MixedRows {
   std::vector<char> is_pressure;  ///< of each local row
-  /// Of each local row the vertex that its unknown stands at, numbered from zero; with the patches
-  /// of whole vertices only, else it may be empty.
+  /// Vertex of the unknown of each local row, numbered from zero; required for patches of whole
+  /// vertices only, otherwise it may be empty.
   std::vector<int> place;
 };
 
-/// Which rows of K are what. Nodes with a host on the same rank (NodeIluOptions) stand where it
-/// does.
+/// The kinds of the rows of K. Nodes with a host on the same rank (NodeIluOptions) have its place.
 MixedRows mixed_rows(const CrsMatrix& K, const algebra::DofLayout& numbering,
                      const Teuchos::RCP<const Vector>& hosts = Teuchos::null);
 
@@ -49,7 +48,7 @@ RowsOfPlaces rows_of_places(const MixedRows& mixed);
 /// Depends on the values only in what is zero: eliminated velocities are in no patch.
 VankaPatches make_vanka_patches(const CrsMatrix& K, const std::vector<char>& is_pressure);
 
-/// The same with all velocities of each place that a patch reaches but the uncovered ones.
+/// Patches with all velocities of each place that they reach, except the uncovered ones.
 VankaPatches make_nodal_patches(const CrsMatrix& K, const MixedRows& mixed);
 
 /// One patch per pair of places of which pressures are neighbours in the graph of K, with the

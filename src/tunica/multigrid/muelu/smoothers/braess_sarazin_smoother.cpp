@@ -8,6 +8,7 @@ namespace tunica::multigrid {
 
 namespace {
 
+// Ã = s diag(A): "scaling" is s, "damping" the ω of the whole correction.
 smoothers::BraessSarazinOptions options_of(const Teuchos::ParameterList& list) {
   smoothers::BraessSarazinOptions options;
   options.sweeps = list.get<int>("sweeps");
@@ -30,6 +31,8 @@ constexpr int coarsest_schur = 200;  ///< unknowns
 /// Coarse nodes for S from the graph of C.
 Teuchos::RCP<MixedCoarsening> coarsening_of(const Teuchos::RCP<::tunica::CrsMatrix>& S,
                                             const Teuchos::RCP<const ::tunica::CrsMatrix>& nodes) {
+  // S = C + B2 Ã⁻¹ B1ᵀ couples neighbours of neighbours as well. On the graph of C, which is that
+  // of the mesh, more nodes stay from level to level.
   const auto order = Teuchos::rcp(new ::tunica::Vector(nodes->getRowMap()));
   for (const GlobalOrdinal row : global_numbers(*nodes->getRowMap()))
     order->replaceGlobalValue(row, static_cast<Scalar>(row));
@@ -74,6 +77,7 @@ void NodalBraessSarazinSmoother::check(const Teuchos::ParameterList& list) const
 void NodalBraessSarazinSmoother::set_up(const ::tunica::CrsMatrix& K,
                                         const algebra::DofLayout& numbering) {
   const smoothers::BraessSarazinOptions options = options_of(GetParameterList());
+  // A cycle belongs to multigrid/, which smoothers/ does without: it is handed over as a function.
   smoothers::MakeSchurSolver cycle;
   if (options.schur == "multigrid")
     cycle = [&options](const auto& S, const auto& nodes) {

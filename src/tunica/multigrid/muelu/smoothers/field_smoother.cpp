@@ -40,6 +40,7 @@ Teuchos::ParameterList completed(const Teuchos::ParameterList& field) {
 
 }  // namespace
 
+// K_f = R_f K R_fᵀ of some parts, a method M_f of Ifpack2 for it, and room for r and dx of them
 struct FieldSmoother::Field {
   Field(const Teuchos::ParameterList& list, const ::tunica::CrsMatrix& K,
         const ::tunica::Vector& flags)
@@ -58,6 +59,7 @@ Teuchos::RCP<const Teuchos::ParameterList> FieldSmoother::GetValidParameterList(
   list->set<Teuchos::RCP<const MueLu::FactoryBase>>("A", Teuchos::null, "the mixed matrix");
   list->set("sweeps", 1);
   list->set("damping", 1.0);
+  // Names of fields are free; check() looks at what stands below them.
   list->sublist("Fields").disableRecursiveValidation();
   return list;
 }
@@ -79,6 +81,7 @@ void FieldSmoother::check(const Teuchos::ParameterList& list) const {
   }
 }
 
+// A coarse node is in the part of the fine node that it was, so that fields exist on all levels.
 void FieldSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout&) {
   K_ = &K;
   const Teuchos::ParameterList& fields = GetParameterList().sublist("Fields");
@@ -94,12 +97,14 @@ void FieldSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayou
 }
 
 void FieldSmoother::refresh() {
+  // K_f and M_f keep their graphs.
   for (Field& field : *fields_) {
     field.matrix.refresh(*K_);
     field.sweeps.refresh();
   }
 }
 
+// x ← x + ω R_fᵀ M_f⁻¹ R_f (b − K x), field after field with the newest x
 void FieldSmoother::smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const {
   const double damping = GetParameterList().get<double>("damping");
   const int n = GetParameterList().get<int>("sweeps");

@@ -31,6 +31,7 @@ Ifpack2Sweeps::Ifpack2Sweeps(const Teuchos::ParameterList& list, const Teuchos::
     : K_(K), has_overlap_(list.get<int>("overlap") > 0) {
   const auto& type = list.get<std::string>("type");
   const Teuchos::RCP<const RowMatrix> rows = K;
+  // Between ranks M⁻¹ = Σ_r R̃_rᵀ M_r⁻¹ R_r, as these methods look at the rows of one rank
   if (is_factorisation(type)) {
     Teuchos::ParameterList schwarz;
     schwarz.set("schwarz: inner preconditioner name", type);
@@ -53,6 +54,8 @@ void Ifpack2Sweeps::refresh() {
   method_->compute();
 }
 
+// x ← x + M⁻¹ (b − K x). Relaxations sweep from the x that they find; factorisations see only a
+// right side, which is then the residual.
 void Ifpack2Sweeps::smooth(const MultiVector& b, MultiVector& x) const {
   if (method_->supportsZeroStartingSolution()) {
     method_->setZeroStartingSolution(false);

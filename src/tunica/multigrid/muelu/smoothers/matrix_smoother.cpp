@@ -17,6 +17,7 @@ void MatrixSmoother::Setup(MueLu::Level& level) {
   this->IsSetup(true);
 }
 
+// From x = 0 the first residual is b: a smoother may save the product with K.
 void MatrixSmoother::Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const {
   const auto from = unwrapped(b);
   const auto to = unwrapped(x);

@@ -7,7 +7,7 @@
 
 namespace tunica::multigrid {
 
-/// What the smoothers that we add to MueLu's have in common.
+/// Common base of the smoothers that Tunica adds to MueLu.
 class MatrixSmoother : public MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>,
                        public algebra::Refreshable {
 public:

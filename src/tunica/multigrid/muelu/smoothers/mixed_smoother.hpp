@@ -11,7 +11,7 @@ public:
   void set_coarsening(const Teuchos::RCP<MixedCoarsening>& coarsening) { coarsening_ = coarsening; }
 
 protected:
-  /// Of the matrix at hand, see MixedCoarsening.
+  /// Hosts of the matrix, see MixedCoarsening.
   const Teuchos::RCP<const ::tunica::Vector>& hosts() const { return hosts_; }
   const MixedCoarsening& coarsening() const { return *coarsening_; }
   ::tunica::Vector parts(const ::tunica::CrsMatrix& K) const {

@@ -76,6 +76,7 @@ void NodalIluSmoother::check(const Teuchos::ParameterList& list) const {
     throw std::invalid_argument("NodalIluSmoother: \"flat bound\" must be positive.");
 }
 
+// Nothing of an earlier matrix stays: neither the attempt nor the direction of its estimate.
 void NodalIluSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout& numbering) {
   K_ = &K;
   numbering_ = numbering;
@@ -96,11 +97,13 @@ void NodalIluSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLa
 void NodalIluSmoother::factorise(int attempt) {
   const auto& list = GetParameterList();
   const int fill = list.get<int>("fill") + attempts[attempt].more_fill;
+  // Another fill has another graph; another shift does with new values.
   if (!factors_ || fill != state_.fill) {
     factors_ = nullptr;  // first: both together would not fit where one does
     factors_ = smoothers::make_node_ilu(
         *K_, numbering_, {fill, list.get<std::string>("precision") == "single", hosts()});
   }
+  // The largest eigenvalue of other factors may lie in another direction.
   if (attempt != attempt_) direction_ = nullptr;
   attempt_ = attempt;
   state_.fill = fill;
@@ -108,6 +111,11 @@ void NodalIluSmoother::factorise(int attempt) {
   factors_->refresh(state_.shift);
 }
 
+// Factors of the new values, and the damping that they permit:
+//
+//   L U by the attempt that serves at present, or by the first one after some patience
+//   ρ of (L U)⁻¹ K by the power method; where ρ exceeds the bound, further attempts
+//   ω from ρ and the bound
 void NodalIluSmoother::refresh() {
   const auto& list = GetParameterList();
   int attempt = attempt_;
@@ -122,12 +130,14 @@ void NodalIluSmoother::refresh() {
   if (bound_ == 0.0) return;
   measure();
   if (!(state_.radius <= bound_)) search();
+  // ω = min(damping, bound/ρ): no eigenvalue of ω (L U)⁻¹ K exceeds the bound.
   if (std::isfinite(state_.radius) && state_.radius > 0.0)
     state_.damping = std::min(state_.damping, bound_ / state_.radius);
   else
     direction_ = nullptr;
 }
 
+// The first attempt within the bound stays, else that of the least ρ, which is then factored again.
 void NodalIluSmoother::search() {
   const int most_fill = GetParameterList().get<int>("most fill");
   int best = attempt_;
@@ -146,6 +156,8 @@ void NodalIluSmoother::search() {
   measure();
 }
 
+// v ← (L U)⁻¹ K v until |v| stands still: over still_for iterations the first time, since a bad
+// pivot may show late, and later as soon as it does not grow.
 void NodalIluSmoother::measure() {
   const bool is_new = !direction_;
   if (is_new) direction_ = make_start();
@@ -173,6 +185,7 @@ std::shared_ptr<::tunica::MultiVector> NodalIluSmoother::make_start() const {
   return direction;
 }
 
+// ρ ≈ |v| with v ← (L U)⁻¹ K v/|v|. A sweep from v with b = 0 gives v − (L U)⁻¹ K v.
 double NodalIluSmoother::power_iteration() {
   ::tunica::MultiVector &v = *direction_, zero(v.getMap(), 1), next(v.getMap(), 1);
   double size = 0.0;
@@ -187,6 +200,7 @@ double NodalIluSmoother::power_iteration() {
   return size;
 }
 
+// e ← Π_k (1 − ω w_k (L U)⁻¹ K) e
 void NodalIluSmoother::smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const {
   for (const double weight : weights_) factors_->smooth(state_.damping * weight, b, x);
 }

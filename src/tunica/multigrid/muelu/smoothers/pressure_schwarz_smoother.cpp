@@ -41,6 +41,7 @@ struct Seeds {
   int n_patches = 0;
 
   Seeds(const CrsMatrix& A, int n_vector_rows) : patch(n_local_rows(A), -1) {
+    // A row that is coupled to nothing makes no patch of its own; all other pressures do.
     const auto local = A.getLocalMatrixHost();
     std::vector<int> uncovered_rows;
     for (int i = 0; i < local.numRows(); ++i) {
@@ -48,6 +49,7 @@ struct Seeds {
       if (is_uncovered) uncovered_rows.push_back(i);
       if (!is_uncovered && i >= n_vector_rows) patch[i] = n_patches++;
     }
+    // All uncovered rows make one patch: Ifpack2 writes outside of its vectors for a single row.
     if (uncovered_rows.size() > 1 || n_patches == 0) ++n_patches;
     // A single one goes with the last pressure, with which it has nothing in common.
     for (const int row : uncovered_rows) patch[row] = n_patches - 1;
@@ -110,11 +112,13 @@ PressureSchwarzSmoother::PressureSchwarzSmoother(const Teuchos::ParameterList& s
 
 void PressureSchwarzSmoother::DeclareInput(MueLu::Level& level) const { this->Input(level, "A"); }
 
+// Ifpack2 takes one matrix, and for each patch its seed, a pressure, around which it adds as many
+// layers of neighbours as "partitioner: overlap" says.
 void PressureSchwarzSmoother::Setup(MueLu::Level& level) {
   const auto A =
       Teuchos::rcp_dynamic_cast<XBlockedMatrix>(this->Get<Teuchos::RCP<XMatrix>>(level, "A"));
   if (A.is_null())
-    throw std::runtime_error("\"partitioner: type\" \"user\" wants a matrix of blocks");
+    throw std::runtime_error("\"partitioner: type\" \"user\" requires a matrix of blocks");
   extractor_ = A->getRangeMapExtractor();
   rows_ = unwrapped(block_after_block(*A)->Merge());
   const Seeds seeds(*rows_, static_cast<int>(n_local(*Xpetra::toTpetra(A->getRangeMap(0)))));
@@ -130,6 +134,7 @@ void PressureSchwarzSmoother::Setup(MueLu::Level& level) {
   this->IsSetup(true);
 }
 
+// Vectors come in blocks or merged, and go to Ifpack2 with one block behind the other.
 void PressureSchwarzSmoother::Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const {
   ::tunica::MultiVector all_x(rows_->getRowMap(), x.getNumVectors());
   ::tunica::MultiVector all_b(rows_->getRowMap(), b.getNumVectors());

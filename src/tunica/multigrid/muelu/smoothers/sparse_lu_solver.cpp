@@ -21,6 +21,7 @@ void SparseLuSolver::refresh() {
   try {
     lu_->refactor();
   } catch (const std::exception& error) {
+    // A lack of memory says nothing about the matrix.
     if (is_out_of_memory(error)) throw;
     throw std::runtime_error("the matrix of the coarsest level is singular.");
   }

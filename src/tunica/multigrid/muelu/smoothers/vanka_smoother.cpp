@@ -40,6 +40,7 @@ Teuchos::RCP<const Teuchos::ParameterList> VankaSmoother::GetValidParameterList(
 
 void VankaSmoother::check(const Teuchos::ParameterList& list) const { options_of(list); }
 
+// Patches are made of places, where a vertex has all its pressures beside its velocity.
 void VankaSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout& numbering) {
   vanka_ = smoothers::make_vanka(K, smoothers::mixed_rows(K, numbering, hosts()),
                                  options_of(GetParameterList()));

@@ -10,6 +10,7 @@ void ZeroStartSmoother::Setup(MueLu::Level& level) {
 }
 
 void ZeroStartSmoother::Apply(XMultiVector& x, const XMultiVector& b, bool is_zero) const {
+  // MueLu leaves in x what it held, and block smoothers add to that.
   if (is_zero) x.putScalar(0.0);
   smoother_->Apply(x, b, is_zero);
 }
