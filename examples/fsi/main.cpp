@@ -64,6 +64,7 @@ Outcome march(const setup::CommandLine& command, const CommPtr& comm) {
 int main(int argc, char** argv) {
   const Session session;  // MPI and Kokkos, unless they have begun
   if (argc < 3) return std::fprintf(stderr, "usage: fsi CASE.xml FOLDER [KEY=VALUE ...]\n"), 1;
+  const bool is_root = all_ranks()->getRank() == 0;
   // The library's line for each step is not of interest here; warnings are.
   io::redirect_messages({[](const std::string&) {}, {}});
   try {
@@ -71,10 +72,11 @@ int main(int argc, char** argv) {
     boundary::register_condition(example::squeeze());
     const Outcome outcome =
         march(command_for(argv[1], argv[2], {argv + 3, argv + argc}), all_ranks());
-    if (outcome.is_failure()) std::fprintf(stderr, "fsi: %s\n", outcome.reason().c_str());
+    if (outcome.is_failure() && is_root)
+      std::fprintf(stderr, "fsi: %s\n", outcome.reason().c_str());
     return outcome.is_success() ? 0 : 2;
-  } catch (const Error& error) {
-    std::fprintf(stderr, "fsi: %s\n", error.what());
+  } catch (const Error& error) {  // on all ranks alike
+    if (is_root) std::fprintf(stderr, "fsi: %s\n", error.what());
     return 1;
   }
 }
