@@ -10,6 +10,8 @@ import pathlib
 import re
 import sys
 
+from documents import FENCE, split
+
 # What is found, and what to write; a blank stands for any, line breaks among them.
 HABITS = ((r"\bwants?\b", "needs, requires, expects"),
           (r"\b(?:is|are|was|were) told\b", "is reported, is given"),
@@ -22,7 +24,6 @@ HABIT = re.compile("|".join(f"({pattern})" for pattern, _ in HABITS).replace(" "
 
 QUANTILE, MOST_WORDS = 0.9, 40
 
-FENCE = re.compile(r"^\s*(```|~~~)")
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.)\s+")
 LINK = re.compile(r"!?\[([^\]]*)\]\([^)]*\)")
 CODE = re.compile(r"`[^`]*`")
@@ -33,19 +34,19 @@ LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"(?:\s*"((?:[^"\\\n]|\\.)*)")*')
 def prose(text):
     """(first line, text, whether it is prose) of each paragraph, item, heading and row of a table; without
     fenced and indented code."""
-    is_code, first, lines = False, 0, []
-    for number, line in enumerate(text.split("\n") + [""], 1):
+    first, lines = 0, []
+    for number, is_code, line in split(text + "\n"):
         fence = FENCE.match(line)
         is_alone = bool(re.match(r"\s*\||#", line))
         if fence or is_code or is_alone or not line.strip() or ITEM.match(line):
             if lines:
                 yield first, "\n".join(lines), True
             lines = []
-        if fence:
-            is_code = not is_code
-        elif is_alone and not is_code:
+        if fence or is_code:
+            continue
+        if is_alone:
             yield number, line, False
-        elif not is_code and line.strip() and (lines or not line.startswith("    ")):
+        elif line.strip() and (lines or not line.startswith("    ")):
             first = first if lines else number
             lines.append(ITEM.sub("", line))
 

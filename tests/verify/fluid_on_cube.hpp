@@ -34,12 +34,12 @@ inline void solve_moving_step(problems::FluidProblem& fluid, const stepping::Clo
                               const std::vector<Vec3>& d, stepping::Timeline& mesh) {
   fluid.begin_step(clock);
   const Outcome placed =
-      fluid.field().set_domain(d, stepping::as_vectors(fluid.time_scheme().pasts(mesh)));
+      fluid.field().set_domain(d, fields::as_vectors(fluid.time_scheme().pasts(mesh)));
   TUNICA_CHECK(placed.is_success(), placed.reason());
   const nonlinear::NewtonReport report = fluid.solve();
   TUNICA_CHECK(report.is_converged, report.reason);
   fluid.end_step();
-  fluid.time_scheme().accept(stepping::as_rows(d), mesh);
+  fluid.time_scheme().accept(fields::as_rows(d), mesh);
 }
 
 }  // namespace tunica::verify

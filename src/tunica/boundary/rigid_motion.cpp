@@ -113,13 +113,6 @@ void add_springs(const SurfaceTerms& terms, const fields::FieldMesh& mesh, const
         for (const int a : face.nodes) M.add(motions.along(v, mesh.x[a]));
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t k = 0; k < names.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
-  return text;
-}
-
 /// A subspace of directions by its axes where it has as many as its dimension, else by vectors.
 std::string directions(const std::vector<std::vector<double>>& basis) {
   std::vector<std::string> axes, vectors;

@@ -133,6 +133,16 @@ void add_setting_keys(params::Table& table) {
                std::string("for a monolithic scheme: ") + settings_sentence);
 }
 
+namespace {
+
+bool is_nearer(const linear::SolveReport& one, const std::optional<BestSolution>& best) {
+  if (!best) return one.true_residual < 1.0;
+  if (one.is_converged != best->is_converged) return one.is_converged;
+  return one.true_residual < best->true_residual;
+}
+
+}  // namespace
+
 std::string note_on(const BestSolution& solution) {
   std::ostringstream text;
   text << "setting \"" << solution.setting << "\", relative residual " << solution.true_residual;
@@ -160,10 +170,8 @@ std::optional<BestSolution> SolverTable::run(const LinearSystem& system) {
       row.difference = relative_difference(x, *first);
     }
     // What has converged comes before what has not, whatever its residual.
-    const bool is_better = !best || row.solve.is_converged == best->is_converged
-                               ? row.solve.true_residual < (best ? best->true_residual : 1.0)
-                               : row.solve.is_converged;
-    if (is_better) best = {setting.name, row.solve.true_residual, x, row.solve.is_converged};
+    if (is_nearer(row.solve, best))
+      best = {setting.name, row.solve.true_residual, x, row.solve.is_converged};
     add(row);
   }
   save();

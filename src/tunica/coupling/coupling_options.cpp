@@ -16,10 +16,8 @@ params::Table dirichlet_neumann_table() {
               "scale an update of the interface down if a component exceeds this; 0: never")
       .integer("halvings", 5, params::between(0, 50),
                "how often in a row an update is halved if a field fails; each attempt counts as an "
-               "iteration; 0: the step fails at once")
-      .choice(
-          "when not converged", "stop", {"stop", "accept"},
-          "stop with exit status 2, or accept the step with a warning, continue, and end with 4");
+               "iteration; 0: the step fails at once");
+  add_acceptance_key(table);
   params::Table added_mass(
       "added-mass preconditioner: one pressure Poisson solve per coupling iteration; the wall "
       "compliance is estimated automatically");
@@ -33,10 +31,9 @@ params::Table dirichlet_neumann_table() {
 }
 
 CouplingOptions coupling_options(const Teuchos::ParameterList& list) {
-  return {
-      list.get<int>("max iterations"),  list.get<double>("tolerance"),
-      list.get<int>("predictor order"), list.get<double>("largest update"),
-      list.get<int>("halvings"),        list.get<std::string>("when not converged") == "accept"};
+  return {list.get<int>("max iterations"),  list.get<double>("tolerance"),
+          list.get<int>("predictor order"), list.get<double>("largest update"),
+          list.get<int>("halvings"),        accepts_unconverged(list)};
 }
 
 }  // namespace tunica::coupling

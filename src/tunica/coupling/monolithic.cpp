@@ -40,21 +40,17 @@ params::Table monolithic_table() {
           "(extrapolated)")
       .integer("predictor order", 2, params::between(0, 2),
                "first guess of a step: 0 the last state, 1 linear and 2 quadratic extrapolation in "
-               "time")
-      .choice(
-          "when not converged", "stop", {"stop", "accept"},
-          "stop with exit status 2, or accept the step with a warning, continue, and end with 4")
-      .sublist("Newton", nonlinear::newton_table({0.0, 1e-9, "mm", "remaining error", 0.03, 1.5}))
+               "time");
+  add_acceptance_key(table);
+  table.sublist("Newton", nonlinear::newton_table({0.0, 1e-9, "mm", "remaining error", 0.03, 1.5}))
       .sublist("Linear Solver", monolithic_solver_table());
   return table;
 }
 
 Monolithic::Monolithic(const Teuchos::ParameterList& list,
                        const problems::CoupledProblem::Parts& parts)
-    : problem_(list, parts),
-      accepts_unconverged_(list.get<std::string>("when not converged") == "accept"),
-      fluid_(&parts.fluid), wall_(&parts.wall),
-      fluid_states_(parts.fluid, list.get<int>("predictor order")),
+    : problem_(list, parts), accepts_unconverged_(accepts_unconverged(list)), fluid_(&parts.fluid),
+      wall_(&parts.wall), fluid_states_(parts.fluid, list.get<int>("predictor order")),
       wall_states_(parts.wall, list.get<int>("predictor order")) {
   if (list.get<std::string>("geometry") == "automatic") rule_.emplace();
 }

@@ -19,6 +19,16 @@ auto& named(Entries& entries, const std::string& name, Name name_of) {
 
 }  // namespace
 
+void add_acceptance_key(params::Table& table) {
+  table.choice(
+      "when not converged", "stop", {"stop", "accept"},
+      "stop with exit status 2, or accept the step with a warning, continue, and end with 4");
+}
+
+bool accepts_unconverged(const Teuchos::ParameterList& coupling) {
+  return coupling.get<std::string>("when not converged") == "accept";
+}
+
 nonlinear::NewtonReport& Iteration::solve(const std::string& field) {
   return named(solves, field, [](const FieldSolve& s) { return s.field; }).report;
 }

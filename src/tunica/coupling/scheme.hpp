@@ -8,6 +8,7 @@
 #include "tunica/base/outcome.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/nonlinear/newton.hpp"
+#include "tunica/params/table.hpp"
 #include "tunica/problems/watched_solver.hpp"
 #include "tunica/stepping/clock.hpp"
 
@@ -51,6 +52,10 @@ struct Report {
   int newton_steps(const std::string& field) const;
   int linear_iterations(const std::string& field) const;
 };
+
+/// The key by which a case says what becomes of a step that has not converged, and its decision.
+void add_acceptance_key(params::Table& table);
+bool accepts_unconverged(const Teuchos::ParameterList& coupling);
 
 /// A coupling scheme: it solves the time steps of coupled fields and declares the contents of its
 /// reports. Its state has its name in XML as the text "scheme".

@@ -81,8 +81,8 @@ std::vector<int> Fluid::staying_surfaces() const {
 // The first step has this velocity for its past, and the q that belongs to it.
 void Fluid::start_from(const algebra::BlockVector& x) {
   read(x);
-  timeline_.value() = stepping::as_rows(local_.u);
-  if (viscous_) viscous_->value() = stepping::as_rows(viscous_forces());
+  timeline_.value() = fields::as_rows(local_.u);
+  if (viscous_) viscous_->value() = fields::as_rows(viscous_forces());
 }
 
 constexpr const char* what_fixes = "prescribe() or fix_coefficients()";
@@ -93,13 +93,13 @@ void Fluid::begin_step(const stepping::Clock& clock) {
   time_ = scheme_->load_time(clock);
   scheme_->begin_step(clock);
   elements_.coefficients.inv_dt = scheme_->rate();
-  local_.u_old = stepping::as_vectors(scheme_->pasts(timeline_));
-  if (options_.has_predicted_tau)
-    predicted_ = stepping::as_vectors(scheme_->predictions(timeline_));
-  if (subscales_) local_.subscale = stepping::as_vectors(scheme_->pasts(*subscales_));
-  if (viscous_) local_.viscous = stepping::as_vectors(scheme_->predictions(*viscous_));
+  local_.u_old = fields::as_vectors(scheme_->pasts(timeline_));
+  if (options_.has_predicted_tau) predicted_ = fields::as_vectors(scheme_->predictions(timeline_));
+  if (subscales_) local_.subscale = fields::as_vectors(scheme_->pasts(*subscales_));
+  if (viscous_) local_.viscous = fields::as_vectors(scheme_->predictions(*viscous_));
   // μ(γ̇) in τ is that of the expected velocity too: τ is constant in a Newton solve.
-  elements_.viscosity = assembly::fluid_viscosities(*mesh_, elements_, expected_velocity());
+  if (!options_.viscosity->is_constant())
+    elements_.viscosity = assembly::fluid_viscosities(*mesh_, elements_, expected_velocity());
   surfaces_.begin_step();
   begin(what_fixes);
 }

@@ -1,11 +1,10 @@
 #include "tunica/discretisation/fluid_options.hpp"
 
 #include <Teuchos_Array.hpp>
-#include <cmath>
-#include <optional>
 
 #include "tunica/base/error.hpp"
 #include "tunica/boundary/registry.hpp"
+#include "tunica/discretisation/law_keys.hpp"
 #include "tunica/materials/viscosity_registry.hpp"
 #include "tunica/stepping/registry.hpp"
 
@@ -13,15 +12,12 @@ namespace tunica::discretisation {
 
 namespace {
 
-// The constants of a law of viscosity are keys where that law is chosen. One whose fallback is no
-// number has none, and must be given.
+// The constants of a law of viscosity are keys where that law is chosen.
 void add_viscosity_keys(params::Table& table) {
   std::vector<params::Table::Case> laws;
   for (const materials::ViscosityEntry& law : materials::viscosity_laws()) {
     params::Table keys(law.sentence);
-    for (const materials::Constant& c : law.constants)
-      keys.number(c.name, std::isnan(c.fallback) ? std::nullopt : std::optional(c.fallback),
-                  {c.low, c.high, c.is_low_excluded, std::isinf(c.high)}, c.unit, c.sentence);
+    add_constant_keys(law.constants, keys);
     laws.push_back({law.name, keys});
   }
   table.variant("law", laws.front().value, laws,
@@ -77,8 +73,7 @@ std::shared_ptr<const materials::ViscosityLaw> viscosity_of(const Teuchos::Param
   const auto& name = list.get<std::string>("law");
   materials::Constants constants;
   for (const materials::ViscosityEntry& law : materials::viscosity_laws())
-    for (const materials::Constant& c : law.constants)
-      if (law.name == name) constants[c.name] = list.get<double>(c.name);
+    if (law.name == name) constants = constants_in(list, law.constants);
   return materials::make_viscosity_law(name, constants);
 }
 

@@ -135,7 +135,7 @@ stepping::Timeline* MixedField::remember(const std::string& name, stepping::Time
 stepping::Timeline* MixedField::remember(const std::string& name, const ElementValues& values) {
   return remember(name, {fields::Places::elements(*mesh_), 3, scheme_->remembers()},
                   [this, values](stepping::Timeline& past) {
-                    scheme_->accept(stepping::as_rows(values()), past);
+                    scheme_->accept(fields::as_rows(values()), past);
                   });
 }
 
@@ -151,7 +151,7 @@ void MixedField::end_step(const algebra::BlockVector& x) {
   wait_for(first_call);
   read(x);
   for (const ElementQuantity& quantity : on_elements_) quantity.accept(*quantity.timeline);
-  scheme_->accept(stepping::as_rows(*surroundings().u), timeline_);
+  scheme_->accept(fields::as_rows(*surroundings().u), timeline_);
   surfaces_.end_step(surroundings());
 }
 
@@ -162,7 +162,7 @@ void MixedField::save_history(fields::State& state) const {
 
 // The value of the last step is x, with its ghosts; only what lies before is stored beside it.
 std::string MixedField::restore_history(const fields::State& state, const algebra::BlockVector& x) {
-  timeline_.restore_past("", state, stepping::as_rows(fields::ghosted_vectors(*mesh_, x[0])));
+  timeline_.restore_past("", state, fields::as_rows(fields::ghosted_vectors(*mesh_, x[0])));
   return surfaces_.restore(state);
 }
 

@@ -139,11 +139,11 @@ bool Solid::is_nearly_incompressible(std::size_t element) const {
 
 // r and r' of the scheme for unit density, and f beside r: the kernel's histories are ρ r, ρ r'.
 void Solid::set_inertia_loads() {
-  local_.r = stepping::as_vectors(scheme_->inertia_loads(timeline_));
+  local_.r = fields::as_vectors(scheme_->inertia_loads(timeline_));
   if (body_force_)
     for (int a = 0; a < mesh_->n_nodes(); ++a) local_.r[a] += body_force_(mesh_->x[a], time_);
   if (!subscales_) return;
-  local_.subscale_r = stepping::as_vectors(scheme_->inertia_loads(*subscales_));
+  local_.subscale_r = fields::as_vectors(scheme_->inertia_loads(*subscales_));
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e)
     if (!is_nearly_incompressible(e)) local_.subscale_r[e] = Vec3{};
 }
@@ -158,9 +158,9 @@ void Solid::begin_step(const stepping::Clock& clock) {
   }
   begin_laws(options_.is_static ? 0.0 : clock.step_size());
   set_inertia_loads();
-  past_ = stepping::as_vectors(scheme_->pasts(timeline_));
+  past_ = fields::as_vectors(scheme_->pasts(timeline_));
   // σ'* of the displacement with which the step begins: constant in it, Jacobians are exact.
-  if (patches_) local_.stress_force = stress_force_at(stepping::as_vectors(timeline_.value()));
+  if (patches_) local_.stress_force = stress_force_at(fields::as_vectors(timeline_.value()));
   stress_change_.clear();
   stress_relaxation_ = 1.0;
   surfaces_.begin_step();

@@ -64,7 +64,7 @@ public:
   bool moves_as_one(int surface) const { return surfaces_.moves_as_one(surface); }
 
   /// Velocity of owned and ghost nodes after the last accepted step [mm/ms].
-  std::vector<Vec3> velocity() const { return stepping::as_vectors(timeline_[0]); }
+  std::vector<Vec3> velocity() const { return fields::as_vectors(timeline_[0]); }
   const assembly::SolidElements& elements() const { return elements_; }
 
   Observables observe(const algebra::BlockVector& x) const;

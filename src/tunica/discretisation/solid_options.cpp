@@ -2,7 +2,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/boundary/registry.hpp"
-#include "tunica/materials/registry.hpp"
+#include "tunica/discretisation/law_keys.hpp"
 #include "tunica/materials/viscoelastic.hpp"
 #include "tunica/stepping/registry.hpp"
 #include "tunica/stepping/statics.hpp"
@@ -11,8 +11,7 @@ namespace tunica::discretisation {
 
 // S' = S_e + Q: the law gives S_e, in equilibrium, and a Maxwell element beside it Q.
 std::unique_ptr<materials::WallLaw> law_of(const Layer& layer) {
-  std::unique_ptr<materials::WallLaw> law =
-      materials::make_law(layer.law, {layer.constants.begin(), layer.constants.end()});
+  std::unique_ptr<materials::WallLaw> law = materials::make_law(layer.law, layer.constants);
   if (layer.viscous_fraction > 0.0)
     law = std::make_unique<materials::Viscoelastic>(std::move(law), layer.viscous_fraction,
                                                     layer.relaxation_time);
@@ -25,12 +24,10 @@ Layer layer_of(const std::string& region, const Teuchos::ParameterList& list) {
   Layer layer{region, list.get<std::string>("law"), {}, 0.0, list.get<double>("density")};
   for (const materials::LawEntry& law : materials::laws()) {
     if (law.name != layer.law) continue;
-    for (const materials::Constant& c : law.constants)
-      layer.constants.emplace_back(c.name, list.get<double>(c.name));
+    layer.constants = constants_in(list, law.constants);
     // Constants of some laws imply κ; beside others it is a key.
-    layer.bulk_modulus = law.bulk_modulus
-                             ? law.bulk_modulus({layer.constants.begin(), layer.constants.end()})
-                             : list.get<double>("bulk modulus");
+    layer.bulk_modulus =
+        law.bulk_modulus ? law.bulk_modulus(layer.constants) : list.get<double>("bulk modulus");
   }
   layer.viscous_fraction = list.get<double>("viscous fraction");
   layer.relaxation_time = list.get<double>("relaxation time");
@@ -47,8 +44,7 @@ params::Table layer_table() {
   std::vector<params::Table::Case> laws;
   for (const materials::LawEntry& law : materials::laws()) {
     params::Table table(law.sentence);
-    for (const materials::Constant& c : law.constants)
-      table.number(c.name, c.fallback, params::between(c.low, c.high), c.unit, c.sentence);
+    add_constant_keys(law.constants, table);
     if (!law.bulk_modulus)
       table.number("bulk modulus", 1e5, params::positive(), "kPa", "bulk modulus κ");
     laws.push_back({law.name, table});

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tunica/boundary/registry.hpp"
-#include "tunica/materials/wall_law.hpp"
+#include "tunica/materials/registry.hpp"
 #include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::discretisation {
@@ -14,7 +14,7 @@ namespace tunica::discretisation {
 struct Layer {
   std::string region;
   std::string law;
-  std::vector<std::pair<std::string, double>> constants;
+  materials::Constants constants;
   double bulk_modulus;            ///< κ [kPa]
   double density;                 ///< ρ in the reference configuration [mg/mm³]
   double viscous_fraction = 0.0;  ///< β of materials::Viscoelastic; 0: elastic

@@ -34,11 +34,25 @@ const State::Array& State::array(const std::string& name, int columns) const {
   return rows;
 }
 
-State state_on(const FieldMesh& mesh) {
-  State state;
-  state.places.assign(mesh.vertex.begin(), mesh.vertex.begin() + mesh.n_owned);
-  return state;
+std::vector<double> as_rows(const std::vector<Vec3>& vectors, int count) {
+  std::vector<double> rows;
+  rows.reserve(3 * count);
+  for (int k = 0; k < count; ++k) rows.insert(rows.end(), vectors[k].begin(), vectors[k].end());
+  return rows;
 }
+
+std::vector<double> as_rows(const std::vector<Vec3>& vectors) {
+  return as_rows(vectors, static_cast<int>(vectors.size()));
+}
+
+std::vector<Vec3> as_vectors(const std::vector<double>& rows) {
+  std::vector<Vec3> vectors(rows.size() / 3);
+  for (std::size_t k = 0; k < vectors.size(); ++k)
+    vectors[k] = {rows[3 * k], rows[3 * k + 1], rows[3 * k + 2]};
+  return vectors;
+}
+
+State state_on(const FieldMesh& mesh) { return Places::owned_nodes(mesh).state(); }
 
 State::Array rows_of(const Vector& v, int columns) {
   const auto view = v.getLocalViewHost(read_only);
@@ -46,11 +60,7 @@ State::Array rows_of(const Vector& v, int columns) {
 }
 
 State::Array rows_of(const std::vector<Vec3>& values, int count) {
-  State::Array rows{3, {}};
-  rows.values.reserve(3 * count);
-  for (int a = 0; a < count; ++a)
-    rows.values.insert(rows.values.end(), values[a].begin(), values[a].end());
-  return rows;
+  return {3, as_rows(values, count)};
 }
 
 void assign_rows(const State::Array& rows, Vector& v) {
@@ -72,12 +82,6 @@ void assign_rows(const State::Array& rows, const SplitMesh& split, Vector& v) {
   const auto view = v.getLocalViewHost(overwrite_all);
   for (int a = 0; a < split.n_owned; ++a)
     view(a, 0) = rows.values[split.n_copies * split.node[a] + split.copy[a]];
-}
-
-std::vector<Vec3> ghosted_rows(const State::Array& rows, const FieldMesh& mesh) {
-  Vector owned(mesh.vector_map, false);
-  assign_rows(rows, owned);
-  return ghosted_vectors(mesh, owned);
 }
 
 Places Places::of_this_rank(std::vector<GlobalOrdinal> numbers, const CommPtr& comm) {

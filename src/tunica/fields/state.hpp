@@ -87,6 +87,11 @@ private:
   CommPtr comm_;  ///< null where the row is everywhere
 };
 
+/// Vectors as rows of three, all of them or the first ones, and back.
+std::vector<double> as_rows(const std::vector<Vec3>& vectors);
+std::vector<double> as_rows(const std::vector<Vec3>& vectors, int count);
+std::vector<Vec3> as_vectors(const std::vector<double>& rows);
+
 /// A state without values on the owned nodes of the mesh.
 State state_on(const FieldMesh& mesh);
 
@@ -98,7 +103,5 @@ void assign_rows(const State::Array& rows, Vector& v);
 /// if it has fewer than others.
 State::Array rows_of(const Vector& v, const SplitMesh& split);
 void assign_rows(const State::Array& rows, const SplitMesh& split, Vector& v);
-/// On owned and ghost nodes. Collective.
-std::vector<Vec3> ghosted_rows(const State::Array& rows, const FieldMesh& mesh);
 
 }  // namespace tunica::fields

@@ -21,10 +21,7 @@ double squared_norm(double volume, const std::array<Vec3, 4>& v) {
 double viscous_dissipation(const Tet4& T, const std::array<Vec3, 4>& u,
                            const materials::ViscosityLaw& viscosity) {
   const Mat3 G = gradient(T, u);
-  double squares = 0.0;  // ε:ε = |G + Gᵀ|²/4
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) squares += 0.25 * (G[i][j] + G[j][i]) * (G[i][j] + G[j][i]);
-  return 2.0 * viscosity_at(viscosity, G).value * T.volume * squares;
+  return viscosity_at(viscosity, G).value * T.volume * squared_shear_rate(G);  // 2μ ε:ε = μ γ̇²
 }
 
 double power_of_divergence(const Tet4& T, const std::array<Vec3, 4>& u, double density) {

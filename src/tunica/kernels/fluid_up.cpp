@@ -64,7 +64,7 @@ namespace {
 template <class Real>
 struct Point {
   Mat3Of<Real> G;
-  ViscosityOf<Real> mu;
+  materials::ViscosityOf<Real> mu;
   Vec3Of<Real> h;
   Vec3Of<Real> m[4];
   Real s[4][4];        ///< s[a][k], value of s_a at vertex k

@@ -5,12 +5,6 @@
 
 namespace tunica::kernels {
 
-/// μ [kPa ms] and dμ/d(γ̇²) [kPa ms³].
-template <class Real>
-struct ViscosityOf {
-  Real value, slope;
-};
-
 /// γ̇² = 2 ε:ε = ½ |G + Gᵀ|² of a velocity with the gradient G [1/ms²].
 template <class Real>
 Real squared_shear_rate(const Mat3Of<Real>& G) {
@@ -21,15 +15,15 @@ Real squared_shear_rate(const Mat3Of<Real>& G) {
 }
 
 /// Where the velocity has the gradient G.
-inline ViscosityOf<double> viscosity_at(const materials::ViscosityLaw& law, const Mat3& G) {
+inline materials::Viscosity viscosity_at(const materials::ViscosityLaw& law, const Mat3& G) {
   if (law.is_constant()) return {law.reference(), 0.0};
-  const materials::Viscosity mu = law.at(squared_shear_rate(G));
-  return {mu.value, mu.slope};
+  return law.at(squared_shear_rate(G));
 }
-inline ViscosityOf<Pack> viscosity_at(const materials::ViscosityLaw& law, const Mat3Of<Pack>& G) {
+inline materials::ViscosityOf<Pack> viscosity_at(const materials::ViscosityLaw& law,
+                                                 const Mat3Of<Pack>& G) {
   if (law.is_constant()) return {law.reference(), 0.0};
   const Pack rate = squared_shear_rate(G);
-  ViscosityOf<Pack> mu{};
+  materials::ViscosityOf<Pack> mu{};
   for (int lane = 0; lane < Pack::size; ++lane) {
     const materials::Viscosity of_one = law.at(rate[lane]);
     mu.value.set(lane, of_one.value);

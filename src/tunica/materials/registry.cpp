@@ -36,15 +36,15 @@ auto find_named(const List& list, const std::string& name) {
                       [&](const auto& entry) { return entry.name == name; });
 }
 
-double checked_value(const LawEntry& law, const Constant& constant, double value) {
+void check_value(const std::string& law, const Constant& constant, double value) {
   std::ostringstream message;
-  message << "Material law \"" << law.name << "\": \"" << constant.name << "\" is " << value << " "
-          << constant.unit << ", expected a number not below " << constant.low;
+  message << law << ": \"" << constant.name << "\" is " << value << " " << constant.unit
+          << ", expected a number " << (constant.is_low_excluded ? "above " : "not below ")
+          << constant.low;
   if (std::isfinite(constant.high)) message << " and not above " << constant.high;
   message << ".";
-  TUNICA_CHECK(std::isfinite(value) && value >= constant.low && value <= constant.high,
-               message.str());
-  return value;
+  const bool is_too_low = constant.is_low_excluded ? value <= constant.low : value < constant.low;
+  TUNICA_CHECK(std::isfinite(value) && !is_too_low && value <= constant.high, message.str());
 }
 
 }  // namespace
@@ -57,20 +57,25 @@ void register_law(LawEntry law) {
   known_laws().push_back(std::move(law));
 }
 
+Constants completed(const std::string& law, const std::vector<Constant>& constants,
+                    const Constants& given) {
+  Constants complete;
+  for (const Constant& constant : constants) complete[constant.name] = constant.fallback;
+  for (const auto& [key, value] : given) {
+    TUNICA_CHECK(
+        find_named(constants, key) != constants.end(),
+        law + ": unknown constant \"" + key + "\", expected one of " + names_of(constants) + ".");
+    complete[key] = value;
+  }
+  for (const Constant& constant : constants) check_value(law, constant, complete.at(constant.name));
+  return complete;
+}
+
 std::unique_ptr<HyperelasticLaw> make_law(const std::string& name, const Constants& constants) {
   const auto law = find_named(laws(), name);
   TUNICA_CHECK(law != laws().end(), "Material law \"" + name + "\" is unknown, expected one of " +
                                         names_of(laws()) + ".");
-  Constants complete;
-  for (const Constant& constant : law->constants) complete[constant.name] = constant.fallback;
-  for (const auto& [key, value] : constants) {
-    const auto constant = find_named(law->constants, key);
-    TUNICA_CHECK(constant != law->constants.end(),
-                 "Material law \"" + name + "\": unknown constant \"" + key +
-                     "\", expected one of " + names_of(law->constants) + ".");
-    complete[key] = checked_value(*law, *constant, value);
-  }
-  auto made = law->make(complete);
+  auto made = law->make(completed("Material law \"" + name + "\"", law->constants, constants));
   TUNICA_CHECK(made->stabilisation_modulus() > 0.0,
                "Material law \"" + name +
                    "\" has no stiffness in shear, expected at least one positive constant of " +

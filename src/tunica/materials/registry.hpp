@@ -33,6 +33,11 @@ struct LawEntry {
   std::function<double(const Constants&)> bulk_modulus = {};
 };
 
+/// The constants of a law with those given, the others at their fallback. Throws Error, which names
+/// the law, where one is unknown, out of its range or missing.
+Constants completed(const std::string& law, const std::vector<Constant>& constants,
+                    const Constants& given);
+
 /// Every law there is, in the order of the reference.
 const std::vector<LawEntry>& laws();
 

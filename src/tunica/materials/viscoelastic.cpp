@@ -19,34 +19,47 @@ Sym3 Viscoelastic::fading_stress(const Sym3& elastic, const Past& past) const {
   return Q;
 }
 
-Sym3 Viscoelastic::stress(const Sym3& C, const Frame& frame, const Past& past) const {
-  Sym3 S = elastic_->stress(C, frame, past);
+void Viscoelastic::add_fading_stress(Sym3& S, const Past& past) const {
   const Sym3 Q = fading_stress(S, past);
   for (int I = 0; I < 6; ++I) S[I] += Q[I];
+}
+
+void Viscoelastic::add_fading_stress(Sym3Of<Pack>& S, const PackedPast& past) const {
+  for (int lane = 0; lane < Pack::size; ++lane) {
+    Sym3 mine = tunica::lane_of(S, lane);
+    add_fading_stress(mine, past[lane]);
+    set_lane(S, lane, mine);
+  }
+}
+
+namespace {
+
+// D' = (1 + β e^(−Δt/(2τ))) D_e
+template <class Real>
+void stiffen(Sym3MapOf<Real>& D, const Real& factor) {
+  for (auto& row : D)
+    for (Real& entry : row) entry *= factor;
+}
+
+}  // namespace
+
+Sym3 Viscoelastic::stress(const Sym3& C, const Frame& frame, const Past& past) const {
+  Sym3 S = elastic_->stress(C, frame, past);
+  add_fading_stress(S, past);
   return S;
 }
 
-// D' = (1 + β e^(−Δt/(2τ))) D_e
 StressTangent Viscoelastic::response(const Sym3& C, const Frame& frame, const Past& past) const {
   StressTangent at = elastic_->response(C, frame, past);
-  const Sym3 Q = fading_stress(at.S, past);
-  const double stiffer = 1.0 + factor(past);
-  for (int I = 0; I < 6; ++I) {
-    at.S[I] += Q[I];
-    for (double& entry : at.D[I]) entry *= stiffer;
-  }
+  add_fading_stress(at.S, past);
+  stiffen(at.D, 1.0 + factor(past));
   return at;
 }
 
 Sym3Of<Pack> Viscoelastic::packed_stress(const Sym3Of<Pack>& C, const FrameOf<Pack>& frame,
                                          const PackedPast& past) const {
   Sym3Of<Pack> S = elastic_->packed_stress(C, frame, past);
-  for (int lane = 0; lane < Pack::size; ++lane) {
-    Sym3 mine = tunica::lane_of(S, lane);
-    const Sym3 Q = fading_stress(mine, past[lane]);
-    for (int I = 0; I < 6; ++I) mine[I] += Q[I];
-    set_lane(S, lane, mine);
-  }
+  add_fading_stress(S, past);
   return S;
 }
 
@@ -54,16 +67,10 @@ StressTangentOf<Pack> Viscoelastic::packed_response(const Sym3Of<Pack>& C,
                                                     const FrameOf<Pack>& frame,
                                                     const PackedPast& past) const {
   StressTangentOf<Pack> at = elastic_->packed_response(C, frame, past);
+  add_fading_stress(at.S, past);
   Pack stiffer;
-  for (int lane = 0; lane < Pack::size; ++lane) {
-    Sym3 mine = tunica::lane_of(at.S, lane);
-    const Sym3 Q = fading_stress(mine, past[lane]);
-    for (int I = 0; I < 6; ++I) mine[I] += Q[I];
-    set_lane(at.S, lane, mine);
-    stiffer.set(lane, 1.0 + factor(past[lane]));
-  }
-  for (auto& row : at.D)
-    for (Pack& entry : row) entry *= stiffer;
+  for (int lane = 0; lane < Pack::size; ++lane) stiffer.set(lane, 1.0 + factor(past[lane]));
+  stiffen(at.D, stiffer);
   return at;
 }
 

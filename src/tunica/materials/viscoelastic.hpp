@@ -46,6 +46,10 @@ private:
   /// Q of the step that ends with S_e.
   Sym3 fading_stress(const Sym3& elastic, const Past& past) const;
 
+  /// S_e + Q of it.
+  void add_fading_stress(Sym3& S, const Past& past) const;
+  void add_fading_stress(Sym3Of<Pack>& S, const PackedPast& past) const;
+
   std::unique_ptr<WallLaw> elastic_;
   double beta_, tau_;
 };

@@ -3,10 +3,12 @@
 namespace tunica::materials {
 
 /// A dynamic viscosity, and how it changes with the shear rate.
-struct Viscosity {
-  double value;  ///< μ [kPa ms]
-  double slope;  ///< dμ/d(γ̇²) [kPa ms³]
+template <class Real>
+struct ViscosityOf {
+  Real value;  ///< μ [kPa ms]
+  Real slope;  ///< dμ/d(γ̇²) [kPa ms³]
 };
+using Viscosity = ViscosityOf<double>;
 
 /// The law of a generalised Newtonian fluid:
 ///

@@ -32,7 +32,8 @@ void register_viscosity_law(ViscosityEntry law) {
 std::unique_ptr<ViscosityLaw> make_viscosity_law(const std::string& name,
                                                  const Constants& constants) {
   for (const ViscosityEntry& law : viscosity_laws())
-    if (law.name == name) return law.make(constants);
+    if (law.name == name)
+      return law.make(completed("Law of viscosity \"" + name + "\"", law.constants, constants));
   throw std::logic_error("\"" + name + "\" is no law of viscosity");
 }
 

@@ -1,5 +1,6 @@
 #include "tunica/observe/arrays.hpp"
 
+#include "tunica/fields/state.hpp"
 #include "tunica/observe/field.hpp"
 
 namespace tunica::observe {
@@ -32,10 +33,7 @@ output::Grid grid_of(const fields::FieldMesh& mesh, const std::string& name) {
 }
 
 output::Array vector_array(const std::string& name, const std::vector<Vec3>& values, int count) {
-  output::Array array{name, 3, {}};
-  for (int a = 0; a < count; ++a)
-    array.values.insert(array.values.end(), values[a].begin(), values[a].end());
-  return array;
+  return {name, 3, fields::as_rows(values, count)};
 }
 
 output::Array dof_array(const std::string& name, int components, const Vector& v) {

@@ -4,18 +4,13 @@
 #include <sstream>
 
 #include "tunica/base/reduce.hpp"
+#include "tunica/observe/arrays.hpp"
 
 namespace tunica::observe {
 
 namespace {
 
 constexpr const char* averages_key = "averages from";
-
-output::Array array_of(const std::string& name, const std::vector<Vec3>& values) {
-  output::Array array{name, 3, {}};
-  for (const Vec3& v : values) array.values.insert(array.values.end(), v.begin(), v.end());
-  return array;
-}
 
 }  // namespace
 
@@ -49,7 +44,8 @@ void WallShear::accept(const stepping::Clock& clock) {
 }
 
 std::vector<output::Array> WallShear::arrays() const {
-  if (duration_ == 0.0) return {array_of("wall_shear_stress", stress_)};
+  if (duration_ == 0.0)
+    return {vector_array("wall_shear_stress", stress_, static_cast<int>(stress_.size()))};
   output::Array mean{"time_averaged_wss", 1, {}}, osi{"oscillatory_shear_index", 1, {}},
       rrt{"relative_residence_time", 1, {}};
   for (std::size_t a = 0; a < stress_.size(); ++a) {
@@ -59,7 +55,8 @@ std::vector<output::Array> WallShear::arrays() const {
     // (1 − 2 OSI) TAWSS = |∫ τ dt|/T
     rrt.values.push_back(along > 0.0 ? duration_ / along : 0.0);
   }
-  return {array_of("wall_shear_stress", stress_), mean, osi, rrt};
+  return {vector_array("wall_shear_stress", stress_, static_cast<int>(stress_.size())), mean, osi,
+          rrt};
 }
 
 discretisation::Observables WallShear::observe() const {

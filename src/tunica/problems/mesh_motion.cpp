@@ -97,8 +97,9 @@ fields::State MeshMotion::save() const {
 
 std::string MeshMotion::restore(const fields::State& state) {
   const fields::State::Array& rows = state.array("displacement", 3);
-  d_ = fields::ghosted_rows(rows, *mesh_);
-  timeline_.restore_past("", state, stepping::as_rows(d_));
+  const stepping::Rows local = fields::Places::nodes(*mesh_).local_rows(state, "displacement", 3);
+  d_ = fields::as_vectors(local);
+  timeline_.restore_past("", state, local);
   MultiVector last(mesh_->node_map, 3);
   {
     const auto view = last.getLocalViewHost(overwrite_all);

@@ -30,16 +30,16 @@ public:
 
   const std::vector<Vec3>& displacement() const { return d_; }  ///< local nodes
   /// Displacement of the last step.
-  std::vector<Vec3> old_displacement() const { return stepping::as_vectors(timeline_.value()); }
+  std::vector<Vec3> old_displacement() const { return fields::as_vectors(timeline_.value()); }
   /// The time scheme's past of the displacement in the present step.
   std::vector<Vec3> past_displacement() const {
-    return stepping::as_vectors(scheme_->pasts(timeline_));
+    return fields::as_vectors(scheme_->pasts(timeline_));
   }
   /// Displacement extrapolated from earlier steps to the end of the present step.
   std::vector<Vec3> predicted_displacement() const {
-    return stepping::as_vectors(scheme_->predictions(timeline_));
+    return fields::as_vectors(scheme_->predictions(timeline_));
   }
-  void end_step() { scheme_->accept(stepping::as_rows(d_), timeline_); }
+  void end_step() { scheme_->accept(fields::as_rows(d_), timeline_); }
 
   // Restartable
   fields::State save() const override;

@@ -47,7 +47,7 @@ void StepError::watch(const std::string& name, double smallest_scale, std::funct
                       std::function<stepping::ErrorFormula(const stepping::StepSizes&)> formula) {
   stepping::Timeline past(fields::Places::owned_nodes(field_->mesh()), 3, {}, 3);
   // Before the start all was as at the start.
-  for (int k = 0; k < 3; ++k) past.push(stepping::as_rows(now()));
+  for (int k = 0; k < 3; ++k) past.push(fields::as_rows(now()));
   quantities_.push_back({name, smallest_scale, std::move(now), std::move(formula), past, 0.0});
 }
 
@@ -67,7 +67,7 @@ StepError::Estimate StepError::estimate(const Quantity& quantity,
       is_steady_sought_ ? stepping::ErrorFormula{0, 1.0} : quantity.formula(sizes);
   const auto weights = stepping::extrapolation(formula.degree, sizes);
   const Values now = quantity.now();
-  stepping::Rows error = stepping::as_rows(now);
+  stepping::Rows error = fields::as_rows(now);
   for (std::size_t i = 0; i < error.size(); ++i) {
     for (int k = 0; k <= formula.degree; ++k) error[i] += -weights[k] * quantity.past.value(k)[i];
     error[i] *= formula.constant;  // C (x − xᵖ)
@@ -76,7 +76,7 @@ StepError::Estimate StepError::estimate(const Quantity& quantity,
   const double largest = is_steady_sought_ ? 0.0 : quantity.largest;
   const double scale = std::max({quantity.smallest_scale, largest, norm_of(now)});
   Estimate found;
-  found.ratio = norm_of(stepping::as_vectors(error)) / (permitted_ * scale);
+  found.ratio = norm_of(fields::as_vectors(error)) / (permitted_ * scale);
   found.eta = std::pow(found.ratio, 1.0 / (formula.degree + 1));
   return found;
 }
@@ -95,7 +95,7 @@ StepError::Estimate StepError::estimate(const stepping::Clock& clock) {
 void StepError::accept() {
   for (Quantity& quantity : quantities_) {
     const Values now = quantity.now();
-    quantity.past.push(stepping::as_rows(now));
+    quantity.past.push(fields::as_rows(now));
     quantity.largest = std::max(quantity.largest, norm_of(now));
   }
 }
@@ -111,7 +111,7 @@ fields::State StepError::save() const {
 
 std::string StepError::restore(const fields::State& state) {
   for (Quantity& quantity : quantities_) {
-    quantity.past.restore_past(quantity.name + " ", state, stepping::as_rows(quantity.now()));
+    quantity.past.restore_past(quantity.name + " ", state, fields::as_rows(quantity.now()));
     quantity.largest = state.number_list("largest " + quantity.name).at(0);
   }
   return "";

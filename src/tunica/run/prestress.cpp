@@ -125,9 +125,8 @@ problems::PrestressPoint restore(const std::string& path, problems::SolidProblem
   const std::vector<double>& numbers = file->head().control.at(point_name);
   problems::PrestressPoint point{numbers.at(0), numbers.at(1), static_cast<int>(numbers.at(2))};
   const fields::State state = file->read(point_name, fields::state_on(wall.mesh()).places, comm);
-  if (!state.has_array(shape_name)) return point;
-  point.shape = fields::ghosted_rows(state.array(shape_name, 3), wall.mesh());
-  point.shape.resize(wall.mesh().n_owned);
+  if (state.has_array(shape_name))
+    point.shape = fields::as_vectors(state.array(shape_name, 3).values);
   return point;
 }
 

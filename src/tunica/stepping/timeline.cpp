@@ -14,20 +14,6 @@ std::string name_of_value(const std::string& prefix, int steps_before) {
 
 }  // namespace
 
-std::vector<Vec3> as_vectors(const Rows& rows) {
-  std::vector<Vec3> vectors(rows.size() / 3);
-  for (std::size_t k = 0; k < vectors.size(); ++k)
-    vectors[k] = {rows[3 * k], rows[3 * k + 1], rows[3 * k + 2]};
-  return vectors;
-}
-
-Rows as_rows(const std::vector<Vec3>& vectors) {
-  Rows rows;
-  rows.reserve(3 * vectors.size());
-  for (const Vec3& v : vectors) rows.insert(rows.end(), v.begin(), v.end());
-  return rows;
-}
-
 Timeline::Timeline(fields::Places places, int width, std::vector<std::string> names, int n_values)
     : places_(std::move(places)), width_(width), n_values_(n_values), names_(std::move(names)),
       values_(1, Rows(places_.count() * width)),

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "tunica/base/tensor.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/stepping/clock.hpp"
 
@@ -12,10 +11,6 @@ namespace tunica::stepping {
 
 /// Numbers of all local places, those of a place side by side.
 using Rows = std::vector<double>;
-
-/// Rows of three as vectors, and back.
-std::vector<Vec3> as_vectors(const Rows& rows);
-Rows as_rows(const std::vector<Vec3>& vectors);
 
 /// History of a quantity: a row of numbers at each place, for the last step and as many earlier
 /// ones as requested, and the additional quantities of a time scheme (a velocity, an acceleration),

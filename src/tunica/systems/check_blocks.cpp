@@ -5,6 +5,7 @@
 
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/rows.hpp"
 
@@ -19,23 +20,22 @@ bool is_empty(const MatrixRows& block, std::size_t row) {
                      [](double value) { return value == 0.0; });
 }
 
-double& diagonal(MatrixRows& block, std::size_t row) {
+/// Where the diagonal of a row stands.
+std::size_t diagonal(const MatrixRows& block, std::size_t row) {
   const long long number = block.first_row() + static_cast<long long>(row);
   std::size_t k = block.start[row];
   while (block.columns[k] != number) ++k;
-  return block.values[k];
+  return k;
 }
 
-/// "rows 6 and 21", "row 3", "rows 1, 2, 3, … (12 in all)"; numbers from 1.
+/// "rows 6 and 21", "row 3", "rows 1, 2, 3, 4, 5, 6 and 12 more"; numbers from 1.
 std::string text_of(const std::vector<long long>& rows) {
   constexpr std::size_t most = 6;
-  std::string text = rows.size() > 1 ? "rows " : "row ";
-  for (std::size_t k = 0; k < std::min(rows.size(), most); ++k) {
-    if (k > 0) text += k + 1 == rows.size() ? " and " : ", ";
-    text += std::to_string(rows[k] + 1);
-  }
-  if (rows.size() > most) text += ", … (" + std::to_string(rows.size()) + " in all)";
-  return text;
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < std::min(rows.size(), most); ++k)
+    names.push_back(std::to_string(rows[k] + 1));
+  if (rows.size() > most) names.push_back(std::to_string(rows.size() - most) + " more");
+  return (rows.size() > 1 ? "rows " : "row ") + listed(names);
 }
 
 /// Rows [square other] of K without an entry; a unit row where b is zero there.
@@ -45,7 +45,7 @@ std::string fill_rows(MatrixRows& square, const MatrixRows& other, double unit,
   for (std::size_t i = 0; i < square.n_local_rows(); ++i) {
     if (!is_empty(square, i) || !is_empty(other, i)) continue;
     (b[i] == 0.0 ? filled : senseless).push_back(square.first_row() + static_cast<long long>(i));
-    diagonal(square, i) = unit;
+    square.values[diagonal(square, i)] = unit;
   }
   const std::vector<long long> wrong = gather_rows(*square.comm, senseless);
   on_root(*square.comm, [&] {
@@ -85,10 +85,7 @@ std::string fill_empty_rows(Blocks& blocks) {
 std::string doubt_sign_of_C(const Blocks& blocks) {
   const auto trace = [](const MatrixRows& block) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < block.n_local_rows(); ++i)
-      for (std::size_t k = block.start[i]; k < block.start[i + 1]; ++k)
-        if (block.columns[k] == block.first_row() + static_cast<long long>(i))
-          sum += block.values[k];
+    for (std::size_t i = 0; i < block.n_local_rows(); ++i) sum += block.values[diagonal(block, i)];
     return global_sum(*block.comm, sum);
   };
   if (!(trace(blocks.A) > 0.0 && trace(blocks.mC) > 0.0)) return "";

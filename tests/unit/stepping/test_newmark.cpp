@@ -19,9 +19,9 @@ Newmark scheme(double beta, double gamma, double dt) {
 /// Of three numbers.
 Timeline history_of(const Newmark& newmark, const Vec3& d, const Vec3& v, const Vec3& a) {
   Timeline history(fields::Places::everywhere(), 3, newmark.remembers());
-  history.value() = stepping::as_rows({d});
-  history[0] = stepping::as_rows({v});
-  history[1] = stepping::as_rows({a});
+  history.value() = fields::as_rows({d});
+  history[0] = fields::as_rows({v});
+  history[1] = fields::as_rows({a});
   return history;
 }
 
@@ -29,7 +29,7 @@ TEUCHOS_UNIT_TEST(newmark, average_acceleration_integrates_constant_acceleration
   const double dt = 0.3;
   const Newmark newmark = scheme(0.25, 0.5, dt);
   Timeline history = history_of(newmark, d_old, v_old, a_old);
-  newmark.accept(stepping::as_rows({d_old + dt * v_old + (0.5 * dt * dt) * a_old}), history);
+  newmark.accept(fields::as_rows({d_old + dt * v_old + (0.5 * dt * dt) * a_old}), history);
   for (int i = 0; i < 3; ++i) {
     TEST_FLOATING_EQUALITY(history[1][i], a_old[i], 1e-13);
     TEST_FLOATING_EQUALITY(history[0][i], v_old[i] + dt * a_old[i], 1e-13);
@@ -42,7 +42,7 @@ TEUCHOS_UNIT_TEST(newmark, constant_acceleration_is_exact_for_the_papers_paramet
   Timeline history = history_of(newmark, d_old, v_old, a_old);
   for (int n = 1; n <= 4; ++n) {
     const double t = n * dt;
-    newmark.accept(stepping::as_rows({d_old + t * v_old + (0.5 * t * t) * a_old}), history);
+    newmark.accept(fields::as_rows({d_old + t * v_old + (0.5 * t * t) * a_old}), history);
     for (int i = 0; i < 3; ++i) {
       TEST_FLOATING_EQUALITY(history[1][i], a_old[i], 1e-11);
       TEST_FLOATING_EQUALITY(history[0][i], v_old[i] + t * a_old[i], 1e-12);
@@ -57,7 +57,7 @@ TEUCHOS_UNIT_TEST(newmark, rates_are_affine_in_the_new_value) {
   const Vec3 d{0.4, 0.1, -0.7};
   const stepping::Rows r = newmark.inertia_loads(before), past = newmark.pasts(before);
   Timeline after = before;
-  newmark.accept(stepping::as_rows({d}), after);
+  newmark.accept(fields::as_rows({d}), after);
   for (int i = 0; i < 3; ++i) {  // ρ a = α d − ρ r,  v = c (d − d̃)
     TEST_FLOATING_EQUALITY(newmark.inertia(density) * d[i] - density * r[i], density * after[1][i],
                            1e-12);

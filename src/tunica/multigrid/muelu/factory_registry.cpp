@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "tunica/base/formatted.hpp"
 #include "tunica/multigrid/muelu/galerkin_factory.hpp"
 #include "tunica/multigrid/muelu/nodal_blocked_p_factory.hpp"
 #include "tunica/multigrid/muelu/nodal_p_factory.hpp"
@@ -80,22 +81,11 @@ const FactoryEntry* find_factory(const std::string& name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-namespace {
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
-}
-
-}  // namespace
-
 std::string our_factories_text() {
   std::vector<std::string> others, on_blocks;
   for (const FactoryEntry& entry : our_factories())
     (entry.works_on == MatrixKind::blocked ? on_blocks : others).push_back(entry.name);
-  return joined(others) + ", on blocks " + joined(on_blocks);
+  return listed(others) + ", on blocks " + listed(on_blocks);
 }
 
 }  // namespace tunica::multigrid
