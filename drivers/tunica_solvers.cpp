@@ -57,7 +57,7 @@ Outcome march_to_wanted(compare::SystemCapture& capture, coupling::Scheme& schem
 Outcome march(const setup::Case& the_case, const run::Domain& domain, run::RunOutput& output) {
   Teuchos::ParameterList list(the_case.list);
   Teuchos::ParameterList& coupling = list.sublist("Coupling");
-  if (coupling::is_monolithic(coupling))
+  if (the_case.coupling->is_monolithic)
     list.sublist("Solvers").set("coupling iteration", 1);  // there is one
   else
     coupling.set("halvings", 0);  // a system that cannot be solved is a result

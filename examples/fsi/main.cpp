@@ -42,7 +42,7 @@ Outcome march(const setup::CommandLine& command, const CommPtr& comm) {
   const setup::Case the_case = setup::read_case(command, setup::fsi_table(), *comm);
   const run::Domain domain = run::load_domain(the_case, comm);
   io::FolderLock lock;  // keeps other runs out of the folder
-  run::RunOutput output(command, the_case.list, domain, lock);
+  run::RunOutput output(command, the_case, domain, lock);
 
   // 2. The fields and what couples them.
   run::Simulation simulation(the_case, domain, output);

@@ -128,12 +128,11 @@ int conclude(const Program& program, run::RunOutput& output, const Comm& comm,
 }
 
 /// True, and says so, if the run has made all its steps before.
-bool is_over(const output::CheckpointHead& head, const Teuchos::ParameterList& list,
-             const Comm& comm) {
-  stepping::StepControl control = run::step_control(list);
+bool is_over(const output::CheckpointHead& head, const setup::Case& the_case, const Comm& comm) {
+  stepping::StepControl control = run::step_control(the_case);
   control.restore(head.control);
   if (!control.is_done()) return false;
-  const int steps = list.sublist("Time").get<int>("steps");
+  const int steps = the_case.time->steps.most_steps;
   const std::string of_how_many = steps > 0 ? " of " + std::to_string(steps) : "";
   const std::string cure = control.is_adaptive() ? "a later \"end time\"" : "--steps";
   if (comm.getRank() == 0)
@@ -151,20 +150,20 @@ int run_case(const Program& program, const setup::CommandLine& command, const Ma
   io::FolderLock lock;
   if (!command.dry_run) {
     catch_early_notice();
-    run::enter(run::folder_of(list), command, *comm, lock);
+    run::enter(the_case.output.folder, command, *comm, lock);
   }
   const run::Domain domain = run::load_domain(the_case, comm);
   run::print_extent(domain.extent, program.name, *comm);
   describe_domain(domain, *comm);
   std::optional<run::Restart> restart;
-  const auto begun = command.restart ? run::begun_prestress(list, domain) : std::nullopt;
+  const auto begun = command.restart ? run::begun_prestress(the_case, domain) : std::nullopt;
   if (begun) run::accepted_changes(*begun, "prestress.h5", list, program.table, command, *comm);
   if (command.restart && !begun) {
-    restart = run::find_restart(list, domain);
+    restart = run::find_restart(the_case, domain);
     restart->changes =
         run::accepted_changes(restart->head, restart->file, list, program.table, command, *comm);
   }
-  if (restart && is_over(restart->head, list, *comm)) return run::exit_done;
+  if (restart && is_over(restart->head, the_case, *comm)) return run::exit_done;
   if (command.dry_run) {
     run::check_fields(the_case, domain);
     run::print_expectations(the_case, domain);
@@ -172,9 +171,9 @@ int run_case(const Program& program, const setup::CommandLine& command, const Ma
   }
   run::check_held(the_case, domain);
   if (is_root) judge::print_brief(judge::sanity_of(the_case, domain.vessel));
-  if (is_root) io::show_progress(list.sublist("Output").get<double>("progress every"));
+  if (is_root) io::show_progress(the_case.output.progress_every);
   linear::check_direct_solver(comm);
-  run::RunOutput output(command, list, domain, lock, restart, set_up);
+  run::RunOutput output(command, the_case, domain, lock, restart, set_up);
   output.resumes_prestress = begun.has_value();
   record_sizes(domain, output.record);
   record_shares(domain, *comm, output.record);
@@ -187,13 +186,13 @@ int run_case(const Program& program, const setup::CommandLine& command, const Ma
 int run_alternative(const Program& program, const setup::CommandLine& command,
                     const Alternative& alternative, const CommPtr& comm) {
   const Stopwatch set_up;
-  const Teuchos::ParameterList list = setup::read_case(command, alternative.table, *comm).list;
+  const setup::Case the_case = setup::read_case(command, alternative.table, *comm);
   io::FolderLock lock;
-  if (!command.dry_run) run::enter(run::folder_of(list), command, *comm, lock);
-  const auto work = alternative.load(list, comm);
+  if (!command.dry_run) run::enter(the_case.output.folder, command, *comm, lock);
+  const auto work = alternative.load(the_case.list, comm);
   if (command.dry_run) return run::exit_done;
   linear::check_direct_solver(comm);
-  run::RunOutput output(command, list, comm, lock, {}, set_up);
+  run::RunOutput output(command, the_case, comm, lock, {}, set_up);
   output.record.add_time("set-up", set_up.seconds());
   return conclude(program, output, *comm, [&] { return work(output); });
 }

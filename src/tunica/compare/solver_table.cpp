@@ -6,8 +6,8 @@
 
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/timer.hpp"
+#include "tunica/coupling/coupling_settings.hpp"
 #include "tunica/coupling/monolithic.hpp"
-#include "tunica/coupling/registry.hpp"
 #include "tunica/io/atomic_file.hpp"
 #include "tunica/io/messages.hpp"
 #include "tunica/problems/fluid_problem.hpp"
@@ -97,7 +97,7 @@ std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,
 
 std::map<std::string, std::vector<SolverSetting>> all_settings(const Teuchos::ParameterList& list) {
   if (list.isSublist("System")) return {{"system", settings_of(list, "Settings")}};
-  if (coupling::is_monolithic(list.sublist("Coupling")))
+  if (coupling::CouplingSettings(list.sublist("Coupling")).is_monolithic)
     return {{"system", settings_of(list, "System")}};
   return {{"fluid", settings_of(list, "Fluid")}, {"wall", settings_of(list, "Wall")}};
 }

@@ -26,24 +26,21 @@ fields::Places on_interface(const fields::InterfaceTransfer& interface,
 
 }  // namespace
 
-DirichletNeumann::DirichletNeumann(const Teuchos::ParameterList& list,
+DirichletNeumann::DirichletNeumann(const DirichletNeumannSettings& settings,
                                    const fields::InterfaceTransfer& interface,
                                    problems::FluidProblem& fluid, problems::SolidProblem& wall,
                                    problems::MeshMotion& motion)
-    : options_(coupling_options(list)), interface_(&interface), fluid_(&fluid), wall_(&wall),
-      motion_(&motion), accelerator_kind_(list.get<std::string>("accelerator")),
-      accelerator_(make_accelerator(list, wall.mesh().comm)),
+    : options_(settings), interface_(&interface), fluid_(&fluid), wall_(&wall), motion_(&motion),
+      accelerator_(make_accelerator(settings.list, wall.mesh().comm)),
       displacements_(on_interface(interface, fluid.mesh()), 3, {}, 3) {
   fluid.linear_solver();  // wrong names in its lists are told before anything is solved
   wall.linear_solver();
-  if (list.get<std::string>("preconditioner") == "added mass")
-    added_mass_ = list.sublist("Added Mass Solver");
 }
 
 Outcome DirichletNeumann::begin(const stepping::Clock& clock) {
   fluid_->begin_step(clock);
   wall_->begin_step(clock);
-  return added_mass_ ? set_preconditioner(clock) : Outcome::success();
+  return options_.added_mass ? set_preconditioner(clock) : Outcome::success();
 }
 
 Outcome DirichletNeumann::set_preconditioner(const stepping::Clock& clock) {
@@ -67,8 +64,8 @@ Outcome DirichletNeumann::set_preconditioner(const stepping::Clock& clock) {
     has_told_compliance_ = true;
   }
   model.compliance = *compliance_;
-  preconditioner_ =
-      std::make_unique<AddedMass>(*added_mass_, mesh, fluid_->scalar_graph(), *interface_, model);
+  preconditioner_ = std::make_unique<AddedMass>(*options_.added_mass, mesh, fluid_->scalar_graph(),
+                                                *interface_, model);
   accelerator_->set_preconditioner(
       [this](const InterfaceVector& r) { return preconditioner_->apply(r); });
   return Outcome::success();
@@ -160,7 +157,7 @@ fields::State DirichletNeumann::save() const {
   fields::State state = on_interface(*interface_, fluid_->mesh()).state();
   displacements_.save_past("displacement ", state);
   state.texts["scheme"] = scheme_name;
-  state.texts["accelerator"] = accelerator_kind_;
+  state.texts["accelerator"] = options_.accelerator;
   if (compliance_) state.arrays["compliance"] = {1, *compliance_};
   accelerator_->save(state);
   return state;
@@ -171,11 +168,11 @@ std::string DirichletNeumann::restore(const fields::State& state) {
   compliance_.reset();
   if (state.has_array("compliance")) compliance_ = state.array("compliance", 1).values;
   const std::string& kind = state.text("accelerator");
-  if (kind == accelerator_kind_) {
+  if (kind == options_.accelerator) {
     accelerator_->restore(state);
     return "";
   }
-  return "the accelerator was \"" + kind + "\" and is \"" + accelerator_kind_ +
+  return "the accelerator was \"" + kind + "\" and is \"" + options_.accelerator +
          "\" now: it begins without history";
 }
 

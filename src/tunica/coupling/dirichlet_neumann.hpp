@@ -1,6 +1,8 @@
 #pragma once
 #include <deque>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "tunica/coupling/added_mass.hpp"
 #include "tunica/coupling/scheme.hpp"
@@ -10,16 +12,22 @@
 
 namespace tunica::coupling {
 
-struct CouplingOptions {
+/// A resolved "Coupling" list of this scheme.
+struct DirichletNeumannSettings {
+  DirichletNeumannSettings(  // NOLINT: a list is what is not decoded
+      const Teuchos::ParameterList& list);
+
   int max_iterations;
   double tolerance;          ///< ε of |r|/√n < ε, n the vertices of the interface [mm]
   int predictor_order;       ///< 0: last displacement, 1: linear, 2: quadratic in time
   double largest_update;     ///< of a displacement component in one iteration [mm]; 0: any
   int halvings;              ///< of an update that a field cannot follow, in a row
   bool accepts_unconverged;  ///< go on with a warning where a step does not converge
+  std::optional<Teuchos::ParameterList> added_mass;  ///< solver; none: residuals stay as they are
+  std::string accelerator;
+  Teuchos::ParameterList list;  ///< in which the accelerator finds its own keys
 };
 params::Table dirichlet_neumann_table();
-CouplingOptions coupling_options(const Teuchos::ParameterList& list);
 
 /// Dirichlet–Neumann coupling ([LY1] section 5.1): mesh motion and fluid for a given interface
 /// displacement d, wall for the fluid's force, d̃ its answer, until r = d̃ − d is small. The
@@ -27,10 +35,10 @@ CouplingOptions coupling_options(const Teuchos::ParameterList& list);
 /// three problems fails, d goes back half of the way to where they last did not.
 class DirichletNeumann final : public Scheme {
 public:
-  /// list: the resolved "Coupling" list. The problems must outlive the object.
-  DirichletNeumann(const Teuchos::ParameterList& list, const fields::InterfaceTransfer& interface,
-                   problems::FluidProblem& fluid, problems::SolidProblem& wall,
-                   problems::MeshMotion& motion);
+  /// The problems must outlive the object.
+  DirichletNeumann(const DirichletNeumannSettings& settings,
+                   const fields::InterfaceTransfer& interface, problems::FluidProblem& fluid,
+                   problems::SolidProblem& wall, problems::MeshMotion& motion);
 
   static constexpr const char* scheme_name = "dirichlet-neumann";
 
@@ -70,18 +78,16 @@ private:
   /// Reports a failure of the preconditioner, once.
   std::string remark_on(double time);
 
-  CouplingOptions options_;
+  DirichletNeumannSettings options_;
   const fields::InterfaceTransfer* interface_;
   problems::FluidProblem* fluid_;
   problems::SolidProblem* wall_;
   problems::MeshMotion* motion_;
-  std::optional<Teuchos::ParameterList> added_mass_;  ///< solver; none: residuals stay as they are
   std::unique_ptr<AddedMass> preconditioner_;
   /// Last compliance of the wall, used if a new one cannot be computed, also after a restart.
   std::optional<std::vector<double>> compliance_;
   std::string remark_;  ///< to be told with the next report
   bool has_told_compliance_ = false, has_told_relaxation_ = false;
-  std::string accelerator_kind_;
   std::unique_ptr<Accelerator> accelerator_;
   stepping::Timeline displacements_;  ///< accepted ones, of three steps
 };

@@ -47,12 +47,17 @@ params::Table monolithic_table() {
   return table;
 }
 
-Monolithic::Monolithic(const Teuchos::ParameterList& list,
+MonolithicSettings::MonolithicSettings(const Teuchos::ParameterList& list)
+    : problem(list), predictor_order(list.get<int>("predictor order")),
+      accepts_unconverged(coupling::accepts_unconverged(list)) {}
+
+Monolithic::Monolithic(const MonolithicSettings& settings,
                        const problems::CoupledProblem::Parts& parts)
-    : problem_(list, parts), accepts_unconverged_(accepts_unconverged(list)), fluid_(&parts.fluid),
-      wall_(&parts.wall), fluid_states_(parts.fluid, list.get<int>("predictor order")),
-      wall_states_(parts.wall, list.get<int>("predictor order")) {
-  if (list.get<std::string>("geometry") == "automatic") rule_.emplace();
+    : problem_(settings.problem, parts), accepts_unconverged_(settings.accepts_unconverged),
+      fluid_(&parts.fluid), wall_(&parts.wall),
+      fluid_states_(parts.fluid, settings.predictor_order),
+      wall_states_(parts.wall, settings.predictor_order) {
+  if (settings.problem.geometry == problems::DomainRule::automatic) rule_.emplace();
 }
 
 // F(x) = 0 of fluid, wall and mesh together, once from x⁰ = Σ_k c_k xⁿ⁻ᵏ and, where that fails,

@@ -13,13 +13,22 @@ params::Table monolithic_table();
 /// blocks, as for the wall.
 params::Table monolithic_solver_table();
 
+/// A resolved "Coupling" list of this scheme.
+struct MonolithicSettings {
+  MonolithicSettings(const Teuchos::ParameterList& list);  // NOLINT: a list is what is not decoded
+
+  problems::CoupledSettings problem;
+  int predictor_order;
+  bool accepts_unconverged;  ///< go on with a warning where a step does not converge
+};
+
 /// One Newton's method for fluid and wall together (problems/coupled_problem.hpp), started from
 /// what the steps before let expect. A step is one coupling iteration, whose residual is the last
 /// Newton increment [mm], and a second, more careful one where the first has failed.
 class Monolithic final : public Scheme {
 public:
-  /// list: the resolved "Coupling" list. The problems must outlive the object.
-  Monolithic(const Teuchos::ParameterList& list, const problems::CoupledProblem::Parts& parts);
+  /// The problems must outlive the object.
+  Monolithic(const MonolithicSettings& settings, const problems::CoupledProblem::Parts& parts);
 
   static constexpr const char* scheme_name = "monolithic";
 

@@ -37,8 +37,7 @@ const std::vector<Entry>& schemes() {
   return all;
 }
 
-const Entry& scheme_of(const Teuchos::ParameterList& list) {
-  const auto& name = list.get<std::string>("scheme");
+const Entry& scheme_of(const std::string& name) {
   for (const Entry& entry : schemes())
     if (entry.name == name) return entry;
   throw std::logic_error("\"" + name + "\" is no coupling scheme");
@@ -57,11 +56,14 @@ params::Table coupling_table() {
   return table;
 }
 
-bool is_monolithic(const Teuchos::ParameterList& list) { return scheme_of(list).is_monolithic; }
+CouplingSettings::CouplingSettings(const Teuchos::ParameterList& of_case)
+    : scheme(of_case.get<std::string>("scheme")), is_monolithic(scheme_of(scheme).is_monolithic),
+      most_iterations(is_monolithic ? 0 : of_case.get<int>("max iterations")),
+      most_newton(is_monolithic ? of_case.sublist("Newton").get<int>("max iterations") : 0),
+      list(of_case) {}
 
-std::unique_ptr<Scheme> make_scheme(const Teuchos::ParameterList& list,
-                                    const CoupledFields& fields) {
-  return scheme_of(list).make(list, fields);
+std::unique_ptr<Scheme> make_scheme(const CouplingSettings& settings, const CoupledFields& fields) {
+  return scheme_of(settings.scheme).make(settings.list, fields);
 }
 
 }  // namespace tunica::coupling

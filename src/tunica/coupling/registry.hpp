@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "tunica/coupling/coupling_settings.hpp"
 #include "tunica/coupling/scheme.hpp"
 #include "tunica/problems/coupled_problem.hpp"
 
@@ -12,15 +13,11 @@ struct CoupledFields {
   problems::FluidProblem& fluid;
   problems::SolidProblem& wall;
   problems::MeshMotion& motion;
-  const fields::FieldMesh* mesh;  ///< of both; null unless is_monolithic()
+  const fields::FieldMesh* mesh;  ///< of both; null unless the scheme is monolithic
 };
 
 /// Every scheme's keys: the "Coupling" list.
 params::Table coupling_table();
-/// The scheme of the resolved list solves for both fields at once, on the mesh of both; a step has
-/// no coupling iterations.
-bool is_monolithic(const Teuchos::ParameterList& list);
-std::unique_ptr<Scheme> make_scheme(const Teuchos::ParameterList& list,
-                                    const CoupledFields& fields);
+std::unique_ptr<Scheme> make_scheme(const CouplingSettings& settings, const CoupledFields& fields);
 
 }  // namespace tunica::coupling

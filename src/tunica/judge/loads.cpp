@@ -287,7 +287,7 @@ void visit_amplitudes(const Teuchos::ParameterList& list, double dt, Loads& load
 
 Loads loads_of(const setup::Case& the_case, const std::vector<Vessel::Opening>& openings) {
   Loads loads;
-  const stepping::StepControlOptions& time = *the_case.time;
+  const stepping::StepControlOptions& time = the_case.time->steps;
   const bool is_fixed = !time.is_adaptive && !time.pseudo_time;
   loads.end = time.end;
   const std::vector<double> times = sample_times(the_case.list, loads.end);

@@ -22,7 +22,7 @@ class Judge {
 public:
   Judge(const setup::Case& the_case, const Vessel& vessel)
       : case_(the_case), vessel_(vessel), loads_(loads_of(the_case, vessel.openings)),
-        time_(*the_case.time) {
+        time_(the_case.time->steps) {
     if (vessel.fluid) fluid_ = the_case.fluid->options;
     if (vessel.wall) wall_ = the_case.wall->options;
     is_static_ = vessel.wall && wall_.is_static;

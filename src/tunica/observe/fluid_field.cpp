@@ -17,9 +17,9 @@ std::vector<Quantity> fluid_quantities() {
   return all;
 }
 
-FluidField::FluidField(const Teuchos::ParameterList& the_case, problems::FluidProblem& fluid,
+FluidField::FluidField(const ShearAverages& averages, problems::FluidProblem& fluid,
                        problems::MeshMotion* motion)
-    : fluid_(&fluid), motion_(motion), shear_(the_case, fluid) {}
+    : fluid_(&fluid), motion_(motion), shear_(averages, fluid) {}
 
 Parts FluidField::parts() {
   Parts all{{"fluid", fluid_}, {"wall shear", &shear_}};

@@ -11,9 +11,8 @@ std::vector<Quantity> fluid_quantities();
 /// The fluid of a run, its wall shear stress and the motion of its mesh.
 class FluidField final : public Field {
 public:
-  /// the_case: resolved; motion: null where the mesh stands still. Fluid and motion must outlive
-  /// the object.
-  FluidField(const Teuchos::ParameterList& the_case, problems::FluidProblem& fluid,
+  /// motion: null where the mesh stands still. Fluid and motion must outlive the object.
+  FluidField(const ShearAverages& averages, problems::FluidProblem& fluid,
              problems::MeshMotion* motion);
 
   std::string name() const override { return "fluid"; }

@@ -13,16 +13,12 @@ constexpr const char* surfaces_key = "surfaces";
 constexpr const char* every = "all";
 constexpr const char* none = "none";
 
-std::vector<std::string> names_of(const Teuchos::ParameterList& output) {
-  return output.get<Teuchos::Array<std::string>>(surfaces_key).toVector();
-}
-
 bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 void check_names(const Teuchos::ParameterList& output, const std::string& path) {
-  const std::vector<std::string> names = names_of(output);
+  const std::vector<std::string> names = surfaces_in(output);
   for (const char* word : {every, none})
     TUNICA_CHECK(!holds(names, word) || names.size() == 1,
                  path + ": \"" + surfaces_key + "\" holds \"" + word +
@@ -47,15 +43,18 @@ void add_surface_keys(params::Table& table) {
       .check(check_names);
 }
 
-std::vector<std::string> named_surfaces(const Teuchos::ParameterList& output) {
-  const std::vector<std::string> names = names_of(output);
-  return holds(names, every) || holds(names, none) ? std::vector<std::string>{} : names;
+std::vector<std::string> surfaces_in(const Teuchos::ParameterList& output) {
+  if (!output.isParameter(surfaces_key)) return {};
+  return output.get<Teuchos::Array<std::string>>(surfaces_key).toVector();
 }
 
-SurfaceReport::SurfaceReport(const Teuchos::ParameterList& output,
+std::vector<std::string> named_surfaces(const std::vector<std::string>& wanted) {
+  return holds(wanted, every) || holds(wanted, none) ? std::vector<std::string>{} : wanted;
+}
+
+SurfaceReport::SurfaceReport(const std::vector<std::string>& wanted,
                              const std::vector<std::unique_ptr<Field>>& fields) {
-  for (const auto& field : fields)
-    fields_.emplace_back(field.get(), chosen(names_of(output), field->mesh()));
+  for (const auto& field : fields) fields_.emplace_back(field.get(), chosen(wanted, field->mesh()));
 }
 
 discretisation::Observables SurfaceReport::observe() const {

@@ -6,14 +6,16 @@ namespace tunica::observe {
 
 /// Adds the key "surfaces" of an "Output" list.
 void add_surface_keys(params::Table& table);
-/// The surfaces that a resolved "Output" list names; none where it asks for all or none.
-std::vector<std::string> named_surfaces(const Teuchos::ParameterList& output);
+/// Its value in a resolved list: names of surfaces, or the word "all" or "none" alone.
+std::vector<std::string> surfaces_in(const Teuchos::ParameterList& output);
+/// The surfaces that it names; none where it is one of the two words.
+std::vector<std::string> named_surfaces(const std::vector<std::string>& wanted);
 
 /// The columns of steps.csv for the surfaces of a case, in the order of the mesh.
 class SurfaceReport {
 public:
-  /// output: the resolved "Output" list. The fields must outlive the object. Collective.
-  SurfaceReport(const Teuchos::ParameterList& output,
+  /// wanted: see surfaces_in(). The fields must outlive the object. Collective.
+  SurfaceReport(const std::vector<std::string>& wanted,
                 const std::vector<std::unique_ptr<Field>>& fields);
 
   /// At the end of a step. Collective.

@@ -126,11 +126,13 @@ std::vector<Quantity> wall_quantities() {
   return all;
 }
 
-WallField::WallField(problems::SolidProblem& wall, const Teuchos::ParameterList& output)
-    : wall_(&wall), recovery_(wall) {
-  const auto kinds = output.get<Teuchos::Array<std::string>>(wall_arrays_key);
-  kinds_.assign(kinds.begin(), kinds.end());
+std::vector<std::string> wall_arrays_in(const Teuchos::ParameterList& output) {
+  if (!output.isParameter(wall_arrays_key)) return {};
+  return output.get<Teuchos::Array<std::string>>(wall_arrays_key).toVector();
 }
+
+WallField::WallField(problems::SolidProblem& wall, std::vector<std::string> kinds)
+    : wall_(&wall), recovery_(wall), kinds_(std::move(kinds)) {}
 
 output::Grid WallField::grid() { return grid_of(recovery_.mesh(), "wall"); }
 

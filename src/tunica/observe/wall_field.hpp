@@ -16,8 +16,8 @@ std::vector<Quantity> wall_quantities();
 /// one, as long as they are stretched; and how far their stress is from that at the nodes.
 class WallField final : public Field {
 public:
-  /// wall must outlive the object. Collective.
-  WallField(problems::SolidProblem& wall, const Teuchos::ParameterList& output);
+  /// kinds: of arrays. wall must outlive the object. Collective.
+  WallField(problems::SolidProblem& wall, std::vector<std::string> kinds);
 
   std::string name() const override { return "wall"; }
   const fields::FieldMesh& mesh() const override { return wall_->mesh(); }
@@ -43,7 +43,8 @@ private:
   problems::StressRecovery recovery_;
   std::vector<std::string> kinds_;
 };
-/// The key of what it writes.
+/// Adds the key of what it writes to an "Output" list, and its kinds in a resolved one.
 void add_wall_array_keys(params::Table& table);
+std::vector<std::string> wall_arrays_in(const Teuchos::ParameterList& output);
 
 }  // namespace tunica::observe

@@ -20,21 +20,23 @@ void add_wall_shear_keys(params::Table& table) {
                "beginning of the last one");
 }
 
-WallShear::WallShear(const Teuchos::ParameterList& the_case, problems::FluidProblem& fluid)
-    : fluid_(&fluid), from_(the_case.sublist("Output").get<double>(averages_key)),
-      is_steady_(the_case.sublist("Time").get<std::string>("step control") == "steady"),
-      stress_(fluid.mesh().n_owned), integral_(stress_.size()),
+double averages_from(const Teuchos::ParameterList& output) {
+  return output.isParameter(averages_key) ? output.get<double>(averages_key) : 0.0;
+}
+
+WallShear::WallShear(const ShearAverages& averages, problems::FluidProblem& fluid)
+    : fluid_(&fluid), averages_(averages), stress_(fluid.mesh().n_owned), integral_(stress_.size()),
       integral_of_size_(stress_.size(), 0.0) {}
 
 void WallShear::accept(const stepping::Clock& clock) {
   stress_ = fluid_->wall_shear_stress();
-  if (is_steady_) {  // T = 1, all of it now
+  if (averages_.is_steady) {  // T = 1, all of it now
     duration_ = 1.0;
     integral_ = stress_;
     for (std::size_t a = 0; a < stress_.size(); ++a) integral_of_size_[a] = norm(stress_[a]);
     return;
   }
-  const double dt = std::min(clock.step_size(), clock.time() - from_);
+  const double dt = std::min(clock.step_size(), clock.time() - averages_.from);
   if (dt <= 1e-9 * clock.step_size()) return;
   duration_ += dt;
   for (std::size_t a = 0; a < stress_.size(); ++a) {
@@ -67,7 +69,7 @@ discretisation::Observables WallShear::observe() const {
 
 fields::State WallShear::save() const {
   fields::State state = fields::state_on(fluid_->mesh());
-  state.numbers["from"] = {from_};
+  state.numbers["from"] = {averages_.from};
   state.numbers["duration"] = {duration_};
   state.arrays["integral"] = fields::rows_of(integral_, fluid_->mesh().n_owned);
   state.arrays["integral of size"] = {1, integral_of_size_};
@@ -76,11 +78,11 @@ fields::State WallShear::save() const {
 
 std::string WallShear::restore(const fields::State& state) {
   const auto told = state.numbers.find("from");  // older checkpoints do not
-  const double was = told == state.numbers.end() ? from_ : told->second.at(0);
-  if (was != from_) {
+  const double was = told == state.numbers.end() ? averages_.from : told->second.at(0);
+  if (was != averages_.from) {
     std::ostringstream text;
     text << "The averages of the wall shear stress begin anew, since \"" << averages_key
-         << "\" was " << was << " ms and is " << from_ << " ms.";
+         << "\" was " << was << " ms and is " << averages_.from << " ms.";
     return text.str();
   }
   duration_ = state.number_list("duration").at(0);

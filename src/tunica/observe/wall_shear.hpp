@@ -6,6 +6,12 @@
 
 namespace tunica::observe {
 
+/// Over which steps the wall shear stress is averaged.
+struct ShearAverages {
+  double from;             ///< [ms]
+  bool is_steady = false;  ///< such a flow is sought
+};
+
 /// The wall shear stress τ of the last step, and what has become of it over time:
 ///
 ///   TAWSS = 1/T ∫ |τ| dt,   OSI = ½ (1 − |∫ τ dt| / ∫ |τ| dt),   RRT = 1/((1 − 2 OSI) TAWSS)
@@ -18,8 +24,8 @@ namespace tunica::observe {
 /// present τ. Source: [HG04].
 class WallShear final : public fields::Restartable {
 public:
-  /// The resolved lists "Time" and "Output" of the case. fluid must outlive the object.
-  WallShear(const Teuchos::ParameterList& the_case, problems::FluidProblem& fluid);
+  /// fluid must outlive the object.
+  WallShear(const ShearAverages& averages, problems::FluidProblem& fluid);
 
   /// The clock's step is made. Collective.
   void accept(const stepping::Clock& clock);
@@ -34,14 +40,14 @@ public:
 
 private:
   problems::FluidProblem* fluid_;
-  double from_;                          ///< [ms]
-  bool is_steady_;                       ///< such a flow is sought
+  ShearAverages averages_;
   double duration_ = 0.0;                ///< T [ms]
   std::vector<Vec3> stress_, integral_;  ///< owned nodes
   std::vector<double> integral_of_size_;
 };
 
-/// Adds the key "averages from".
+/// Adds the key "averages from" to an "Output" list, and its value in a resolved one [ms].
 void add_wall_shear_keys(params::Table& table);
+double averages_from(const Teuchos::ParameterList& output);
 
 }  // namespace tunica::observe

@@ -82,18 +82,36 @@ private:
   const CoupledProblem* problem_;
 };
 
-CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& parts)
+namespace {
+
+DomainRule domain_rule(const std::string& geometry) {
+  if (geometry == "extrapolated") return DomainRule::extrapolated;
+  if (geometry == "newton") return DomainRule::newton;
+  return geometry == "quasi" ? DomainRule::quasi : DomainRule::automatic;
+}
+
+}  // namespace
+
+CoupledSettings::CoupledSettings(const Teuchos::ParameterList& list)
+    : geometry(domain_rule(list.get<std::string>("geometry"))), mesh_tolerance(0.0),
+      product_tolerance(0.0), solves(list) {
+  if (geometry == DomainRule::extrapolated) return;
+  mesh_tolerance = list.get<double>("mesh tolerance");
+  product_tolerance = list.get<double>("product tolerance");
+}
+
+CoupledProblem::CoupledProblem(const CoupledSettings& settings, const Parts& parts)
     : mesh_(&parts.mesh), interface_(&parts.interface), fluid_(&parts.fluid), wall_(&parts.wall),
-      motion_(&parts.motion), is_extrapolated_(list.get<std::string>("geometry") == "extrapolated"),
-      wants_shape_derivatives_(list.get<std::string>("geometry") == "newton"),
-      product_tolerance_(is_extrapolated_ ? 0.0 : list.get<double>("product tolerance")),
-      knows_domain_(wants_shape_derivatives_), split_(mesh_of_pressures(parts)),
+      motion_(&parts.motion), is_extrapolated_(settings.geometry == DomainRule::extrapolated),
+      wants_shape_derivatives_(settings.geometry == DomainRule::newton),
+      product_tolerance_(settings.product_tolerance), knows_domain_(wants_shape_derivatives_),
+      split_(mesh_of_pressures(parts)),
       K_(std::make_unique<fields::BlockOperator>(
           parts.mesh, fields::NodalBlocks{{"velocity", 3}, {"pressure", 1}}, split_.get(),
           parts_of_mesh(parts))),
-      newton_(nonlinear::newton_options(list.sublist("Newton"))), rule_(newton_.jacobian_cost),
-      fluid_x_(fluid_->space()), wall_x_(wall_->space()), fluid_F_(fluid_->space()),
-      wall_F_(wall_->space()), jacobian_fluid_x_(fluid_->space()), jacobian_wall_x_(wall_->space()),
+      newton_(settings.solves.newton), rule_(newton_.jacobian_cost), fluid_x_(fluid_->space()),
+      wall_x_(wall_->space()), fluid_F_(fluid_->space()), wall_F_(wall_->space()),
+      jacobian_fluid_x_(fluid_->space()), jacobian_wall_x_(wall_->space()),
       reference_(wall_->space()), followed_(wall_x_["displacement"].getMap()) {
   tie_fields();
   // A system cannot be solved better than its products are known.
@@ -102,10 +120,10 @@ CoupledProblem::CoupledProblem(const Teuchos::ParameterList& list, const Parts& 
   product_tolerance_ = std::min(product_tolerance_, std::max(best, 1e-14));
   if (!is_extrapolated_) {
     // Nor need the mesh follow an increment better than the increment is known.
-    mesh_accuracy_ = {list.get<double>("mesh tolerance"), best};
+    mesh_accuracy_ = {settings.mesh_tolerance, best};
     K_->set_action(std::make_shared<FollowingDomain>(*this));
   }
-  solver_ = linear::make_linear_solver(list.sublist("Linear Solver"), *K_, *this);
+  solver_ = linear::make_linear_solver(settings.solves.linear_solver, *K_, *this);
 }
 
 CoupledProblem::~CoupledProblem() = default;

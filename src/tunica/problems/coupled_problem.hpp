@@ -9,6 +9,23 @@
 
 namespace tunica::problems {
 
+/// How the fluid's domain follows the wall.
+enum class DomainRule {
+  automatic,    ///< within each Newton step, with shape derivatives where told
+  newton,       ///< the same, always with them
+  quasi,        ///< the same, without
+  extrapolated  ///< as it lies at the start of the step
+};
+
+/// What a resolved monolithic "Coupling" list says of the system.
+struct CoupledSettings {
+  CoupledSettings(const Teuchos::ParameterList& list);  // NOLINT: a list is what is not decoded
+
+  DomainRule geometry;
+  double mesh_tolerance, product_tolerance;  ///< 0 where the domain is extrapolated
+  SolveSettings solves;
+};
+
 /// Fluid and wall as one nonlinear system over the vertices of both:
 ///
 ///   x = (y, p)    y  the fluid's velocity; in the wall ẋ of its displacement d, as the fluid's
@@ -37,9 +54,9 @@ public:
     SolidProblem& wall;
     MeshMotion& motion;
   };
-  /// list: the resolved list of a monolithic "Coupling". The fluid's interface is released.
+  /// The fluid's interface is released.
   /// Throws Error where the wall has conditions that no coupled system can have. Collective.
-  CoupledProblem(const Teuchos::ParameterList& list, const Parts& parts);
+  CoupledProblem(const CoupledSettings& settings, const Parts& parts);
   ~CoupledProblem() override;
 
   /// Begins the clock's present step in all fields. Fails where the extrapolated domain is none.

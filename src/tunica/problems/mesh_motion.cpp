@@ -18,31 +18,33 @@ std::vector<char> nodes_of_surfaces(const fields::FieldMesh& mesh) {
 
 }  // namespace
 
+MeshMotionSettings::MeshMotionSettings(const Teuchos::ParameterList& list)
+    : stiffening(list.get<double>("stiffening")), linear_solver(list.sublist("Linear Solver")) {
+  if (list.get<std::string>("law") == "elastic") poisson_ratio = list.get<double>("poisson ratio");
+}
+
 // The scheme is the fluid's: w = (d_f − d̃_f)/Δt_e is made as u̇ is, from the timeline kept here.
-MeshMotion::MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+MeshMotion::MeshMotion(const MeshMotionSettings& settings, const fields::FieldMesh& mesh,
                        const std::vector<int>& interface, const std::vector<int>& staying,
                        const stepping::TimeScheme& scheme)
     : mesh_(&mesh), is_interface_(mesh.n_owned, 0),
-      surfaces_(list.sublist("Linear Solver"), mesh, interface, staying),
-      volume_(volume_problem(list)), scheme_(&scheme),
+      surfaces_(settings.linear_solver, mesh, interface, staying),
+      volume_(volume_problem(settings)), scheme_(&scheme),
       timeline_(fields::Places::nodes(mesh), 3, scheme.remembers()), d_(mesh.n_nodes()) {
   for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, interface);
 }
 
 // −∇·(γ σ(d)) = 0 of the three components together, or −∇·(γ ∇d_i) = 0 of each with one matrix
-ExtensionProblem MeshMotion::volume_problem(const Teuchos::ParameterList& list) {
+ExtensionProblem MeshMotion::volume_problem(const MeshMotionSettings& settings) {
   const std::vector<char> given = nodes_of_surfaces(*mesh_);
-  const double stiffening = list.get<double>("stiffening");
-  const Teuchos::ParameterList& solver = list.sublist("Linear Solver");
-  if (list.get<std::string>("law") == "elastic") {
-    const double poisson = list.get<double>("poisson ratio");
-    elastic_ =
-        std::make_unique<discretisation::ElasticExtension>(*mesh_, given, poisson, stiffening);
-    return {solver, *elastic_};
+  if (settings.poisson_ratio) {
+    elastic_ = std::make_unique<discretisation::ElasticExtension>(
+        *mesh_, given, *settings.poisson_ratio, settings.stiffening);
+    return {settings.linear_solver, *elastic_};
   }
   harmonic_ = std::make_unique<discretisation::HarmonicExtension>(
-      *mesh_, given, discretisation::Extent::volume, stiffening);
-  return {solver, *harmonic_, 3};
+      *mesh_, given, discretisation::Extent::volume, settings.stiffening);
+  return {settings.linear_solver, *harmonic_, 3};
 }
 
 // d_f = E d: d on the interface and zero on what stays, then lines, surfaces and volume in turn,

@@ -4,6 +4,7 @@
 #include "tunica/discretisation/extension.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/problems/following_surfaces.hpp"
+#include "tunica/problems/mesh_motion_settings.hpp"
 #include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::problems {
@@ -12,10 +13,9 @@ namespace tunica::problems {
 /// surfaces that follow it and then into the volume.
 class MeshMotion : public fields::Restartable {
 public:
-  /// list: the resolved "Mesh Motion" list; interface: indices of its surfaces; staying: of those
-  /// that do not follow it; scheme: that of the fluid, which begins its steps. mesh and scheme must
-  /// outlive the object.
-  MeshMotion(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh,
+  /// interface: indices of its surfaces; staying: of those that do not follow it; scheme: that of
+  /// the fluid, which begins its steps. mesh and scheme must outlive the object.
+  MeshMotion(const MeshMotionSettings& settings, const fields::FieldMesh& mesh,
              const std::vector<int>& interface, const std::vector<int>& staying,
              const stepping::TimeScheme& scheme);
 
@@ -46,7 +46,7 @@ public:
   std::string restore(const fields::State& state) override;
 
 private:
-  ExtensionProblem volume_problem(const Teuchos::ParameterList& list);
+  ExtensionProblem volume_problem(const MeshMotionSettings& settings);
 
   const fields::FieldMesh* mesh_;
   std::vector<char> is_interface_;  ///< per owned node

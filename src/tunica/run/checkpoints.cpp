@@ -55,7 +55,7 @@ std::string Checkpoints::why_to_stop() {
   std::ostringstream text;
   text << "stopped by " << (wish == by_the_clock ? "\"wall limit\"" : signal_name(wish))
        << " after step " << march_->clock().step() << ", at " << march_->clock().time() << " ms";
-  text << (output_->checkpoint_every > 0
+  text << (output_->settings.checkpoint_every > 0
                ? ". Continue with --restart."
                : ", without a checkpoint, since \"checkpoint every\" is 0.");
   return text.str();
@@ -79,7 +79,7 @@ Outcome Checkpoints::guard(const std::function<Outcome()>& make_step) {
 
 void Checkpoints::end_step() {
   const stepping::Clock& clock = march_->clock();
-  const int every = output_->checkpoint_every;
+  const int every = output_->settings.checkpoint_every;
   output_->stopped = why_to_stop();
   const bool is_stopped = !output_->stopped.empty();
   if (is_stopped) march_->stop();
@@ -92,7 +92,7 @@ void Checkpoints::give_way(const StopRequest& request) {
   text << "stopped by " << signal_name(request.signal);
   if (ended > 0) text << " after step " << ended << ",";
   text << " within step " << ended + 1;
-  if (output_->checkpoint_every == 0)
+  if (output_->settings.checkpoint_every == 0)
     text << ", without a checkpoint, since \"checkpoint every\" is 0.";
   else if (ended == 0)
     text << ", before there was a step to continue from.";
@@ -109,7 +109,7 @@ Outcome Checkpoints::give_up(const std::string& reason) {
 }
 
 bool Checkpoints::has_news() const {
-  return output_->checkpoint_every > 0 && march_->last_ended() > written_;
+  return output_->settings.checkpoint_every > 0 && march_->last_ended() > written_;
 }
 
 void Checkpoints::write_last_ended() {

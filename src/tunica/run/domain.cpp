@@ -9,7 +9,6 @@
 #include "tunica/boundary/registry.hpp"
 #include "tunica/boundary/rigid_motion.hpp"
 #include "tunica/boundary/surface_terms.hpp"
-#include "tunica/coupling/registry.hpp"
 #include "tunica/discretisation/fluid.hpp"
 #include "tunica/discretisation/solid.hpp"
 #include "tunica/io/messages.hpp"
@@ -39,7 +38,7 @@ struct MeshRequirements {
 
 MeshRequirements mesh_requirements_of(const setup::Case& the_case) {
   MeshRequirements requirements;
-  requirements.reported_surfaces = observe::named_surfaces(the_case.list.sublist("Output"));
+  requirements.reported_surfaces = observe::named_surfaces(the_case.output.surfaces);
   std::vector<std::string> on_fluid, on_wall;
   if (the_case.fluid) {
     requirements.fluid_regions = the_case.fluid->options.regions;
@@ -163,13 +162,13 @@ std::string with_file(const std::string& message, const std::string& file) {
   return message.compare(0, file.size(), file) == 0 ? message : file + ": " + message;
 }
 
-void make_fields(const Teuchos::ParameterList& list, const mesh::Share& share,
-                 const Regions& regions, Domain& domain) {
+void make_fields(const setup::Case& the_case, const mesh::Share& share, const Regions& regions,
+                 Domain& domain) {
   if (!regions.fluid.empty())
     domain.meshes.emplace("fluid", fields::make_field_mesh(share, regions.fluid));
   if (!regions.wall.empty())
     domain.meshes.emplace("wall", fields::make_field_mesh(share, regions.wall));
-  if (!list.isSublist("Coupling") || !coupling::is_monolithic(list.sublist("Coupling"))) return;
+  if (!the_case.coupling || !the_case.coupling->is_monolithic) return;
   std::vector<int> all(regions.fluid);
   all.insert(all.end(), regions.wall.begin(), regions.wall.end());
   domain.common = fields::make_field_mesh(share, all);
@@ -179,22 +178,21 @@ void make_fields(const Teuchos::ParameterList& list, const mesh::Share& share,
 
 Domain load_domain(const setup::Case& the_case, const CommPtr& comm) {
   const MeshRequirements requirements = mesh_requirements_of(the_case);
-  const Teuchos::ParameterList& options = the_case.list.sublist("Mesh");
-  const auto& file = options.get<std::string>("file");
+  const std::string& file = the_case.mesh->file;
   Domain domain;
   domain.comm = comm;
   try {
     domain.memory.end("program", *comm);
     fault_point("mesh reading");
     mesh::Slab slab = mesh::read_slab(file, comm);
-    scale(slab.rows, options.get<double>("scale"));
+    scale(slab.rows, the_case.mesh->scale);
     domain.memory.end("rows of the mesh", *comm);
     domain.fingerprint = mesh::fingerprint(slab);
     domain.extent = mesh::extent(slab);
     const Regions regions = regions_of(slab.rows, requirements);
     const std::vector<char> of_fluid = mesh::marked_regions(slab.rows, regions.fluid);
     const std::vector<bool> is_fluid(of_fluid.begin(), of_fluid.end());
-    const auto by = mesh::partitioner_of(options.get<std::string>("partitioner"));
+    const auto by = mesh::partitioner_of(the_case.mesh->partitioner);
     const auto fields = mesh::vertex_fields(slab, is_fluid, file);
     const mesh::SlabPartition partition = mesh::partition(slab, is_fluid, fields, by, file);
     domain.memory.end("partition", *comm);
@@ -205,7 +203,7 @@ Domain load_domain(const setup::Case& the_case, const CommPtr& comm) {
         judge::vessel_of(share, regions.fluid, regions.wall, judge::vessel_surfaces(the_case));
     domain.memory.end("checks", *comm);
     fault_point("field mesh");
-    make_fields(the_case.list, share, regions, domain);
+    make_fields(the_case, share, regions, domain);
     domain.memory.end("fields", *comm);
     for (const std::string& name : requirements.interface)
       domain.interface_surfaces.push_back(mesh::surface_index(share.mesh, name));
@@ -244,16 +242,14 @@ void check_flows(discretisation::Fluid& fluid, const stepping::StepControlOption
 }  // namespace
 
 void check_fields(const setup::Case& the_case, const Domain& domain) {
-  const Teuchos::ParameterList& list = the_case.list;
-  const bool is_monolithic =
-      list.isSublist("Coupling") && coupling::is_monolithic(list.sublist("Coupling"));
+  const bool is_monolithic = the_case.coupling && the_case.coupling->is_monolithic;
   if (domain.has("wall"))
     const discretisation::Solid wall(the_case.wall->options, domain.mesh("wall"),
                                      problems::frames_of_wall(*the_case.wall, domain.mesh("wall")));
   if (domain.has("fluid")) {
     discretisation::Fluid fluid(the_case.fluid->options, domain.mesh("fluid"));
     // One whose wall moves with it within a step is not closed.
-    if (!is_monolithic) check_flows(fluid, *the_case.time);
+    if (!is_monolithic) check_flows(fluid, the_case.time->steps);
   }
   check_held(the_case, domain);
 }

@@ -23,11 +23,10 @@ Outcome FieldProblems::start(RunOutput& output) {
   }
   if (!fluid || !wall) return Outcome::success();
   motion = std::make_unique<problems::MeshMotion>(
-      the_case.list.sublist("Mesh Motion"), domain->mesh("fluid"), domain->interface_surfaces,
+      *the_case.motion, domain->mesh("fluid"), domain->interface_surfaces,
       fluid->field().staying_surfaces(), fluid->time_scheme());
-  scheme = coupling::make_scheme(
-      the_case.list.sublist("Coupling"),
-      {*domain->interface, *fluid, *wall, *motion, domain->common ? &*domain->common : nullptr});
+  scheme = coupling::make_scheme(*the_case.coupling, {*domain->interface, *fluid, *wall, *motion,
+                                                      domain->common ? &*domain->common : nullptr});
   return Outcome::success();
 }
 

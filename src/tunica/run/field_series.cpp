@@ -6,10 +6,10 @@ namespace tunica::run {
 
 FieldSeries::FieldSeries(const RunOutput& output, const std::vector<output::Grid>& grids,
                          const CommPtr& comm)
-    : every_(output.fields_every) {
-  if (every_ == 0 && !output.has_asked_times) return;
+    : every_(output.settings.fields_every) {
+  if (every_ == 0 && !output.settings.wants_fields_at_times()) return;
   writer_.emplace(output.folder.path(), grids, comm, output.steps_done());
-  writer_->compress(output.compression);
+  writer_->compress(output.settings.compression);
   if (comm->getRank() == 0 && !writer_->remark().empty())
     io::print_error_line("warning: " + writer_->remark());
 }

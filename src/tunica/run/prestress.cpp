@@ -150,11 +150,11 @@ std::string about_stop(int signal, double kept, bool has_checkpoints) {
 
 }  // namespace
 
-std::optional<output::CheckpointHead> begun_prestress(const Teuchos::ParameterList& list,
+std::optional<output::CheckpointHead> begun_prestress(const setup::Case& the_case,
                                                       const Domain& domain) {
   if (!domain.has("wall")) return {};
   const Comm& comm = *domain.comm;
-  const std::string folder = list.sublist("Output").get<std::string>("folder");
+  const std::string& folder = the_case.output.folder;
   const std::string path = folder + "/" + file_name;
   bool is_there = false;
   on_root(comm, [&] {
@@ -164,8 +164,7 @@ std::optional<output::CheckpointHead> begun_prestress(const Teuchos::ParameterLi
   output::CheckpointHead head;
   on_all(comm, [&] { head = output::CheckpointFile(path).head(); });
   TUNICA_CHECK(head.mesh == domain.fingerprint,
-               "--restart: " + path + " belongs to another mesh than " +
-                   list.sublist("Mesh").get<std::string>("file") +
+               "--restart: " + path + " belongs to another mesh than " + the_case.mesh->file +
                    ". A run continues with the mesh it began with.");
   return head;
 }
@@ -184,19 +183,20 @@ Outcome take_prestress(const problems::SolidSettings& settings, RunOutput& outpu
   looks_on.report = [&](const problems::PrestressIteration& now) { log.tell(now); };
   looks_on.goes_on = [&](const problems::PrestressPoint& point, const problems::Prestress& found) {
     const Outcome given = give(found, wall);
-    if (given.is_success() && output.checkpoint_every > 0) {
+    if (given.is_success() && output.settings.checkpoint_every > 0) {
       save(point, wall, output);
       kept = point.load;
     }
     const int signal = static_cast<int>(global_max(*comm, stop_signal()));
-    if (signal != 0) output.stopped = about_stop(signal, kept, output.checkpoint_every > 0);
+    if (signal != 0)
+      output.stopped = about_stop(signal, kept, output.settings.checkpoint_every > 0);
     return signal == 0;
   };
   Result<problems::Prestress> found = Result<problems::Prestress>::failure("stopped");
   try {
     found = problems::find_prestress(settings, wall, looks_on, from);
   } catch (const StopRequest& request) {
-    output.stopped = about_stop(request.signal, kept, output.checkpoint_every > 0);
+    output.stopped = about_stop(request.signal, kept, output.settings.checkpoint_every > 0);
   }
   log.record(output.record, watch.seconds());
   if (!output.stopped.empty()) return Outcome::success();

@@ -16,7 +16,7 @@ Outcome take_prestress(const problems::SolidSettings& settings, RunOutput& outpu
 
 /// Head of the file of an interrupted search in the folder of the case, before the first checkpoint
 /// of the run; empty if there is none. Throws Error if it belongs to another mesh. Collective.
-std::optional<output::CheckpointHead> begun_prestress(const Teuchos::ParameterList& list,
+std::optional<output::CheckpointHead> begun_prestress(const setup::Case& the_case,
                                                       const Domain& domain);
 
 }  // namespace tunica::run

@@ -8,7 +8,6 @@
 #include "tunica/base/formatted.hpp"
 #include "tunica/io/messages.hpp"
 #include "tunica/output/checkpoint_series.hpp"
-#include "tunica/stepping/step_control.hpp"
 
 namespace tunica::run {
 
@@ -44,35 +43,33 @@ std::string fields_text(bool has_fluid, bool has_wall) {
 }
 
 void check_fit(const output::CheckpointFile& file, const std::string& path,
-               const Teuchos::ParameterList& list, const Domain& domain) {
+               const setup::Case& the_case, const Domain& domain) {
   const bool has_fluid = domain.has("fluid"), has_wall = domain.has("wall");
   TUNICA_CHECK(file.has("fluid") == has_fluid && file.has("wall") == has_wall,
                "--restart: " + path + " holds " + fields_text(file.has("fluid"), file.has("wall")) +
                    ", but this case has " + fields_text(has_fluid, has_wall) + ".");
   TUNICA_CHECK(file.head().mesh == domain.fingerprint,
-               "--restart: " + path + " belongs to another mesh than " +
-                   list.sublist("Mesh").get<std::string>("file") +
+               "--restart: " + path + " belongs to another mesh than " + the_case.mesh->file +
                    ". A run continues with the mesh it began with.");
-  if (list.isSublist("Coupling")) {
-    const auto& scheme = list.sublist("Coupling").get<std::string>("scheme");
+  if (the_case.coupling) {
+    const std::string& scheme = the_case.coupling->scheme;
     const std::string& former = file.text("coupling/scheme");
     TUNICA_CHECK(former == scheme, "--restart: " + path + " was made with Coupling / scheme = \"" +
                                        former + "\", not \"" + scheme +
                                        "\". A run continues with the one it began with.");
   }
-  const stepping::StepControlOptions steps = stepping::step_control_options(list.sublist("Time"));
   TUNICA_CHECK(!file.head().control.empty(),
                "--restart: " + path + " lacks the state of the step control.");
   const auto& was = file.head().control;
   const std::string kind = file.head().step_size > 0.0     ? "fixed"
                            : was.at("pseudo-time").empty() ? "adaptive"
                                                            : "steady";
-  const auto wanted = list.sublist("Time").get<std::string>("step control");
+  const std::string& wanted = the_case.time->step_control;
   TUNICA_CHECK(kind == wanted, "--restart: " + path + " was made with \"step control\" = \"" +
                                    kind + "\", not \"" + wanted +
                                    "\". A run continues with the one it began with.");
   if (kind != "fixed") return;
-  const double step_size = steps.first_step;
+  const double step_size = the_case.time->steps.first_step;
   std::ostringstream sizes;
   sizes.precision(13);  // sizes that differ by less are taken for equal
   sizes << "Time: \"step size\" is " << step_size << " ms, but " << path << " was made with "
@@ -82,15 +79,14 @@ void check_fit(const output::CheckpointFile& file, const std::string& path,
 
 }  // namespace
 
-Restart find_restart(const Teuchos::ParameterList& list, const Domain& domain) {
+Restart find_restart(const setup::Case& the_case, const Domain& domain) {
   const CommPtr& comm = domain.comm;
   Restart restart;
-  on_root(*comm,
-          [&] { restart.file = newest_whole(list.sublist("Output").get<std::string>("folder")); });
+  on_root(*comm, [&] { restart.file = newest_whole(the_case.output.folder); });
   broadcast(*comm, restart.file);
   on_all(*comm, [&] {
     const output::CheckpointFile file(restart.file);
-    check_fit(file, restart.file, list, domain);
+    check_fit(file, restart.file, the_case, domain);
     restart.head = file.head();
   });
   if (comm->getRank() == 0)

@@ -1,5 +1,4 @@
 #pragma once
-#include <Teuchos_ParameterList.hpp>
 #include <string>
 
 #include "tunica/output/checkpoint.hpp"
@@ -18,6 +17,6 @@ struct Restart {
 /// The newest checkpoint in the folder of the case that can be read whole, and says so on the
 /// screen. Throws Error if there is none, or if it does not fit: another mesh, other fields,
 /// another step size. Writes nothing. Collective.
-Restart find_restart(const Teuchos::ParameterList& list, const Domain& domain);
+Restart find_restart(const setup::Case& the_case, const Domain& domain);
 
 }  // namespace tunica::run

@@ -1,6 +1,5 @@
 #include "tunica/run/run_output.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <filesystem>
 
 #include "tunica/base/agreement.hpp"
@@ -31,23 +30,7 @@ output::Leg next_leg(RunOutput& output, const std::string& case_file) {
   return leg;
 }
 
-/// A key of the list "Output" that not every case has.
-int of_output(const Teuchos::ParameterList& list, const std::string& key) {
-  const Teuchos::ParameterList& output = list.sublist("Output");
-  return output.isParameter(key) ? output.get<int>(key) : 0;
-}
-
-bool has_asked_times_in(const Teuchos::ParameterList& output) {
-  return output.isParameter("fields at") &&
-         (!output.get<Teuchos::Array<double>>("fields at").empty() ||
-          output.get<double>("fields interval") > 0.0);
-}
-
 }  // namespace
-
-std::string folder_of(const Teuchos::ParameterList& list) {
-  return list.sublist("Output").get<std::string>("folder");
-}
 
 void enter(const std::string& folder, const setup::CommandLine& command, const Comm& comm,
            io::FolderLock& lock) {
@@ -55,16 +38,13 @@ void enter(const std::string& folder, const setup::CommandLine& command, const C
   check_results_folder(folder, command, command.program, comm);
 }
 
-RunOutput::RunOutput(const setup::CommandLine& command, const Teuchos::ParameterList& list,
+RunOutput::RunOutput(const setup::CommandLine& command, const setup::Case& the_case,
                      const CommPtr& comm, io::FolderLock& lock, std::optional<Restart> from,
                      const Stopwatch& started)
-    : folder(folder_of(list), comm),
+    : folder(the_case.output.folder, comm),
       record(folder.file("run.json"), command.program, TUNICA_VERSION, comm),
-      fields_every(of_output(list, "fields every")),
-      checkpoint_every(of_output(list, "checkpoint every")),
-      compression(of_output(list, "compression")),
-      has_asked_times(has_asked_times_in(list.sublist("Output"))), restart(std::move(from)),
-      parameters(params::to_xml(list)), since_start(started) {
+      settings(the_case.output), restart(std::move(from)),
+      parameters(params::to_xml(the_case.list)), since_start(started) {
   enter(folder.path(), command, *comm, lock);  // again, for it may be new
   record.set("case", "file", command.case_file);
   on_root_or_fault(*comm, [&] {
@@ -76,12 +56,12 @@ RunOutput::RunOutput(const setup::CommandLine& command, const Teuchos::Parameter
   });
 }
 
-RunOutput::RunOutput(const setup::CommandLine& command, const Teuchos::ParameterList& list,
+RunOutput::RunOutput(const setup::CommandLine& command, const setup::Case& the_case,
                      const Domain& domain, io::FolderLock& lock, std::optional<Restart> from,
                      const Stopwatch& started)
-    : RunOutput(command, list, domain.comm, lock, std::move(from), started) {
+    : RunOutput(command, the_case, domain.comm, lock, std::move(from), started) {
   fingerprint = domain.fingerprint;
-  on_root(*domain.comm, [&] { files = hashes_of_files(list); });
+  on_root(*domain.comm, [&] { files = hashes_of_files(the_case.list); });
 }
 
 }  // namespace tunica::run

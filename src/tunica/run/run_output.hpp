@@ -1,5 +1,4 @@
 #pragma once
-#include <Teuchos_ParameterList.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,21 +17,17 @@ namespace tunica::run {
 struct RunOutput {
   /// lock: of the folder, taken if it was there before. Throws Error where another run has begun in
   /// it meanwhile.
-  RunOutput(const setup::CommandLine& command, const Teuchos::ParameterList& list,
-            const CommPtr& comm, io::FolderLock& lock, std::optional<Restart> from = {},
-            const Stopwatch& started = {});
+  RunOutput(const setup::CommandLine& command, const setup::Case& the_case, const CommPtr& comm,
+            io::FolderLock& lock, std::optional<Restart> from = {}, const Stopwatch& started = {});
   /// Output of a case on its domain.
-  RunOutput(const setup::CommandLine& command, const Teuchos::ParameterList& list,
-            const Domain& domain, io::FolderLock& lock, std::optional<Restart> from = {},
-            const Stopwatch& started = {});
+  RunOutput(const setup::CommandLine& command, const setup::Case& the_case, const Domain& domain,
+            io::FolderLock& lock, std::optional<Restart> from = {}, const Stopwatch& started = {});
 
   int steps_done() const { return restart ? restart->head.step : 0; }
 
   output::RunFolder folder;
   output::RunRecord record;
-  int fields_every, checkpoint_every;
-  int compression;                             ///< of the fields
-  bool has_asked_times;                        ///< the case wants fields at times
+  setup::OutputSettings settings;
   std::optional<Restart> restart;              ///< from where the run goes on
   std::string parameters;                      ///< the resolved case, XML
   std::string fingerprint{};                   ///< of the mesh
@@ -47,8 +42,5 @@ struct RunOutput {
 /// Keeps others out of the folder, and looks whether the run may write there. Collective.
 void enter(const std::string& folder, const setup::CommandLine& command, const Comm& comm,
            io::FolderLock& lock);
-
-/// The folder of the results of a resolved case.
-std::string folder_of(const Teuchos::ParameterList& list);
 
 }  // namespace tunica::run

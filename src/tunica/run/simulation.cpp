@@ -21,17 +21,19 @@ namespace {
 
 /// As they stand in tables and files: the wall before the fluid, then those of the list "Fields".
 std::vector<std::unique_ptr<observe::Field>> fields_of(const FieldProblems& problems) {
+  const setup::Case& the_case = problems.the_case;
   std::vector<std::unique_ptr<observe::Field>> all;
   if (problems.wall)
-    all.push_back(std::make_unique<observe::WallField>(*problems.wall,
-                                                       problems.the_case.list.sublist("Output")));
+    all.push_back(
+        std::make_unique<observe::WallField>(*problems.wall, the_case.output.wall_arrays));
   if (problems.fluid)
-    all.push_back(std::make_unique<observe::FluidField>(problems.the_case.list, *problems.fluid,
-                                                        problems.motion.get()));
-  if (!problems.the_case.list.isSublist("Fields")) return all;
-  const Teuchos::ParameterList& more = problems.the_case.list.sublist("Fields");
-  const observe::FieldContext others{problems.the_case.list, problems.fluid.get(),
-                                     problems.wall.get(), problems.motion.get()};
+    all.push_back(std::make_unique<observe::FluidField>(
+        observe::ShearAverages{the_case.output.averages_from, the_case.time->is_steady_sought()},
+        *problems.fluid, problems.motion.get()));
+  if (!the_case.list.isSublist("Fields")) return all;
+  const Teuchos::ParameterList& more = the_case.list.sublist("Fields");
+  const observe::FieldContext others{the_case.list, problems.fluid.get(), problems.wall.get(),
+                                     problems.motion.get()};
   for (auto it = more.begin(); it != more.end(); ++it) {
     const std::string& name = more.name(it);
     for (const char* taken : {"fluid", "wall", "mesh motion", "wall shear", "coupling"})
@@ -209,10 +211,10 @@ Outcome Simulation::begin() {
   if (started.is_failure() || !run.output->stopped.empty()) return started;
   run.record_unknowns();
   run.fields = fields_of(problems);
-  run.march.emplace(problems.the_case.list, run.parts(), *run.output);
+  run.march.emplace(problems.the_case, run.parts(), *run.output);
   for (const auto& field : run.fields) run.march->judge(*field);
-  run.surfaces.emplace(problems.the_case.list.sublist("Output"), run.fields);
-  run.checkpoints.emplace(*run.output, *run.march, wall_limit(problems.the_case.list), run.comm);
+  run.surfaces.emplace(problems.the_case.output.surfaces, run.fields);
+  run.checkpoints.emplace(*run.output, *run.march, problems.the_case.time->wall_limit, run.comm);
   run.checkpoints->begin();
   run.open_files();
   const auto watch_newton = [&run](const std::string& field, const nonlinear::NewtonStep& step) {

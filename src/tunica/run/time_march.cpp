@@ -1,27 +1,15 @@
 #include "tunica/run/time_march.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <cmath>
 #include <sstream>
 
 #include "tunica/base/error.hpp"
 #include "tunica/io/progress.hpp"
 #include "tunica/output/traffic_report.hpp"
-#include "tunica/stepping/time_function.hpp"
-#include "tunica/stepping/wall_limit.hpp"
 
 namespace tunica::run {
 
 namespace {
-
-/// The times at which a resolved "Output" list asks for the fields, up to the end of the run [ms].
-std::vector<double> asked_for(const Teuchos::ParameterList& output, double end) {
-  std::vector<double> times = output.get<Teuchos::Array<double>>("fields at").toVector();
-  const double interval = output.get<double>("fields interval");
-  if (interval > 0.0)
-    for (int k = 1; k * interval < end; ++k) times.push_back(k * interval);
-  return times;
-}
 
 Parts with_their_parts(const Parts& parts) {
   Parts all;
@@ -35,24 +23,16 @@ Parts with_their_parts(const Parts& parts) {
 
 }  // namespace
 
-stepping::StepControl step_control(const Teuchos::ParameterList& list) {
-  const Teuchos::ParameterList& time = list.sublist("Time");
-  const stepping::StepControlOptions options = stepping::step_control_options(time);
-  const bool hits_kinks = options.is_adaptive && time.get<bool>("hit kinks");
-  return {
-      options, hits_kinks ? stepping::kinks(list, options.end) : std::vector<double>(),
-      options.pseudo_time ? std::vector<double>() : asked_for(list.sublist("Output"), options.end)};
+stepping::StepControl step_control(const setup::Case& the_case) {
+  const stepping::StepControlOptions& steps = the_case.time->steps;
+  const bool has_times = !the_case.time->is_steady_sought();
+  return {steps, the_case.kinks,
+          has_times ? the_case.output.times_of_fields(steps.end) : std::vector<double>()};
 }
 
-double wall_limit(const Teuchos::ParameterList& list) {
-  return stepping::seconds_of(list.sublist("Time").get<std::string>("wall limit"));
-}
-
-TimeMarch::TimeMarch(const Teuchos::ParameterList& list, const Parts& parts, RunOutput& output)
-    : output_(&output), parts_(with_their_parts(parts)), control_(step_control(list)),
-      made_(control_.clock()) {
-  if (control_.fixed_step() == 0.0) tolerance_ = problems::step_tolerance(list.sublist("Time"));
-}
+TimeMarch::TimeMarch(const setup::Case& the_case, const Parts& parts, RunOutput& output)
+    : output_(&output), parts_(with_their_parts(parts)), control_(step_control(the_case)),
+      made_(control_.clock()), tolerance_(the_case.time->tolerance) {}
 
 Outcome TimeMarch::outcome() const {
   if (is_stopped_ || !control_.is_steady_sought() || control_.is_steady())
@@ -91,7 +71,7 @@ void TimeMarch::restore(const Numbers& numbers) {
 
 std::vector<fields::State> TimeMarch::save_parts() const {
   std::vector<fields::State> states;
-  const int every = output_->checkpoint_every;
+  const int every = output_->settings.checkpoint_every;
   const bool may_be_written = every > 0 && !made_.is_every(every);  // otherwise it is, or unwanted
   if (control_.may_repeat() || may_be_written)
     for (const auto& [name, part] : parts()) states.push_back(part->save());

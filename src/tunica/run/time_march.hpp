@@ -15,20 +15,16 @@ namespace tunica::run {
 
 using observe::Parts;
 
-/// The step control of a resolved case, which knows when its loads have kinks.
-stepping::StepControl step_control(const Teuchos::ParameterList& list);
-
-/// Seconds that a resolved case gives to the program.
-double wall_limit(const Teuchos::ParameterList& list);
+/// The step control of a case with time steps.
+stepping::StepControl step_control(const setup::Case& the_case);
 
 /// Takes a run from step to step. A step that fails, or is not accurate enough, is undone, cut and
 /// repeated: every part goes back to where the step began, as in a run that is restarted there, but
 /// for what a part has learnt from the failure.
 class TimeMarch {
 public:
-  /// list: the resolved case. The parts, which must outlive the object, are all that a step changes
-  /// and the next ones need.
-  TimeMarch(const Teuchos::ParameterList& list, const Parts& parts, RunOutput& output);
+  /// The parts, which must outlive the object, are all that a step changes and the next ones need.
+  TimeMarch(const setup::Case& the_case, const Parts& parts, RunOutput& output);
 
   /// The accuracy of a field counts where steps are adaptive, how much it changes where a steady
   /// flow is sought. While it stands at its start.

@@ -7,7 +7,6 @@
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/boundary/registry.hpp"
-#include "tunica/coupling/registry.hpp"
 #include "tunica/discretisation/solid_options.hpp"
 #include "tunica/judge/stiffness.hpp"
 #include "tunica/mesh/info.hpp"
@@ -58,12 +57,9 @@ Watch::Watch(const setup::Case& the_case) {
       if (!c.list.isParameter("backflow stabilisation") ||
           c.list.get<double>("backflow stabilisation") > 0.0)
         guarded_.insert(c.surface);
-  if (!the_case.list.isSublist("Coupling")) return;
-  const Teuchos::ParameterList& coupling = the_case.list.sublist("Coupling");
-  if (coupling::is_monolithic(coupling))
-    most_newton_ = coupling.sublist("Newton").get<int>("max iterations");
-  else
-    most_iterations_ = coupling.get<int>("max iterations");
+  if (!the_case.coupling) return;
+  most_newton_ = the_case.coupling->most_newton;
+  most_iterations_ = the_case.coupling->most_iterations;
 }
 
 void Watch::say(const std::string& kind, const std::string& line) {

@@ -40,16 +40,21 @@ Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Ta
 
 }  // namespace
 
-Case::Case(const Teuchos::ParameterList& resolved) : list(resolved) {
-  if (list.isSublist("Time")) time = stepping::step_control_options(list.sublist("Time"));
-  if (list.isSublist("Fluid")) {
-    fluid.emplace(list.sublist("Fluid"));
-    // On the way to a steady flow Newton's method stops earlier.
-    if (list.isSublist("Time") && list.sublist("Time").get<std::string>("step control") == "steady")
-      fluid->solves.newton.relative_increment =
-          list.sublist("Time").get<double>("newton increment");
-  }
-  if (list.isSublist("Wall")) wall.emplace(list.sublist("Wall"));
+Case::Case(const Teuchos::ParameterList& resolved)
+    : list(resolved), output(list.sublist("Output")) {
+  const auto decode = [this](const char* name, auto& settings) {
+    if (list.isSublist(name)) settings.emplace(list.sublist(name));
+  };
+  decode("Mesh", mesh);
+  decode("Time", time);
+  decode("Fluid", fluid);
+  decode("Wall", wall);
+  decode("Mesh Motion", motion);
+  decode("Coupling", coupling);
+  if (time && time->hits_kinks) kinks = stepping::kinks(list, time->steps.end);
+  // On the way to a steady flow Newton's method stops earlier.
+  if (fluid && time && time->newton_increment)
+    fluid->solves.newton.relative_increment = *time->newton_increment;
 }
 
 Case read_case(const CommandLine& command, const params::Table& table, const Comm& comm) {

@@ -5,15 +5,17 @@
 #include <vector>
 
 #include "tunica/base/types.hpp"
+#include "tunica/coupling/coupling_settings.hpp"
 #include "tunica/params/table.hpp"
 #include "tunica/problems/fluid_problem.hpp"
+#include "tunica/problems/mesh_motion_settings.hpp"
 #include "tunica/problems/solid_problem.hpp"
 #include "tunica/setup/command_line.hpp"
-#include "tunica/stepping/step_control.hpp"
+#include "tunica/setup/run_settings.hpp"
 
 namespace tunica::setup {
 
-/// A resolved case, of which what is asked for at more than one place is decoded once.
+/// A resolved case, decoded once.
 struct Case {
   /// resolved: see params::Table::resolve().
   Case(const Teuchos::ParameterList& resolved);  // NOLINT: a list is a case that is not decoded yet
@@ -23,7 +25,12 @@ struct Case {
   Teuchos::ParameterList list;
   std::optional<problems::FluidSettings> fluid;
   std::optional<problems::SolidSettings> wall;
-  std::optional<stepping::StepControlOptions> time;  ///< of a case with time steps
+  std::optional<problems::MeshMotionSettings> motion;
+  std::optional<coupling::CouplingSettings> coupling;
+  std::optional<MeshSettings> mesh;  ///< none for a system of another program
+  std::optional<TimeSettings> time;  ///< of a case with time steps
+  OutputSettings output;
+  std::vector<double> kinks;  ///< of the loads, where steps end there [ms]
 };
 
 /// Reads and validates the whole case, with the assignments of the command line, before

@@ -1,7 +1,5 @@
 #include "tunica/setup/schema.hpp"
 
-#include <Teuchos_Array.hpp>
-
 #include "tunica/base/error.hpp"
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/told_apart.hpp"
@@ -9,57 +7,18 @@
 #include "tunica/compare/system_capture.hpp"
 #include "tunica/compare/system_export.hpp"
 #include "tunica/coupling/registry.hpp"
-#include "tunica/mesh/distributed/partition_slab.hpp"
 #include "tunica/observe/field_kinds.hpp"
 #include "tunica/observe/probes.hpp"
-#include "tunica/observe/surface_report.hpp"
-#include "tunica/observe/wall_field.hpp"
-#include "tunica/observe/wall_shear.hpp"
 #include "tunica/problems/fluid_problem.hpp"
 #include "tunica/problems/mesh_motion.hpp"
 #include "tunica/problems/solid_problem.hpp"
+#include "tunica/setup/run_settings.hpp"
 #include "tunica/stepping/step_control.hpp"
 #include "tunica/systems/read_system.hpp"
 
 namespace tunica::setup {
 
 namespace {
-
-params::Table mesh_table() {
-  params::Table table("The mesh of fluid and wall.");
-  table
-      .file("file", std::nullopt,
-            "Gmsh 2.2 or 4.1, Netgen .vol, or our HDF5; lengths in mm, or see scale")
-      .number("scale", 1.0, params::positive(), "",
-              "the vertices are multiplied by it; 1000 for a mesh in m, 10 for one in cm")
-      .choice(
-          "partitioner", "automatic", mesh::partitioner_names(),
-          "partitioner of the mesh: metis, for which the whole mesh must fit on rank 0; geometric, "
-          "by planes, which needs no whole mesh; automatic, metis up to 100,000 tetrahedra");
-  return table;
-}
-
-params::Table output_table(bool has_fluid, bool has_wall) {
-  params::Table table("What a run leaves behind.");
-  table.text("folder", "results", "folder of the results; --output overrides it")
-      .integer("fields every", 1, params::non_negative(),
-               "write the fields after every so many steps; 0 never")
-      .numbers("fields at", std::vector<double>{}, params::positive(), 0, "ms",
-               "times at which the fields are written, too; a step ends there")
-      .number("fields interval", 0.0, params::non_negative(), "ms",
-              "the same at every multiple of this time; 0 never")
-      .integer("compression", 0, params::between(0, 9),
-               "of the fields in fields.h5, without loss: 1 fast to 9 small; 0 none")
-      .integer("checkpoint every", 1, params::non_negative(),
-               "write a checkpoint for --restart after every so many steps; 0 never")
-      .number("progress every", 5.0, params::non_negative(), "s",
-              "interval of progress lines on the screen within a long step: its Newton step, "
-              "iteration and residual; 0: each iteration");
-  observe::add_surface_keys(table);
-  if (has_wall) observe::add_wall_array_keys(table);
-  if (has_fluid) observe::add_wall_shear_keys(table);
-  return table;
-}
 
 /// The wanted step and iteration must come to pass.
 void check_wish(const Teuchos::ParameterList& list, const std::string&) {
@@ -71,20 +30,18 @@ void check_wish(const Teuchos::ParameterList& list, const std::string&) {
                      where + " / " + limit + " is " + std::to_string(most) + ".");
   };
   check("step", "Time", "steps");
-  if (!coupling::is_monolithic(list.sublist("Coupling")))
+  if (!coupling::CouplingSettings(list.sublist("Coupling")).is_monolithic)
     check("coupling iteration", "Coupling", "max iterations");
 }
 
 /// Walls are not sought in pseudo-time, which has no instants at which fields could be wanted.
 void check_steady(const Teuchos::ParameterList& list, const std::string&) {
-  if (list.sublist("Time").get<std::string>("step control") != "steady") return;
+  if (!TimeSettings(list.sublist("Time")).is_steady_sought()) return;
   TUNICA_CHECK(
       !list.isSublist("Wall"),
       "Time: \"step control\" = \"steady\" is for a fluid alone, in tunica-fluid. A wall with "
       "\"analysis\" = \"static\" is in equilibrium in each step.");
-  const Teuchos::ParameterList& output = list.sublist("Output");
-  TUNICA_CHECK(output.get<Teuchos::Array<double>>("fields at").empty() &&
-                   output.get<double>("fields interval") == 0.0,
+  TUNICA_CHECK(!OutputSettings(list.sublist("Output")).wants_fields_at_times(),
                "Output: \"fields at\" and \"fields interval\" have no meaning for a steady flow; "
                "the last step is always written.");
 }
@@ -92,8 +49,8 @@ void check_steady(const Teuchos::ParameterList& list, const std::string&) {
 /// Times at which fields are wanted are kept in memory.
 void check_interval(const Teuchos::ParameterList& list, const std::string&) {
   constexpr double most = 1e6;
-  const double interval = list.sublist("Output").get<double>("fields interval");
-  const double end = stepping::step_control_options(list.sublist("Time")).end;
+  const double interval = OutputSettings(list.sublist("Output")).fields_interval;
+  const double end = TimeSettings(list.sublist("Time")).steps.end;
   const auto [found, least] = told_apart(interval, end / most);
   TUNICA_CHECK(interval == 0.0 || interval * most >= end,
                "Output: \"fields interval\" is " + found + formatted(" ms in a run of %g", end) +

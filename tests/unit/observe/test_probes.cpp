@@ -43,15 +43,10 @@ struct LinearFields {
   }
   /// As a run has them.
   std::vector<std::unique_ptr<observe::Field>> as_fields() {
-    Teuchos::ParameterList the_case;
-    params::Table output("");
-    observe::add_wall_shear_keys(output);
-    observe::add_wall_array_keys(output);
-    output.resolve(the_case.sublist("Output"), "", "");
-    the_case.sublist("Time").set<std::string>("step control", "fixed");
     std::vector<std::unique_ptr<observe::Field>> all;
-    all.push_back(std::make_unique<observe::WallField>(wall, the_case.sublist("Output")));
-    all.push_back(std::make_unique<observe::FluidField>(the_case, fluid, nullptr));
+    all.push_back(std::make_unique<observe::WallField>(wall, std::vector<std::string>()));
+    all.push_back(
+        std::make_unique<observe::FluidField>(observe::ShearAverages{0.0}, fluid, nullptr));
     return all;
   }
 

@@ -30,8 +30,8 @@ struct Whole {
       : command(command_for(file, set, folder, goes_on)),
         the_case(setup::read_case(command, setup::fsi_table(), *comm)), list(the_case.list),
         domain(run::load_domain(the_case, comm)),
-        output(command, list, domain, lock,
-               goes_on ? std::make_optional(run::find_restart(list, domain)) : std::nullopt),
+        output(command, the_case, domain, lock,
+               goes_on ? std::make_optional(run::find_restart(the_case, domain)) : std::nullopt),
         simulation(the_case, domain, output) {}
 
   static setup::CommandLine command_for(const std::string& file,

@@ -206,7 +206,8 @@ TEUCHOS_UNIT_TEST(Case, knows_what_its_lists_say) {
   TEST_EQUALITY(the_case.wall->prestress.surfaces.at(0), "interface");
   TEST_EQUALITY(the_case.fluid->options.conditions.size(),
                 the_case.list.sublist("Fluid").sublist("Surfaces").numParams());
-  TEST_EQUALITY(the_case.time->first_step, the_case.list.sublist("Time").get<double>("step size"));
+  TEST_EQUALITY(the_case.time->steps.first_step,
+                the_case.list.sublist("Time").get<double>("step size"));
 }
 
 }  // namespace

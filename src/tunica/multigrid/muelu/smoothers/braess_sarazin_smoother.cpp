@@ -2,7 +2,6 @@
 
 #include "tunica/base/trilinos.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
-#include "tunica/multigrid/muelu/validated_choice.hpp"
 
 namespace tunica::multigrid {
 

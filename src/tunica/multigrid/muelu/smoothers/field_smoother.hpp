@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "tunica/multigrid/muelu/smoothers/ifpack2_sweeps.hpp"
-#include "tunica/multigrid/muelu/smoothers/mixed_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/matrix_smoother.hpp"
 
 namespace tunica::multigrid {
 

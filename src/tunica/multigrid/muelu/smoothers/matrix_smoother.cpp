@@ -1,6 +1,10 @@
 #include "tunica/multigrid/muelu/smoothers/matrix_smoother.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "tunica/algebra/columns.hpp"
+#include "tunica/params/nearest.hpp"
 
 namespace tunica::multigrid {
 
@@ -32,6 +36,15 @@ void MatrixSmoother::smooth_from_zero(const ::tunica::MultiVector& b,
                                       ::tunica::MultiVector& x) const {
   x.putScalar(0.0);
   smooth(b, x);
+}
+
+std::string validated_choice(const std::string& smoother, const Teuchos::ParameterList& list,
+                             const std::string& key, const std::vector<std::string>& known) {
+  const auto& value = list.get<std::string>(key);
+  if (std::find(known.begin(), known.end(), value) == known.end())
+    throw std::invalid_argument(smoother + ": \"" + key + "\" is \"" + value +
+                                "\", expected one of " + params::quoted(known) + ".");
+  return value;
 }
 
 }  // namespace tunica::multigrid

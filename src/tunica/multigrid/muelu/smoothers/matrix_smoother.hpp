@@ -1,8 +1,11 @@
 #pragma once
 #include <MueLu_SmootherPrototype.hpp>
+#include <string>
+#include <vector>
 
 #include "tunica/algebra/refreshable.hpp"
 #include "tunica/base/trilinos.hpp"
+#include "tunica/multigrid/coarsening/mixed_coarsening.hpp"
 #include "tunica/multigrid/muelu/xpetra.hpp"
 
 namespace tunica::multigrid {
@@ -29,5 +32,38 @@ protected:
 private:
   Teuchos::RCP<::tunica::CrsMatrix> K_;  // MueLu's base has names of its own
 };
+
+/// A smoother for mixed matrices.
+class MixedSmoother : public MatrixSmoother {
+public:
+  /// Says how unknowns are numbered; before Setup().
+  void set_coarsening(const Teuchos::RCP<MixedCoarsening>& coarsening) { coarsening_ = coarsening; }
+
+protected:
+  /// Hosts of the matrix, see MixedCoarsening.
+  const Teuchos::RCP<const ::tunica::Vector>& hosts() const { return hosts_; }
+  const MixedCoarsening& coarsening() const { return *coarsening_; }
+  ::tunica::Vector parts(const ::tunica::CrsMatrix& K) const {
+    return coarsening_->parts(level_, K);
+  }
+  virtual void set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout& numbering) = 0;
+
+private:
+  void set_up(int level, const Teuchos::RCP<::tunica::CrsMatrix>& K) final {
+    coarsening_->check_mixed(level, *K);
+    hosts_ = coarsening_->hosts(level, *K);
+    level_ = level;
+    set_up(*K, coarsening_->numbering());
+  }
+
+  Teuchos::RCP<MixedCoarsening> coarsening_;
+  Teuchos::RCP<const ::tunica::Vector> hosts_;
+  int level_ = 0;
+};
+
+/// The value of a key of a smoother's list. Throws std::invalid_argument, which lists the known
+/// words, for any other.
+std::string validated_choice(const std::string& smoother, const Teuchos::ParameterList& list,
+                             const std::string& key, const std::vector<std::string>& known);
 
 }  // namespace tunica::multigrid

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "tunica/multigrid/muelu/validated_choice.hpp"
-
 namespace tunica::multigrid {
 
 namespace {

@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "tunica/multigrid/muelu/smoothers/mixed_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/matrix_smoother.hpp"
 #include "tunica/multigrid/muelu/smoothers/smoother_state.hpp"
 #include "tunica/smoothers/node_ilu/node_ilu.hpp"
 

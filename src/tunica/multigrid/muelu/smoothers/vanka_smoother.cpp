@@ -1,7 +1,5 @@
 #include "tunica/multigrid/muelu/smoothers/vanka_smoother.hpp"
 
-#include "tunica/multigrid/muelu/validated_choice.hpp"
-
 namespace tunica::multigrid {
 
 namespace {

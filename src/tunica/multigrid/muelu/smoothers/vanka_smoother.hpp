@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "tunica/multigrid/muelu/smoothers/mixed_smoother.hpp"
+#include "tunica/multigrid/muelu/smoothers/matrix_smoother.hpp"
 #include "tunica/smoothers/vanka/vanka.hpp"
 
 namespace tunica::multigrid {

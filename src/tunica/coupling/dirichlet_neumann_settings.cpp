@@ -30,10 +30,15 @@ params::Table dirichlet_neumann_table() {
   return table;
 }
 
-CouplingOptions coupling_options(const Teuchos::ParameterList& list) {
-  return {list.get<int>("max iterations"),  list.get<double>("tolerance"),
-          list.get<int>("predictor order"), list.get<double>("largest update"),
-          list.get<int>("halvings"),        accepts_unconverged(list)};
+DirichletNeumannSettings::DirichletNeumannSettings(const Teuchos::ParameterList& of_case)
+    : max_iterations(of_case.get<int>("max iterations")),
+      tolerance(of_case.get<double>("tolerance")),
+      predictor_order(of_case.get<int>("predictor order")),
+      largest_update(of_case.get<double>("largest update")), halvings(of_case.get<int>("halvings")),
+      accepts_unconverged(coupling::accepts_unconverged(of_case)),
+      accelerator(of_case.get<std::string>("accelerator")), list(of_case) {
+  if (of_case.get<std::string>("preconditioner") == "added mass")
+    added_mass = of_case.sublist("Added Mass Solver");
 }
 
 }  // namespace tunica::coupling
