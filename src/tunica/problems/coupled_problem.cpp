@@ -82,24 +82,6 @@ private:
   const CoupledProblem* problem_;
 };
 
-namespace {
-
-DomainRule domain_rule(const std::string& geometry) {
-  if (geometry == "extrapolated") return DomainRule::extrapolated;
-  if (geometry == "newton") return DomainRule::newton;
-  return geometry == "quasi" ? DomainRule::quasi : DomainRule::automatic;
-}
-
-}  // namespace
-
-CoupledSettings::CoupledSettings(const Teuchos::ParameterList& list)
-    : geometry(domain_rule(list.get<std::string>("geometry"))), mesh_tolerance(0.0),
-      product_tolerance(0.0), solves(list) {
-  if (geometry == DomainRule::extrapolated) return;
-  mesh_tolerance = list.get<double>("mesh tolerance");
-  product_tolerance = list.get<double>("product tolerance");
-}
-
 CoupledProblem::CoupledProblem(const CoupledSettings& settings, const Parts& parts)
     : mesh_(&parts.mesh), interface_(&parts.interface), fluid_(&parts.fluid), wall_(&parts.wall),
       motion_(&parts.motion), is_extrapolated_(settings.geometry == DomainRule::extrapolated),
