@@ -35,6 +35,7 @@ DirichletNeumann::DirichletNeumann(const DirichletNeumannSettings& settings,
       displacements_(on_interface(interface, fluid.mesh()), 3, {}, 3) {
   fluid.linear_solver();  // wrong names in its lists are told before anything is solved
   wall.linear_solver();
+  displacements_.start_from(wall_displacement());
 }
 
 Outcome DirichletNeumann::begin(const stepping::Clock& clock) {

@@ -174,6 +174,14 @@ void Solid::begin_laws(double step) {
   elements_.step = step;
 }
 
+void Solid::start_from(const algebra::BlockVector& x, const std::vector<Vec3>& velocity) {
+  read(x);
+  timeline_.value() = fields::as_rows(local_.d);
+  const std::vector<std::string>& names = timeline_.names();
+  if (!names.empty() && names.front() == "velocity") timeline_[0] = fields::as_rows(velocity);
+  settle(x);
+}
+
 void Solid::settle(const algebra::BlockVector& x) {
   if (!of_laws_) return;
   read(x);

@@ -52,6 +52,9 @@ public:
   /// The right-hand side of these forces [mN] on owned nodes.
   void load_of(const std::vector<Vec3>& force, algebra::BlockVector& b) const;
 
+  /// The displacement and velocity of x at the start; velocity: of owned and ghost nodes.
+  /// Collective.
+  void start_from(const algebra::BlockVector& x, const std::vector<Vec3>& velocity);
   /// Laws forget how the wall came to x, as if it had been there for long. Collective.
   void settle(const algebra::BlockVector& x);
 

@@ -3,20 +3,13 @@
 #include <cmath>
 
 #include "tunica/base/reduce.hpp"
+#include "tunica/fields/simplex.hpp"
 
 namespace tunica::fields {
 
 namespace {
 
-constexpr double round_off = 1e-10;    ///< a weight below zero by no more is one of the inside
 constexpr double vertex_share = 1e-6;  ///< of an edge: what is nearer to a vertex is the vertex
-
-template <std::size_t n>
-Vec3 point_of(const std::array<double, n>& weights, const std::array<Vec3, n>& x) {
-  Vec3 sum{};
-  for (std::size_t a = 0; a < n; ++a) sum += weights[a] * x[a];
-  return sum;
-}
 
 template <std::size_t n>
 double longest_edge(const std::array<Vec3, n>& x) {
@@ -26,54 +19,13 @@ double longest_edge(const std::array<Vec3, n>& x) {
   return longest;
 }
 
-/// Shares of the volumes that the point cuts the tetrahedron into.
-std::array<double, 4> weights_in(const std::array<Vec3, 4>& x, const Vec3& point) {
-  const double volume = signed_volume(x[0], x[1], x[2], x[3]);
-  std::array<double, 4> weights;
-  for (int a = 0; a < 4; ++a) {
-    std::array<Vec3, 4> part = x;
-    part[a] = point;
-    weights[a] = signed_volume(part[0], part[1], part[2], part[3]) / volume;
-  }
-  return weights;
-}
-
 bool is_near_box(const std::array<Vec3, 4>& x, const Vec3& point) {
   for (int i = 0; i < 3; ++i) {
     const auto [low, high] = std::minmax({x[0][i], x[1][i], x[2][i], x[3][i]});
-    const double margin = round_off * (high - low);
+    const double margin = weight_round_off * (high - low);
     if (point[i] < low - margin || point[i] > high + margin) return false;
   }
   return true;
-}
-
-std::array<double, 3> nearest_on_edges(const std::array<Vec3, 3>& x, const Vec3& point) {
-  std::array<double, 3> best{};
-  double smallest = 1e300;
-  for (int a = 0; a < 3; ++a) {
-    const int b = (a + 1) % 3;
-    const Vec3 edge = x[b] - x[a];
-    const double t = std::clamp(dot(point - x[a], edge) / dot(edge, edge), 0.0, 1.0);
-    std::array<double, 3> weights{};
-    weights[a] = 1.0 - t;
-    weights[b] = t;
-    if (const double r = norm(point - point_of(weights, x)); r < smallest) {
-      smallest = r;
-      best = weights;
-    }
-  }
-  return best;
-}
-
-/// Weights of the corners at what is nearest to the point on a triangle.
-std::array<double, 3> nearest_on(const std::array<Vec3, 3>& x, const Vec3& point) {
-  const Vec3 n = cross(x[1] - x[0], x[2] - x[0]);
-  std::array<double, 3> weights;  // of the foot of the perpendicular
-  for (int a = 0; a < 3; ++a)
-    weights[a] = dot(n, cross(x[(a + 2) % 3] - x[(a + 1) % 3], point - x[(a + 1) % 3])) / dot(n, n);
-  for (const double w : weights)
-    if (!(w >= 0.0)) return nearest_on_edges(x, point);
-  return weights;
 }
 
 /// Puts the place into a vertex that is next to it.
@@ -95,7 +47,7 @@ double place_inside(const FieldMesh& mesh, const Vec3& point, Place& place) {
     for (int a = 0; a < 4; ++a) x[a] = mesh.x[mesh.tets[e][a]];
     if (!is_near_box(x, point)) continue;
     const std::array<double, 4> weights = weights_in(x, point);
-    if (!(*std::min_element(weights.begin(), weights.end()) >= -round_off)) continue;
+    if (!is_inside(weights)) continue;
     place = {true, mesh.tets[e], weights, 0.0, point, longest_edge(x)};
     return static_cast<double>(mesh.tet_number[e]);  // they ascend
   }

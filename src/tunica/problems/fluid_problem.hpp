@@ -27,6 +27,11 @@ public:
   void prepare() { field().prescribe(x_); }
   nonlinear::NewtonReport solve();
 
+  /// The state at the start, of another run: its velocity is the first step's past.
+  void start_from(const algebra::BlockVector& x) {
+    take(x);
+    field().start_from(x_);
+  }
   /// For verification. The velocity at the start, zero by default.
   void set_initial_velocity(const std::function<Vec3(const Vec3& x)>& u);
   /// A pressure that is the same everywhere, zero by default [kPa]. It is where the first step

@@ -73,6 +73,12 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
   return Outcome::success();
 }
 
+Outcome MeshMotion::start_from(const std::vector<Vec3>& interface_displacement) {
+  const Outcome outcome = extend(interface_displacement);
+  if (outcome.is_success()) timeline_.value() = fields::as_rows(d_);
+  return outcome;
+}
+
 // δd_f = E δd, the same map, only as well as a product with the Jacobian needs it. The last d_f,
 // with which extend() begins next time, stays.
 void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vector& d) {

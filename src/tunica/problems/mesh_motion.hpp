@@ -39,6 +39,8 @@ public:
   std::vector<Vec3> predicted_displacement() const {
     return fields::as_vectors(scheme_->predictions(timeline_));
   }
+  /// The mesh lies at the start where the interface is displaced like this. See extend().
+  Outcome start_from(const std::vector<Vec3>& interface_displacement);
   void end_step() { scheme_->accept(fields::as_rows(d_), timeline_); }
 
   // Restartable

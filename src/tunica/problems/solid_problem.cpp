@@ -29,6 +29,11 @@ SolidProblem::SolidProblem(const SolidSettings& settings, const fields::FieldMes
     : ProblemOf(std::make_unique<discretisation::Solid>(settings.options, mesh, std::move(frames)),
                 settings.solves) {}
 
+void SolidProblem::start_from(const algebra::BlockVector& x, const Vector& rate) {
+  take(x);
+  field().start_from(x_, fields::ghosted_vectors(mesh(), rate));
+}
+
 nonlinear::NewtonReport SolidProblem::solve() {
   const io::ProgressScope scope("wall");
   // Newton's method begins where all that is prescribed holds: its increments there are zero.

@@ -42,6 +42,9 @@ public:
     field().begin_step(clock);
   }
   /// Solves the step for the present loads, started from the present state.
+  /// The state at the start, of another run, with the velocity of the wall [mm/ms]. Laws take it
+  /// for one in which the wall has been for long. Collective.
+  void start_from(const algebra::BlockVector& x, const Vector& rate);
   nonlinear::NewtonReport solve();
 
   /// Displacement [mm] of the owned nodes within one time step under nodal forces [mN] on them,

@@ -1,6 +1,7 @@
 #include "tunica/run/field_problems.hpp"
 
 #include "tunica/coupling/registry.hpp"
+#include "tunica/run/initial_state.hpp"
 #include "tunica/run/prestress.hpp"
 
 namespace tunica::run {
@@ -21,10 +22,17 @@ Outcome FieldProblems::start(RunOutput& output) {
     const Outcome stressed = take_prestress(*the_case.wall, output, *wall, fluid.get());
     if (stressed.is_failure() || !output.stopped.empty()) return stressed;
   }
-  if (!fluid || !wall) return Outcome::success();
+  const bool begins_elsewhere = the_case.time->from && !output.restart;
+  if (!fluid || !wall)
+    return begins_elsewhere ? take_initial_state(*the_case.time->from, *this) : Outcome::success();
   motion = std::make_unique<problems::MeshMotion>(
       *the_case.motion, domain->mesh("fluid"), domain->interface_surfaces,
       fluid->field().staying_surfaces(), fluid->time_scheme());
+  // Before the scheme, whose guesses begin with the states of the fields.
+  if (begins_elsewhere) {
+    const Outcome begun = take_initial_state(*the_case.time->from, *this);
+    if (begun.is_failure()) return begun;
+  }
   scheme = coupling::make_scheme(*the_case.coupling, {*domain->interface, *fluid, *wall, *motion,
                                                       domain->common ? &*domain->common : nullptr});
   return Outcome::success();

@@ -7,6 +7,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/io/messages.hpp"
 #include "tunica/params/read_xml.hpp"
+#include "tunica/setup/initial_state.hpp"
 #include "tunica/setup/one_field.hpp"
 #include "tunica/stepping/time_function.hpp"
 
@@ -24,6 +25,11 @@ Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Ta
   try {
     table.resolve(list, "", folder.string());
     stepping::inline_files(list);
+    if (list.isSublist("Time")) {
+      place_initial_state(list.sublist("Time"), folder.string());
+      const std::string pressures = take_outlet_pressures(list);
+      if (!pressures.empty()) io::print_line("note: " + pressures);
+    }
   } catch (const Error& error) {
     throw Error(command.case_file + ": " + error.what());
   }

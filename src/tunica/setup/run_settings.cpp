@@ -6,6 +6,7 @@
 #include "tunica/observe/surface_report.hpp"
 #include "tunica/observe/wall_field.hpp"
 #include "tunica/observe/wall_shear.hpp"
+#include "tunica/setup/initial_state.hpp"
 #include "tunica/stepping/wall_limit.hpp"
 
 namespace tunica::setup {
@@ -20,7 +21,14 @@ TimeSettings::TimeSettings(const Teuchos::ParameterList& list)
       hits_kinks(steps.is_adaptive && list.get<bool>("hit kinks")),
       wall_limit(stepping::seconds_of(list.get<std::string>("wall limit"))) {
   if (step_control != "fixed") tolerance = problems::step_tolerance(list);
+  from = initial_state(list);
   if (is_steady_sought()) newton_increment = list.get<double>("newton increment");
+}
+
+params::Table time_table() {
+  params::Table table = stepping::time_table();
+  add_initial_state_key(table);
+  return table;
 }
 
 OutputSettings::OutputSettings(const Teuchos::ParameterList& list)

@@ -19,6 +19,12 @@ struct MeshSettings {
 };
 params::Table mesh_table();
 
+/// Fields of another run with which one begins.
+struct InitialState {
+  std::string folder;          ///< of that run
+  std::optional<double> time;  ///< [ms]; none: its last
+};
+
 /// A resolved "Time" list.
 struct TimeSettings {
   explicit TimeSettings(const Teuchos::ParameterList& list);
@@ -31,7 +37,10 @@ struct TimeSettings {
   double wall_limit;  ///< seconds that the program may take; infinite: any
   std::optional<problems::StepTolerance> tolerance;  ///< of steps that are of any size
   std::optional<double> newton_increment;            ///< on the way to a steady flow
+  std::optional<InitialState> from;                  ///< another run with which it begins
 };
+
+params::Table time_table();
 
 /// A resolved "Output" list, which not every program has in full.
 struct OutputSettings {

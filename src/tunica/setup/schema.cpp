@@ -61,7 +61,7 @@ void check_interval(const Teuchos::ParameterList& list, const std::string&) {
 params::Table common_table(const std::string& sentence, bool has_fluid, bool has_wall) {
   params::Table table(sentence);
   table.sublist("Mesh", mesh_table())
-      .sublist("Time", stepping::time_table())
+      .sublist("Time", time_table())
       .sublist("Output", output_table(has_fluid, has_wall))
       .entries("Probes", observe::probe_table(has_fluid, has_wall),
                "points whose values become columns of steps.csv")
