@@ -28,8 +28,8 @@ def tests_of(build, ctest):
 def fault(language, block, tests):
     """What is wrong with a fenced block, or ""."""
     if language not in SHELLS:
-        is_command = not block.kind and (language or not COMMAND.search(block.text))
-        return "" if is_command else "a command or a mark, but no block of the language sh"
+        is_other = not block.kind and (language or not COMMAND.search(block.text))
+        return "" if is_other else "a command or a mark, but no block of the language sh"
     if language != "sh":
         return f"write ```sh instead of ```{language}"
     if not block.kind:

@@ -9,7 +9,7 @@ import re
 
 Block = collections.namedtuple("Block", "page line kind name text")
 
-FENCED = re.compile(r"^(?:<!-- (run|not run): (.+?) -->\n)?( *)```(\w*)\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
+FENCED = re.compile(r"^(?:<!-- (run|not run): (.+?) -->\n)?( *)```(\S*)[^\n]*\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
 SHELLS = {"sh", "bash", "shell", "console"}
 
 
