@@ -197,6 +197,20 @@ def write(run, folder, figures, step, viewer=None):
                          f"{_exponents(run, step)}{linear_solvers(run)}{_case(case)}<h2>The run</h2>\n{_sections(run.record)}")
 
 
+def write_compared(compared, folder, figures):
+    """Ordinary runs side by side."""
+    body = "".join(f"<h2>{html.escape(name)}</h2>\n<p class=\"note\">{html.escape(run.folder)}</p>\n{_summary(run)}"
+                   for name, run in zip(compared.names, compared.runs))
+    heading, rows = compared.table()
+    note = (f"Apart: the largest distance from {compared.names[0]} while all runs last, in parts of the range of "
+            "its curve; between the steps of a run a straight line.")
+    body += f"{_images(figures)}<h2>At the end</h2>\n<p class=\"note\">{html.escape(note)}</p>\n{_table(heading, rows)}"
+    others = compared.other_parameters()
+    body += "<h2>Parameters that differ</h2>\n"
+    body += _table(["", *compared.names], others) if others else "<p>None of those shown on the page of a run.</p>\n"
+    _save(folder, "compared: " + ", ".join(compared.names), body)
+
+
 # --- runs of tunica-solvers -----------------------------------------------------------------
 
 def _setting_row(rows, newton_steps):

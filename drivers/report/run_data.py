@@ -288,7 +288,7 @@ def is_of_solvers(folder):
 def read_solver_runs(folders):
     for folder in folders:
         if os.path.isdir(folder) and not is_of_solvers(folder):
-            raise BadRun(f"{folder} has no solvers.csv; only runs of tunica-solvers are compared")
+            raise BadRun(f"{folder} has no solvers.csv; runs of tunica-solvers are compared with each other only")
     runs = [SolverRun(folder) for folder in folders]
     for run in runs[1:]:
         if run.place() != runs[0].place():

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The commands of docs/first-case.md run in their order, on the case that the README prints, and refuse what the page says
-they refuse, in its words.
+"""The commands that docs/first-case.md marks with "run: tutorial" (marked.py), in their order, on the case that the README
+prints. They refuse what the page says they refuse, in its words.
 
 Usage: tutorial.py ROOT FOLDER_OF_PROGRAMS SCRATCH
 """
@@ -11,18 +11,15 @@ import shutil
 import subprocess
 import sys
 
-BLOCK = re.compile(r"^```(\w*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+from marked import fenced
+
 INLET = '<Parameter name="pressure" type="double" value="0.5"/>'
 
 
-def blocks(path):
-    return [(match[1], match[2]) for match in BLOCK.finditer(path.read_text())]
-
-
-def write_cases(root, pages, scratch):
+def write_cases(root, page, scratch):
     """my-case.xml of the README, and my-pulse.xml with the amplitude of the tutorial."""
-    case = next(text for kind, text in blocks(root / "README.md") if kind == "xml")
-    amplitude = next(text for _, text in pages if '"Amplitude"' in text)
+    case = next(block.text for language, block in fenced(root, "README.md") if language == "xml")
+    amplitude = next(block.text for block in page if '"Amplitude"' in block.text)
     assert case.count(INLET) == 1, "the README's case has one inlet pressure"
     (scratch / "my-case.xml").write_text(case)
     (scratch / "my-pulse.xml").write_text(case.replace(INLET, INLET + "\n" + amplitude))
@@ -38,13 +35,14 @@ def refusal(shown):
 def main(root, programs, scratch):
     shutil.rmtree(scratch, ignore_errors=True)
     scratch.mkdir(parents=True)
-    pages = blocks(root / "docs" / "first-case.md")
-    write_cases(root, pages, scratch)
+    page = [block for _, block in fenced(root, "docs/first-case.md")]
+    write_cases(root, page, scratch)
     environment = dict(os.environ, PATH=f"{programs}:{os.environ['PATH']}")
     faults = 0
-    for (kind, text), (_, shown) in zip(pages, pages[1:] + [("", "")]):
-        if kind != "sh" or text.startswith("export PATH"):
+    for block, shown in zip(page, [block.text for block in page[1:]] + [""]):
+        if (block.kind, block.name) != ("run", "tutorial"):
             continue
+        text = block.text
         run = subprocess.run(["bash", "-e", "-c", text], cwd=scratch, env=environment, text=True, stdin=subprocess.DEVNULL,
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         told = refusal(shown)

@@ -384,7 +384,6 @@ class Report(unittest.TestCase):
         other = write_solver_run(self.folder("other_iteration"), coupling_iteration=1)
         self.expect_one_line(solvers, "no solvers.csv", run)
         self.expect_one_line(run, "no solvers.csv", solvers)
-        self.expect_one_line(run, "no solvers.csv", run)
         self.expect_one_line(solvers, "is not a folder", self.folder("nowhere"))
         self.expect_one_line(solvers, "expected the same", other)
         self.expect_one_line(solvers, "--step does not fit", "--step", "1")

@@ -253,6 +253,10 @@ void visit_amplitude(const Teuchos::ParameterList& list, double dt, Loads& loads
   if (period > 0.0 &&
       std::find(loads.periods.begin(), loads.periods.end(), period) == loads.periods.end())
     loads.periods.push_back(period);
+  if (const double gap = stepping::gap_in_period(list); gap > loads.gap) {
+    loads.gap = gap;
+    loads.gap_period = period;
+  }
   const auto [low, high, slope] = extremes(amplitude, loads.end);
   if (slope == 0.0) return;
   const auto [least, most] = amplitude.table_range();

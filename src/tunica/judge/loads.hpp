@@ -45,6 +45,8 @@ struct Loads {
   std::optional<Balance> balance{};
   double impulse = 0.0;           ///< largest that it gives: its integral over time [kPa ms]
   std::vector<double> periods{};  ///< of the amplitudes, each once [ms]
+  double gap = 0.0;               ///< longest of a table with a period, at its end [ms]
+  double gap_period = 0.0;        ///< of that table [ms]
   /// Rise time of the fastest amplitude that changes during the run: its range over its largest
   /// slope; 0: all are constant [ms]. A run of a few steps makes no load fast.
   double rise = 0.0;

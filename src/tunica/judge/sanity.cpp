@@ -181,6 +181,11 @@ void Judge::loads() {
         "20 %%. Give it more times where there are few and the values change (a gap at the end of "
         "a period counts), or \"interpolation\" = \"linear\".",
         100.0 * loads_.overshoot));
+  if (loads_.gap > 0.0)
+    doubts_.push_back(formatted(
+        "a table with a period of %.4g ms ends %.4g ms before it is repeated; what lies between is "
+        "interpolated. Give it times up to the end of the period, or correct \"period\".",
+        loads_.gap_period, loads_.gap));
   if (loads_.peak_pressure > 0.0)
     row("largest pressure given",
         formatted("%.3g kPa = %.3g mmHg", loads_.peak_pressure, loads_.peak_pressure * 7.50062),

@@ -98,8 +98,10 @@ std::string section_of(const std::string& reference, const std::string& path) {
   const std::vector<std::string> parts = parts_of(path);
   TUNICA_CHECK(!parts.empty(), "\"" + path + "\" names no list, expected one like Fluid/Surfaces");
   std::string text;
+  // Choices of one key may have the same list, as conditions have Amplitude: it is printed once.
   for (const Section& section : sections)
-    if (begins_with(section.path, parts)) text += section.text;
+    if (begins_with(section.path, parts) && text.find(section.text) == std::string::npos)
+      text += section.text;
   if (text.empty()) text = row_of(sections, parts);
   if (text.empty()) fail(sections, parts);
   return text;

@@ -148,6 +148,22 @@ TimeFunction::TimeFunction(const Teuchos::ParameterList& options) {
   if (kind_ == Kind::spline) spline_ = Spline(times_, values_, period_ > 0.0);
 }
 
+double gap_in_period(const Teuchos::ParameterList& amplitude) {
+  if (!has_samples(amplitude)) return 0.0;
+  const double period = amplitude.get<double>("period");
+  // A value of a table of steps holds, however long.
+  if (period == 0.0 || amplitude.get<std::string>("interpolation") == "steps") return 0.0;
+  Samples s = samples_of(amplitude);
+  const double gap = s.times.front() + period - s.times.back();
+  if (s.times.size() < 2 || closes_period(period, s.times)) return 0.0;
+  const auto [low, high] = std::minmax_element(s.values.begin(), s.values.end());
+  if (std::abs(s.values.back() - s.values.front()) <= 0.01 * (*high - *low)) return 0.0;
+  double longest = 0.0;
+  for (std::size_t i = 1; i < s.times.size(); ++i)
+    longest = std::max(longest, s.times[i] - s.times[i - 1]);
+  return gap > 2.0 * longest ? gap : 0.0;
+}
+
 void inline_files(Teuchos::ParameterList& list) {
   if (is_file(list)) {
     const Samples samples = read_samples(list.get<std::string>("file"));

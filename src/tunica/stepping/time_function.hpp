@@ -45,6 +45,11 @@ private:
 
 params::Table time_function_table();
 
+/// How long a table with a period has no values before it is repeated, where this is more than
+/// twice the longest time between two of them and its ends differ, so that what lies between is
+/// made up; otherwise 0 [ms].
+double gap_in_period(const Teuchos::ParameterList& amplitude);
+
 /// The times up to end at which an amplitude of the list, or below it, is not smooth [ms].
 std::vector<double> kinks(const Teuchos::ParameterList& list, double end);
 

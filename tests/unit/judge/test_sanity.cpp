@@ -262,6 +262,12 @@ TEUCHOS_UNIT_TEST(sanity, loads_that_do_nothing_or_are_not_seen_are_doubted) {
   TEST_ASSERT(!doubts(tube, "exceeds the values of its table", out));
   with_flow(test::table_of("0, 10, 20, 30", "0, 1, 1, 0.5", spline + number("period", "90")));
   TEST_ASSERT(doubts(tube, "exceeds the values of its table", out));
+  TEST_ASSERT(doubts(tube, "a period of 90 ms ends 60 ms before it is repeated", out));
+  // Pulses that end where they begin, and tables that end a time or two early, are complete.
+  with_flow(test::table_of("0, 10, 20", "0, 1, 0", number("period", "90")));
+  TEST_ASSERT(!doubts(tube, "before it is repeated", out));
+  with_flow(test::table_of("0, 30, 60", "0, 1, 0.5", number("period", "90")));
+  TEST_ASSERT(!doubts(tube, "before it is repeated", out));
   with_flow(test::table_of("0, 0.4", "1, 2", number("period", "0.8")));
   TEST_ASSERT(doubts(tube, "0.8 s = 800 ms", out));
 }

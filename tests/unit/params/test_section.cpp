@@ -45,6 +45,21 @@ TEUCHOS_UNIT_TEST(section, is_the_list_with_what_is_in_it) {
       !holds(params::section_of(reference(), "Fluid/Surfaces/inlet/Amplitude"), "pressure"));
 }
 
+TEUCHOS_UNIT_TEST(section, prints_a_list_of_several_choices_once) {
+  params::Table load, pushed, flowing, each, table;
+  load.number("period", 0.0, params::any(), "ms", "of the load");
+  pushed.number("pressure", 1.0, params::any(), "kPa", "on it").sublist("Amplitude", load);
+  flowing.number("flow", 1.0, params::any(), "mm^3/ms", "into it").sublist("Amplitude", load);
+  each.variant("condition", "pushed", {{"pushed", pushed}, {"flowing", flowing}}, "what it has");
+  table.entries("Surfaces", each, "one list for each");
+  std::ostringstream full;
+  table.print_markdown(full, "Case");
+  const std::string text = params::section_of(full.str(), "Surfaces");
+  TEST_ASSERT(holds(text, "| `pressure`") && holds(text, "| `flow`"));
+  TEST_EQUALITY(text.find("| `period`"), text.rfind("| `period`"));
+  TEST_ASSERT(holds(text, "| `period`"));
+}
+
 TEUCHOS_UNIT_TEST(section, of_a_key_is_its_row) {
   const std::string row = params::section_of(reference(), "Fluid/density");
   TEST_ASSERT(holds(row, "of the fluid") && !holds(row, "Surfaces"));
