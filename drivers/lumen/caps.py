@@ -1,0 +1,121 @@
+"""Takes the flat caps off a closed surface: by the numbers of its faces, else by their shape."""
+import numpy as np
+from scipy.spatial import cKDTree
+
+from . import surface as base
+from .surface import Edges, show, unit
+
+FLAT = 0.01       # distance to the plane over the radius of the disc
+ROUND = 0.45      # 4 pi area / perimeter squared
+PARALLEL = 0.35   # mean of the cosine between the cap and the surface around it
+STARTS = 400      # large flat regions are sought from so many triangles
+
+
+def taken_off(surface, say):
+    """The wall alone, and the names of caps by their centres, where the file has them."""
+    caps = by_numbers(surface)
+    if caps is None:
+        caps = by_shape(surface)
+    is_wall = np.ones(len(surface.triangles), dtype=bool)
+    names = []
+    for chosen in caps:
+        is_wall[chosen] = False
+        corners = surface.points[surface.triangles[chosen]]
+        if surface.face is not None and int(surface.face[chosen[0]]) in surface.names:
+            names.append((surface.names[int(surface.face[chosen[0]])], corners.mean(axis=(0, 1))))
+    if caps:
+        say(f"{len(caps)} flat caps found, the first about "
+            f"{show(surface.points[surface.triangles[caps[0]]].mean(axis=(0, 1)))}")
+    return surface.take(is_wall), names
+
+
+def by_numbers(surface):
+    """Faces of a file that are flat discs; None where it has no faces, or no such."""
+    if surface.face is None or len(np.unique(surface.face)) < 2:
+        return None
+    edges = Edges(surface.triangles)
+    found = []
+    for number in np.unique(surface.face):
+        chosen = np.flatnonzero(surface.face == number)
+        if is_disc(surface, edges, chosen, 0.15):
+            found.append(chosen)
+    return found or None
+
+
+def by_shape(surface):
+    """From the largest triangles on: what lies in their plane, is a round disc, and ends a tube."""
+    points, triangles = surface.points, surface.triangles
+    edges, found = Edges(triangles), []
+    normal, area = unit(base.doubled_normals(points, triangles)), base.areas(points, triangles)
+    tree = cKDTree(points[triangles].mean(axis=1))
+    is_taken = np.zeros(len(triangles), dtype=bool)
+    for size, chosen in flat_regions(points, triangles, edges, normal, area):
+        if not is_taken[chosen].any() and is_disc(surface, edges, chosen, FLAT) \
+                and ends_tube(surface, tree, normal, area * ~is_taken, chosen):
+            is_taken[chosen] = True
+            found.append(chosen)
+    return found
+
+
+def flat_regions(points, triangles, edges, normal, area):
+    """(area, triangles) of connected regions in one plane, the largest first.
+
+    A sliver has no direction of its own: it belongs to a plane when its corners lie in it.
+    """
+    inner = edges.sides[:, 1] >= 0
+    a, b = edges.sides[inner].T
+    scale = np.sqrt(np.median(area))
+    offset = np.abs(np.stack([base.dot(normal[a][:, None], points[triangles[b]] - points[triangles[a, :1]]),
+                              base.dot(normal[b][:, None], points[triangles[a]] - points[triangles[b, :1]])]))
+    flat = offset.max(axis=2).min(axis=0) < 0.02 * scale
+    label, count = base.parts(len(triangles), a[flat], b[flat])
+    total = np.bincount(label, weights=area, minlength=count)
+    order = [k for k in np.argsort(-total)[:STARTS] if total[k] > 12.0 * scale ** 2]
+    return [within_plane(points, triangles, np.flatnonzero(label == k), normal, area) for k in order]
+
+
+def within_plane(points, triangles, region, normal, area):
+    """What lies in the plane of the region's largest triangle, and hangs together with it.
+
+    Without this slivers lead from a cap into the wall.
+    """
+    seed = region[area[region].argmax()]
+    height = np.abs((points[triangles[region]] - points[triangles[seed, 0]]) @ normal[seed]).max(axis=1)
+    chosen = region[height < 0.1 * np.sqrt(np.median(area))]
+    label, _ = base.pieces(triangles[chosen])
+    chosen = chosen[label == label[np.flatnonzero(chosen == seed)[0]]]
+    return area[chosen].sum(), chosen
+
+
+def is_disc(surface, edges, chosen, tolerance):
+    """One rim, flat and round, and no hole."""
+    points, triangles = surface.points, surface.triangles[chosen]
+    own = Edges(triangles)
+    vertices = np.unique(triangles)
+    if len(vertices) - len(own.count) + len(triangles) != 1 or base.pieces(triangles)[1] != 1:
+        return False
+    rim = own.boundary()
+    around = np.linalg.norm(points[rim[:, 0]] - points[rim[:, 1]], axis=1).sum()
+    vector = 0.5 * base.doubled_normals(points, triangles).sum(axis=0)
+    area = np.linalg.norm(vector)
+    if area <= 0.0 or 4.0 * np.pi * area < ROUND * around ** 2:
+        return False
+    height = (points[vertices] - points[vertices].mean(axis=0)) @ (vector / area)
+    return bool(np.abs(height).max() < tolerance * np.sqrt(area / np.pi))
+
+
+def ends_tube(surface, tree, normal, area, chosen):
+    """The surface around a cap stands across it; around a plateau of voxels it is nearly parallel.
+
+    area: zero for other caps, which may be near.
+    """
+    points, triangles = surface.points, surface.triangles
+    vector = (area[chosen, None] * normal[chosen]).sum(axis=0)
+    radius = np.sqrt(area[chosen].sum() / np.pi)
+    centre = (area[chosen, None] * points[triangles[chosen]].mean(axis=1)).sum(axis=0) / area[chosen].sum()
+    near = np.array(tree.query_ball_point(centre, 1.6 * radius), dtype=np.int64)
+    near = np.setdiff1d(near, chosen)
+    if not len(near):
+        return False
+    cosine = normal[near] @ unit(vector)
+    return bool((area[near] * cosine).sum() < PARALLEL * area[near].sum())

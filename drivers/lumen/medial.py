@@ -1,0 +1,78 @@
+"""The balls that fit into a lumen: vertices of the Voronoi diagram of its surface, inside of it."""
+import dataclasses
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.spatial import Delaunay
+
+from . import ends
+from . import surface as base
+from .surface import dot
+
+BEYOND = 2.5   # radii by which open ends are lengthened meanwhile, or the largest balls there were outside
+
+
+@dataclasses.dataclass
+class Medial:
+    """centres (n, 3) and radii (n,) of balls; graph: steps between neighbouring ones, as long as they are.
+
+    of_vertex: the radius of the largest ball that touches each vertex of the surface.
+    """
+    centres: np.ndarray
+    radii: np.ndarray
+    graph: object
+    of_vertex: np.ndarray
+
+
+def balls(surface, rims):
+    """Of a surface that is sampled more finely than it is wide."""
+    longer, _ = ends.extended(surface, rims, BEYOND)
+    points, normals = longer.points, base.vertex_normals(longer.points, longer.triangles)
+    extent = np.ptp(points, axis=0).max()
+    shifted = points + 1e-7 * extent * np.random.default_rng(1).standard_normal(points.shape)  # no five on one ball
+    cells = Delaunay(shifted)
+    centres, radii = circumscribed(shifted[cells.simplices])
+    inward = dot(centres[:, None] - points[cells.simplices], normals[cells.simplices]) < 0.0
+    inside = (inward.sum(axis=1) >= 3) & (radii < extent) & np.isfinite(radii)
+    inside &= ((centres > points.min(axis=0)) & (centres < points.max(axis=0))).all(axis=1)
+    return Medial(centres[inside], radii[inside], neighbours(cells, inside, centres),
+                  touching(cells.simplices[inside], radii[inside], len(surface.points), surface))
+
+
+def circumscribed(corners):
+    a = corners[:, 0]
+    b, c, d = (corners[:, i] - a for i in (1, 2, 3))
+    bc, cd, db = np.cross(b, c), np.cross(c, d), np.cross(d, b)
+    six = dot(b, cd)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        offset = (dot(b, b)[:, None] * cd + dot(c, c)[:, None] * db + dot(d, d)[:, None] * bc) / (2.0 * six)[:, None]
+    return a + offset, np.linalg.norm(offset, axis=1)
+
+
+def neighbours(cells, inside, centres):
+    """Steps from ball to ball through common faces."""
+    number = np.cumsum(inside) - 1
+    a = np.repeat(np.arange(len(inside)), 4)
+    b = cells.neighbors.reshape(-1)
+    both = (b >= 0) & inside[a] & inside[b]
+    a, b = a[both], b[both]
+    step = np.linalg.norm(centres[a] - centres[b], axis=1)
+    count = int(inside.sum())
+    return coo_matrix((np.maximum(step, 1e-12), (number[a], number[b])), shape=(count, count)).tocsr()
+
+
+def touching(simplices, radii, count, surface):
+    """The largest of each vertex; where it has none, that of its neighbours."""
+    largest = np.zeros(max(int(simplices.max()) + 1, count))
+    np.maximum.at(largest, simplices.reshape(-1), np.repeat(radii, 4))
+    largest = largest[:count]
+    pairs = base.Edges(surface.triangles).ends
+    while (largest == 0.0).any():
+        filled = largest.copy()
+        for a, b in (pairs.T, pairs.T[::-1]):
+            missing = largest[a] == 0.0
+            np.maximum.at(filled, a[missing], largest[b[missing]])
+        if (filled == largest).all():
+            break
+        largest = filled
+    return largest

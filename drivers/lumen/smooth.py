@@ -1,0 +1,64 @@
+"""Takes the steps of voxels out of a surface and keeps its volume."""
+import numpy as np
+
+from . import surface as base
+from .surface import Surface
+from .target import Target
+
+ITERATIONS = 40
+VOXEL_OVER_EDGE = 1.0   # contours of voxels have sides of a half to one and a half
+TOO_FAR = 0.22          # voxels, mean distance: a gentler pass follows
+VOLUME = 1e-4           # kept to this part
+
+
+def smoothed(surface, rims, say):
+    """The smooth surface, the distances of its points to the old one, and the voxel."""
+    edge = float(np.median(base.edge_lengths(surface.points, surface.triangles)))
+    voxel = VOXEL_OVER_EDGE * edge
+    old, wanted = Target(surface), base.volume(*base.closed(surface))
+    band = pass_band(0.7 * min(rim.radius for rim in rims) / edge)
+    while True:
+        found = with_volume(filtered(surface, band), wanted)
+        distance = np.linalg.norm(old.nearest(found.points)[0] - found.points, axis=1)
+        if distance.mean() < TOO_FAR * voxel or band > 1.0:
+            break
+        band *= 2.0
+    worst = int(distance.argmax())
+    say(f"smoothed; points move {distance.mean():.3g} mm off the surface in the mean, {distance.max():.3g} mm at most, "
+        f"at {base.show(found.points[worst])} (a voxel is some {voxel:.2g} mm)")
+    return found, distance, voxel
+
+
+def pass_band(radius_in_edges):
+    """Of the filter: waves as long as the narrowest branch is round pass, or it would shrink."""
+    return float(np.clip(1.0 - np.cos(2.0 * np.pi / max(2.0 * np.pi * radius_in_edges, 4.0)), 0.02, 0.5))
+
+
+def filtered(surface, band):
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkFiltersCore import vtkWindowedSincPolyDataFilter
+    from .target import polydata
+    sinc = vtkWindowedSincPolyDataFilter()
+    sinc.SetInputData(polydata(surface.points, surface.triangles))
+    sinc.SetNumberOfIterations(ITERATIONS)
+    sinc.SetPassBand(band)
+    sinc.BoundarySmoothingOn()
+    sinc.FeatureEdgeSmoothingOff()
+    sinc.NonManifoldSmoothingOff()
+    sinc.NormalizeCoordinatesOn()
+    sinc.Update()
+    points = vtk_to_numpy(sinc.GetOutput().GetPoints().GetData()).astype(float)
+    return Surface(points, surface.triangles, surface.face, surface.names)
+
+
+def with_volume(surface, wanted):
+    """Moved along its normals until it encloses what is wanted."""
+    points = surface.points
+    for _ in range(5):
+        moved = Surface(points, surface.triangles, surface.face, surface.names)
+        missing = wanted - base.volume(*base.closed(moved))
+        if abs(missing) < VOLUME * abs(wanted):
+            break
+        area = base.areas(points, surface.triangles).sum()
+        points = points + missing / area * base.vertex_normals(points, surface.triangles)
+    return moved
