@@ -132,7 +132,7 @@ def extended(surface, rims, radii):
             more = np.concatenate([np.stack([a, ring, fresh], axis=1), np.stack([a, fresh, b], axis=1)])
             triangles = np.vstack([triangles, more])
             ring = fresh
-        moved.append(of_rims.Rim(ring, rim.centre + rim.normal * length, rim.normal, rim.area, rim.name))
+        moved.append(of_rims.Rim(ring, rim.centre + rim.normal * length, rim.normal, rim.area, rim.name, length))
     if face is not None:
         face = np.concatenate([face, np.full(len(triangles) - len(face), face[0])])
     return Surface(points, triangles, face, surface.names), moved

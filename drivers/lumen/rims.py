@@ -18,6 +18,7 @@ class Rim:
     normal: np.ndarray
     area: float
     name: str = ""
+    added: float = 0.0  # mm, straight length that the surface given does not have
 
     @property
     def radius(self):

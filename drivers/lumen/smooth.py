@@ -51,14 +51,21 @@ def filtered(surface, band):
     return Surface(points, surface.triangles, surface.face, surface.names)
 
 
-def with_volume(surface, wanted):
-    """Moved along its normals until it encloses what is wanted."""
-    points = surface.points
-    for _ in range(5):
-        moved = Surface(points, surface.triangles, surface.face, surface.names)
+def with_volume(surface, wanted, weight=None, rims=()):
+    """Moved along its normals, by a length or by parts of a weight, until it encloses what is wanted.
+
+    The rims stay in their planes.
+    """
+    weight = np.ones(len(surface.points)) if weight is None else weight
+    moved = surface
+    for _ in range(6):
         missing = wanted - base.volume(*base.closed(moved))
         if abs(missing) < VOLUME * abs(wanted):
             break
-        area = base.areas(points, surface.triangles).sum()
-        points = points + missing / area * base.vertex_normals(points, surface.triangles)
+        normals = base.vertex_normals(moved.points, moved.triangles)
+        for rim in rims:
+            normals[rim.loop] = base.unit(normals[rim.loop] - np.outer(normals[rim.loop] @ rim.normal, rim.normal))
+        gain = (base.areas(moved.points, moved.triangles) * weight[moved.triangles].mean(axis=1)).sum()
+        points = moved.points + (missing / gain * weight)[:, None] * normals
+        moved = Surface(points, moved.triangles, moved.face, moved.names)
     return moved

@@ -5,15 +5,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from importer.raw import BadMesh
-
-
-class BadSurface(BadMesh):
-    """A surface that no lumen can be made of; knows the place, for a picture."""
-
-    def __init__(self, message, surface=None, place=None):
-        super().__init__(message)
-        self.surface, self.place = surface, place
+from .faults import BadSurface  # noqa: F401, for those who have surfaces at hand
 
 
 @dataclasses.dataclass
