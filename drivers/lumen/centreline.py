@@ -4,7 +4,8 @@ import dataclasses
 import numpy as np
 from scipy.sparse.csgraph import dijkstra
 
-from .surface import BadSurface, show
+from .faults import BadSurface
+from .surface import show
 
 STEP = 0.25      # radii between the points of a branch
 APART = 0.8      # radii by which two lines differ where a branch begins

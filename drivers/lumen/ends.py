@@ -3,10 +3,11 @@ import numpy as np
 
 from . import rims as of_rims
 from . import surface as base
-from .surface import BadSurface, Edges, Surface, dot, show, unit
+from .faults import BadSurface
+from .surface import Edges, Surface, show
 
 MARGIN = 0.15   # radii behind the rim's innermost point: there the filter has moved what it did not know beyond
-BAND = 1.2      # radii of wall that say where an end points
+BAND = 2.0     # radii of wall that say where an end points
 
 
 def cut(surface, rims, path, say):
@@ -38,7 +39,7 @@ def axis(surface, rim):
     """Outward, square to the normals of the wall near the end."""
     inward = rim.centre - surface.points[surface.triangles].mean(axis=1)
     depth = inward @ rim.normal
-    near = (depth < BAND * rim.radius) & (np.linalg.norm(inward, axis=1) < 2.2 * rim.radius)
+    near = (depth < BAND * rim.radius) & (np.linalg.norm(inward, axis=1) < 2.8 * rim.radius)
     if near.sum() < 12:
         return rim.normal
     normals = base.doubled_normals(surface.points, surface.triangles[near])

@@ -6,7 +6,8 @@ import numpy as np
 from . import (caps, centreline, crossings, ends, medial, names, options as of_options, picture, remesh, repair, result,
                rims as of_rims, sizes, smooth, summary, surface_files, volume)
 from . import surface as base
-from .surface import BadSurface, Surface
+from .faults import BadSurface
+from .surface import Surface
 
 SMALL, LARGE = 0.05, 40.0   # mm, radii of vessels beyond which the unit is doubted
 
@@ -16,10 +17,10 @@ def lumen(options, progress):
     progress.stage(f"reading {path}")                                          # 1. read, mend, open
     raw, rims, given = opened(path, options, progress)
     doubt_unit(rims, options, progress)
+    voxel = smooth.voxel_of(raw)
     raw, rims = subdivided(raw, rims)
     progress.stage("smoothing")                                                # 2. smooth, cut the ends square
-    smooth_one, voxel = smoothed(raw, rims, options, progress)
-    rims = [dataclasses.replace(rim) for rim in rims]
+    smooth_one = raw if options.no_smoothing else smooth.smoothed(raw, rims, voxel, progress.note)
     kept = base.volume(*base.closed(smooth_one)) / base.volume(*base.closed(raw))
     target, rims = ends.cut(smooth_one, rims, path, progress.note)
     if options.extend > 0.0:
@@ -81,14 +82,6 @@ def subdivided(surface, rims):
     if np.percentile(base.edge_lengths(surface.points, surface.triangles), 90) < longest:
         return surface, rims
     return medial.sampling(surface, rims, longest)
-
-
-def smoothed(surface, rims, options, progress):
-    """Which is the same where nothing is to be smoothed; and the voxel."""
-    if options.no_smoothing:
-        return surface, smooth.VOXEL_OVER_EDGE * repair.median_edge(surface)
-    found, _, voxel = smooth.smoothed(surface, rims, progress.note)
-    return found, voxel
 
 
 def remeshed(target, rims, size, radii, progress):

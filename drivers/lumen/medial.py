@@ -12,6 +12,8 @@ from .surface import dot
 BEYOND = 2.5   # radii by which open ends are lengthened meanwhile, or the largest balls there were outside
 FINE = 0.4     # of the narrowest end's radius: the longest sides
 MOST = 60000   # triangles
+NEARLY = 1.12  # radii from its centre: a ball touches
+SPREAD = 12    # from neighbour to neighbour
 
 
 @dataclasses.dataclass
@@ -69,7 +71,7 @@ def balls_of(surface, rims):
     inside = (inward.sum(axis=1) >= 3) & (radii < extent) & np.isfinite(radii)
     inside &= ((centres > points.min(axis=0)) & (centres < points.max(axis=0))).all(axis=1)
     return Medial(centres[inside], radii[inside], neighbours(cells, inside, centres),
-                  touching(cells.simplices[inside], radii[inside], len(surface.points), surface))
+                  touching(cells.simplices[inside], centres[inside], radii[inside], surface))
 
 
 def circumscribed(corners):
@@ -94,18 +96,27 @@ def neighbours(cells, inside, centres):
     return coo_matrix((np.maximum(step, 1e-12), (number[a], number[b])), shape=(count, count)).tocsr()
 
 
-def touching(simplices, radii, count, surface):
-    """The largest of each vertex; where it has none, that of its neighbours."""
-    largest = np.zeros(max(int(simplices.max()) + 1, count))
-    np.maximum.at(largest, simplices.reshape(-1), np.repeat(radii, 4))
-    largest = largest[:count]
-    pairs = base.Edges(surface.triangles).ends
-    while (largest == 0.0).any():
-        filled = largest.copy()
-        for a, b in (pairs.T, pairs.T[::-1]):
-            missing = largest[a] == 0.0
-            np.maximum.at(filled, a[missing], largest[b[missing]])
-        if (filled == largest).all():
+def touching(simplices, centres, radii, surface):
+    """The radius of the largest ball that nearly touches each vertex: begins with one that does, takes those of neighbours.
+
+    A ball that only touches would know the last roughness of a surface.
+    """
+    points = surface.points
+    ball = np.full(max(int(simplices.max()) + 1, len(points)), -1)
+    order = np.argsort(radii, kind="stable")
+    ball[simplices[order].reshape(-1)] = np.repeat(order, 4)  # of several the last is kept, the largest
+    ball = ball[:len(points)]
+    a, b = (np.concatenate(pair) for pair in zip(base.Edges(surface.triangles).ends.T,
+                                                 base.Edges(surface.triangles).ends.T[::-1]))
+    own = np.where(ball < 0, 0.0, radii[ball])
+    for _ in range(SPREAD):
+        other = ball[b]
+        reach = np.linalg.norm(points[a] - centres[other], axis=1)
+        better = (other >= 0) & (own[b] > own[a]) & ((reach < NEARLY * own[b]) | (ball[a] < 0))
+        if not better.any():
             break
-        largest = filled
-    return largest
+        chosen = np.flatnonzero(better)
+        chosen = chosen[np.argsort(own[b[chosen]], kind="stable")]
+        ball[a[chosen]] = other[chosen]
+        own = np.where(ball < 0, 0.0, radii[ball])
+    return own

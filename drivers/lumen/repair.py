@@ -5,7 +5,8 @@ from scipy.sparse.csgraph import breadth_first_order
 from scipy.spatial import cKDTree
 
 from . import surface as base
-from .surface import BadSurface, Edges, Surface, show
+from .faults import BadSurface
+from .surface import Edges, Surface, show
 
 SAME = 1e-5     # of the median edge: two points at one place
 SHORT = 0.02    # of the median edge: a side that is contracted
@@ -126,7 +127,7 @@ def runs_up(triangles, edges, chosen, triangle):
 
 def signs(count, a, b, agrees):
     """+1 or -1 per triangle, by a walk from neighbour to neighbour."""
-    sign, is_done = np.ones(count), np.zeros(count, dtype=bool)
+    sign = np.ones(count)
     weight = np.where(agrees, 1.0, -1.0)
     graph = coo_matrix((np.concatenate([weight, weight]), (np.concatenate([a, b]), np.concatenate([b, a]))),
                        shape=(count, count)).tocsr()

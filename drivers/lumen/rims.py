@@ -4,7 +4,8 @@ import dataclasses
 import numpy as np
 
 from . import surface as base
-from .surface import BadSurface, Edges, Surface, show, unit
+from .faults import BadSurface
+from .surface import Edges, Surface, show, unit
 
 COHERENT = 0.6   # length of the mean direction out of the surface: 1 at the end of a tube, 0 around a hole in a wall
 SMALL_HOLE = 14  # in edges, around: filled

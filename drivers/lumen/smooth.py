@@ -11,10 +11,14 @@ TOO_FAR = 0.22          # voxels, mean distance: a gentler pass follows
 VOLUME = 1e-4           # kept to this part
 
 
-def smoothed(surface, rims, say):
-    """The smooth surface, the distances of its points to the old one, and the voxel."""
+def voxel_of(surface):
+    """As wide as most sides are."""
+    return VOXEL_OVER_EDGE * float(np.median(base.edge_lengths(surface.points, surface.triangles)))
+
+
+def smoothed(surface, rims, voxel, say):
+    """Less smooth where that leads away from the surface, the volume kept."""
     edge = float(np.median(base.edge_lengths(surface.points, surface.triangles)))
-    voxel = VOXEL_OVER_EDGE * edge
     old, wanted = Target(surface), base.volume(*base.closed(surface))
     band = pass_band(0.7 * min(rim.radius for rim in rims) / edge)
     while True:
@@ -26,7 +30,7 @@ def smoothed(surface, rims, say):
     worst = int(distance.argmax())
     say(f"smoothed; points move {distance.mean():.3g} mm off the surface in the mean, {distance.max():.3g} mm at most, "
         f"at {base.show(found.points[worst])} (a voxel is some {voxel:.2g} mm)")
-    return found, distance, voxel
+    return found
 
 
 def pass_band(radius_in_edges):

@@ -5,7 +5,6 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from .faults import BadSurface  # noqa: F401, for those who have surfaces at hand
 
 
 @dataclasses.dataclass

@@ -5,7 +5,7 @@ import numpy as np
 
 from . import core, layers, quality
 from . import surface as base
-from .surface import BadSurface
+from .faults import BadSurface
 
 LESS = 0.7       # thickness of layers over that before, where Gmsh could not fill the core
 ATTEMPTS = 3
