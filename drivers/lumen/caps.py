@@ -7,7 +7,9 @@ from .surface import Edges, show, unit
 
 FLAT = 0.01       # distance to the plane over the radius of the disc
 ROUND = 0.45      # 4 pi area / perimeter squared
-PARALLEL = 0.35   # mean of the cosine between the cap and the surface around it
+PARALLEL = 0.3    # mean of the cosine between a cap and the surface around it
+RADIAL = 0.6      # mean of the cosine between the wall behind a cap and the way from its axis
+ENOUGH = 0.4      # area of that wall over a cylinder's
 STARTS = 400      # large flat regions are sought from so many triangles
 
 
@@ -105,17 +107,25 @@ def is_disc(surface, edges, chosen, tolerance):
 
 
 def ends_tube(surface, tree, normal, area, chosen):
-    """The surface around a cap stands across it; around a plateau of voxels it is nearly parallel.
+    """Behind a cap stands a tube as wide as it is: wall all around, which looks away from its axis.
 
-    area: zero for other caps, which may be near.
+    Behind a plateau of voxels there is nothing, or walls that go on aside. area: zero for other caps, which may be near.
     """
     points, triangles = surface.points, surface.triangles
-    vector = (area[chosen, None] * normal[chosen]).sum(axis=0)
+    vector = unit((area[chosen, None] * normal[chosen]).sum(axis=0))
     radius = np.sqrt(area[chosen].sum() / np.pi)
     centre = (area[chosen, None] * points[triangles[chosen]].mean(axis=1)).sum(axis=0) / area[chosen].sum()
-    near = np.array(tree.query_ball_point(centre, 1.6 * radius), dtype=np.int64)
-    near = np.setdiff1d(near, chosen)
-    if not len(near):
+    near = np.setdiff1d(np.array(tree.query_ball_point(centre, 1.8 * radius), dtype=np.int64), chosen)
+    offset = points[triangles[near]].mean(axis=1) - centre
+    if (area[near] * (normal[near] @ vector)).sum() > PARALLEL * area[near].sum():
         return False
-    cosine = normal[near] @ unit(vector)
-    return bool((area[near] * cosine).sum() < PARALLEL * area[near].sum())
+    depth = -(offset @ vector)
+    aside = offset + np.outer(depth, vector)
+    chosen = (depth > 0.05 * radius) & (depth < 1.2 * radius) & (np.linalg.norm(aside, axis=1) < 1.6 * radius)
+    near, aside = near[chosen], unit(aside[chosen])
+    if len(near) < 8 or area[near].sum() < ENOUGH * 2.0 * np.pi * 1.15 * radius ** 2:
+        return False
+    outward = (area[near] * base.dot(normal[near], aside)).sum() / area[near].sum()
+    across = np.cross(vector, aside[0])
+    sector = np.floor(np.arctan2(aside @ across, aside @ np.cross(across, vector)) * 4.0 / np.pi).astype(int) % 8
+    return bool(outward > RADIAL and len(np.unique(sector)) == 8)

@@ -4,10 +4,11 @@ import numpy as np
 from . import rims as of_rims
 from . import surface as base
 from .faults import BadSurface
-from .surface import Edges, Surface, show
+from .surface import Edges, Surface, show, unit
 
 MARGIN = 0.15   # radii behind the rim's innermost point: there the filter has moved what it did not know beyond
-BAND = 2.0     # radii of wall that say where an end points
+BAND = 1.5     # radii of wall that say where an end points
+AGREE = 0.94   # cosine between two such answers; else the one nearer to the rim's own is taken
 
 
 def cut(surface, rims, path, say):
@@ -36,26 +37,44 @@ def nearest_loop(surface, rim):
 
 
 def axis(surface, rim):
-    """Outward, square to the normals of the wall near the end."""
+    """Outward: square to the normals of the wall near the end, and along the line through the middles of two slices."""
+    areas, vectors = base.areas(surface.points, surface.triangles), base.doubled_normals(surface.points, surface.triangles)
     inward = rim.centre - surface.points[surface.triangles].mean(axis=1)
-    depth = inward @ rim.normal
-    near = (depth < BAND * rim.radius) & (np.linalg.norm(inward, axis=1) < 2.8 * rim.radius)
-    if near.sum() < 12:
-        return rim.normal
-    normals = base.doubled_normals(surface.points, surface.triangles[near])
-    length = np.maximum(np.linalg.norm(normals, axis=1), np.finfo(float).tiny)
-    values, vectors = np.linalg.eigh((normals / length[:, None]).T @ normals)
-    found = vectors[:, 0] * (1.0 if vectors[:, 0] @ rim.normal > 0.0 else -1.0)
-    return found if values[0] < 0.3 * values[1] and found @ rim.normal > 0.5 else rim.normal
+    depth = (inward @ rim.normal) / rim.radius
+    near = np.linalg.norm(inward, axis=1) < 3.2 * rim.radius
+    found = [square_to(vectors[near & (depth < BAND)], rim), between(inward, areas, near & (depth > 0.2), depth, rim)]
+    found = [way for way in found if way is not None and way @ rim.normal > 0.5]
+    if len(found) == 2 and found[0] @ found[1] < AGREE:
+        return max(found, key=lambda way: way @ rim.normal)
+    return unit(sum(found)) if found else rim.normal
 
 
-def clipped(surface, rim, normal, at, path):
-    """Without what lies beyond the plane and hangs together with the rim."""
+def square_to(vectors, rim):
+    """The direction in which the normals, as long as areas, have least; None where there is none."""
+    if len(vectors) < 12:
+        return None
+    length = np.maximum(np.linalg.norm(vectors, axis=1), np.finfo(float).tiny)
+    values, directions = np.linalg.eigh((vectors / length[:, None]).T @ vectors)
+    way = directions[:, 0] * (1.0 if directions[:, 0] @ rim.normal > 0.0 else -1.0)
+    return way if values[0] < 0.3 * values[1] else None
+
+
+def between(inward, areas, near, depth, rim):
+    """From the middle of a slice of wall to that of the one before it. Steps of voxels do not turn this."""
+    slices = [near & (depth < 1.2), near & (depth >= 1.2) & (depth < 2.4)]
+    if min(chosen.sum() for chosen in slices) < 12:
+        return None
+    first, second = ((areas[chosen, None] * inward[chosen]).sum(axis=0) / areas[chosen].sum() for chosen in slices)
+    return unit(second - first)
+
+
+def clipped(surface, rim, normal, at, path, start=None):
+    """Without what lies beyond the plane and hangs together with the rim, or with the vertices of the start."""
     points, height = surface.points.copy(), surface.points @ normal - at
     edges = Edges(surface.triangles)
     beyond = height[edges.ends].min(axis=1) > 0.0
     label, _ = base.parts(len(points), *edges.ends[beyond].T)
-    loop = nearest_loop(surface, rim)
+    loop = nearest_loop(surface, rim) if start is None else start
     is_beyond = np.isin(label, np.unique(label[loop])) & (height > 0.0)
     reach = np.linalg.norm(points[is_beyond] - rim.centre, axis=1).max()
     if reach > 4.0 * rim.radius + np.linalg.norm(points[loop] - rim.centre, axis=1).max():

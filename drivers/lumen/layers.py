@@ -7,7 +7,7 @@ from . import surface as base
 from .surface import Edges, dot, show, unit
 
 THICKEST = 0.35    # of the radius of the largest ball that fits: what is left between layers is a lumen
-ROUNDS = 60        # of thinning where elements would be inverted
+ROUNDS = 30        # of thinning where elements would be inverted
 THINNER = 0.8
 LEAST = 0.15       # volume of a tetrahedron over that of one of a straight prism
 

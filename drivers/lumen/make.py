@@ -3,8 +3,8 @@ import dataclasses
 
 import numpy as np
 
-from . import (caps, centreline, crossings, ends, medial, names, options as of_options, picture, remesh, repair, result,
-               rims as of_rims, sizes, smooth, summary, surface_files, volume)
+from . import (caps, centreline, crossings, ends, handles, medial, names, options as of_options, picture, rebuild, remesh, repair, result,
+               rims as of_rims, sizes, smooth, summary, surface_files, unfold, volume)
 from . import surface as base
 from .faults import BadSurface
 from .surface import Surface
@@ -20,9 +20,7 @@ def lumen(options, progress):
     voxel = smooth.voxel_of(raw)
     raw, rims = subdivided(raw, rims)
     progress.stage("smoothing")                                                # 2. smooth, cut the ends square
-    smooth_one = raw if options.no_smoothing else smooth.smoothed(raw, rims, voxel, progress.note)
-    kept = base.volume(*base.closed(smooth_one)) / base.volume(*base.closed(raw))
-    target, rims = ends.cut(smooth_one, rims, path, progress.note)
+    target, rims, kept = evened(raw, rims, voxel, options, progress)
     if options.extend > 0.0:
         target, rims = ends.extended(target, rims, options.extend)
     rims = names.settle(rims, given, options.names, options.scale)
@@ -52,6 +50,7 @@ def opened(path, options, progress):
     if not len(base.loops(surface.triangles)):
         surface, given = caps.taken_off(surface, progress.note)
         surface = repair.apart(surface, path)
+    surface = handles.cut(surface, path, progress.note)
     surface, rims = of_rims.openings(surface, path, progress.note)
     if not rims:
         raise BadSurface(f"{path}: no opening is found: the surface is closed, and no part of it is a flat disc that ends a "
@@ -84,6 +83,37 @@ def subdivided(surface, rims):
     return medial.sampling(surface, rims, longest)
 
 
+def evened(raw, rims, voxel, options, progress):
+    """The smooth surface with its ends cut, its rims, and its volume over that of the surface given, before the cut.
+
+    One with folds or crossings that smoothing leaves is drawn anew, and smoothed again.
+    """
+    path, whole = options.surface, base.volume(*base.closed(raw))
+    smooth_one = raw if options.no_smoothing else smooth.smoothed(raw, rims, voxel, progress.note)
+    if not options.no_smoothing and is_rough(smooth_one):
+        fresh, rims = rebuild.rebuilt(raw, rims, voxel, path, progress.note)
+        smooth_one = smooth.smoothed(fresh, rims, voxel, progress.note)
+        whole = base.volume(*base.closed(fresh))
+    kept = base.volume(*base.closed(smooth_one)) / whole
+    target, rims = ends.cut(smooth_one, rims, path, progress.note)
+    target, folds = unfold.unfolded(target)
+    if folds:
+        progress.note(f"folds taken out of the surface, at {folds:,} points")
+    return target, rims, kept
+
+
+def is_rough(surface):
+    """Away from the rims, near which all is cut off."""
+    folded = unfold.folded(surface.points, surface.triangles)
+    edges = base.Edges(surface.triangles)
+    at_rim = np.zeros(len(surface.points), dtype=bool)
+    at_rim[edges.ends[edges.is_boundary]] = True
+    for _ in range(2):
+        at_rim[surface.triangles[at_rim[surface.triangles].any(axis=1)]] = True
+    return bool((folded & ~at_rim[surface.triangles].any(axis=1)).any()
+                or len(crossings.crossing(surface.points, surface.triangles)))
+
+
 def remeshed(target, rims, size, radii, progress):
     """The wall with its rims, and sizes and radii at its vertices. Its volume is that of the target: chords of a curved
     surface lie inside of it."""
@@ -91,6 +121,7 @@ def remeshed(target, rims, size, radii, progress):
     wall = remesher.run(progress.beat)
     own = own_rims(wall, rims)
     wall = smooth.with_volume(wall, base.volume(*base.closed(target)), remesher.size, own)
+    wall, _ = unfold.unfolded(wall)
     near, cells = remesher.target.nearest(wall.points)
     return wall, own_rims(wall, rims), remesher.size, remesher.target.interpolate(radii, near, cells)
 

@@ -77,8 +77,8 @@ def without_slivers(surface, say):
     return relabelled(surface, label)[0]
 
 
-def apart(surface, path):
-    """Where rims or sheets meet in a vertex or an edge only, each gets vertices of its own."""
+def apart(surface, path, cut=None):
+    """Where rims or sheets meet in a vertex or an edge only, each gets vertices of its own. cut: edges that join no more."""
     triangles = surface.triangles
     edges = Edges(triangles)
     crowded = int((edges.count > 2).sum())
@@ -86,7 +86,10 @@ def apart(surface, path):
         at = surface.points[edges.ends[edges.count > 2]].mean(axis=(0, 1))
         raise BadSurface(f"{path}: at {crowded:,} edges more than two triangles meet, as near {show(at)}: sheets that "
                          "touch, or the surface is there twice. Save its outer side alone", surface, at)
-    inner = np.flatnonzero(edges.count == 2)
+    joins = edges.count == 2
+    if cut is not None:
+        joins[edges.number(cut[:, 0], cut[:, 1])] = False
+    inner = np.flatnonzero(joins)
     first, second = corners_at(triangles, edges, inner, 0), corners_at(triangles, edges, inner, 1)
     label, _ = base.parts(3 * len(triangles), first.reshape(-1), second.reshape(-1))
     origin = np.zeros(int(label.max()) + 1, dtype=np.int64)

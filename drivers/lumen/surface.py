@@ -87,7 +87,7 @@ class Edges:
     """
 
     def __init__(self, triangles):
-        directed = triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+        directed = triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2).astype(np.int64)
         low, high = directed.min(axis=1), directed.max(axis=1)
         self.stride = int(triangles.max(initial=0)) + 1
         key = low * self.stride + high
@@ -107,18 +107,21 @@ class Edges:
         """Directed as in their triangle: the surface lies to the left."""
         return self._directed[self._order[self._first[self.is_boundary]]]
 
+    def number(self, a, b):
+        """Of the edge between these vertices, if there is one."""
+        key = np.minimum(a, b) * self.stride + np.maximum(a, b)
+        return np.minimum(np.searchsorted(self.keys, key), len(self.keys) - 1)
+
     def has(self, a, b):
         """Whether there is an edge between these vertices."""
-        key = np.minimum(a, b) * self.stride + np.maximum(a, b)
-        at = np.minimum(np.searchsorted(self.keys, key), len(self.keys) - 1)
-        return self.keys[at] == key
+        return (self.ends[self.number(a, b)] == np.sort(np.stack([a, b], axis=1), axis=1)).all(axis=1)
 
 
 def parts(count, a, b):
     """A number per item, the same where pairs connect them, and how many there are."""
     graph = coo_matrix((np.ones(len(a), dtype=np.int8), (a, b)), shape=(count, count))
     number, label = connected_components(graph, directed=False)
-    return label, number
+    return label.astype(np.int64), number  # not 32 bits: numbers of edges are products
 
 
 def pieces(triangles):
