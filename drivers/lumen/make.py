@@ -9,6 +9,7 @@ from . import surface as base
 from .faults import BadSurface
 from .surface import Surface
 
+ROUGH = 0.45                # cosine between normals of triangles and of the surface about them, after smoothing
 SMALL, LARGE = 0.05, 40.0   # mm, radii of vessels beyond which the unit is doubted
 
 
@@ -104,7 +105,7 @@ def evened(raw, rims, voxel, options, progress):
 
 def is_rough(surface):
     """Away from the rims, near which all is cut off."""
-    folded = unfold.folded(surface.points, surface.triangles)
+    folded = unfold.folded(surface.points, surface.triangles, ROUGH)
     edges = base.Edges(surface.triangles)
     at_rim = np.zeros(len(surface.points), dtype=bool)
     at_rim[edges.ends[edges.is_boundary]] = True

@@ -10,24 +10,25 @@ from .target import polydata
 PER_RADIUS = 5.0   # voxels in the narrowest end's radius, at least
 BLUR = 0.7         # voxels of the surface given, standard deviation
 NARROW = 0.35      # of the narrowest end's radius: the most of it
-MARGIN = 0.1       # radii by which the ends are cut behind the rims, which are blurred too
+MARGIN = 0.05      # radii by which the ends are cut behind the rims
 MOST = 3.0e7       # voxels
 
 
 def rebuilt(surface, rims, voxel, path, say):
     """The surface and its rims, in the same order."""
-    points, triangles = base.closed(surface)
     narrowest = min(rim.radius for rim in rims)
-    size = min(voxel, narrowest / PER_RADIUS)
+    size, blur = min(voxel, narrowest / PER_RADIUS), min(BLUR * voxel, NARROW * narrowest)
+    longer, _ = ends.extended(surface, rims, 3.0 * blur / narrowest + 0.2)  # the blur of the ends is cut off again
+    points, triangles = base.closed(longer)
     extent = np.ptp(points, axis=0) + 8.0 * size
     size = max(size, float((extent.prod() / MOST) ** (1.0 / 3.0)))
-    new = contour(points, triangles, size, min(BLUR * voxel, NARROW * narrowest))
+    new = contour(points, triangles, size, blur)
     new = repair.mended(new, path, lambda text: None)
     for rim in rims:
         new = opened(new, rim, path)
     new, found = of_rims.openings(new, path, say)
     lost = sum(MARGIN * rim.radius * rim.area for rim in rims)
-    new = smooth.with_volume(new, base.volume(points, triangles) - lost, rims=found)
+    new = smooth.with_volume(new, base.volume(*base.closed(surface)) - lost, rims=found)
     say(f"the surface is rough: drawn anew through voxels of {size:.2g} mm")
     return new, [min(found, key=lambda other: np.linalg.norm(other.centre - rim.centre)) for rim in rims]
 
@@ -82,7 +83,8 @@ def mask(points, triangles, grid):
 
 def opened(surface, rim, path):
     """Cut where the rim was: what lies beyond, about it, goes."""
-    height = (surface.points - rim.centre) @ rim.normal + MARGIN * rim.radius
-    near = np.linalg.norm(surface.points - rim.centre, axis=1) < 1.6 * rim.radius
-    start = np.flatnonzero(near & (height > 0.0))
+    offset = surface.points - rim.centre
+    height = offset @ rim.normal + MARGIN * rim.radius
+    aside = np.linalg.norm(offset - np.outer(offset @ rim.normal, rim.normal), axis=1)
+    start = np.flatnonzero((aside < 1.5 * rim.radius) & (height > 0.0) & (height < rim.radius))
     return ends.clipped(surface, rim, rim.normal, rim.centre @ rim.normal - MARGIN * rim.radius, path, start)

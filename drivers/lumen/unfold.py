@@ -30,10 +30,10 @@ def unfolded(surface):
     return Surface(points, surface.triangles, surface.face, surface.names), int(touched.sum())
 
 
-def folded(points, triangles):
+def folded(points, triangles, agrees=AGREES):
     normals = unit(base.doubled_normals(points, triangles))
     around = base.vertex_normals(points, triangles)
-    return dot(around[triangles], normals[:, None]).min(axis=1) < AGREES
+    return dot(around[triangles], normals[:, None]).min(axis=1) < agrees
 
 
 def middles(points, pairs):
