@@ -9,6 +9,7 @@ from .surface import Edges, Surface, show, unit
 
 COHERENT = 0.6   # length of the mean direction out of the surface: 1 at the end of a tube, 0 around a hole in a wall
 SMALL_HOLE = 14  # in edges, around: filled
+LEAST_RIM = 4.0  # in edges, around: an end of a vessel, if it looks like one
 
 
 @dataclasses.dataclass
@@ -55,7 +56,7 @@ def openings(surface, path, say):
         vectors = np.array([at[int(v)] for v in loop])
         length = np.linalg.norm(vectors, axis=1).sum()
         coherence = np.linalg.norm(vectors.sum(axis=0)) / max(length, np.finfo(float).tiny)
-        if coherence >= COHERENT and length > 8.0 * edge:
+        if coherence >= COHERENT and len(loop) > 5 and length > LEAST_RIM * edge:
             found.append(measured(surface.points, loop, vectors.sum(axis=0)))
         elif length <= SMALL_HOLE * edge:
             holes.append(loop)
