@@ -66,7 +66,7 @@ def flat_regions(points, triangles, edges, normal, area):
     """
     inner = edges.sides[:, 1] >= 0
     a, b = edges.sides[inner].T
-    scale = np.sqrt(np.median(area))
+    scale = side_of(points, triangles)
     offset = np.abs(np.stack([base.dot(normal[a][:, None], points[triangles[b]] - points[triangles[a, :1]]),
                               base.dot(normal[b][:, None], points[triangles[a]] - points[triangles[b, :1]])]))
     flat = offset.max(axis=2).min(axis=0) < 0.02 * scale
@@ -76,6 +76,10 @@ def flat_regions(points, triangles, edges, normal, area):
     return [within_plane(points, triangles, np.flatnonzero(label == k), normal, area) for k in order]
 
 
+def side_of(points, triangles):
+    return float(np.percentile(base.edge_lengths(points, triangles), 20))
+
+
 def within_plane(points, triangles, region, normal, area):
     """What lies in the plane of the region's largest triangle, and hangs together with it.
 
@@ -83,7 +87,7 @@ def within_plane(points, triangles, region, normal, area):
     """
     seed = region[area[region].argmax()]
     height = np.abs((points[triangles[region]] - points[triangles[seed, 0]]) @ normal[seed]).max(axis=1)
-    chosen = region[height < 0.1 * np.sqrt(np.median(area))]
+    chosen = region[height < 0.1 * side_of(points, triangles)]
     label, _ = base.pieces(triangles[chosen])
     chosen = chosen[label == label[np.flatnonzero(chosen == seed)[0]]]
     return area[chosen].sum(), chosen

@@ -3,6 +3,8 @@ import numpy as np
 
 from .surface import dot
 
+TOUCH = 1e-6   # of a side's length: so near to a plane it lies in it
+
 
 def crossing(points, triangles):
     """Pairs of triangles, without a common vertex, of which a side of one pierces the other; (n, 2)."""
@@ -58,8 +60,10 @@ def pierces(points, start, end, triangles):
     a, b, c = (points[triangles[:, i]] for i in range(3))
     p, q = points[start], points[end]
     above, below = six(a, b, c, p), six(a, b, c, q)
+    touches = TOUCH * np.linalg.norm(np.cross(b - a, c - a), axis=1) * np.linalg.norm(q - p, axis=1)
+    apart = (np.abs(above) > touches) & (np.abs(below) > touches)  # what lies in the plane does not pierce it
     sides = np.stack([six(p, q, a, b), six(p, q, b, c), six(p, q, c, a)])
-    return (above * below < 0.0) & ((sides > 0.0).all(axis=0) | (sides < 0.0).all(axis=0))
+    return apart & (above * below < 0.0) & ((sides > 0.0).all(axis=0) | (sides < 0.0).all(axis=0))
 
 
 def six(a, b, c, d):

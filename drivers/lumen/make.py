@@ -3,8 +3,8 @@ import dataclasses
 
 import numpy as np
 
-from . import (caps, centreline, crossings, ends, handles, medial, names, options as of_options, picture, rebuild, remesh, repair, result,
-               rims as of_rims, sizes, smooth, summary, surface_files, unfold, volume)
+from . import (caps, centreline, crossings, ends, handles, medial, names, options as of_options, picture, rebuild,
+               remesh, repair, result, rims as of_rims, sizes, smooth, subdivide, summary, surface_files, unfold, volume)
 from . import surface as base
 from .faults import BadSurface
 from .surface import Surface
@@ -47,7 +47,7 @@ def opened(path, options, progress):
     surface = surface_files.read(path)
     surface.points = surface.points * options.scale
     progress.note(f"{len(surface.triangles):,} triangles, {len(surface.points):,} points")
-    surface, given = repair.mended(surface, path, progress.note), []
+    surface, given = subdivide.evened(repair.mended(surface, path, progress.note)), []
     if not len(base.loops(surface.triangles)):
         surface, given = caps.taken_off(surface, progress.note)
         surface = repair.apart(surface, path)
@@ -81,7 +81,7 @@ def subdivided(surface, rims):
     longest = 0.55 * min(rim.radius for rim in rims)
     if np.percentile(base.edge_lengths(surface.points, surface.triangles), 90) < longest:
         return surface, rims
-    return medial.sampling(surface, rims, longest)
+    return subdivide.sampling(surface, rims, longest)
 
 
 def evened(raw, rims, voxel, options, progress):

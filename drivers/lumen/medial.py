@@ -5,13 +5,12 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.spatial import Delaunay, cKDTree
 
-from . import edits, ends
+from . import ends, subdivide
 from . import surface as base
 from .surface import dot
 
 BEYOND = 2.5   # radii by which open ends are lengthened meanwhile, or the largest balls there were outside
 FINE = 0.4     # of the narrowest end's radius: the longest sides
-MOST = 60000   # triangles
 NEARLY = 1.12  # radii from its centre: a ball touches
 SPREAD = 12    # from neighbour to neighbour
 
@@ -31,33 +30,10 @@ class Medial:
 def balls(surface, rims):
     """Of a surface that is sampled more finely than it is wide: for that, sides are halved or contracted first."""
     narrowest = min(rim.radius for rim in rims)
-    sampled, own = sampling(surface, rims, FINE * narrowest)
+    sampled, own = subdivide.sampling(surface, rims, FINE * narrowest)
     found = balls_of(sampled, own)
     _, nearest = cKDTree(sampled.points).query(surface.points)
     return dataclasses.replace(found, of_vertex=found.of_vertex[nearest])
-
-
-def sampling(surface, rims, longest):
-    """About as many triangles as are of use, and its rims."""
-    points, triangles = surface.points, surface.triangles
-    area = base.areas(points, triangles).sum()
-    for _ in range(12):
-        size = np.full(len(points), max(longest, np.sqrt(2.3 * area / MOST)))
-        before = len(points)
-        points, triangles, size = edits.split(points, triangles, size, 1.0)
-        if len(points) == before:
-            break
-    for _ in range(6):
-        if len(triangles) <= MOST:
-            break
-        size = np.full(len(points), np.sqrt(2.3 * area / MOST))
-        points, triangles, _ = edits.contract(points, triangles, size, 0.9, np.random.default_rng(3))
-    sampled = base.Surface(points, triangles)
-    loops = base.loops(triangles)
-    centres = np.array([points[loop].mean(axis=0) for loop in loops])
-    own = [dataclasses.replace(rim, loop=loops[int(np.linalg.norm(centres - rim.centre, axis=1).argmin())])
-           for rim in rims]
-    return sampled, own
 
 
 def balls_of(surface, rims):

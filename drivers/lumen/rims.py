@@ -5,11 +5,12 @@ import numpy as np
 
 from . import surface as base
 from .faults import BadSurface
+from .subdivide import short_side
 from .surface import Edges, Surface, show, unit
 
 COHERENT = 0.6   # length of the mean direction out of the surface: 1 at the end of a tube, 0 around a hole in a wall
-SMALL_HOLE = 14  # in edges, around: filled
-LEAST_RIM = 4.0  # in edges, around: an end of a vessel, if it looks like one
+SMALL_HOLE = 20  # in short edges, around: filled
+LEAST_RIM = 5.0  # in short edges, around: an end of a vessel, if it looks like one
 
 
 @dataclasses.dataclass
@@ -50,7 +51,7 @@ def openings(surface, path, say):
     """The surface with its small holes filled, and its rims. An opening's vectors out of it agree."""
     rim, out = directions(surface)
     at = {int(a): v for (a, _), v in zip(rim, out)}
-    edge = float(np.median(base.edge_lengths(surface.points, surface.triangles)))
+    edge = short_side(surface)
     found, holes = [], []
     for loop in base.loops(surface.triangles):
         vectors = np.array([at[int(v)] for v in loop])
