@@ -15,6 +15,7 @@ SMALL, LARGE = 0.05, 40.0   # mm, radii of vessels beyond which the unit is doub
 
 def lumen(options, progress):
     path = options.surface
+    wishes = names.read(options.names, options.scale) if options.names else None
     progress.stage(f"reading {path}")                                          # 1. read, mend, open
     raw, rims, given = opened(path, options, progress)
     doubt_unit(rims, options, progress)
@@ -24,7 +25,7 @@ def lumen(options, progress):
     target, rims, kept = evened(raw, rims, voxel, options, progress)
     if options.extend > 0.0:
         target, rims = ends.extended(target, rims, options.extend)
-    rims = names.settle(rims, given, options.names, options.scale)
+    rims = names.settle(rims, given, options.names, options.scale, wishes)
     progress.stage("balls and centreline")                                     # 3. radii, centreline, sizes
     balls = medial.balls(target, rims)
     branches = centreline.branches(balls, rims, path)

@@ -11,12 +11,12 @@ FAR = 3.0  # radii from an opening's centre: the point belongs to none
 EXPECTED = 'expected "name,x,y,z"'
 
 
-def settle(rims, given, path, scale):
-    """Sorts rims by falling radius and names them. given: (name, point) of the surface's faces."""
+def settle(rims, given, path, scale, wishes=None):
+    """Sorts rims by falling radius and names them. given: (name, point) of the surface's faces; wishes: of a file."""
     rims = sorted(rims, key=lambda rim: -rim.radius)
     for number, rim in enumerate(rims, 1):
         rim.name = f"opening-{number}"
-    wishes = read(path, scale) if path else given
+    wishes = given if wishes is None else wishes
     taken = {}
     for name, point in wishes:
         rim = min(rims, key=lambda r: np.linalg.norm(r.centre - point))

@@ -3,6 +3,9 @@ import dataclasses
 
 import numpy as np
 
+from importer.faces import Faces
+from importer.raw import BadMesh
+
 from . import core, layers, quality
 from . import surface as base
 from .faults import BadSurface
@@ -69,7 +72,8 @@ def filled(wall, rims, size, radii, layering, progress):
         return None
     points, tets = found
     tets = np.concatenate([grown.tets, tets])
-    return tidy(Mesh(points, layers.positive(points, tets), len(grown.tets), wall.triangles, caps))
+    mesh = tidy(Mesh(points, layers.positive(points, tets), len(grown.tets), wall.triangles, caps))
+    return mesh if is_sound(mesh) else None
 
 
 def best_core(points, triangles):
@@ -91,6 +95,18 @@ def is_whole(found, points, triangles):
     """Positive tetrahedra, which fill all."""
     volumes = np.abs(quality.six_volumes(*found)) / 6.0
     return volumes.min() > 0.0 and abs(volumes.sum() / base.volume(points, triangles) - 1.0) < 1e-6
+
+
+def is_sound(mesh):
+    """No element inverted or laid over another, and the outside is the wall and the openings."""
+    triangles = np.concatenate([mesh.wall] + mesh.caps)
+    try:
+        faces = Faces("", mesh.points, mesh.tets)
+    except BadMesh:
+        return False
+    at = faces.find(triangles)
+    return bool(quality.six_volumes(mesh.points, mesh.tets).min() > 0.0 and (at >= 0).all() and faces.is_outer[at].all()
+                and int(faces.is_outer.sum()) == len(triangles))
 
 
 def tidy(mesh):
