@@ -1,5 +1,6 @@
 """Fills what the layers leave by Gmsh: first the openings in their planes, then the volume."""
 import contextlib
+import multiprocessing
 
 import numpy as np
 
@@ -9,6 +10,7 @@ from . import surface as base
 from .surface import unit
 
 DELAUNAY, HXT = 1, 10
+PATIENCE = 120.0  # s
 
 
 def gmsh_module():
@@ -71,7 +73,26 @@ def disc(points, loop, normal):
 
 
 def fill(points, triangles, algorithm=HXT):
-    """Tetrahedra inside a closed surface that stays: (points, those given first; tetrahedra), or None if Gmsh fails."""
+    """Tetrahedra inside a closed surface that stays: (points, those given first; tetrahedra), or None if Gmsh fails.
+
+    In a process of its own: on some surfaces that touch themselves Gmsh dies, or goes on for ever.
+    """
+    gmsh_module()
+    fork = multiprocessing.get_context("fork")
+    receiver, sender = fork.Pipe(duplex=False)
+    child = fork.Process(target=lambda: sender.send(filled(points, triangles, algorithm)), daemon=True)
+    child.start()
+    sender.close()
+    try:
+        return receiver.recv() if receiver.poll(PATIENCE + 1e-3 * len(triangles)) else None
+    except EOFError:
+        return None
+    finally:
+        child.terminate()
+        child.join()
+
+
+def filled(points, triangles, algorithm):
     used = np.unique(triangles)
     with model() as gmsh:
         surface = gmsh.model.addDiscreteEntity(2)

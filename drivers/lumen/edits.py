@@ -180,7 +180,8 @@ def turn(points, triangles, passes=4):
         c, d = opposite(triangles, left, a, b), opposite(triangles, right, a, b)
         gain = angle(points, a, c, b) + angle(points, a, d, b) - np.pi
         wanted = (gain > 1e-3) & ~edges.has(c, d)
-        wanted[wanted] &= keeps_sides(points, triangles, (left[wanted], right[wanted]), (a[wanted], b[wanted], c[wanted], d[wanted]))
+        wanted[wanted] &= keeps_sides(points, triangles, (left[wanted], right[wanted]),
+                                      (a[wanted], b[wanted], c[wanted], d[wanted]))
         if not wanted.any():
             break
         chosen = separate(np.flatnonzero(wanted), gain, (left, right), (c, d), len(triangles))

@@ -47,16 +47,17 @@ def opened(path, options, progress):
     """The wall without caps, its openings, and names of caps with their places."""
     surface = surface_files.read(path)
     surface.points = surface.points * options.scale
-    progress.note(f"{len(surface.triangles):,} triangles, {len(surface.points):,} points")
+    progress.say(f"{len(surface.triangles):,} triangles, {len(surface.points):,} points")
     surface, given = subdivide.evened(repair.mended(surface, path, progress.note)), []
     if not len(base.loops(surface.triangles)):
-        surface, given = caps.taken_off(surface, progress.note)
+        surface, given = caps.taken_off(surface, progress.say)
         surface = repair.apart(surface, path)
     surface = handles.cut(surface, path, progress.note)
     surface, rims = of_rims.openings(surface, path, progress.note)
     if not rims:
-        raise BadSurface(f"{path}: no opening is found: the surface is closed, and no part of it is a flat disc that ends a "
-                         "tube. Cut the vessel's ends, with ParaView's or 3D Slicer's clip, or close them flat", surface)
+        raise BadSurface(f"{path}: no opening is found: the surface is closed, and no part of it is a flat disc that "
+                         "ends a tube. Cut the vessel's ends, with ParaView's or 3D Slicer's clip, or close them flat",
+                         surface)
     refuse_crossing(surface, path, "the surface crosses itself")
     return surface, rims, given
 
@@ -91,13 +92,13 @@ def evened(raw, rims, voxel, options, progress):
     One with folds or crossings that smoothing leaves is drawn anew, and smoothed again.
     """
     path, whole = options.surface, base.volume(*base.closed(raw))
-    smooth_one = raw if options.no_smoothing else smooth.smoothed(raw, rims, voxel, progress.note)
+    smooth_one = raw if options.no_smoothing else smooth.smoothed(raw, rims, voxel, progress.say)
     if not options.no_smoothing and is_rough(smooth_one):
         fresh, rims = rebuild.rebuilt(raw, rims, voxel, path, progress.note)
-        smooth_one = smooth.smoothed(fresh, rims, voxel, progress.note)
+        smooth_one = smooth.smoothed(fresh, rims, voxel, progress.say)
         whole = base.volume(*base.closed(fresh))
     kept = base.volume(*base.closed(smooth_one)) / whole
-    target, rims = ends.cut(smooth_one, rims, path, progress.note)
+    target, rims = ends.cut(smooth_one, rims, path, progress.say)
     target, folds = unfold.unfolded(target)
     if folds:
         progress.note(f"folds taken out of the surface, at {folds:,} points")

@@ -32,8 +32,8 @@ def paint(axis, points, triangles, frame, colours, lines=0.0):
     normals = unit(base.doubled_normals(points, triangles[order])) @ frame.T
     light = 0.35 + 0.65 * np.abs(normals @ unit(np.array([-0.4, 0.5, 0.8])))
     faces = np.clip(np.asarray(colours)[order] * light[:, None], 0.0, 1.0)
-    axis.add_collection(PolyCollection(seen[triangles[order]][:, :, :2], facecolors=faces, edgecolors="#33333355" if lines else faces,
-                                       linewidths=lines or 0.3))
+    axis.add_collection(PolyCollection(seen[triangles[order]][:, :, :2], facecolors=faces, linewidths=lines or 0.3,
+                                       edgecolors="#33333355" if lines else faces))
     axis.set_aspect("equal")
     axis.autoscale_view()
     return seen

@@ -38,8 +38,11 @@ class Progress:
         if time.monotonic() - self._last > 0.6 * SILENCE:
             self._line(f"{self._clock()} ... {text}")
 
+    def say(self, text):
+        self._line(f"         {text}")
+
     def note(self, text):
-        """What was found or mended."""
+        """What was found amiss or mended."""
         self.notes.append(text)
         self._line(f"         {text}")
 

@@ -72,8 +72,8 @@ def without_slivers(surface, say):
     place = show(surface.points[surface.triangles[worst]].mean(axis=0))
     a, b = edges.ends[short].T
     label, _ = base.parts(len(surface.points), a, b)
-    say(f"{int(slivers.sum()):,} sliver triangles, the worst at {place}; {int(short.sum()):,} sides shorter than "
-        f"{SHORT:g} of the median contracted")
+    say((f"{int(slivers.sum()):,} sliver triangles, the worst at {place}; " if slivers.any() else "")
+        + f"{int(short.sum()):,} sides shorter than {SHORT:g} of the median contracted")
     return relabelled(surface, label)[0]
 
 

@@ -55,4 +55,4 @@ class Target:
         weights = np.clip(weights, 0.0, 1.0)
         weights /= np.maximum(weights.sum(axis=1, keepdims=True), np.finfo(float).tiny)
         of_corners = values[corners]
-        return (weights * of_corners).sum(axis=1) if values.ndim == 1 else dot(weights, np.moveaxis(of_corners, 1, 2).swapaxes(0, 1)).T
+        return (weights * of_corners).sum(axis=1)
