@@ -5,7 +5,7 @@ from scipy.spatial import cKDTree
 from . import surface as base
 from .surface import Edges, show, unit
 
-FLAT = 0.01       # distance to the plane over the radius of the disc
+FLAT = 0.04       # distance to the plane over the radius of the disc
 ROUND = 0.45      # 4 pi area / perimeter squared
 PARALLEL = 0.3    # mean of the cosine between a cap and the surface around it
 RADIAL = 0.6      # mean of the cosine between the wall behind a cap and the way from its axis
