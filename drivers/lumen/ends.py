@@ -6,21 +6,25 @@ from . import surface as base
 from .faults import BadSurface
 from .surface import Edges, Surface, show, unit
 
-MARGIN = 0.15   # radii behind the rim's innermost point: there the filter has moved what it did not know beyond
+MARGIN = 0.15  # radii behind the rim's innermost point: rims of segmentations are ragged
 BAND = 1.5     # radii of wall that say where an end points
 AGREE = 0.94   # cosine between two such answers; else the one nearer to the rim's own is taken
 
 
-def cut(surface, rims, path, say):
-    """Each end cut by the plane that stands square on the wall about it; the new rims, in the same order."""
+def cut(surface, rims, path, say, beyond=None):
+    """Each end cut by the plane that stands square on the wall about it; the new rims, in the same order.
+
+    rims: curves of the surface, which may go on behind them to where the rims beyond are.
+    """
     tilt, lost = 0.0, 0.0
-    for rim in rims:
+    curves = [surface.points[rim.loop] for rim in rims]
+    for rim, curve, last in zip(rims, curves, beyond or rims):
         normal = axis(surface, rim)
         tilt = max(tilt, float(np.degrees(np.arccos(np.clip(normal @ rim.normal, -1.0, 1.0)))))
-        height = surface.points[nearest_loop(surface, rim)] @ normal
+        height = curve @ normal
         at = height.min() - MARGIN * rim.radius
         lost = max(lost, float(height.mean() - at))
-        surface = clipped(surface, rim, normal, at, path)
+        surface = clipped(surface, last, normal, at, path)
     surface, found = of_rims.openings(surface, path, say)
     if len(found) != len(rims):
         raise BadSurface(f"{path}: {len(rims)} ends became {len(found)} when they were cut square: branches too short, "
@@ -42,6 +46,7 @@ def axis(surface, rim):
     inward = rim.centre - surface.points[surface.triangles].mean(axis=1)
     depth = (inward @ rim.normal) / rim.radius
     near = np.linalg.norm(inward, axis=1) < 3.2 * rim.radius
+    near &= depth > 0.0
     found = [square_to(vectors[near & (depth < BAND)], rim), between(inward, areas, near & (depth > 0.2), depth, rim)]
     found = [way for way in found if way is not None and way @ rim.normal > 0.5]
     if len(found) == 2 and found[0] @ found[1] < AGREE:

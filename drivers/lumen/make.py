@@ -10,6 +10,7 @@ from .faults import BadSurface
 from .surface import Surface
 
 ROUGH = 0.45                # cosine between normals of triangles and of the surface about them, after smoothing
+BEYOND = 0.6                # radii by which ends are lengthened while the surface is smoothed
 SMALL, LARGE = 0.05, 40.0   # mm, radii of vessels beyond which the unit is doubted
 
 
@@ -91,27 +92,36 @@ def evened(raw, rims, voxel, options, progress):
 
     One with folds or crossings that smoothing leaves is drawn anew, and smoothed again.
     """
-    path, whole = options.surface, base.volume(*base.closed(raw))
-    smooth_one = raw if options.no_smoothing else smooth.smoothed(raw, rims, voxel, progress.say)
-    if not options.no_smoothing and is_rough(smooth_one):
-        fresh, rims = rebuild.rebuilt(raw, rims, voxel, path, progress.note)
-        smooth_one = smooth.smoothed(fresh, rims, voxel, progress.say)
-        whole = base.volume(*base.closed(fresh))
-    kept = base.volume(*base.closed(smooth_one)) / whole
-    target, rims = ends.cut(smooth_one, rims, path, progress.say)
+    path, say = options.surface, progress.say
+    if options.no_smoothing:
+        target, rims = ends.cut(raw, rims, path, say)
+        return target, rims, 1.0
+    longer, beyond, smooth_one = smoothed(raw, rims, voxel, say)
+    if is_rough(smooth_one, rims):
+        raw, rims = rebuild.rebuilt(raw, rims, voxel, path, progress.note)
+        longer, beyond, smooth_one = smoothed(raw, rims, voxel, say)
+    kept = base.volume(*base.closed(smooth_one)) / base.volume(*base.closed(longer))
+    target, rims = ends.cut(smooth_one, rims, path, say, beyond)
     target, folds = unfold.unfolded(target)
     if folds:
         progress.note(f"folds taken out of the surface, at {folds:,} points")
     return target, rims, kept
 
 
-def is_rough(surface):
+def smoothed(surface, rims, voxel, say):
+    """The surface with its ends lengthened, their rims, and the same smooth: a filter draws in what ends."""
+    longer, beyond = ends.extended(surface, rims, BEYOND)
+    return longer, beyond, smooth.smoothed(longer, beyond, voxel, say)
+
+
+def is_rough(surface, rims):
     """Away from the rims, near which all is cut off."""
     folded = unfold.folded(surface.points, surface.triangles, ROUGH)
     edges = base.Edges(surface.triangles)
     at_rim = np.zeros(len(surface.points), dtype=bool)
     at_rim[edges.ends[edges.is_boundary]] = True
-    for _ in range(2):
+    at_rim[np.concatenate([rim.loop for rim in rims])] = True
+    for _ in range(3):
         at_rim[surface.triangles[at_rim[surface.triangles].any(axis=1)]] = True
     return bool((folded & ~at_rim[surface.triangles].any(axis=1)).any()
                 or len(crossings.crossing(surface.points, surface.triangles)))

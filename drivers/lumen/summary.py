@@ -35,16 +35,17 @@ def before_ends(wall, rims, raw):
 
 
 def lines(table, rims, voxel):
-    core = table["tetrahedra"] - table["in layers"]
-    yield (f"elements   {table['tetrahedra']:,} tetrahedra, {table['in layers']:,} in layers and {core:,} in the core; "
+    in_layers, inside = table["in layers"], table["tetrahedra"] - table["in layers"]
+    yield (f"elements   {table['tetrahedra']:,} tetrahedra, {in_layers:,} in layers and {inside:,} in the core; "
            f"{table['vertices']:,} vertices; {table['triangles']:,} triangles on the wall")
-    yield ("angles     least between faces: " + (f"{table['angle in layers']:.1f} degrees in the layers, "
-                                                 if table["in layers"] else "") + f"{table['angle in core']:.1f} in the core")
-    yield (f"volume     {table['volume']:.6g} mm³, {100.0 * table['volume change']:+.2f} % beside the surface given, cut at the "
-           "same ends")
-    yield (f"distance   of the wall to the surface given: {table['distance']:.3g} mm in the mean ({table['distance'] / voxel:.2f} "
-           f"voxels), {table['largest distance']:.3g} mm at most, at {base.show(table['farthest'])}")
+    layers = f"{table['angle in layers']:.1f} degrees in the layers, " if in_layers else ""
+    yield f"angles     least between faces: {layers}{table['angle in core']:.1f} in the core"
+    change = round(100.0 * table["volume change"], 2) + 0.0  # no minus before a zero
+    yield f"volume     {table['volume']:.6g} mm³, {change:+.2f} % beside the surface given, cut at the same ends"
+    yield (f"distance   of the wall to the surface given: {table['distance']:.3g} mm in the mean "
+           f"({table['distance'] / voxel:.2f} voxels), {table['largest distance']:.3g} mm at most, at "
+           f"{base.show(table['farthest'])}")
     width = max(len(rim.name) for rim in rims)
     for rim, around in zip(rims, table["around"]):
-        yield (f"{rim.name:<{width}}  radius {rim.radius:.3g} mm, {around} elements around, {around / np.pi:.0f} across, centre "
-               f"{base.show(rim.centre)}")
+        yield (f"{rim.name:<{width}}  radius {rim.radius:.3g} mm, {around} elements around, {around / np.pi:.0f} across, "
+               f"centre {base.show(rim.centre)}")
