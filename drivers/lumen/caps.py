@@ -6,11 +6,14 @@ from . import surface as base
 from .surface import Edges, show, unit
 
 FLAT = 0.04       # distance to the plane over the radius of the disc
-ROUND = 0.45      # 4 pi area / perimeter squared
+ROUND = 0.4       # 4 pi area / perimeter squared, small where rims are ragged
+LONG = 2.0        # the long axis of a disc over the short one
 PARALLEL = 0.3    # mean of the cosine between a cap and the surface around it
 RADIAL = 0.6      # mean of the cosine between the wall behind a cap and the way from its axis
 ENOUGH = 0.4      # area of that wall over a cylinder's
-STARTS = 400      # large flat regions are sought from so many triangles
+STARTS = 400      # so many regions are looked at
+PLANES = 30       # in each
+LEAST = 6.0       # area of a cap, in squares of short sides
 
 
 def taken_off(surface, say):
@@ -72,8 +75,16 @@ def flat_regions(points, triangles, edges, normal, area):
     flat = offset.max(axis=2).min(axis=0) < 0.02 * scale
     label, count = base.parts(len(triangles), a[flat], b[flat])
     total = np.bincount(label, weights=area, minlength=count)
-    order = [k for k in np.argsort(-total)[:STARTS] if total[k] > 12.0 * scale ** 2]
-    return [within_plane(points, triangles, np.flatnonzero(label == k), normal, area) for k in order]
+    found = []
+    for k in [k for k in np.argsort(-total)[:STARTS] if total[k] > LEAST * scale ** 2]:
+        region = np.flatnonzero(label == k)
+        for _ in range(PLANES):
+            chosen = within_plane(points, triangles, region, normal, area)
+            found.append((area[chosen].sum(), chosen))
+            region = np.setdiff1d(region, chosen)
+            if area[region].sum() < LEAST * scale ** 2:
+                break
+    return sorted((entry for entry in found if entry[0] > LEAST * scale ** 2), key=lambda entry: -entry[0])
 
 
 def side_of(points, triangles):
@@ -81,16 +92,13 @@ def side_of(points, triangles):
 
 
 def within_plane(points, triangles, region, normal, area):
-    """What lies in the plane of the region's largest triangle, and hangs together with it.
-
-    Without this slivers lead from a cap into the wall.
-    """
+    """What lies in the plane of the region's largest triangle, and hangs together with it: slivers lead from a cap into
+    the wall, and on to other planes."""
     seed = region[area[region].argmax()]
     height = np.abs((points[triangles[region]] - points[triangles[seed, 0]]) @ normal[seed]).max(axis=1)
     chosen = region[height < 0.1 * side_of(points, triangles)]
     label, _ = base.pieces(triangles[chosen])
-    chosen = chosen[label == label[np.flatnonzero(chosen == seed)[0]]]
-    return area[chosen].sum(), chosen
+    return chosen[label == label[np.flatnonzero(chosen == seed)[0]]]
 
 
 def is_disc(surface, edges, chosen, tolerance):
@@ -107,7 +115,9 @@ def is_disc(surface, edges, chosen, tolerance):
     if area <= 0.0 or 4.0 * np.pi * area < ROUND * around ** 2:
         return False
     height = (points[vertices] - points[vertices].mean(axis=0)) @ (vector / area)
-    return bool(np.abs(height).max() < tolerance * np.sqrt(area / np.pi))
+    middle, weight = points[rim].mean(axis=1), np.linalg.norm(points[rim[:, 0]] - points[rim[:, 1]], axis=1)
+    axes = np.linalg.eigvalsh(np.cov(middle.T, aweights=weight))
+    return bool(np.abs(height).max() < tolerance * np.sqrt(area / np.pi) and axes[2] < LONG ** 2 * axes[1])
 
 
 def ends_tube(surface, tree, normal, area, chosen):

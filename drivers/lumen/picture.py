@@ -6,6 +6,7 @@ from .surface import unit
 
 EDGES = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))
 WALL, LAYER, CORE, MARK = (0.80, 0.42, 0.38), (0.95, 0.75, 0.45), (0.70, 0.82, 0.93), (0.85, 0.05, 0.05)
+INSIDE = (0.55, 0.55, 0.60)  # of a wall, seen through a hole
 MOST = 60000  # triangles that are painted
 
 
@@ -31,7 +32,8 @@ def paint(axis, points, triangles, frame, colours, lines=0.0):
     order = np.argsort(seen[triangles][:, :, 2].mean(axis=1))
     normals = unit(base.doubled_normals(points, triangles[order])) @ frame.T
     light = 0.35 + 0.65 * np.abs(normals @ unit(np.array([-0.4, 0.5, 0.8])))
-    faces = np.clip(np.asarray(colours)[order] * light[:, None], 0.0, 1.0)
+    sides = np.where(normals[:, 2:] < 0.0, INSIDE, np.asarray(colours)[order])
+    faces = np.clip(sides * light[:, None], 0.0, 1.0)
     axis.add_collection(PolyCollection(seen[triangles[order]][:, :, :2], facecolors=faces, linewidths=lines or 0.3,
                                        edgecolors="#33333355" if lines else faces))
     axis.set_aspect("equal")
@@ -120,28 +122,43 @@ def draw_surface(axis, mesh_, rims, branches):
     axis.set_title(f"{len(mesh_.wall):,} triangles on the wall, {len(mesh_.tets):,} tetrahedra; mm", fontsize=10)
 
 
+def frame_towards(points, triangles, place):
+    """The place looks at the eye, and the vessel's length lies as it may."""
+    near = np.argsort(np.linalg.norm(points[triangles].mean(axis=1) - place, axis=1))[:60]
+    eye = unit(base.doubled_normals(points, triangles[near]).sum(axis=0))
+    long = axes_of(points)[1]
+    up = long - (long @ eye) * eye if abs(long @ eye) < 0.9 else np.eye(3)[int(np.abs(eye).argmin())]
+    up = unit(up - (up @ eye) * eye)
+    return np.array([np.cross(up, eye), up, eye])
+
+
 def fault(surface, place, message, path):
     """The whole surface with a mark, and what is near it."""
     plt = pyplot()
     figure, (whole, near) = plt.subplots(1, 2, figsize=(14, 7), dpi=90)
     points, triangles = surface.points, surface.triangles
-    frame = axes_of(points)
+    frame = axes_of(points) if place is None else frame_towards(points, triangles, place)
     step = max(1, len(triangles) // MOST)
-    colours = np.tile(WALL, (len(triangles[::step]), 1))
-    paint(whole, points, triangles[::step], frame, colours)
-    if place is not None:
-        x, y, z = frame @ place
-        offset = np.linalg.norm(points[triangles].mean(axis=1) - place, axis=1)
-        reach = max(0.06 * np.ptp(points, axis=0).max(), 3.0 * np.sort(offset)[min(30, len(offset) - 1)])
-        chosen = triangles[(offset < reach) & ((points @ frame[2])[triangles].mean(axis=1) > z - 0.5 * reach)]
-        chosen = chosen if len(chosen) else triangles[offset < reach]
-        paint(near, points, chosen, frame, np.tile(WALL, (len(chosen), 1)), 0.4)
-        for axis, size in ((whole, 25), (near, 45)):
-            axis.plot([x], [y], "o", ms=size, mfc="none", mec=MARK, mew=2.5)
-        near.set_title(f"about {base.show(place)}, mm", fontsize=10)
+    paint(whole, points, triangles[::step], frame, np.tile(WALL, (len(triangles[::step]), 1)))
+    if place is None:
+        near.set_axis_off()
+    else:
+        draw_near(whole, near, (points, triangles), place, frame)
     figure.suptitle("\n".join(wrapped(message)), fontsize=9)
     figure.savefig(path)
     plt.close(figure)
+
+
+def draw_near(whole, near, surface, place, frame):
+    points, triangles = surface
+    x, y, _ = frame @ place
+    offset = np.linalg.norm(points[triangles].mean(axis=1) - place, axis=1)
+    reach = max(0.06 * np.ptp(points, axis=0).max(), 2.0 * np.sort(offset)[min(30, len(offset) - 1)])
+    chosen = triangles[offset < reach]
+    paint(near, points, chosen, frame, np.tile(WALL, (len(chosen), 1)), 0.4)
+    for axis, size in ((whole, 25), (near, 45)):
+        axis.plot([x], [y], "o", ms=size, mfc="none", mec=MARK, mew=2.5)
+    near.set_title(f"about {base.show(place)}, mm", fontsize=10)
 
 
 def wrapped(text):
