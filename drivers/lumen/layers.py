@@ -4,7 +4,7 @@ import dataclasses
 import numpy as np
 
 from . import surface as base
-from .surface import Edges, dot, show, unit
+from .surface import Around, Edges, dot, show, unit
 
 THICKEST = 0.35    # of the radius of the largest ball that fits: what is left between layers is a lumen
 ROUNDS = 30        # of thinning where elements would be inverted
@@ -53,15 +53,13 @@ def tell(wall, total, wish, say):
 
 
 def eased(edges, total, wish):
-    """Falls off gradually about thin places: the part of the wish changes by a tenth from vertex to vertex."""
-    part = total / wish
-    a, b = edges.ends.T
+    """Falls off gradually about thin places: the part of the wish changes by a quarter from vertex to vertex."""
+    part, around = total / wish, Around(edges)
     while True:
-        before = part.copy()
-        np.minimum.at(part, a, 1.25 * part[b])
-        np.minimum.at(part, b, 1.25 * part[a])
-        if (before - part).max() < 1e-3:
-            return part * wish
+        fresh = np.minimum(part, 1.25 * around.least(part[around.other]))
+        if (part - fresh).max() < 1e-3:
+            return fresh * wish
+        part = fresh
 
 
 def directions(wall, rims, edges):

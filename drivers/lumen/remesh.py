@@ -1,13 +1,13 @@
 """Triangles of even shape and wanted size on a smooth surface."""
 import numpy as np
 
-from . import edits
+from . import edits, subdivide
 from . import surface as base
 from .surface import Edges, Surface, dot, unit
 from .target import Target
 
 LONGEST, SHORTEST = 4.0 / 3.0, 4.0 / 5.0   # of the wanted size
-PASSES, LAST_PASSES = 9, 4                 # with changes of sides' number, and without
+PASSES, LAST_PASSES = 20, 4                # with changes of sides' number, and without
 ENOUGH = 0.02                              # contractions and splits per vertex: no further pass
 
 
@@ -32,7 +32,9 @@ class Remesher:
 
     def __init__(self, surface, rims, size):
         self.target, self.rims, self.size_there = Target(surface), Rims(surface, rims), size
-        self.points, self.triangles, self.size = surface.points, surface.triangles.copy(), size.copy()
+        start = subdivide.thinned(surface)
+        self.points, self.triangles = start.points, start.triangles.copy()
+        self.size = self.target.interpolate(size, *self.target.nearest(self.points))
         self._random = np.random.default_rng(7)
 
     def run(self, beat):

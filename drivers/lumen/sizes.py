@@ -2,7 +2,7 @@
 import numpy as np
 
 from . import surface as base
-from .surface import Edges
+from .surface import Around, Edges
 
 GRADING = 0.25       # growth of the size per length
 PER_TURN = 18.0      # elements around a full circle of the surface's curvature
@@ -53,10 +53,10 @@ def curvature(surface, edges):
 def graded(surface, edges, size):
     """No size is larger than a near one and the way to it allow."""
     a, b = edges.ends.T
-    room = GRADING * np.linalg.norm(surface.points[a] - surface.points[b], axis=1)
+    around = Around(edges)
+    room = GRADING * np.linalg.norm(surface.points[a] - surface.points[b], axis=1)[around.edge]
     while True:
-        before = size.copy()
-        np.minimum.at(size, a, size[b] + room)
-        np.minimum.at(size, b, size[a] + room)
-        if (before - size).max() < 1e-3 * size.min():
-            return size
+        fresh = np.minimum(size, around.least(size[around.other] + room))
+        if (size - fresh).max() < 1e-3 * fresh.min():
+            return fresh
+        size = fresh

@@ -38,17 +38,21 @@ def evened(surface):
     return halved(surface, 3.0 * fine) if np.percentile(sides, 90) > UNEVEN * fine else surface
 
 
-def sampling(surface, rims, longest):
-    """Sides halved or contracted, and the rims anew."""
-    fine = halved(surface, longest)
-    points, triangles = fine.points, fine.triangles
+def thinned(surface):
+    """Sides contracted until there are about as many triangles as are of use."""
+    points, triangles = surface.points, surface.triangles
     for _ in range(6):
         if len(triangles) <= MOST:
             break
         size = np.full(len(points), np.sqrt(2.3 * base.areas(points, triangles).sum() / MOST))
         points, triangles, _ = edits.contract(points, triangles, size, 0.9, np.random.default_rng(3))
-    loops = base.loops(triangles)
-    centres = np.array([points[loop].mean(axis=0) for loop in loops])
-    own = [dataclasses.replace(rim, loop=loops[int(np.linalg.norm(centres - rim.centre, axis=1).argmin())])
-           for rim in rims]
-    return Surface(points, triangles), own
+    return Surface(points, triangles)
+
+
+def sampling(surface, rims, longest):
+    """Sides halved or contracted, and the rims anew."""
+    even = thinned(halved(surface, longest))
+    loops = base.loops(even.triangles)
+    centres = np.array([even.points[loop].mean(axis=0) for loop in loops])
+    return even, [dataclasses.replace(rim, loop=loops[int(np.linalg.norm(centres - rim.centre, axis=1).argmin())])
+                  for rim in rims]

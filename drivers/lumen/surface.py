@@ -117,6 +117,20 @@ class Edges:
         return (self.ends[self.number(a, b)] == np.sort(np.stack([a, b], axis=1), axis=1)).all(axis=1)
 
 
+class Around:
+    """The edges at each vertex; every vertex has one."""
+
+    def __init__(self, edges):
+        a, other = np.concatenate([edges.ends, edges.ends[:, ::-1]]).T
+        order = np.argsort(a, kind="stable")
+        self.edge, self.other = np.concatenate([np.arange(len(edges.ends))] * 2)[order], other[order]
+        self._first = np.searchsorted(a[order], np.arange(int(a.max()) + 1))
+
+    def least(self, values):
+        """Of the values along the edges of each vertex, in the order of .edge and .other."""
+        return np.minimum.reduceat(values, self._first)
+
+
 def parts(count, a, b):
     """A number per item, the same where pairs connect them, and how many there are."""
     graph = coo_matrix((np.ones(len(a), dtype=np.int8), (a, b)), shape=(count, count))
