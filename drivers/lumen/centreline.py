@@ -10,6 +10,7 @@ from .surface import show
 STEP = 0.25      # radii between the points of a branch
 APART = 0.8      # radii by which two lines differ where a branch begins
 PASSES = 12      # of smoothing
+NEAR = 3         # points: branches that begin so near to one another begin at one junction
 
 
 @dataclasses.dataclass
@@ -116,9 +117,8 @@ def parting(lines, members, start):
         leaves[other] = leaving(lines[reference][start[reference]:], lines[other][start[other]:])
     earliest = min(leaves.values())
     cut = start[reference] + min(max(earliest, 1), len(lines[reference]) - start[reference] - 2)
-    near = STEP_TOLERANCE
-    stay = [reference] + [k for k in members[1:] if leaves[k] > earliest + near]
-    leave = [k for k in members[1:] if leaves[k] <= earliest + near]
+    stay = [reference] + [k for k in members[1:] if leaves[k] > earliest + NEAR]
+    leave = [k for k in members[1:] if leaves[k] <= earliest + NEAR]
     ends = {reference: cut}
     for k in members[1:]:
         offset = np.linalg.norm(lines[k][start[k]:, :3] - lines[reference][cut, :3], axis=1)
@@ -126,15 +126,12 @@ def parting(lines, members, start):
     return reference, [stay] + together(lines, leave, ends), ends
 
 
-STEP_TOLERANCE = 3  # points: branches that begin so near to one another begin at one junction
-
-
 def together(lines, leave, ends):
     """Those that leave at one junction, and go the same way on, are one group."""
     groups = []
     for k in leave:
         for group in groups:
-            if leaving(lines[group[0]][ends[group[0]]:], lines[k][ends[k]:]) > 2 * STEP_TOLERANCE:
+            if leaving(lines[group[0]][ends[group[0]]:], lines[k][ends[k]:]) > 2 * NEAR:
                 group.append(k)
                 break
         else:

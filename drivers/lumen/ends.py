@@ -81,6 +81,8 @@ def clipped(surface, rim, normal, at, path, start=None):
     label, _ = base.parts(len(points), *edges.ends[beyond].T)
     loop = nearest_loop(surface, rim) if start is None else start
     is_beyond = np.isin(label, np.unique(label[loop])) & (height > 0.0)
+    if not is_beyond.any():
+        return surface
     reach = np.linalg.norm(points[is_beyond] - rim.centre, axis=1).max()
     if reach > 4.0 * rim.radius + np.linalg.norm(points[loop] - rim.centre, axis=1).max():
         raise BadSurface(f"{path}: the end at {show(rim.centre)} cannot be cut square: what lies beyond the cut goes on for "

@@ -4,12 +4,13 @@ import dataclasses
 import numpy as np
 
 from . import surface as base
+from .quality import six_volumes
 from .surface import Around, Edges, dot, show, unit
 
 THICKEST = 0.35    # of the radius of the largest ball that fits: what is left between layers is a lumen
 ROUNDS = 30        # of thinning where elements would be inverted
 THINNER = 0.8
-LEAST = 0.15       # volume of a tetrahedron over that of one of a straight prism
+LEAST = 0.15       # volume of a tetrahedron over the mean of its prism
 
 
 @dataclasses.dataclass
@@ -35,7 +36,7 @@ def grow(wall, rims, size, radii, options, say):
     tets = cut_prisms(wall.triangles, len(wall.points), options.layers)
     for _ in range(ROUNDS):
         points = np.concatenate([wall.points + (h * total)[:, None] * inward for h in heights])
-        bad = inverted(points, tets, wall.triangles, total, len(wall.points))
+        bad = inverted(points, tets, wall.triangles, total)
         if not bad.any():
             break
         total[np.unique(wall.triangles[bad])] *= THINNER
@@ -80,8 +81,8 @@ def directions(wall, rims, edges):
 
 
 def cut_prisms(triangles, count, layers):
-    """Three tetrahedra each. A quadrilateral between two prisms is cut from the lower end of the side with the smaller
-    number, whichever prism asks: so the tetrahedra on both its sides have the same faces."""
+    """Three tetrahedra each. A quadrilateral between two prisms is cut from the foot of its vertex with the smaller number
+    to the head of the other, whichever prism asks: so tetrahedra on both its sides have the same faces."""
     a, b, c = np.sort(triangles, axis=1).T
     tets = []
     for k in range(layers):
@@ -92,12 +93,7 @@ def cut_prisms(triangles, count, layers):
     return np.concatenate(tets)
 
 
-def six_volumes(points, tets):
-    a, b, c, d = (points[tets[:, i]] for i in range(4))
-    return dot(b - a, np.cross(c - a, d - a))
-
-
-def inverted(points, tets, triangles, total, count):
+def inverted(points, tets, triangles, total):
     """Whether a prism of the triangle has a tetrahedron that is inverted or nearly flat."""
     layers = len(tets) // (3 * len(triangles))
     sign = parity(triangles)

@@ -3,7 +3,9 @@ import dataclasses
 
 import numpy as np
 
-from . import (caps, centreline, crossings, ends, handles, medial, names, options as of_options, picture, rebuild,
+from importer.raw import BadMesh
+
+from . import (caps, centreline, core, crossings, ends, handles, medial, names, options as of_options, picture, rebuild,
                remesh, repair, result, rims as of_rims, sizes, smooth, subdivide, summary, surface_files, unfold, volume)
 from . import surface as base
 from .faults import BadSurface
@@ -16,6 +18,7 @@ SMALL, LARGE = 0.05, 40.0   # mm, radii of vessels beyond which the unit is doub
 
 def lumen(options, progress):
     path = options.surface
+    core.gmsh_module()  # missed now rather than at the end
     wishes = names.read(options.names, options.scale) if options.names else None
     progress.stage(f"reading {path}")                                          # 1. read, mend, open
     raw, rims, given = opened(path, options, progress)
@@ -33,7 +36,8 @@ def lumen(options, progress):
     size = sizes.wanted(target, balls.of_vertex, options)
     progress.stage(f"triangles of the wall, {size.min():.2g} to {size.max():.2g} mm")  # 4. the wall anew
     wall, rims, size, radii = remeshed(target, rims, size, balls.of_vertex, progress)
-    refuse_crossing(wall, path, "the triangles made of it cross")
+    refuse_crossing(wall, path, "the triangles made of it, too wide for a narrow gap (a larger --across makes smaller "
+                    "ones), cross")
     mesh = volume.fill(wall, rims, size, radii, options, progress)             # 5. layers and core
     change = kept * base.volume(*base.closed(wall)) / base.volume(*base.closed(target)) - 1.0
     table = summary.table_of(mesh, rims, raw, change)
@@ -75,8 +79,8 @@ def refuse_crossing(surface, path, words):
 def doubt_unit(rims, options, progress):
     least, largest = (pick(rim.radius for rim in rims) for pick in (min, max))
     if largest < SMALL or largest > LARGE or least < 0.1 * SMALL:
-        progress.warn(f"openings have radii of {least:.3g} to {largest:.3g} mm: is the unit of {options.surface} the mm? --scale 10 "
-                      "for cm, --scale 1000 for m; now it is " + f"{options.scale:g}")
+        progress.warn(f"openings have radii of {least:.3g} to {largest:.3g} mm: is the unit of {options.surface} the mm? "
+                      f"--scale 10 for cm, --scale 1000 for m; now it is {options.scale:g}")
 
 
 def subdivided(surface, rims):
@@ -155,9 +159,12 @@ def write(mesh, rims, branches, table, options, progress):
     beside = of_options.beside(options.out)
     progress.stage("writing")
     warn(table, progress)
-    picture.mesh(mesh, rims, branches, beside.png)
-    result.write_json(table, rims, branches, progress.notes, beside.json)
     result.write(mesh, rims, options.out)
+    result.write_json(table, rims, branches, progress.notes, beside.json)
+    try:
+        picture.mesh(mesh, rims, branches, beside.png)
+    except OSError as error:
+        raise BadMesh(f"{beside.png}: cannot be written: {error}") from error
 
 
 def warn(table, progress):
@@ -178,5 +185,3 @@ def show_fault(error, options, progress):
         print(f"the place is shown in {path}")
     except Exception as trouble:  # the fault itself is what matters
         progress.warn(f"no picture of the place: {trouble}")
-
-

@@ -4,6 +4,7 @@ import numpy as np
 from . import ends, repair, smooth
 from . import rims as of_rims
 from . import surface as base
+from .faults import BadSurface
 from .surface import Surface
 from .target import polydata
 
@@ -27,6 +28,10 @@ def rebuilt(surface, rims, voxel, path, say):
     for rim in rims:
         new = opened(new, rim, path)
     new, found = of_rims.openings(new, path, say)
+    if len(found) != len(rims):
+        raise BadSurface(f"{path}: the surface is too rough to be smoothed, and of {len(rims)} openings {len(found)} are left "
+                         "when it is drawn anew: smooth it where it was made, or leave thin branches out", surface,
+                         rims[-1].centre)
     lost = sum(MARGIN * rim.radius * rim.area for rim in rims)
     new = smooth.with_volume(new, base.volume(*base.closed(surface)) - lost, rims=found)
     say(f"the surface is rough: drawn anew through voxels of {size:.2g} mm")

@@ -29,7 +29,7 @@ def fill(wall, rims, size, radii, options, progress):
     """Thinner layers, at last none, where the core cannot be filled."""
     first = options.first
     for attempt in range(ATTEMPTS + 1):
-        own = dataclasses.replace(Layering.of(options), first=first, layers=options.layers if attempt < ATTEMPTS else 0)
+        own = Layering(options.layers if attempt < ATTEMPTS else 0, first, options.growth)
         mesh = filled(wall, rims, size, radii, own, progress)
         if mesh is not None:
             return mesh
@@ -38,8 +38,8 @@ def fill(wall, rims, size, radii, options, progress):
         first *= LESS
         progress.warn("Gmsh cannot fill what the boundary layers leave; once more with "
                       + (f"layers of {first:.2g} of the local size" if attempt + 1 < ATTEMPTS else "no layers"))
-    raise BadSurface("Gmsh cannot fill the surface with tetrahedra, though it is closed and does not cross itself. Another "
-                     "--across or --size may do", wall)
+    raise BadSurface(f"{options.surface}: Gmsh cannot fill the surface with tetrahedra, though it is closed and does not "
+                     "cross itself. Another --across or --size may do", wall)
 
 
 @dataclasses.dataclass
@@ -47,10 +47,6 @@ class Layering:
     layers: int
     first: float
     growth: float
-
-    @classmethod
-    def of(cls, options):
-        return cls(options.layers, options.first, options.growth)
 
 
 def filled(wall, rims, size, radii, layering, progress):
