@@ -11,7 +11,9 @@ MOST = 60000  # triangles that are painted
 
 
 def pyplot():
+    import logging
     import matplotlib
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it tells of its own files, the first time
     matplotlib.use("Agg")
     from matplotlib import pyplot as plt
     return plt
