@@ -12,6 +12,9 @@ if(DPKG_SHLIBDEPS)
 endif()
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
   "openmpi-bin, python3, python3-h5py, python3-matplotlib, python3-numpy")
+# For tunica-import and tunica-lumen.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
+  "python3-gmsh, python3-meshio, python3-scipy, python3-vtk9")
 # For programs that link Tunica's libraries.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
   "cmake, g++, libhdf5-openmpi-dev, libmetis-dev, libopenmpi-dev, trilinos-all-dev")

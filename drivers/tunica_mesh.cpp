@@ -2,6 +2,7 @@
 /// also run with mpirun.
 ///
 ///   tunica-mesh tube tube.h5 --around 20 --axial 62
+///   tunica-mesh lumen lumen.stl lumen.h5
 ///   tunica-mesh block block.h5 --patch-x 4 --patch-y 4
 ///   tunica-mesh wall lumen.msh vessel.h5 --surfaces lumen_wall --layers media=0.26:2
 ///   tunica-mesh info tube.h5 --interface interface
@@ -18,22 +19,27 @@
 #include "tunica/io/messages.hpp"
 #include "tunica/params/nearest.hpp"
 #include "tunica_mesh/commands.hpp"
+#include "tunica_mesh/lumen_command.hpp"
 
 namespace {
 
 /// Before what was at fault.
 constexpr const char* fault_of_machine = "tunica-mesh: internal or system error: ";
 
+std::string line(const std::string& name, const std::string& sentence) {
+  return "\n  " + name + std::string(11 - name.size(), ' ') + sentence;
+}
+
 std::string overview() {
   std::string text = "tunica-mesh COMMAND ...; COMMAND --help says more\n";
+  text += line(lumen_name, lumen_sentence);
   for (const Subcommand& each : subcommands())
-    text += "\n  " + each.command.name + std::string(11 - each.command.name.size(), ' ') +
-            each.command.sentence;
+    text += line(each.command.name, each.command.sentence);
   return text + "\n";
 }
 
 const Subcommand& find(const std::string& name) {
-  std::vector<std::string> names;
+  std::vector<std::string> names{lumen_name};
   for (const Subcommand& each : subcommands()) {
     if (each.command.name == name) return each;
     names.push_back(each.command.name);
@@ -71,6 +77,7 @@ void run(const std::vector<std::string>& words) {
     std::cout << overview();
     return;
   }
+  if (words[0] == lumen_name) become_lumen({words.begin() + 1, words.end()});
   const Subcommand& chosen = find(words[0]);
   const Arguments arguments(chosen.command, {words.begin() + 1, words.end()});  // 2. its words
   if (arguments.wants_help())

@@ -51,6 +51,8 @@ def main():
                       f"the report is drawn {report.err}")
         wall = Run([str(programs / "tunica-import"), str(shared / "meshes" / "block.h5"), str(scratch / "block.h5")], scratch)
         verdict.claim(wall.status == 0 and (scratch / "block.h5").exists(), f"a mesh is imported {wall.err}")
+        lumen = Run([str(programs / "tunica-mesh"), "lumen", "--help"], scratch)
+        verdict.claim(lumen.status == 0 and "--thinnest" in lumen.out, f"the command lumen finds its program {lumen.err}")
         paper = Run([str(shared / "xml" / "paper" / "reproduce"), "--list"], scratch)
         verdict.claim(paper.status == 0, f"the items of the paper are listed {paper.err}")
     return verdict.status()

@@ -1,0 +1,146 @@
+"""The line through the middle of a vessel: from the largest end to each other one through the widest balls."""
+import dataclasses
+
+import numpy as np
+from scipy.sparse.csgraph import dijkstra
+
+from .faults import BadSurface
+from .surface import show
+
+STEP = 0.25      # radii between the points of a branch
+APART = 0.8      # radii by which two lines differ where a branch begins
+PASSES = 12      # of smoothing
+NEAR = 3         # points: branches that begin so near to one another begin at one junction
+
+
+@dataclasses.dataclass
+class Branch:
+    """From a name to a name, of an opening or junction-k."""
+    points: np.ndarray
+    radii: np.ndarray
+    start: str
+    end: str
+
+
+def branches(medial, rims, path):
+    """Of a tree with its root at the first rim."""
+    if len(rims) < 2:
+        return []
+    graph = medial.graph.copy()
+    a, b = graph.nonzero()
+    graph.data = graph.data / np.minimum(medial.radii[a], medial.radii[b]) ** 2
+    ends = [widest_at(medial, rim) for rim in rims]
+    length, before = dijkstra(graph, directed=False, indices=ends[0], return_predecessors=True)
+    lines = []
+    for rim, end in zip(rims[1:], ends[1:]):
+        if not np.isfinite(length[end]):
+            raise BadSurface(f"{path}: no way leads from the opening at {show(rims[0].centre)} to that at "
+                             f"{show(rim.centre)} inside the surface: is the vessel closed between them, or much "
+                             "narrower than the voxels?", place=rim.centre)
+        lines.append(evened(walk(medial, before, end), rims[0], rim))
+    return tree(lines, rims)
+
+
+def widest_at(medial, rim):
+    """The ball in the middle of an opening."""
+    offset = np.linalg.norm(medial.centres - rim.centre, axis=1)
+    return int((offset - 0.5 * np.minimum(medial.radii, rim.radius)).argmin())
+
+
+def walk(medial, before, end):
+    """Balls from the root to an end."""
+    order = [end]
+    while before[order[-1]] >= 0:
+        order.append(before[order[-1]])
+    order = order[::-1]
+    return np.column_stack([medial.centres[order], medial.radii[order]])
+
+
+def evened(line, first, last):
+    """Ends at the openings' centres, points at even steps, smoothed."""
+    line = line[in_front(line, first) & in_front(line, last)]
+    line = np.vstack([[*first.centre, first.radius], line, [*last.centre, last.radius]])
+    along = arc_length(line)
+    step = STEP * min(first.radius, last.radius)
+    at = np.linspace(0.0, along[-1], max(int(np.ceil(along[-1] / step)) + 1, 5))
+    line = np.stack([np.interp(at, along, line[:, k]) for k in range(4)], axis=1)
+    for _ in range(PASSES):
+        line[1:-1] = 0.25 * line[:-2] + 0.5 * line[1:-1] + 0.25 * line[2:]
+    return line
+
+
+def in_front(line, rim):
+    """What stands before an opening, not at its plane or behind."""
+    offset = rim.centre - line[:, :3]
+    return (offset @ rim.normal > 0.4 * rim.radius) | (np.linalg.norm(offset, axis=1) > 2.0 * rim.radius)
+
+
+def arc_length(line):
+    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line[:, :3], axis=0), axis=1))])
+
+
+class Node:
+    """A part that several lines have in common, and what begins at its end."""
+
+    def __init__(self, line, members):
+        self.line, self.members = line, members
+
+
+def tree(lines, rims):
+    """Cuts lines where they part: the common piece once, then each by itself."""
+    found, number = [], [0]
+
+    def grow(members, start, name):
+        if len(members) == 1:
+            line = lines[members[0]][start[members[0]]:]
+            found.append(Branch(line[:, :3], line[:, 3], name, rims[members[0] + 1].name))
+            return
+        first, groups, ends = parting(lines, members, start)
+        number[0] += 1
+        junction = f"junction-{number[0]}"
+        line = lines[first][start[first]:ends[first] + 1]
+        found.append(Branch(line[:, :3], line[:, 3], name, junction))
+        for group in groups:
+            for member in group:  # all go on from where the trunk ends
+                lines[member][ends[member], :3] = line[-1, :3]
+            grow(group, ends, junction)
+
+    grow(list(range(len(lines))), {k: 0 for k in range(len(lines))}, rims[0].name)
+    return found
+
+
+def parting(lines, members, start):
+    """Where the first of the lines leaves the others: (a line that stays, groups, last common point of each)."""
+    reference = members[0]
+    leaves = {}
+    for other in members[1:]:
+        leaves[other] = leaving(lines[reference][start[reference]:], lines[other][start[other]:])
+    earliest = min(leaves.values())
+    cut = start[reference] + min(max(earliest, 1), len(lines[reference]) - start[reference] - 2)
+    stay = [reference] + [k for k in members[1:] if leaves[k] > earliest + NEAR]
+    leave = [k for k in members[1:] if leaves[k] <= earliest + NEAR]
+    ends = {reference: cut}
+    for k in members[1:]:
+        offset = np.linalg.norm(lines[k][start[k]:, :3] - lines[reference][cut, :3], axis=1)
+        ends[k] = start[k] + min(max(int(offset.argmin()), 1), len(lines[k]) - start[k] - 2)
+    return reference, [stay] + together(lines, leave, ends), ends
+
+
+def together(lines, leave, ends):
+    """Those that leave at one junction, and go the same way on, are one group."""
+    groups = []
+    for k in leave:
+        for group in groups:
+            if leaving(lines[group[0]][ends[group[0]]:], lines[k][ends[k]:]) > 2 * NEAR:
+                group.append(k)
+                break
+        else:
+            groups.append([k])
+    return groups
+
+
+def leaving(a, b):
+    """The point of the first line from which on the second is apart from it, by a part of its radius."""
+    distance = np.array([np.linalg.norm(b[:, :3] - p[:3], axis=1).min() for p in a])
+    apart = distance > APART * np.minimum(a[:, 3], np.median(b[:, 3]))
+    return int(apart.argmax()) if apart.any() else len(a) - 2
