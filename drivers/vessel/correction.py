@@ -1,0 +1,74 @@
+"""How the Windkessels and their pressures are corrected between two beats, by the network.
+
+The map of the stored pressures from the beginning of a beat to its end is c -> Phi c + g. Phi is that of the network, g is
+seen in the beat; the beat repeats itself from c* = (1 - Phi)^-1 (c_end - Phi c_begin) on. What the beat's pressures and shares would be
+from c* on, less those of the network, is what the network lacks: it is tuned anew for goals that are lower by that much.
+"""
+import dataclasses
+
+import numpy as np
+
+from . import tuning
+from .network import beat_of
+
+LARGEST_JUMP = 0.5  # of the stored pressures between two beats, of the pulse
+
+
+@dataclasses.dataclass
+class Next:
+    """With what the next beat runs, and what this one would be if it repeated itself."""
+    windkessels: dict
+    circuits: dict
+    expected: dict
+    is_changed: bool
+
+
+def settled(network, period, begin, end):
+    """c* by outlet."""
+    at = network.circuits()
+    c0, c1 = (np.array([values[name] for name in network.outlets]) for values in (begin, end))
+    moved = np.array([network.monodromy(period) @ network.settle(unit) for unit in np.eye(len(c0))])[:, at].T
+    return dict(zip(network.outlets, np.linalg.solve(np.eye(len(c0)) - moved, c1 - moved @ c0).tolist()))
+
+
+def of_repeated(network, x, period, measured, begin, fixed):
+    """The measured pressures and shares less what the beginning away from c* has made of them, by the network."""
+    away = network.deviation([begin[name] - fixed[name] for name in network.outlets], period, len(x))
+    plain, moved = beat_of(network, x), beat_of(network, x + away[:-1])
+    return {"systolic": measured["systolic"] - (moved.systolic - plain.systolic),
+            "diastolic": measured["diastolic"] - (moved.diastolic - plain.diastolic),
+            "splits": {name: share - (moved.splits[name] - plain.splits[name]) for name, share in measured["splits"].items()}}
+
+
+def errors(goal, beat):
+    """Relative errors by what they are of."""
+    found = {"systolic": beat["systolic"] / goal.systolic - 1, "diastolic": beat["diastolic"] / goal.diastolic - 1}
+    found.update({name: beat["splits"][name] / split - 1 for name, split in goal.splits.items()})
+    return found
+
+
+def shifted(goal, expected, plain):
+    """The goal for the network: less what it lacks."""
+    splits = {name: max(0.2 * split, split - (expected["splits"][name] - plain.splits[name])) for name, split in goal.splits.items()}
+    whole = sum(splits.values())
+    return tuning.Goal(goal.systolic - (expected["systolic"] - plain.systolic),
+                       goal.diastolic - (expected["diastolic"] - plain.diastolic),
+                       {name: split / whole for name, split in splits.items()})
+
+
+def choose(problem, goal, share, beat, tolerance):
+    """beat: an entry of beats.json. The Windkessels remain where the beat, repeated, is within half the tolerance."""
+    windkessels, begin, measured = beat["windkessels"], beat["circuits begin"], beat["measured"]
+    network, x = tuning.solve(problem, windkessels)
+    fixed = settled(network, problem.period, begin, measured["circuits end"])
+    expected = of_repeated(network, x, problem.period, measured, begin, fixed)
+    plain = beat_of(network, x)
+    is_changed = max(map(abs, errors(goal, expected).values())) > 0.5 * tolerance
+    lacks = {name: fixed[name] - plain.circuits[name] for name in network.outlets}
+    if is_changed:
+        windkessels, _ = tuning.tune(problem, shifted(goal, expected, plain), share)
+        plain = beat_of(*tuning.solve(problem, windkessels))
+    largest = LARGEST_JUMP * (goal.systolic - goal.diastolic)
+    circuits = {name: measured["circuits end"][name] + float(np.clip(
+        plain.circuits[name] + lacks[name] - measured["circuits end"][name], -largest, largest)) for name in network.outlets}
+    return Next(windkessels, circuits, expected, is_changed)

@@ -1,0 +1,180 @@
+"""Stage run: beat by beat, until the beat repeats itself and has the pressures and shares asked for."""
+import dataclasses
+import os
+import shutil
+import xml.etree.ElementTree as ElementTree
+
+from . import beats, case_file, checkpoint, correction, lumen, tune, tuning, walls
+from .errors import BadInput, NotConverged
+from .folder import hash_of, hash_of_file, read_json, write_atomically, write_json
+from .network import Windkessel
+from .programs import last_line
+from .units import mmhg
+
+TABLE, TUNED, RESULTS_FOLDER, LOG = "beats.json", "case-tuned.xml", "results", "run.log"
+READS = (case_file.CASE, walls.MESH, lumen.TABLE, walls.TABLE, tune.TABLE, tune.INFLOW)
+RESULTS = (TABLE, TUNED)
+PERIODIC = 0.01  # change of a pressure from beat to beat, of the pulse
+KEYS = {"proximal": "proximal resistance", "capacitance": "capacitance", "distal": "distal resistance"}
+
+
+def fingerprint(folder):
+    """Of what the beats depend on."""
+    return hash_of([hash_of_file(folder.file(name)) for name in READS])
+
+
+def begin(folder, tuned):
+    """What was done so far, or a new record. Results of another case are removed first: only a run of this one may go on."""
+    path = folder.file(TABLE)
+    if os.path.exists(path):
+        record = read_json(path)
+        if record.get("case") == fingerprint(folder):
+            return record
+        os.remove(path)
+    shutil.rmtree(folder.file(RESULTS_FOLDER), ignore_errors=True)
+    record = {"case": fingerprint(folder), "beats": [],
+              "next": {"windkessels": as_dicts(tuned["windkessels"]), "circuits": None}}
+    write_json(path, record)
+    return record
+
+
+def as_dicts(windkessels):
+    return {name: dataclasses.asdict(w) for name, w in windkessels.items()}
+
+
+def from_dicts(entries):
+    return {name: Windkessel(**entry) for name, entry in entries.items()}
+
+
+def time_step(folder):
+    """Step size and period of the case, which may have been edited [ms]."""
+    root = ElementTree.parse(folder.file(case_file.CASE)).getroot()
+    size = root.find("./ParameterList[@name='Time']/Parameter[@name='step size']")
+    if size is None:
+        raise BadInput(f"{folder.file(case_file.CASE)}: Time has no \"step size\"")
+    return float(size.get("value"))
+
+
+def settings(number, period, windkessels):
+    words = ["--set", f"Output/averages from={(number - 1) * period!r}"]
+    for name, w in windkessels.items():
+        for field, key in KEYS.items():
+            words += ["--set", f"Fluid/Surfaces/{name}/{key}={w[field]!r}"]
+    return words
+
+
+def advance(folder, options, programs, number, period, windkessels):
+    """Computes until the end of the beat of this number. Steps that were halved count, so that more may be needed."""
+    step, results = time_step(folder), folder.file(RESULTS_FOLDER)
+    steps, before = round(number * period / step), -1.0
+    while True:
+        has_state = checkpoint.newest(results) or os.path.exists(os.path.join(results, "prestress.h5"))
+        way = ["--restart", "--allow-changes"] if has_state else ["--overwrite"]
+        status = programs.run(["tunica-fsi", folder.file(case_file.CASE), "--output", results, "--steps", steps, *way,
+                               *settings(number, period, windkessels)], folder.file(LOG), options.ranks, shown=True)
+        check_status(status, folder)
+        newest = checkpoint.newest(results)
+        if newest is None:
+            raise BadInput(f"{folder.file(case_file.CASE)}: Output: \"checkpoint every\" is 0, expected checkpoints, from which "
+                           "the next beat continues")
+        time = checkpoint.time_of(newest)
+        if time > number * period - 1e-6 * period:
+            return
+        if time <= before:
+            raise RuntimeError(f"{results}: the run does not come beyond {time:g} ms")
+        before, steps = time, steps + round((number * period - time) / step)
+
+
+def check_status(status, folder):
+    reason = f"tunica-fsi ended with status {status}: {last_line(folder.file(LOG))} (all in {folder.file(LOG)})"
+    if status in (2, 5):
+        raise NotConverged(reason + ". The same command continues from the last checkpoint")
+    if status == 1:
+        raise BadInput(reason)
+    if status not in (0, 4):
+        raise RuntimeError(reason)
+
+
+def curves_of(folder, number, tuned):
+    table = beats.read_steps(folder.file(RESULTS_FOLDER, "steps.csv"))
+    return beats.curves_of(table, number, tuned["period"], tuned["inlet"], list(tuned["outlets"]))
+
+
+def run_beat(folder, options, programs, tuned, record):
+    """Runs the next beat and adds it to the record, with what follows from it still to be chosen."""
+    number, following = len(record["beats"]) + 1, record["next"]
+    newest = checkpoint.newest(folder.file(RESULTS_FOLDER))
+    start = (number - 1) * tuned["period"]
+    if following["circuits"] and newest and abs(checkpoint.time_of(newest) - start) < 1e-6 * tuned["period"]:
+        if not checkpoint.set_circuits(newest, following["circuits"]):
+            print(f"  {newest}: cannot be changed; the stored pressures go on as they are", flush=True)
+    advance(folder, options, programs, number, tuned["period"], following["windkessels"])
+    curves = curves_of(folder, number, tuned)
+    before = curves_of(folder, number - 1, tuned) if number > 1 else None
+    initial = {name: outlet["initial pressure"] for name, outlet in tuned["outlets"].items()}
+    return {"windkessels": following["windkessels"], "circuits begin": following["circuits"] or initial,
+            "measured": beats.measure(curves, tuned["inlet"]), "change": beats.change(curves, before, tuned["inlet"])}
+
+
+def goal_in(tuned):
+    return tuning.Goal(tuned["goal"]["systolic"], tuned["goal"]["diastolic"],
+                       {name: outlet["split"] for name, outlet in tuned["outlets"].items()})
+
+
+def is_done(beat, goal, options):
+    worst = max(map(abs, correction.errors(goal, beat["measured"]).values()))
+    return beat["change"] is not None and beat["change"] < PERIODIC and worst <= options.tolerance
+
+
+def make(folder, options, programs):
+    table, wall, tuned = read_json(folder.file(lumen.TABLE)), walls.read(folder), tune.read(folder)
+    goal, record = goal_in(tuned), begin(folder, tuned)
+    problem = tune.problem_of(table, wall, options, tune.read_inflow(folder), tuned["period"])
+    while not (record["beats"] and is_done(record["beats"][-1], goal, options)) and len(record["beats"]) < options.beats:
+        beat = run_beat(folder, options, programs, tuned, record)
+        chosen = correction.choose(problem, goal, tuned["proximal share"], dict(beat, windkessels=from_dicts(beat["windkessels"])),
+                                   options.tolerance)
+        record["beats"].append(beat)
+        record["next"] = {"windkessels": as_dicts(chosen.windkessels), "circuits": chosen.circuits}
+        beat["expected"], beat["corrected"] = chosen.expected, chosen.is_changed
+        write_json(folder.file(TABLE), record)
+        print("  " + line_of(len(record["beats"]), beat, goal), flush=True)
+    write_tuned(folder, record["beats"][-1])
+    return [verdict(record["beats"], goal, options)]
+
+
+def line_of(number, beat, goal):
+    m = beat["measured"]
+    worst = max(abs(m["splits"][name] - split) for name, split in goal.splits.items())
+    change = "" if beat["change"] is None else f", change {100 * beat['change']:.2g} % of the pulse"
+    return (f"beat {number}: {mmhg(m['systolic']):.1f}/{mmhg(m['diastolic']):.1f} mmHg (goal {mmhg(goal.systolic):.1f}/"
+            f"{mmhg(goal.diastolic):.1f}), shares within {100 * worst:.1f} %{change}")
+
+
+def verdict(done, goal, options):
+    last = done[-1]
+    if is_done(last, goal, options):
+        return f"run: after {len(done)} beats the beat repeats itself and has the pressures and shares asked for"
+    worst = correction.errors(goal, last["measured"])
+    where = max(worst, key=lambda name: abs(worst[name]))
+    change = "there is one beat only" if last["change"] is None else f"the last beat changes by {100 * last['change']:.2g} % of the pulse"
+    return (f"run: not reached in {len(done)} beats: {where} is off by {100 * worst[where]:.1f} %, {change} "
+            f"(goals: {100 * options.tolerance:g} % and {100 * PERIODIC:g} %). --beats {len(done) + 4} goes on")
+
+
+def is_converged(folder, options):
+    tuned, record = tune.read(folder), read_json(folder.file(TABLE))
+    return bool(record["beats"]) and is_done(record["beats"][-1], goal_in(tuned), options)
+
+
+def write_tuned(folder, beat):
+    """The case with the Windkessels of the last beat, which begins with the pressures that they store at its end."""
+    builder = ElementTree.TreeBuilder(insert_comments=True)
+    root = ElementTree.parse(folder.file(case_file.CASE), ElementTree.XMLParser(target=builder)).getroot()
+    for name, w in beat["windkessels"].items():
+        values = dict({key: w[field] for field, key in KEYS.items()}, **{"initial pressure": beat["measured"]["circuits end"][name]})
+        surface = root.find(f"./ParameterList[@name='Fluid']/ParameterList[@name='Surfaces']/ParameterList[@name='{name}']")
+        for key, value in values.items():
+            surface.find(f"./Parameter[@name='{key}']").set("value", repr(value))
+    head = "<!-- case.xml with the Windkessels and the stored pressures of the last beat of tunica-vessel. -->\n"
+    write_atomically(folder.file(TUNED), head + ElementTree.tostring(root, encoding="unicode") + "\n")
