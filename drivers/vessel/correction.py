@@ -9,8 +9,10 @@ import dataclasses
 import numpy as np
 
 from . import tuning
+from .errors import NotConverged
 from .network import beat_of
 
+LEAST_PULSE = 0.2  # of a shifted goal, of the pulse
 LARGEST_JUMP = 0.5  # of the stored pressures between two beats, of the pulse
 
 
@@ -51,9 +53,20 @@ def shifted(goal, expected, plain):
     """The goal for the network: less what it lacks."""
     splits = {name: max(0.2 * split, split - (expected["splits"][name] - plain.splits[name])) for name, split in goal.splits.items()}
     whole = sum(splits.values())
-    return tuning.Goal(goal.systolic - (expected["systolic"] - plain.systolic),
-                       goal.diastolic - (expected["diastolic"] - plain.diastolic),
-                       {name: split / whole for name, split in splits.items()})
+    diastolic = goal.diastolic - (expected["diastolic"] - plain.diastolic)
+    systolic = goal.systolic - (expected["systolic"] - plain.systolic)
+    pulse = max(systolic - diastolic, LEAST_PULSE * (goal.systolic - goal.diastolic))
+    return tuning.Goal(diastolic + pulse, diastolic, {name: split / whole for name, split in splits.items()})
+
+
+def retuned(problem, goal, share):
+    """Windkessels for the goal, with less proximal resistance where it is out of reach; None where that does not help."""
+    for each in (share, None):
+        try:
+            return tuning.tune(problem, goal, each)[0]
+        except NotConverged:
+            continue
+    return None
 
 
 def choose(problem, goal, share, beat, tolerance):
@@ -66,7 +79,8 @@ def choose(problem, goal, share, beat, tolerance):
     is_changed = max(map(abs, errors(goal, expected).values())) > 0.5 * tolerance
     lacks = {name: fixed[name] - plain.circuits[name] for name in network.outlets}
     if is_changed:
-        windkessels, _ = tuning.tune(problem, shifted(goal, expected, plain), share)
+        found = retuned(problem, shifted(goal, expected, plain), share)
+        is_changed, windkessels = found is not None, found or windkessels
         plain = beat_of(*tuning.solve(problem, windkessels))
     largest = LARGEST_JUMP * (goal.systolic - goal.diastolic)
     circuits = {name: measured["circuits end"][name] + float(np.clip(

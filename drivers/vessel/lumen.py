@@ -17,10 +17,8 @@ RESULTS = (MESH, TABLE)
 def make(folder, options, programs):
     """Both files appear complete: they are made under other names, and renamed."""
     draft = folder.file("draft-" + MESH)
-    table_draft = os.path.splitext(draft)[0] + ".json"
-    for path in (draft, table_draft):
-        if os.path.exists(path):
-            os.remove(path)
+    table_draft, picture = (os.path.splitext(draft)[0] + ending for ending in (".json", ".png"))
+    remove(draft, table_draft, picture)
     log = folder.file(LOG)
     if os.path.splitext(options.lumen)[1].lower() in MESHES:
         take_mesh(options.lumen, draft, programs, log)
@@ -29,9 +27,16 @@ def make(folder, options, programs):
     table = table_of(draft, table_draft, options)
     os.replace(draft, folder.file(MESH))
     write_json(folder.file(TABLE), table)
-    if os.path.exists(table_draft):
-        os.remove(table_draft)
+    if os.path.exists(picture):
+        os.replace(picture, folder.file("lumen.png"))
+    remove(table_draft)
     return report(table)
+
+
+def remove(*paths):
+    for path in paths:
+        if os.path.exists(path):
+            os.remove(path)
 
 
 def take_mesh(source, draft, programs, log):
@@ -48,7 +53,10 @@ def fill_surface(options, draft, programs, log):
     if not programs.has_command("tunica-mesh", "lumen"):
         raise BadInput(f"{options.lumen}: this tunica-mesh has no command \"lumen\" to fill a surface. Give a mesh of the lumen")
     words = ["tunica-mesh", "lumen", options.lumen, draft]
-    programs.must(words + (["--size", options.size] if options.size else []), log)
+    for name in ("scale", "size", "across", "layers"):
+        value = getattr(options, name)
+        words += [] if value is None else [f"--{name}", f"{value:g}"]
+    programs.must(words, log)
 
 
 def table_of(draft, table_draft, options):

@@ -8,7 +8,7 @@ from .presets import PRESETS
 
 STAGES = ("mesh", "wall", "tune", "case", "run", "report")
 # The first stage whose result an option changes. Options that are not here change no result.
-STAGE_OF = {"lumen": "mesh", "size": "mesh", "lumen_wall": "mesh", "wall": "wall", "thickness": "wall",
+STAGE_OF = {"lumen": "mesh", "scale": "mesh", "across": "mesh", "size": "mesh", "layers": "mesh", "lumen_wall": "mesh", "wall": "wall", "thickness": "wall",
             "wall_elements": "wall", "pressure": "tune", "flow": "tune", "mean_flow": "tune", "heart_rate": "tune",
             "inlet": "tune", "splits": "tune", "proximal": "tune", "profile": "case", "step": "case",
             "ends": "case", "tissue": "case", "beats": "run", "tolerance": "run"}
@@ -51,7 +51,10 @@ def add_physics(parser):
 
 def add_numerics(parser):
     add = parser.add_argument
-    add("--size", type=float, metavar="MM", help="edge of the tetrahedra; default: that of tunica-mesh lumen")
+    add("--scale", type=float, metavar="F", help="of a surface: factor to mm, 10 for cm")
+    add("--across", type=float, metavar="N", help="of a surface: elements across each branch; default: that of tunica-mesh lumen, 10")
+    add("--size", type=float, metavar="MM", help="of a surface: edge of the triangles, instead of --across")
+    add("--layers", type=int, metavar="N", help="of a surface: thin layers of elements at the wall; default: that of tunica-mesh lumen")
     add("--lumen-wall", metavar="NAME", default="lumen_wall", help="of a mesh: its surface on which the wall grows; default lumen_wall")
     add("--wall-elements", type=int, metavar="N", help="elements through the wall; default: three or more, as suits the lumen")
     add("--step", type=float, metavar="MS", default=5.0, help="largest time step; the beat has a whole number of them; default 5")
@@ -96,7 +99,7 @@ def read(about, words=None):
 
 
 def check_numbers(options):
-    limits = {"size": (0, 1e3), "thickness": (0.01, 1), "wall_elements": (0, 20), "mean_flow": (0, 50),
+    limits = {"scale": (0, 1e6), "across": (1, 200), "size": (0, 1e3), "layers": (-1, 20), "thickness": (0.01, 1), "wall_elements": (0, 20), "mean_flow": (0, 50),
               "heart_rate": (10, 400), "proximal": (0, 0.9), "step": (0, 100), "beats": (0, 1000),
               "tolerance": (0, 0.5), "ranks": (0, 10000), "tissue": (-1e-9, 1e4)}
     for name, (low, high) in limits.items():
