@@ -1,4 +1,5 @@
 """The folder of a case: which stages are done, of what, and whether it may continue."""
+import fcntl
 import hashlib
 import json
 import os
@@ -7,7 +8,7 @@ import time
 from .errors import BadInput
 from .options import FREE, STAGE_OF, STAGES
 
-RECORD, FORMAT = "stages.json", "tunica-vessel 1"
+RECORD, LOCK, FORMAT = "stages.json", ".tunica-vessel-lock", "tunica-vessel 1"
 FILE_OPTIONS = ("lumen", "wall", "flow")  # of which the contents count, not the name
 
 
@@ -43,6 +44,18 @@ def read_json(path):
         raise BadInput(f"{path}: cannot be read: {error.strerror}") from None
 
 
+def is_free(path):
+    """Whether no process holds the lock in this file, which need not exist."""
+    try:
+        with open(path, "rb") as file:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    except OSError:
+        pass
+    return True
+
+
 def write_json(path, thing):
     write_atomically(path, json.dumps(thing, indent=2) + "\n")
 
@@ -62,13 +75,13 @@ class Folder:
     """The record of the stages, which is replaced in one step."""
 
     def __init__(self, path, words):
-        self.path, self.words = path, words
+        self.path, self.words, self.lock = path, words, None
         self.record = {"format": FORMAT, "options": words, "stages": {}}
         if os.path.exists(self.file(RECORD)):
             self.record = read_json(self.file(RECORD))
             if not isinstance(self.record, dict) or self.record.get("format") != FORMAT:
                 raise BadInput(f"{self.file(RECORD)}: its format is not \"{FORMAT}\"; was it made by another version?")
-        elif os.path.isdir(path) and os.listdir(path):
+        elif os.path.isdir(path) and set(os.listdir(path)) - {LOCK, RECORD + ".tmp"}:
             raise BadInput(f"{path}: holds files but no {RECORD}, so that it was not made by tunica-vessel. Name another folder")
 
     def file(self, *names):
@@ -91,7 +104,15 @@ class Folder:
         return stage == "run" and os.path.exists(self.file("beats.json"))
 
     def begin(self):
-        os.makedirs(self.path, exist_ok=True)
+        """From now on the folder is ours alone, until the end of this process, however it ends."""
+        try:
+            os.makedirs(self.path, exist_ok=True)
+            self.lock = open(self.file(LOCK), "w", encoding="utf-8")
+            fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise BadInput(f"{self.path}: another tunica-vessel works there. Wait for its end, or name another folder") from None
+        except OSError as error:
+            raise BadInput(f"{self.path}: cannot be written: {error.strerror}") from None
         self.record["options"] = self.words
         self.save()
 

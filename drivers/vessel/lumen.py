@@ -99,4 +99,4 @@ def report(table):
     lines = [f"lumen: {table['volume'] / 1000:.3g} ml, {table['tetrahedra']} tetrahedra, {len(table['branches'])} branches"]
     for opening in table["openings"]:
         lines.append(f"  {opening['name']}: radius {opening['radius']:.2f} mm")
-    return lines + [f"  warning: {text}" for text in table["warnings"]]
+    return lines + [f"  note: {text}" for text in table["warnings"]]

@@ -8,9 +8,9 @@ from .presets import PRESETS
 
 STAGES = ("mesh", "wall", "tune", "case", "run", "report")
 # The first stage whose result an option changes. Options that are not here change no result.
-STAGE_OF = {"lumen": "mesh", "scale": "mesh", "across": "mesh", "size": "mesh", "layers": "mesh", "lumen_wall": "mesh", "wall": "wall", "thickness": "wall",
+STAGE_OF = {"lumen": "mesh", "scale": "mesh", "across": "mesh", "size": "mesh", "layers": "mesh", "lumen_wall": "mesh", "inlet": "mesh", "wall": "wall", "thickness": "wall",
             "wall_elements": "wall", "pressure": "tune", "flow": "tune", "mean_flow": "tune", "heart_rate": "tune",
-            "inlet": "tune", "splits": "tune", "proximal": "tune", "profile": "case", "step": "case",
+            "splits": "tune", "proximal": "tune", "profile": "case", "step": "case",
             "ends": "case", "tissue": "case", "beats": "run", "tolerance": "run"}
 FREE = ("beats",)  # more of them continue what there is
 

@@ -2,11 +2,12 @@
 import dataclasses
 import os
 import shutil
+import time
 import xml.etree.ElementTree as ElementTree
 
 from . import beats, case_file, checkpoint, correction, lumen, tune, tuning, walls
 from .errors import BadInput, NotConverged
-from .folder import hash_of, hash_of_file, read_json, write_atomically, write_json
+from .folder import hash_of, hash_of_file, is_free, read_json, write_atomically, write_json
 from .network import Windkessel
 from .programs import last_line
 from .units import mmhg
@@ -14,6 +15,7 @@ from .units import mmhg
 TABLE, TUNED, RESULTS_FOLDER, LOG = "beats.json", "case-tuned.xml", "results", "run.log"
 READS = (case_file.CASE, walls.MESH, lumen.TABLE, walls.TABLE, tune.TABLE, tune.INFLOW)
 RESULTS = (TABLE, TUNED)
+MOST_SECONDS = 120  # for a run that was told to end
 PERIODIC = 0.01  # change of a pressure from beat to beat, of the pulse
 KEYS = {"proximal": "proximal resistance", "capacitance": "capacitance", "distal": "distal resistance"}
 
@@ -31,6 +33,7 @@ def begin(folder, tuned):
         if record.get("case") == fingerprint(folder):
             return record
         os.remove(path)
+    wait_until_free(folder.file(RESULTS_FOLDER))
     shutil.rmtree(folder.file(RESULTS_FOLDER), ignore_errors=True)
     record = {"case": fingerprint(folder), "beats": [],
               "next": {"windkessels": as_dicts(tuned["windkessels"]), "circuits": None}}
@@ -55,6 +58,17 @@ def time_step(folder):
     return float(size.get("value"))
 
 
+def wait_until_free(results):
+    """The run of a program that was killed goes on until it has written its checkpoint."""
+    for second in range(MOST_SECONDS):
+        if is_free(os.path.join(results, ".tunica-lock")):
+            return
+        if second % 10 == 9:
+            print(f"  {results}: waiting for an earlier run to end", flush=True)
+        time.sleep(1)
+    raise BadInput(f"{results}: another run writes its results there. Wait for its end")
+
+
 def settings(number, period, windkessels):
     words = ["--set", f"Output/averages from={(number - 1) * period!r}"]
     for name, w in windkessels.items():
@@ -77,12 +91,12 @@ def advance(folder, options, programs, number, period, windkessels):
         if newest is None:
             raise BadInput(f"{folder.file(case_file.CASE)}: Output: \"checkpoint every\" is 0, expected checkpoints, from which "
                            "the next beat continues")
-        time = checkpoint.time_of(newest)
-        if time > number * period - 1e-6 * period:
+        reached = checkpoint.time_of(newest)
+        if reached > number * period - 1e-6 * period:
             return
-        if time <= before:
-            raise RuntimeError(f"{results}: the run does not come beyond {time:g} ms")
-        before, steps = time, steps + round((number * period - time) / step)
+        if reached <= before:
+            raise RuntimeError(f"{results}: the run does not come beyond {reached:g} ms")
+        before, steps = reached, steps + round((number * period - reached) / step)
 
 
 def check_status(status, folder):
@@ -103,6 +117,7 @@ def curves_of(folder, number, tuned):
 def run_beat(folder, options, programs, tuned, record):
     """Runs the next beat and adds it to the record, with what follows from it still to be chosen."""
     number, following = len(record["beats"]) + 1, record["next"]
+    wait_until_free(folder.file(RESULTS_FOLDER))
     newest = checkpoint.newest(folder.file(RESULTS_FOLDER))
     start = (number - 1) * tuned["period"]
     if following["circuits"] and newest and abs(checkpoint.time_of(newest) - start) < 1e-6 * tuned["period"]:

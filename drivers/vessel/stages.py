@@ -2,7 +2,7 @@
 import os
 import time
 
-from . import case_file, lumen, page, plan, run, tune, walls
+from . import case_file, flow_shapes, lumen, page, plan, run, tune, walls
 from .errors import NotConverged
 from .folder import Folder, words_of
 from .options import STAGES
@@ -33,7 +33,13 @@ def open_folder(options):
     return folder
 
 
+def check_files(options):
+    """Files of the user that later stages read are read once before the long work."""
+    flow_shapes.inflow(options, walls.read_wall(options))
+
+
 def tell_plan(options):
+    check_files(options)
     folder = open_folder(options)
     for stage in wanted_stages(options):
         is_kept = folder.is_done(stage, ALL[stage].reads) and not is_forced(stage, options)
@@ -42,6 +48,7 @@ def tell_plan(options):
 
 
 def make_all(options):
+    check_files(options)
     programs = Programs(options.programs)
     folder = open_folder(options)
     folder.begin()
