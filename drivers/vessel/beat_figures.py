@@ -23,7 +23,8 @@ def pressures(tuned, last, before):
             axes.plot(before.time, mmhg(before.pressure[name]), ":", color=f"C{colour}", linewidth=1)
     for goal in tuned["goal"].values():
         axes.axhline(mmhg(goal), color="0.6", linewidth=0.8, linestyle="--")
-    axes.set(xlabel="time in the beat, ms", ylabel="pressure, mmHg", title="last beat; dotted: the beat before; dashed: goal at the inlet")
+    axes.set(xlabel="time in the beat, ms", ylabel="pressure, mmHg",
+             title="last beat; dotted: the beat before; dashed: goal at the inlet")
     axes.legend(fontsize=8)
     return figure
 

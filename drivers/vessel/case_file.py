@@ -59,7 +59,8 @@ def write_time(out, tuned, options):
     out.put("file", walls.MESH)
     out.end()
     out.begin("Time")
-    out.put("step size", tuned["period"] / steps, f"ms; {steps} steps in a beat of {tuned['period']:.6g} ms, at most {options.step:g} ms (option step)")
+    out.put("step size", tuned["period"] / steps,
+            f"ms; {steps} steps in a beat of {tuned['period']:.6g} ms, at most {options.step:g} ms (option step)")
     out.put("steps", 3 * steps, "three beats by tunica-fsi alone; tunica-vessel goes on beat by beat")
     out.put("cuts", 3, "a step that fails is halved up to three times")
     out.end()

@@ -1,8 +1,9 @@
 """How the Windkessels and their pressures are corrected between two beats, by the network.
 
 The map of the stored pressures from the beginning of a beat to its end is c -> Phi c + g. Phi is that of the network, g is
-seen in the beat; the beat repeats itself from c* = (1 - Phi)^-1 (c_end - Phi c_begin) on. What the beat's pressures and shares would be
-from c* on, less those of the network, is what the network lacks: it is tuned anew for goals that are lower by that much.
+seen in the beat; the beat repeats itself from c* = (1 - Phi)^-1 (c_end - Phi c_begin) on. What the beat's pressures and
+shares would be from c* on, less those of the network, is what the network lacks: it is tuned anew for goals that are lower
+by that much.
 """
 import dataclasses
 
@@ -51,7 +52,8 @@ def errors(goal, beat):
 
 def shifted(goal, expected, plain):
     """The goal for the network: less what it lacks."""
-    splits = {name: max(0.2 * split, split - (expected["splits"][name] - plain.splits[name])) for name, split in goal.splits.items()}
+    splits = {name: max(0.2 * split, split - (expected["splits"][name] - plain.splits[name]))
+              for name, split in goal.splits.items()}
     whole = sum(splits.values())
     diastolic = goal.diastolic - (expected["diastolic"] - plain.diastolic)
     systolic = goal.systolic - (expected["systolic"] - plain.systolic)

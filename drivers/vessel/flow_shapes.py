@@ -42,7 +42,8 @@ def periodic_spline(t, y, period, at):
     k = np.searchsorted(t, at, side="right") - 1
     s = at - t[k]
     next_M = np.roll(M, -1)[k]
-    return y[k] + s * (slope[k] - h[k] * (2 * M[k] + next_M) / 6 + s * (M[k] / 2 + s * (next_M - M[k]) / (6 * h[k])))
+    first = slope[k] - h[k] * (2 * M[k] + next_M) / 6
+    return y[k] + s * (first + s * (M[k] / 2 + s * (next_M - M[k]) / (6 * h[k])))
 
 
 def built_in(shape, mean, period):
@@ -65,8 +66,8 @@ def read_curve(path, heart_rate):
     period = t[-1]
     if abs(y[-1] - y[0]) > 0.05 * np.ptp(y):
         if not heart_rate:
-            raise BadInput(f"{path}: the last row has the flow {y[-1]:.4g}, the first {y[0]:.4g} ml/s. The last row closes the beat: "
-                           "repeat the first flow there, or give --heart-rate")
+            raise BadInput(f"{path}: the last row has the flow {y[-1]:.4g}, the first {y[0]:.4g} ml/s. The last row closes "
+                           "the beat: repeat the first flow there, or give --heart-rate")
         period = 60000.0 / heart_rate
         if period <= t[-1]:
             raise BadInput(f"{path}: spans {t[-1]:g} ms, more than a beat of {period:g} ms by --heart-rate")

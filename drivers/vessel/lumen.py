@@ -86,8 +86,8 @@ def check(mesh, options):
         raise BadInput(f"{options.lumen}: its regions are {', '.join(mesh.regions)}, expected the lumen alone, \"fluid\". "
                        "tunica-import --fluid MESH OUT.h5 names it")
     if options.lumen_wall not in mesh.surfaces:
-        raise BadInput(f"{options.lumen}: has no surface \"{options.lumen_wall}\" on which a wall could grow; --lumen-wall names it. "
-                       f"{nearest(options.lumen_wall, mesh.surfaces)}")
+        raise BadInput(f"{options.lumen}: has no surface \"{options.lumen_wall}\" on which a wall could grow; --lumen-wall "
+                       f"names it. {nearest(options.lumen_wall, mesh.surfaces)}")
     if len(mesh.surfaces) < 3:
         raise BadInput(f"{options.lumen}: has the surfaces {', '.join(mesh.surfaces)}, expected two openings or more and the wall")
     extent = np.ptp(mesh.vertices, axis=0).max()

@@ -119,7 +119,7 @@ class Network:
 
 @dataclasses.dataclass
 class Beat:
-    """What a beat is judged by: pressures at the inlet [kPa], mean share of the flow by outlet, p_c at its beginning and end [kPa]."""
+    """What a beat is judged by: pressures at the inlet [kPa], share of the mean flow by outlet, p_c at both ends [kPa]."""
     systolic: float
     diastolic: float
     splits: dict

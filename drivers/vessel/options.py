@@ -8,10 +8,11 @@ from .presets import PRESETS
 
 STAGES = ("mesh", "wall", "tune", "case", "run", "report")
 # The first stage whose result an option changes. Options that are not here change no result.
-STAGE_OF = {"lumen": "mesh", "scale": "mesh", "across": "mesh", "size": "mesh", "layers": "mesh", "lumen_wall": "mesh", "inlet": "mesh", "wall": "wall", "thickness": "wall",
+STAGE_OF = {"lumen": "mesh", "scale": "mesh", "across": "mesh", "size": "mesh", "layers": "mesh",
+            "lumen_wall": "mesh", "inlet": "mesh", "wall": "wall", "thickness": "wall", "tissue": "wall",
             "wall_elements": "wall", "pressure": "tune", "flow": "tune", "mean_flow": "tune", "heart_rate": "tune",
             "splits": "tune", "proximal": "tune", "profile": "case", "step": "case",
-            "ends": "case", "tissue": "case", "beats": "run", "tolerance": "run"}
+            "ends": "case", "beats": "run", "tolerance": "run"}
 FREE = ("beats",)  # more of them continue what there is
 
 
@@ -41,7 +42,8 @@ def add_physics(parser):
         help="largest share of the proximal in the whole resistance of an outlet; default 0.08")
     add("--wall", metavar="KIND|FILE", default="aorta",
         help=f"wall: {', '.join(PRESETS)}, or a file of one's own; default aorta")
-    add("--thickness", type=float, metavar="SHARE", help="thickness of the wall as a share of the local radius; default: of --wall")
+    add("--thickness", type=float, metavar="SHARE",
+        help="thickness of the wall as a share of the local radius; default: of --wall")
     add("--tissue", type=float, metavar="KPA/MM", help="stiffness of the tissue around the wall; default: of --wall")
     add("--ends", choices=("slide", "clamped"), default="slide",
         help="ends of the wall: they slide in their planes, or are clamped; default slide")
@@ -52,10 +54,13 @@ def add_physics(parser):
 def add_numerics(parser):
     add = parser.add_argument
     add("--scale", type=float, metavar="F", help="of a surface: factor to mm, 10 for cm")
-    add("--across", type=float, metavar="N", help="of a surface: elements across each branch; default: that of tunica-mesh lumen, 10")
+    add("--across", type=float, metavar="N",
+        help="of a surface: elements across each branch; default: that of tunica-mesh lumen, 10")
     add("--size", type=float, metavar="MM", help="of a surface: edge of the triangles, instead of --across")
-    add("--layers", type=int, metavar="N", help="of a surface: thin layers of elements at the wall; default: that of tunica-mesh lumen")
-    add("--lumen-wall", metavar="NAME", default="lumen_wall", help="of a mesh: its surface on which the wall grows; default lumen_wall")
+    add("--layers", type=int, metavar="N",
+        help="of a surface: thin layers of elements at the wall; default: that of tunica-mesh lumen")
+    add("--lumen-wall", metavar="NAME", default="lumen_wall",
+        help="of a mesh: its surface on which the wall grows; default lumen_wall")
     add("--wall-elements", type=int, metavar="N", help="elements through the wall; default: three or more, as suits the lumen")
     add("--step", type=float, metavar="MS", default=5.0, help="largest time step; the beat has a whole number of them; default 5")
     add("--beats", type=int, metavar="N", default=8, help="most beats to compute; default 8")
@@ -99,8 +104,8 @@ def read(about, words=None):
 
 
 def check_numbers(options):
-    limits = {"scale": (0, 1e6), "across": (1, 200), "size": (0, 1e3), "layers": (-1, 20), "thickness": (0.01, 1), "wall_elements": (0, 20), "mean_flow": (0, 50),
-              "heart_rate": (10, 400), "proximal": (0, 0.9), "step": (0, 100), "beats": (0, 1000),
+    limits = {"scale": (0, 1e6), "across": (1, 200), "size": (0, 1e3), "layers": (-1, 20), "thickness": (0.01, 1),
+              "wall_elements": (0, 20), "mean_flow": (0, 50), "heart_rate": (10, 400), "proximal": (0, 0.9), "step": (0, 100), "beats": (0, 1000),
               "tolerance": (0, 0.5), "ranks": (0, 10000), "tissue": (-1e-9, 1e4)}
     for name, (low, high) in limits.items():
         value = getattr(options, name)

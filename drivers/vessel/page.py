@@ -22,10 +22,11 @@ def table_of(heading, rows):
 
 def pressures(tuned, beat, goal):
     rows = []
+    aim = (f"{mmhg(goal.systolic):.0f}/{mmhg(goal.diastolic):.0f}, pulse {mmhg(goal.systolic - goal.diastolic):.0f}")
     for name, (high, low) in beat["measured"]["pressures"].items():
         is_inlet = name == tuned["inlet"]
-        aim = f"{mmhg(goal.systolic):.0f}/{mmhg(goal.diastolic):.0f}, pulse {mmhg(goal.systolic - goal.diastolic):.0f}" if is_inlet else ""
-        rows.append([name + (" (inlet)" if is_inlet else ""), f"{mmhg(high):.1f}", f"{mmhg(low):.1f}", f"{mmhg(high - low):.1f}", aim])
+        rows.append([name + (" (in)" if is_inlet else ""), f"{mmhg(high):.1f}", f"{mmhg(low):.1f}", f"{mmhg(high - low):.1f}",
+                     aim if is_inlet else ""])
     return table_of(["pressure, mmHg", "systole", "diastole", "pulse", "goal"], rows)
 
 
@@ -42,10 +43,10 @@ def windkessels(tuned, beat):
     rows = []
     for name, w in beat["windkessels"].items():
         first = tuned["outlets"][name]
+        resistance = (w["proximal"] + w["distal"]) / (first["proximal resistance"] + first["distal resistance"])
         rows.append([name, f"{w['proximal'] / MMHG_S_PER_ML:.4g}", f"{w['distal'] / MMHG_S_PER_ML:.4g}",
                      f"{w['capacitance'] / ML_PER_MMHG:.4g}", f"{w['distal'] * w['capacitance'] / 1000:.2g}",
-                     f"{100 * ((w['proximal'] + w['distal']) / (first['proximal resistance'] + first['distal resistance']) - 1):+.1f} %",
-                     f"{100 * (w['capacitance'] / first['capacitance'] - 1):+.1f} %"])
+                     f"{100 * (resistance - 1):+.1f} %", f"{100 * (w['capacitance'] / first['capacitance'] - 1):+.1f} %"])
     return table_of(["Windkessel", "proximal, mmHg s/ml", "distal, mmHg s/ml", "capacitance, ml/mmHg", "time constant, s",
                      "resistance since the network", "capacitance since the network"], rows)
 
@@ -63,7 +64,8 @@ def beats_table(beats, goal):
 
 def meshes(folder, table):
     mesh = Mesh(folder.file(lumen.MESH))
-    rows = [[o["name"], f"{o['radius']:.2f}", f"{o['area']:.1f}", f"{elements_across(mesh, o):.0f}"] for o in table["openings"]]
+    rows = [[o["name"], f"{o['radius']:.2f}", f"{o['area']:.1f}", f"{elements_across(mesh, o):.0f}"]
+            for o in table["openings"]]
     return table_of(["opening", "radius, mm", "area, mm²", "elements across"], rows), rows
 
 
@@ -86,18 +88,20 @@ def doubts(options, tuned, wall, across, beats):
     found = []
     coarse = [row[0] for row in across if float(row[3]) < FEW_ACROSS]
     if coarse:
-        found.append(f"Fewer than {FEW_ACROSS} elements across {', '.join(coarse)}: wall shear stress there is not to be relied on.")
+        found.append(f"Fewer than {FEW_ACROSS} elements across {', '.join(coarse)}: do not rely on the wall shear stress there.")
     capped = [name for name, o in tuned["outlets"].items() if o["proximal resistance"] < 0.999 * o["characteristic impedance"]]
     if capped:
         found.append(f"The proximal resistance of {', '.join(capped)} is below the characteristic impedance, so that waves are "
-                     f"reflected there: with all of it the pulse would be beyond the goal, or more than {100 * options.proximal:g} % of the whole.")
+                     "reflected there. With all of it the pulse would be beyond the goal, or the share of the whole resistance "
+                     f"beyond {100 * options.proximal:g} %.")
     if options.wall not in walls.PRESETS:
         found.append("The wall is that of a file; nothing compares it with measured stiffness.")
     elif tuned["goal"]["diastolic"] < 0.75 * 10.67 or tuned["goal"]["diastolic"] > 1.25 * 10.67:
         found.append("The stiffness of the wall is that at 80 mmHg, the diastolic pressure is another.")
     first = beats[0]["measured"]
     if abs(first["systolic"] / tuned["goal"]["systolic"] - 1) > 0.15:
-        found.append("The first beat missed the pressures of the network by more than 15 %: the vessel has losses that Poiseuille's law lacks.")
+        found.append("The first beat missed the pressures of the network by more than 15 %: the vessel has losses that "
+                     "Poiseuille's law lacks.")
     if len(tuned["outlets"]) > 1 and not options.splits:
         found.append("Murray's law is a rule of thumb; measured shares (--splits) are better.")
     return found + wall["warnings"]
@@ -109,13 +113,15 @@ def text_of(folder, options):
     last = beats[-1]
     mesh_lines, across = meshes(folder, table)
     worst = max(map(abs, correction.errors(goal, last["measured"]).values()))
-    lines = [f"# {os.path.basename(os.path.abspath(folder.path))}", "", run.verdict(beats, goal, options).replace("run: ", "") + ".", "",
+    verdict = run.verdict(beats, goal, options).replace("run: ", "")
+    lines = [f"# {os.path.basename(os.path.abspath(folder.path))}", "", verdict[0].upper() + verdict[1:] + ".", "",
              f"Largest distance from a goal: {100 * worst:.1f} %. Figures: [pressures](pressures.png), [flows](flows.png); "
              "fields and stress: [results/report/index.html](results/report/index.html).", "", "## Pressures", ""]
     lines += pressures(tuned, last, goal) + ["## Flows", ""] + flows(tuned, last, goal)
     lines += ["## Windkessels", ""] + windkessels(tuned, last)
     lines += ["## Beats", "", f"A beat repeats itself when no pressure changes by {100 * run.PERIODIC:g} % of the pulse.", ""]
-    lines += beats_table(beats, goal) + ["## Mesh", "", f"{wall['mesh']['tetrahedra']} tetrahedra, about {wall['mesh']['unknowns']} unknowns.", ""]
+    lines += beats_table(beats, goal) + ["## Mesh", ""]
+    lines += [f"{wall['mesh']['tetrahedra']} tetrahedra, about {wall['mesh']['unknowns']} unknowns.", ""]
     lines += mesh_lines + ["## Assumed", ""] + ["- " + text for text in assumptions(options, tuned, wall)]
     lines += ["", "## Doubtful", ""] + ["- " + text for text in doubts(options, tuned, wall, across, beats) or ["Nothing."]]
     return "\n".join(lines) + "\n"
@@ -145,9 +151,10 @@ def html_of(text):
             body.append(f"<p>{line}</p>")
         if line == "## Flows":
             body.append('<img src="pressures.png" alt="pressures"><img src="flows.png" alt="flows">')
-    return ('<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>tunica-vessel</title><style>body{font-family:sans-serif;max-width:'
-            "60em;margin:2em auto;padding:0 1em}table{border-collapse:collapse}td,th{border:1px solid #bbb;padding:.25em .6em;text-align:right}"
-            "td:first-child,th:first-child{text-align:left}img{max-width:49%}</style>\n" + "\n".join(body) + "</html>\n")
+    return ('<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>tunica-vessel</title><style>'
+            "body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em}table{border-collapse:collapse}"
+            "td,th{border:1px solid #bbb;padding:.25em .6em;text-align:right}td:first-child,th:first-child{text-align:left}"
+            "img{max-width:49%}</style>\n" + "\n".join(body) + "</html>\n")
 
 
 def make(folder, options, programs):

@@ -48,7 +48,8 @@ def minutes_text(seconds):
 def lines(folder, options):
     period = period_of(folder, options)
     steps = case_file.steps_of(period, options.step)
-    found = [f"beat: {period:.5g} ms in {steps} steps of {period / steps:.4g} ms; {USUAL_BEATS} beats are usual, at most {options.beats}"]
+    found = [f"beat: {period:.5g} ms in {steps} steps of {period / steps:.4g} ms; {USUAL_BEATS} beats are usual, at most "
+             f"{options.beats}"]
     size = size_of(folder, options)
     if size is None:
         return found + ["size: known after the stage mesh: give the same command with --to wall, and then --dry-run again"]

@@ -32,7 +32,8 @@ class Programs:
     def path(self, name):
         path = os.path.join(self.folder, name)
         if not os.access(path, os.X_OK):
-            there = [entry for entry in (os.listdir(self.folder) if os.path.isdir(self.folder) else []) if entry.startswith("tunica-")]
+            entries = os.listdir(self.folder) if os.path.isdir(self.folder) else []
+            there = [entry for entry in entries if entry.startswith("tunica-")]
             hint = nearest(name, there) if there else "--programs names their folder."
             raise BadInput(f"{path}: there is no such program. {hint}")
         return path

@@ -147,8 +147,8 @@ def make(folder, options, programs):
     problem = tune.problem_of(table, wall, options, tune.read_inflow(folder), tuned["period"])
     while not (record["beats"] and is_done(record["beats"][-1], goal, options)) and len(record["beats"]) < options.beats:
         beat = run_beat(folder, options, programs, tuned, record)
-        chosen = correction.choose(problem, goal, tuned["proximal share"], dict(beat, windkessels=from_dicts(beat["windkessels"])),
-                                   options.tolerance)
+        as_run = dict(beat, windkessels=from_dicts(beat["windkessels"]))
+        chosen = correction.choose(problem, goal, tuned["proximal share"], as_run, options.tolerance)
         record["beats"].append(beat)
         record["next"] = {"windkessels": as_dicts(chosen.windkessels), "circuits": chosen.circuits}
         beat["expected"], beat["corrected"] = chosen.expected, chosen.is_changed
@@ -172,7 +172,9 @@ def verdict(done, goal, options):
         return f"run: after {len(done)} beats the beat repeats itself and has the pressures and shares asked for"
     worst = correction.errors(goal, last["measured"])
     where = max(worst, key=lambda name: abs(worst[name]))
-    change = "there is one beat only" if last["change"] is None else f"the last beat changes by {100 * last['change']:.2g} % of the pulse"
+    change = "there is one beat only"
+    if last["change"] is not None:
+        change = f"the last beat changes by {100 * last['change']:.2g} % of the pulse"
     return (f"run: not reached in {len(done)} beats: {where} is off by {100 * worst[where]:.1f} %, {change} "
             f"(goals: {100 * options.tolerance:g} % and {100 * PERIODIC:g} %). --beats {len(done) + 4} goes on")
 
@@ -187,7 +189,8 @@ def write_tuned(folder, beat):
     builder = ElementTree.TreeBuilder(insert_comments=True)
     root = ElementTree.parse(folder.file(case_file.CASE), ElementTree.XMLParser(target=builder)).getroot()
     for name, w in beat["windkessels"].items():
-        values = dict({key: w[field] for field, key in KEYS.items()}, **{"initial pressure": beat["measured"]["circuits end"][name]})
+        values = {key: w[field] for field, key in KEYS.items()}
+        values["initial pressure"] = beat["measured"]["circuits end"][name]
         surface = root.find(f"./ParameterList[@name='Fluid']/ParameterList[@name='Surfaces']/ParameterList[@name='{name}']")
         for key, value in values.items():
             surface.find(f"./Parameter[@name='{key}']").set("value", repr(value))

@@ -42,7 +42,8 @@ def stretch_under(layers, thickness, pressure):
     """The stretch at which the wall bears the pressure; thickness is a share of the radius."""
     low, high = 1.0, 3.0
     if stress(layers, high) < pressure / thickness:
-        raise BadInput(f"--wall: layers as soft as these bear no {pressure:.3g} kPa with a thickness of {thickness:g} of the radius")
+        raise BadInput(f"--wall: layers as soft as these bear no {pressure:.3g} kPa with a thickness of {thickness:g} of the "
+                       "radius")
     for _ in range(60):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if stress(layers, middle) < pressure / thickness else (low, middle)
@@ -55,7 +56,8 @@ def stiffness(layers, thickness, pressure, tissue_times_radius=0.0):
     slope = (stress(layers, l * math.exp(STEP)) - stress(layers, l * math.exp(-STEP))) / (2 * STEP)
     found = thickness * (slope - 2 * pressure / thickness)
     if found <= 0:
-        raise BadInput(f"--wall: layers as soft as these burst at {pressure:.3g} kPa with a thickness of {thickness:g} of the radius")
+        raise BadInput(f"--wall: layers as soft as these burst at {pressure:.3g} kPa with a thickness of {thickness:g} of the "
+                       "radius")
     return found + tissue_times_radius
 
 

@@ -91,8 +91,8 @@ def choose_share(problem, goal):
     most = pulse_with(problem, goal, LEAST, share)
     if most < pulse:
         raise NotConverged(
-            f"--pressure: a pulse of {mmhg(pulse):.0f} mmHg is out of reach, the largest is about {mmhg(most):.0f}: the vessel itself "
-            "takes up that much blood. Is the flow too small, or the wall too soft? --flow, --wall, --thickness")
+            f"--pressure: a pulse of {mmhg(pulse):.0f} mmHg is out of reach, the largest is about {mmhg(most):.0f}: the vessel "
+            "itself takes up that much blood. Is the flow too small, or the wall too soft? --flow, --wall, --thickness")
     for _ in range(12):
         least = pulse_with(problem, goal, MOST, share)
         if least < 0.85 * pulse:
@@ -102,8 +102,8 @@ def choose_share(problem, goal):
     if least < 0.98 * pulse:
         return 0.0
     raise NotConverged(
-        f"--pressure: a pulse of {mmhg(pulse):.0f} mmHg is out of reach, the least is about {mmhg(least):.0f}: to move the blood in the "
-        "vessel takes that much. Is the flow too large, or an opening far too small? --flow, --pressure")
+        f"--pressure: a pulse of {mmhg(pulse):.0f} mmHg is out of reach, the least is about {mmhg(least):.0f}: to move the "
+        "blood in the vessel takes that much. Is the flow too large, or an opening far too small? --flow, --pressure")
 
 
 def jacobian(function, at, value):
@@ -135,5 +135,5 @@ def tune(problem, goal, share=None):
                 break
             step *= 0.5
         logs, value = logs + step, trial
-    raise NotConverged(f"tune: the network misses the goals by {100 * np.abs(value).max():.1f} %. Is the pulse of --pressure possible "
-                       "with this flow and this vessel?")
+    raise NotConverged(f"tune: the network misses the goals by {100 * np.abs(value).max():.1f} %. Is the pulse of --pressure "
+                       "possible with this flow and this vessel?")

@@ -2,6 +2,8 @@
 import os
 import xml.etree.ElementTree as ElementTree
 
+import numpy as np
+
 from . import lumen
 from .errors import BadInput, nearest
 from .folder import read_json, write_json
@@ -97,7 +99,8 @@ def make(folder, options, programs):
 
 def unknowns_of(mesh):
     """Four at each vertex; those between layers have a second pressure."""
-    return int(4 * len(mesh.vertices) + len({v for name in mesh.surfaces if name.startswith("layer") for v in mesh.triangles_of(name).ravel()}))
+    between = [mesh.triangles_of(name).ravel() for name in mesh.surfaces if name.startswith("layer")]
+    return int(4 * len(mesh.vertices) + sum(len(np.unique(vertices)) for vertices in between))
 
 
 def warnings_in(log):

@@ -1,5 +1,5 @@
-"""tunica-vessel from a mesh of a lumen to a beat that repeats itself, on a coarse tube with a few long steps; killed at any time it ends
-with the same result: test_pipeline.py ROOT FOLDER_OF_PROGRAMS SCRATCH
+"""tunica-vessel from a mesh of a lumen to a beat that repeats itself, on a coarse tube with a few long steps; killed at any time
+it ends with the same result: test_pipeline.py ROOT FOLDER_OF_PROGRAMS SCRATCH
 """
 import json
 import os
@@ -53,7 +53,7 @@ def makes_all(programs, folder):
     claim(status == 0 and (folder / "one" / "case.xml").exists(), "a mesh becomes a case", text)
     case = folder / "one" / "case.xml"
     case.write_text(case.read_text(encoding="utf-8").replace('"cuts" type="int" value="3"', '"cuts" type="int" value="4"'), encoding="utf-8")
-    status, text = run(programs, ["lumen.h5", *OPTIONS, "--output", "one", "--beats", "1"], folder)
+    status, text = run(programs, ["lumen.h5", *OPTIONS, "--output", "one", "--beats", "1", "--to", "run"], folder)
     claim(status == 2 and "not reached in 1 beats" in text and "case.xml changed since" in text, "one beat is not enough: status 2", text)
     status, text = run(programs, ["lumen.h5", *OPTIONS, "--output", "one"], folder)
     claim(status == 0, "the same command goes on to a beat that repeats itself", text)
