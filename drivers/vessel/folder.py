@@ -110,11 +110,17 @@ class Folder:
             self.lock = open(self.file(LOCK), "w", encoding="utf-8")
             fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
+            self.close()
             raise BadInput(f"{self.path}: another tunica-vessel works there. Wait for its end, or name another folder") from None
         except OSError as error:
             raise BadInput(f"{self.path}: cannot be written: {error.strerror}") from None
         self.record["options"] = self.words
         self.save()
+
+    def close(self):
+        if self.lock:
+            self.lock.close()
+            self.lock = None
 
     def save(self):
         write_json(self.file(RECORD), self.record)

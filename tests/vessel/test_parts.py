@@ -88,14 +88,22 @@ class Folders(unittest.TestCase):
     def setUp(self):
         self.where = tempfile.TemporaryDirectory()
         self.addCleanup(self.where.cleanup)
+        self.last = None
+        self.addCleanup(self.close)
         self.path = os.path.join(self.where.name, "case")
 
     def opened(self, first=None, **changed):
         mine = {name: None for name in options.STAGE_OF}
         found = folder.Folder(self.path, {**mine, "wall": "aorta", "pressure": "120/80", **changed})
         found.accept(first)
+        self.close()
         found.begin()
+        self.last = found
         return found
+
+    def close(self):
+        if self.last:
+            self.last.close()
 
     def finish(self, one, stage, name, text):
         folder.write_atomically(one.file(name), text)
@@ -121,6 +129,11 @@ class Folders(unittest.TestCase):
         self.assertTrue(one.is_done("wall", ()))
         self.assertEqual(one.edited("wall"), ["wall.json"])
         self.assertFalse(one.is_done("tune", ("wall.json",)))
+
+    def test_folder_in_which_another_works_is_refused(self):
+        one = self.opened()
+        with self.assertRaisesRegex(BadInput, "another tunica-vessel works there"):
+            folder.Folder(self.path, one.words).begin()
 
     def test_foreign_folder_is_left_alone(self):
         os.makedirs(self.path)
