@@ -17,6 +17,7 @@ READS = (case_file.CASE, walls.MESH, lumen.TABLE, walls.TABLE, tune.TABLE, tune.
 RESULTS = (TABLE, TUNED)
 MOST_SECONDS = 120  # for a run that was told to end
 PERIODIC = 0.01  # change of a pressure from beat to beat, of the pulse
+SURFACE = "./ParameterList[@name='Fluid']/ParameterList[@name='Surfaces']/ParameterList[@name='{}']"
 KEYS = {"proximal": "proximal resistance", "capacitance": "capacitance", "distal": "distal resistance"}
 
 
@@ -36,7 +37,7 @@ def begin(folder, tuned):
     wait_until_free(folder.file(RESULTS_FOLDER))
     shutil.rmtree(folder.file(RESULTS_FOLDER), ignore_errors=True)
     record = {"case": fingerprint(folder), "beats": [],
-              "next": {"windkessels": as_dicts(tuned["windkessels"]), "circuits": None}}
+              "next": {"windkessels": as_dicts(windkessels_in_case(folder, tuned)[0]), "circuits": None}}
     write_json(path, record)
     return record
 
@@ -49,13 +50,41 @@ def from_dicts(entries):
     return {name: Windkessel(**entry) for name, entry in entries.items()}
 
 
-def time_step(folder):
-    """Step size and period of the case, which may have been edited [ms]."""
-    root = ElementTree.parse(folder.file(case_file.CASE)).getroot()
-    size = root.find("./ParameterList[@name='Time']/Parameter[@name='step size']")
-    if size is None:
-        raise BadInput(f"{folder.file(case_file.CASE)}: Time has no \"step size\"")
-    return float(size.get("value"))
+def root_of_case(folder):
+    try:
+        return ElementTree.parse(folder.file(case_file.CASE)).getroot()
+    except ElementTree.ParseError as error:
+        raise BadInput(f"{folder.file(case_file.CASE)}: is no valid XML: {error}") from None
+
+
+def number_in(folder, surface, name, key, default=None):
+    found = surface.find(f"./Parameter[@name='{key}']") if surface is not None else None
+    try:
+        return float(found.get("value")) if found is not None or default is None else default
+    except (AttributeError, TypeError, ValueError):
+        raise BadInput(f"{folder.file(case_file.CASE)}: Fluid / Surfaces / {name}: lacks a number \"{key}\": outlets are "
+                       "Windkessels here") from None
+
+
+def windkessels_in_case(folder, tuned):
+    """Windkessels and their initial pressures in the case, which may have been edited."""
+    windkessels, initial = {}, {}
+    for name in tuned["outlets"]:
+        surface = root_of_case(folder).find(SURFACE.format(name))
+        values = [number_in(folder, surface, name, key) for key in KEYS.values()]
+        windkessels[name] = Windkessel(*values, number_in(folder, surface, name, "distal pressure", 0.0))
+        initial[name] = number_in(folder, surface, name, "initial pressure", 0.0)
+    return windkessels, initial
+
+
+def time_step(folder, period):
+    """Step size of the case, which may have been edited [ms]."""
+    size = root_of_case(folder).find("./ParameterList[@name='Time']/Parameter[@name='step size']")
+    step = float(size.get("value")) if size is not None else 0.0
+    if step <= 0 or abs(period / step - round(period / step)) > 1e-6:
+        raise BadInput(f"{folder.file(case_file.CASE)}: Time: \"step size\" is {step:g} ms, expected a whole part of the beat of "
+                       f"{period:g} ms")
+    return step
 
 
 def wait_until_free(results):
@@ -79,7 +108,7 @@ def settings(number, period, windkessels):
 
 def advance(folder, options, programs, number, period, windkessels):
     """Computes until the end of the beat of this number. Steps that were halved count, so that more may be needed."""
-    step, results = time_step(folder), folder.file(RESULTS_FOLDER)
+    step, results = time_step(folder, period), folder.file(RESULTS_FOLDER)
     steps, before = round(number * period / step), -1.0
     while True:
         has_state = checkpoint.newest(results) or os.path.exists(os.path.join(results, "prestress.h5"))
@@ -126,8 +155,8 @@ def run_beat(folder, options, programs, tuned, record):
     advance(folder, options, programs, number, tuned["period"], following["windkessels"])
     curves = curves_of(folder, number, tuned)
     before = curves_of(folder, number - 1, tuned) if number > 1 else None
-    initial = {name: outlet["initial pressure"] for name, outlet in tuned["outlets"].items()}
-    return {"windkessels": following["windkessels"], "circuits begin": following["circuits"] or initial,
+    return {"windkessels": following["windkessels"],
+            "circuits begin": following["circuits"] or windkessels_in_case(folder, tuned)[1],
             "measured": beats.measure(curves, tuned["inlet"]), "change": beats.change(curves, before, tuned["inlet"])}
 
 
@@ -145,6 +174,7 @@ def make(folder, options, programs):
     table, wall, tuned = read_json(folder.file(lumen.TABLE)), walls.read(folder), tune.read(folder)
     goal, record = goal_in(tuned), begin(folder, tuned)
     problem = tune.problem_of(table, wall, options, tune.read_inflow(folder), tuned["period"])
+    problem.distal_pressures = {name: w.distal_pressure for name, w in windkessels_in_case(folder, tuned)[0].items()}
     while not (record["beats"] and is_done(record["beats"][-1], goal, options)) and len(record["beats"]) < options.beats:
         beat = run_beat(folder, options, programs, tuned, record)
         as_run = dict(beat, windkessels=from_dicts(beat["windkessels"]))
@@ -191,7 +221,7 @@ def write_tuned(folder, beat):
     for name, w in beat["windkessels"].items():
         values = {key: w[field] for field, key in KEYS.items()}
         values["initial pressure"] = beat["measured"]["circuits end"][name]
-        surface = root.find(f"./ParameterList[@name='Fluid']/ParameterList[@name='Surfaces']/ParameterList[@name='{name}']")
+        surface = root.find(SURFACE.format(name))
         for key, value in values.items():
             surface.find(f"./Parameter[@name='{key}']").set("value", repr(value))
     head = "<!-- case.xml with the Windkessels and the stored pressures of the last beat of tunica-vessel. -->\n"

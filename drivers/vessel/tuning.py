@@ -28,13 +28,15 @@ class Goal:
 
 @dataclasses.dataclass
 class Problem:
-    """The vessel and its load: pieces, inlet, impedance by outlet, inflow over a beat [mm^3/ms], period [ms]."""
+    """The vessel and its load: pieces, inlet, impedance by outlet, inflow over a beat [mm^3/ms], period [ms], and the pressure
+    behind each outlet [kPa], zero where none is given."""
     pieces: list
     inlet: str
     impedances: dict
     inflow: np.ndarray
     period: float
     largest_proximal: float  # share of the whole resistance
+    distal_pressures: dict = dataclasses.field(default_factory=dict)
 
 
 def murray(openings, inlet, given):
@@ -52,7 +54,8 @@ def windkessels_of(problem, goal, logs, share):
     for (name, split), log in zip(goal.splits.items(), logs):
         whole = float(np.exp(log))
         proximal = min(problem.impedances[name], share * whole)
-        found[name] = Windkessel(proximal, float(np.exp(logs[-1])) * split, whole - proximal)
+        found[name] = Windkessel(proximal, float(np.exp(logs[-1])) * split, whole - proximal,
+                                 problem.distal_pressures.get(name, 0.0))
     return found
 
 
@@ -71,6 +74,7 @@ def residual(problem, goal, logs, share):
 def guess(problem, goal):
     """Resistances from the mean pressure, a capacitance from the decay in diastole."""
     mean = goal.diastolic + 0.4 * (goal.systolic - goal.diastolic)
+    mean -= min(0.9 * mean, max(problem.distal_pressures.values(), default=0.0))
     whole = mean / problem.inflow.mean()
     logs = [np.log(whole / split) for split in goal.splits.values()]
     return np.array(logs + [np.log(problem.period / (whole * np.log(goal.systolic / goal.diastolic)))])
