@@ -31,9 +31,20 @@ def read_steps(path):
     return {heading[k]: np.array([float(row[k]) for row in rows]) for k in wanted}
 
 
+def rows_of(table, number, period):
+    """Which rows belong to the beat of this number, counted from 1."""
+    small = 1e-6 * period
+    return (table["time"] > (number - 1) * period + small) & (table["time"] < number * period + small)
+
+
+def minutes(table, count, period):
+    """What the steps of each of the first beats took."""
+    return [float(table["seconds"][rows_of(table, number, period)].sum() / 60.0) for number in range(1, count + 1)]
+
+
 def curves_of(table, number, period, inlet, outlets):
     """The beat of this number, counted from 1."""
-    chosen = (table["time"] > (number - 1) * period + 1e-6 * period) & (table["time"] < number * period + 1e-6 * period)
+    chosen = rows_of(table, number, period)
     pressure = {inlet: table[f"mean_pressure_{inlet}_kPa"][chosen]}
     pressure.update({name: table[f"pressure_{name}_kPa"][chosen] for name in outlets})
     return Curves(table["time"][chosen] - (number - 1) * period, table["step_size"][chosen], pressure,

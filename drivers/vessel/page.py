@@ -3,7 +3,7 @@ import html
 import os
 import re
 
-from . import beat_figures, case_file, correction, lumen, run, tune, walls
+from . import beat_figures, beats, case_file, correction, lumen, run, tune, walls
 from .errors import BadInput
 from .folder import read_json, write_atomically
 from .mesh_file import Mesh, elements_across
@@ -51,15 +51,16 @@ def windkessels(tuned, beat):
                      "resistance since the network", "capacitance since the network"], rows)
 
 
-def beats_table(beats, goal):
+def beats_table(done, goal, minutes):
     rows = []
-    for number, beat in enumerate(beats, 1):
+    for number, beat in enumerate(done, 1):
         m = beat["measured"]
         worst = max(abs(share - goal.splits[name]) for name, share in m["splits"].items())
         rows.append([number, f"{mmhg(m['systolic']):.1f}", f"{mmhg(m['diastolic']):.1f}", f"{100 * worst:.1f} %",
-                     "" if beat["change"] is None else f"{100 * beat['change']:.2g} %", "yes" if beat["corrected"] else "no"])
+                     "" if beat["change"] is None else f"{100 * beat['change']:.2g} %", "yes" if beat["corrected"] else "no",
+                     f"{minutes[number - 1]:.3g}"])
     return table_of(["beat", "systole, mmHg", "diastole, mmHg", "worst share", "change since the beat before, of the pulse",
-                     "Windkessels corrected after it"], rows)
+                     "Windkessels corrected after it", "minutes"], rows)
 
 
 def meshes(folder, table):
@@ -83,7 +84,7 @@ def assumptions(options, tuned, wall):
     return found
 
 
-def doubts(options, tuned, wall, across, beats):
+def doubts(options, tuned, wall, across, done):
     """Choices that a reader should look at."""
     found = []
     coarse = [row[0] for row in across if float(row[3]) < FEW_ACROSS]
@@ -98,7 +99,7 @@ def doubts(options, tuned, wall, across, beats):
         found.append("The wall is that of a file; nothing compares it with measured stiffness.")
     elif tuned["goal"]["diastolic"] < 0.75 * 10.67 or tuned["goal"]["diastolic"] > 1.25 * 10.67:
         found.append("The stiffness of the wall is that at 80 mmHg, the diastolic pressure is another.")
-    first = beats[0]["measured"]
+    first = done[0]["measured"]
     if abs(first["systolic"] / tuned["goal"]["systolic"] - 1) > 0.15:
         found.append("The first beat missed the pressures of the network by more than 15 %: the vessel has losses that "
                      "Poiseuille's law lacks.")
@@ -109,21 +110,22 @@ def doubts(options, tuned, wall, across, beats):
 
 def text_of(folder, options):
     table, wall, tuned = read_json(folder.file(lumen.TABLE)), walls.read(folder), tune.read(folder)
-    beats, goal = read_json(folder.file(run.TABLE))["beats"], run.goal_in(tune.read(folder))
-    last = beats[-1]
+    done, goal = read_json(folder.file(run.TABLE))["beats"], run.goal_in(tuned)
+    last = done[-1]
     mesh_lines, across = meshes(folder, table)
     worst = max(map(abs, correction.errors(goal, last["measured"]).values()))
-    verdict = run.verdict(beats, goal, options).replace("run: ", "")
+    verdict = run.verdict(done, goal, options).replace("run: ", "")
     lines = [f"# {os.path.basename(os.path.abspath(folder.path))}", "", verdict[0].upper() + verdict[1:] + ".", "",
              f"Largest distance from a goal: {100 * worst:.1f} %. Figures: [pressures](pressures.png), [flows](flows.png); "
              "fields and stress: [results/report/index.html](results/report/index.html).", "", "## Pressures", ""]
     lines += pressures(tuned, last, goal) + ["## Flows", ""] + flows(tuned, last, goal)
     lines += ["## Windkessels", ""] + windkessels(tuned, last)
     lines += ["## Beats", "", f"A beat repeats itself when no pressure changes by {100 * run.PERIODIC:g} % of the pulse.", ""]
-    lines += beats_table(beats, goal) + ["## Mesh", ""]
+    minutes = beats.minutes(beats.read_steps(folder.file(run.RESULTS_FOLDER, "steps.csv")), len(done), tuned["period"])
+    lines += beats_table(done, goal, minutes) + ["## Mesh", ""]
     lines += [f"{wall['mesh']['tetrahedra']} tetrahedra, about {wall['mesh']['unknowns']} unknowns.", ""]
     lines += mesh_lines + ["## Assumed", ""] + ["- " + text for text in assumptions(options, tuned, wall)]
-    lines += ["", "## Doubtful", ""] + ["- " + text for text in doubts(options, tuned, wall, across, beats) or ["Nothing."]]
+    lines += ["", "## Doubtful", ""] + ["- " + text for text in doubts(options, tuned, wall, across, done) or ["Nothing."]]
     return "\n".join(lines) + "\n"
 
 
