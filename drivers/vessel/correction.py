@@ -26,17 +26,35 @@ class Next:
     is_changed: bool
 
 
-def settled(network, period, begin, end):
-    """c* by outlet."""
+@dataclasses.dataclass
+class Start:
+    """How the first beat begins: the pressure in the vessel at rest [kPa], and the part of the inflow at each of its times."""
+    pressure: float
+    part: np.ndarray
+
+
+def of_start(network, x, problem, start):
+    """Deviation over the beat that comes from the start, not from the stored pressures; none in later beats."""
+    if start is None:
+        return np.zeros((len(x) + 1, x.shape[1]))
+    vessel, nodes = network.circuits().start, len(network.nodes)
+    away = np.zeros(x.shape[1])
+    away[:nodes] = start.pressure - x[0, :nodes]
+    away[nodes:vessel] = -x[0, nodes:vessel]
+    return network.transient(away, problem.period, problem.inflow * (start.part - 1.0))
+
+
+def settled(network, period, begin, end, extra):
+    """c* by outlet; extra: what the start has added to the end."""
     at = network.circuits()
     c0, c1 = (np.array([values[name] for name in network.outlets]) for values in (begin, end))
+    c1 = c1 - extra
     moved = np.array([network.monodromy(period) @ network.settle(unit) for unit in np.eye(len(c0))])[:, at].T
     return dict(zip(network.outlets, np.linalg.solve(np.eye(len(c0)) - moved, c1 - moved @ c0).tolist()))
 
 
-def of_repeated(network, x, period, measured, begin, fixed):
-    """The measured pressures and shares less what the beginning away from c* has made of them, by the network."""
-    away = network.deviation([begin[name] - fixed[name] for name in network.outlets], period, len(x))
+def of_repeated(network, x, measured, away):
+    """The measured pressures and shares less what this deviation from the repeated beat has made of them, by the network."""
     plain, moved = beat_of(network, x), beat_of(network, x + away[:-1])
     return {"systolic": measured["systolic"] - (moved.systolic - plain.systolic),
             "diastolic": measured["diastolic"] - (moved.diastolic - plain.diastolic),
@@ -71,14 +89,16 @@ def retuned(problem, goal, share):
     return None
 
 
-def choose(problem, goal, share, beat, tolerance):
-    """beat: an entry of beats.json. The Windkessels remain where the beat, repeated, is within half the tolerance."""
+def choose(problem, goal, share, beat, permitted, start=None):
+    """beat: an entry of beats.json. The Windkessels remain where the beat, repeated, would be within the permitted errors."""
     windkessels, begin, measured = beat["windkessels"], beat["circuits begin"], beat["measured"]
     network, x = tuning.solve(problem, windkessels)
-    fixed = settled(network, problem.period, begin, measured["circuits end"])
-    expected = of_repeated(network, x, problem.period, measured, begin, fixed)
+    extra = of_start(network, x, problem, start)
+    fixed = settled(network, problem.period, begin, measured["circuits end"], extra[-1, network.circuits()])
+    away = network.deviation([begin[name] - fixed[name] for name in network.outlets], problem.period, len(x))
+    expected = of_repeated(network, x, measured, away + extra)
     plain = beat_of(network, x)
-    is_changed = max(map(abs, errors(goal, expected).values())) > 0.5 * tolerance
+    is_changed = max(map(abs, errors(goal, expected).values())) > permitted
     lacks = {name: fixed[name] - plain.circuits[name] for name in network.outlets}
     if is_changed:
         found = retuned(problem, shifted(goal, expected, plain), share)

@@ -15,6 +15,7 @@ import numpy as np
 
 HARMONICS = 48
 LEAST_PROXIMAL = 1e-7  # kPa ms/mm^3, so that q remains defined without a proximal resistance
+SUBSTEPS = 16  # of a transient, between two values of the inflow
 HALVINGS = 14  # a beat in 2^14 implicit steps
 
 
@@ -115,6 +116,21 @@ class Network:
         for _ in range(count):
             x.append(step @ x[-1])
         return np.array(x)
+
+    def transient(self, x, period, source):
+        """x over a beat from this deviation on, with deviations of the inflow: rows as of deviation(). By implicit Euler, in
+        SUBSTEPS steps between two values of the source."""
+        count = len(source)
+        h = period / (count * SUBSTEPS)
+        step, push = np.linalg.solve(self.E + h * self.K, self.E), np.zeros(len(self.K))
+        push[self.node[self.inlet]] = h
+        push = np.linalg.solve(self.E + h * self.K, push)
+        closed, rows = np.append(source, 0.0), [x]
+        for k in range(count):
+            for part in np.arange(1, SUBSTEPS + 1) / SUBSTEPS:
+                x = step @ x + push * ((1 - part) * closed[k] + part * closed[k + 1])
+            rows.append(x)
+        return np.array(rows)
 
 
 @dataclasses.dataclass

@@ -45,8 +45,8 @@ def add_physics(parser):
     add("--thickness", type=float, metavar="SHARE",
         help="thickness of the wall as a share of the local radius; default: of --wall")
     add("--tissue", type=float, metavar="KPA/MM", help="stiffness of the tissue around the wall; default: of --wall")
-    add("--ends", choices=("slide", "clamped"), default="slide",
-        help="ends of the wall: they slide in their planes, or are clamped; default slide")
+    add("--ends", choices=("slide", "clamped"), default="clamped",
+        help="ends of the wall: clamped, or they slide in their planes; default clamped")
     add("--profile", choices=("womersley", "parabolic", "flat"), default="womersley",
         help="velocity profile of the inflow; default womersley")
 

@@ -5,6 +5,8 @@ import shutil
 import time
 import xml.etree.ElementTree as ElementTree
 
+import numpy as np
+
 from . import beats, case_file, checkpoint, correction, lumen, tune, tuning, walls
 from .errors import BadInput, NotConverged
 from .folder import hash_of, hash_of_file, is_free, read_json, write_atomically, write_json
@@ -15,6 +17,7 @@ from .units import mmhg
 TABLE, TUNED, RESULTS_FOLDER, LOG = "beats.json", "case-tuned.xml", "results", "run.log"
 READS = (case_file.CASE, walls.MESH, lumen.TABLE, walls.TABLE, tune.TABLE, tune.INFLOW)
 RESULTS = (TABLE, TUNED)
+FIRST, RISE = "inflow-first.txt", 0.1  # part of the first beat in which its inflow rises from rest
 MOST_SECONDS = 120  # for a run that was told to end
 PERIODIC = 0.01  # change of a pressure from beat to beat, of the pulse
 SURFACE = "./ParameterList[@name='Fluid']/ParameterList[@name='Surfaces']/ParameterList[@name='{}']"
@@ -98,6 +101,27 @@ def wait_until_free(results):
     raise BadInput(f"{results}: another run writes its results there. Wait for its end")
 
 
+def rising(count):
+    """Part of the inflow at each of so many times of the first beat."""
+    part = np.minimum(np.arange(count) / (RISE * count), 1.0)
+    return 0.5 * (1.0 - np.cos(np.pi * part))
+
+
+def first_inflow(folder, tuned):
+    """The run begins from rest, where a carotid has half of its mean flow at all times: its inflow rises to the curve in the
+    first part of the first beat. Returns what sets that, and nothing where the case has another inlet."""
+    inlet = root_of_case(folder).find(SURFACE.format(tuned["inlet"]))
+    entry = inlet.find("./ParameterList[@name='Amplitude']/Parameter[@name='file']") if inlet is not None else None
+    if entry is None or entry.get("value") != tune.INFLOW:
+        return []
+    samples = tune.read_inflow(folder)
+    both = np.concatenate([samples * rising(len(samples)), samples])  # the end of the first beat is the beginning of the second
+    text = tune.inflow_text(both, 2 * tuned["period"], "the first beat, which rises from rest, and the second")
+    write_atomically(folder.file(FIRST), text)
+    place = f"Fluid/Surfaces/{tuned['inlet']}/Amplitude"
+    return ["--set", f"{place}/file={FIRST}", "--set", f"{place}/period={2 * tuned['period']!r}"]
+
+
 def settings(number, period, windkessels):
     words = ["--set", f"Output/averages from={(number - 1) * period!r}"]
     for name, w in windkessels.items():
@@ -106,15 +130,17 @@ def settings(number, period, windkessels):
     return words
 
 
-def advance(folder, options, programs, number, period, windkessels):
+def advance(folder, options, programs, number, tuned, windkessels):
     """Computes until the end of the beat of this number. Steps that were halved count, so that more may be needed."""
+    period = tuned["period"]
     step, results = time_step(folder, period), folder.file(RESULTS_FOLDER)
+    words = settings(number, period, windkessels) + (first_inflow(folder, tuned) if number == 1 else [])
     steps, before = round(number * period / step), -1.0
     while True:
         has_state = checkpoint.newest(results) or os.path.exists(os.path.join(results, "prestress.h5"))
         way = ["--restart", "--allow-changes"] if has_state else ["--overwrite"]
         status = programs.run(["tunica-fsi", folder.file(case_file.CASE), "--output", results, "--steps", steps, *way,
-                               *settings(number, period, windkessels)], folder.file(LOG), options.ranks, shown=True)
+                               *words], folder.file(LOG), options.ranks, shown=True)
         check_status(status, folder)
         newest = checkpoint.newest(results)
         if newest is None:
@@ -152,7 +178,7 @@ def run_beat(folder, options, programs, tuned, record):
     if following["circuits"] and newest and abs(checkpoint.time_of(newest) - start) < 1e-6 * tuned["period"]:
         if not checkpoint.set_circuits(newest, following["circuits"]):
             print(f"  {newest}: cannot be changed; the stored pressures go on as they are", flush=True)
-    advance(folder, options, programs, number, tuned["period"], following["windkessels"])
+    advance(folder, options, programs, number, tuned, following["windkessels"])
     curves = curves_of(folder, number, tuned)
     before = curves_of(folder, number - 1, tuned) if number > 1 else None
     return {"windkessels": following["windkessels"],
@@ -178,7 +204,11 @@ def make(folder, options, programs):
     while not (record["beats"] and is_done(record["beats"][-1], goal, options)) and len(record["beats"]) < options.beats:
         beat = run_beat(folder, options, programs, tuned, record)
         as_run = dict(beat, windkessels=from_dicts(beat["windkessels"]))
-        chosen = correction.choose(problem, goal, tuned["proximal share"], as_run, options.tolerance)
+        # The network accounts for the start from rest, but not as well as for what follows.
+        is_first = not record["beats"]
+        start = correction.Start(tuned["goal"]["diastolic"], rising(len(problem.inflow))) if is_first else None
+        permitted = (1.0 if is_first else 0.5) * options.tolerance
+        chosen = correction.choose(problem, goal, tuned["proximal share"], as_run, permitted, start)
         record["beats"].append(beat)
         record["next"] = {"windkessels": as_dicts(chosen.windkessels), "circuits": chosen.circuits}
         beat["expected"], beat["corrected"] = chosen.expected, chosen.is_changed

@@ -35,6 +35,13 @@ class Periodic(unittest.TestCase):
         expected = np.fft.irfft(Q * (w.proximal + w.distal / (1 + omega * w.distal * w.capacitance)), COUNT) + w.distal_pressure
         np.testing.assert_allclose(p, expected, rtol=1e-8)
 
+    def test_transient_ends_in_the_periodic_state(self):
+        network = Network([Branch("in", "out", 0.02, 0.3, 50.0)], "in", {"out": Windkessel(0.05, 200.0, 1.0)})
+        x = network.periodic(inflow(), PERIOD)
+        pushed = network.transient(np.zeros(len(x[0])), PERIOD, inflow())[-2]  # from nothing, with all of the inflow
+        left = network.monodromy(PERIOD * (COUNT - 1) / COUNT) @ x[0]
+        np.testing.assert_allclose(pushed, x[-1] - left, rtol=0.01)
+
     def test_branch_adds_its_resistance_and_inertance(self):
         branch, w = Branch("in", "out", 0.02, 0.3, RIGID), Windkessel(0.05, 700.0, 1.0)
         network = Network([branch], "in", {"out": w})
