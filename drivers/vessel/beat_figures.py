@@ -12,7 +12,7 @@ def draw(folder, tuned, beats):
     curves = [run.curves_of(folder, number, tuned) for number in range(max(1, count - 1), count + 1)]
     last, before = curves[-1], curves[0] if len(curves) > 1 else None
     save(folder, "pressures.png", pressures(tuned, last, before))
-    save(folder, "flows.png", flows(tune.read_inflow(folder), tuned, last))
+    save(folder, "flows.png", flows(tune.read_inflow(folder, tuned["period"]), tuned, last))
 
 
 def pressures(tuned, last, before):

@@ -64,6 +64,7 @@ def table_of(draft, table_draft, options):
     mesh = Mesh(draft)
     check(mesh, options)
     table = read_json(table_draft) if os.path.exists(table_draft) else {}
+    table = table if isinstance(table, dict) and "openings" in table else {}  # another file of that name
     names = [name for name in mesh.surfaces if name != options.lumen_wall and len(mesh.triangles_of(name))]
     openings = table.get("openings") or [opening_of(mesh, name) for name in names]
     openings = sorted(openings, key=lambda opening: -opening["area"])
@@ -73,7 +74,8 @@ def table_of(draft, table_draft, options):
     if options.inlet and options.inlet not in known:
         raise BadInput(f"--inlet {options.inlet}: there is no such opening. {nearest(options.inlet, known)}")
     table["openings"] = openings
-    if not table.get("branches"):
+    ends = {branch[end] for branch in table.get("branches") or () for end in ("start", "end")}
+    if not set(known) <= ends:
         table["branches"] = branches.find(mesh, openings, options.inlet or known[0])
     fluid = mesh.tets_of("fluid")
     table.update(volume=float(np.abs(mesh.volume(fluid)).sum()), tetrahedra=len(fluid), vertices=len(mesh.vertices))

@@ -105,7 +105,8 @@ def read(about, words=None):
 
 def check_numbers(options):
     limits = {"scale": (0, 1e6), "across": (1, 200), "size": (0, 1e3), "layers": (-1, 20), "thickness": (0.01, 1),
-              "wall_elements": (0, 20), "mean_flow": (0, 50), "heart_rate": (10, 400), "proximal": (0, 0.9), "step": (0, 100), "beats": (0, 1000),
+              "wall_elements": (0, 20), "mean_flow": (0, 50),
+              "heart_rate": (10, 400), "proximal": (0, 0.9), "step": (0, 100), "beats": (0, 1000),
               "tolerance": (0, 0.5), "ranks": (0, 10000), "tissue": (-1e-9, 1e4)}
     for name, (low, high) in limits.items():
         value = getattr(options, name)

@@ -1,6 +1,7 @@
 """Starts the other programs of the suite, which stand beside this one."""
 import ctypes
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -48,6 +49,8 @@ class Programs:
         """Runs until it ends; its lines go to the file `log`, and to the screen if shown. Returns the exit status."""
         command = [self.path(words[0])] + [str(word) for word in words[1:]]
         if ranks > 1:
+            if shutil.which("mpirun") is None:
+                raise BadInput(f"--ranks is {ranks}, but there is no mpirun in the path")
             command = ["mpirun", "--oversubscribe", "-n", str(ranks)] + command
         with open(log, "a", encoding="utf-8") as file:
             file.write("$ " + " ".join(command) + "\n")
@@ -57,6 +60,9 @@ class Programs:
                                      stderr=subprocess.STDOUT, preexec_fn=end_with_parent)
             try:
                 self._follow(child, file, shown, words)
+            except KeyboardInterrupt:
+                child.wait()  # Ctrl-C has reached it too, and it writes a checkpoint
+                raise
             finally:
                 if child.poll() is None:
                     child.terminate()

@@ -114,7 +114,7 @@ def first_inflow(folder, tuned):
     entry = inlet.find("./ParameterList[@name='Amplitude']/Parameter[@name='file']") if inlet is not None else None
     if entry is None or entry.get("value") != tune.INFLOW:
         return []
-    samples = tune.read_inflow(folder)
+    samples = tune.read_inflow(folder, tuned["period"])
     both = np.concatenate([samples * rising(len(samples)), samples])  # the end of the first beat is the beginning of the second
     text = tune.inflow_text(both, 2 * tuned["period"], "the first beat, which rises from rest, and the second")
     write_atomically(folder.file(FIRST), text)
@@ -199,7 +199,7 @@ def is_done(beat, goal, options):
 def make(folder, options, programs):
     table, wall, tuned = read_json(folder.file(lumen.TABLE)), walls.read(folder), tune.read(folder)
     goal, record = goal_in(tuned), begin(folder, tuned)
-    problem = tune.problem_of(table, wall, options, tune.read_inflow(folder), tuned["period"])
+    problem = tune.problem_of(table, wall, options, tune.read_inflow(folder, tuned["period"]), tuned["period"])
     problem.distal_pressures = {name: w.distal_pressure for name, w in windkessels_in_case(folder, tuned)[0].items()}
     while not (record["beats"] and is_done(record["beats"][-1], goal, options)) and len(record["beats"]) < options.beats:
         beat = run_beat(folder, options, programs, tuned, record)
@@ -235,7 +235,7 @@ def verdict(done, goal, options):
     change = "there is one beat only"
     if last["change"] is not None:
         change = f"the last beat changes by {100 * last['change']:.2g} % of the pulse"
-    return (f"run: not reached in {len(done)} beats: {where} is off by {100 * worst[where]:.1f} %, {change} "
+    return (f"run: not reached in {len(done)} {'beat' if len(done) == 1 else 'beats'}: {where} is off by {100 * worst[where]:.1f} %, {change} "
             f"(goals: {100 * options.tolerance:g} % and {100 * PERIODIC:g} %). --beats {len(done) + 4} goes on")
 
 

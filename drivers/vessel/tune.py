@@ -42,10 +42,13 @@ def problem_of(table, wall, options, inflow, period):
     return tuning.Problem(vessel_model.build(table, wall, pressure), inlet, impedances, inflow, period, options.proximal)
 
 
-def read_inflow(folder):
-    """Samples [ml/s] of inflow.txt, which may have been edited."""
+def read_inflow(folder, period):
+    """Samples [ml/s] over a beat of inflow.txt, which may have been edited."""
     rows, _ = flow_shapes.read_rows(folder.file(INFLOW))
-    return np.array(rows)[:, 1]
+    t, y = np.array(rows).reshape(-1, 2).T
+    if len(t) < 5 or (np.diff(t) <= 0).any() or t[-1] - t[0] >= period:
+        raise BadInput(f"{folder.file(INFLOW)}: expected five rows or more, with times that grow, within a beat of {period:g} ms")
+    return flow_shapes.periodic_spline(t, y, period, np.arange(flow_shapes.SAMPLES) * period / flow_shapes.SAMPLES)
 
 
 def inflow_text(samples, period, told):

@@ -6,6 +6,7 @@ import numpy as np
 
 from . import lumen
 from .errors import BadInput, nearest
+from .flow_shapes import SHAPES
 from .folder import read_json, write_json
 from .mesh_file import Mesh
 from .presets import PRESETS
@@ -14,6 +15,8 @@ MESH, TABLE = "vessel.h5", "wall.json"
 READS = (lumen.MESH,)
 RESULTS = (MESH, TABLE)
 KEYS = {"thickness": float, "tissue": float, "damping": float, "flow": float, "shape": str}
+LARGEST = {"thickness": 1.0, "tissue": 1e4, "damping": 1e5, "flow": 50.0}
+LAWS = ("mooney-rivlin", "neo-hookean", "holzapfel", "st-venant-kirchhoff")
 OF_LAYER = ("share", "law", "c10", "c01", "k1", "k2", "fibre angle", "dispersion", "bulk modulus", "young modulus",
             "poisson ratio", "density", "viscous fraction", "relaxation time")
 
@@ -47,6 +50,11 @@ def read_file(path):
             raise BadInput(f"{path}: unknown key \"{name}\". {nearest(str(name), [*KEYS, 'Layers'])}")
     if not wall["layers"]:
         raise BadInput(f"{path}: Layers is empty, expected a list for each layer, from the lumen outwards")
+    if wall["shape"] not in SHAPES:
+        raise BadInput(f"{path}: \"shape\" is {wall['shape']}. {nearest(wall['shape'], list(SHAPES))}")
+    for key, most in LARGEST.items():
+        if not 0 <= wall[key] <= most or (wall[key] == 0 and key in ("thickness", "flow")):
+            raise BadInput(f"{path}: \"{key}\" is {wall[key]:g}, expected a positive number up to {most:g}")
     whole = sum(layer["share"] for layer in wall["layers"].values())
     for layer in wall["layers"].values():
         layer["share"] /= whole
@@ -60,7 +68,12 @@ def read_layer(path, layer):
         if name not in OF_LAYER:
             raise BadInput(f"{path}: Layers / {layer.get('name')}: unknown key \"{name}\". {nearest(str(name), OF_LAYER)}")
         keys[name] = value_of(path, entry, str if name == "law" else float)
-    return {"share": keys.pop("share", 1.0), "keys": keys}
+    if keys.setdefault("law", LAWS[0]) not in LAWS:
+        raise BadInput(f"{path}: Layers / {layer.get('name')}: \"law\" is {keys['law']}. {nearest(keys['law'], LAWS)}")
+    share = keys.pop("share", 1.0)
+    if share <= 0:
+        raise BadInput(f"{path}: Layers / {layer.get('name')}: \"share\" is {share:g}, expected a positive number")
+    return {"share": share, "keys": keys}
 
 
 def value_of(path, entry, kind):

@@ -51,6 +51,8 @@ def main():
                       f"the report is drawn {report.err}")
         wall = Run([str(programs / "tunica-import"), str(shared / "meshes" / "block.h5"), str(scratch / "block.h5")], scratch)
         verdict.claim(wall.status == 0 and (scratch / "block.h5").exists(), f"a mesh is imported {wall.err}")
+        vessel = Run([str(programs / "tunica-vessel"), str(scratch / "block.h5"), "--output", str(scratch / "vessel")], scratch)
+        verdict.claim(vessel.status == 1 and "regions" in vessel.err, f"tunica-vessel knows a lumen from a block {vessel.err}")
         paper = Run([str(shared / "xml" / "paper" / "reproduce"), "--list"], scratch)
         verdict.claim(paper.status == 0, f"the items of the paper are listed {paper.err}")
     return verdict.status()

@@ -58,7 +58,8 @@ class Periodic(unittest.TestCase):
         self.assertAlmostEqual(splits["a"], 2.0 / 3.0, places=9)
 
     def test_loop_of_two_ways_carries_flow_as_parallel_resistances(self):
-        network = Network([Branch("in", "a", 0.2, 0.1, 1.0), Branch("in", "a", 0.6, 0.1, 1.0)], "in", {"a": Windkessel(0.1, 300.0, 0.8)})
+        ways = [Branch("in", "a", 0.2, 0.1, 1.0), Branch("in", "a", 0.6, 0.1, 1.0)]
+        network = Network(ways, "in", {"a": Windkessel(0.1, 300.0, 0.8)})
         x = network.periodic(np.full(COUNT, 10.0), PERIOD)
         self.assertAlmostEqual(x[0, network.node["in"]], 10.0 * (0.15 + 0.9), places=9)
 
@@ -67,7 +68,8 @@ GOAL = tuning.Goal(16.0, 10.67, {"a": 0.7, "b": 0.3})
 
 
 def problem_of(inlet_flow=None, impedances=(0.09, 0.2)):
-    pieces = [Branch("in", "fork", 2e-4, 0.05, 400.0), Branch("fork", "a", 5e-4, 0.05, 200.0), Branch("fork", "b", 1e-3, 0.1, 100.0)]
+    pieces = [Branch("in", "fork", 2e-4, 0.05, 400.0),
+              Branch("fork", "a", 5e-4, 0.05, 200.0), Branch("fork", "b", 1e-3, 0.1, 100.0)]
     systole = np.where(TIME < 270, np.sin(np.pi * TIME / 270) ** 2, 0.0)
     flow = systole * 80.0 / systole.mean() if inlet_flow is None else inlet_flow
     return tuning.Problem(pieces, "in", dict(zip("ab", impedances)), flow, PERIOD, 0.08)
@@ -93,7 +95,7 @@ class Tuned(unittest.TestCase):
             tuning.tune(problem_of(inflow(2.0)), GOAL)
 
     def test_murray_divides_what_is_not_given(self):
-        openings = [{"name": "in", "radius": 5.0}, {"name": "a", "radius": 2.0}, {"name": "b", "radius": 1.0}, {"name": "c", "radius": 1.0}]
+        openings = [{"name": name, "radius": radius} for name, radius in (("in", 5.0), ("a", 2.0), ("b", 1.0), ("c", 1.0))]
         self.assertEqual(tuning.murray(openings, "in", {}), {"a": 0.8, "b": 0.1, "c": 0.1})
         self.assertEqual(tuning.murray(openings, "in", {"a": 0.5}), {"a": 0.5, "b": 0.25, "c": 0.25})
 
@@ -102,13 +104,16 @@ class Corrected(unittest.TestCase):
     """A network with other losses plays the vessel in three dimensions."""
 
     def true_beat(self, windkessels, begin):
-        pieces = [Branch(p.start, p.end, 8 * p.resistance, 1.3 * p.inertance, 0.8 * p.compliance) for p in problem_of().pieces]
+        pieces = [Branch(p.start, p.end, 8 * p.resistance, 1.3 * p.inertance, 0.8 * p.compliance)
+                  for p in problem_of().pieces]
         network = Network(pieces, "in", windkessels)
         x = network.periodic(problem_of().inflow, PERIOD)
-        away = network.deviation([begin[name] - x[0, network.circuits()][k] for k, name in enumerate(network.outlets)], PERIOD, COUNT)
+        missing = [begin[name] - x[0, network.circuits()][k] for k, name in enumerate(network.outlets)]
+        away = network.deviation(missing, PERIOD, COUNT)
         beat = beat_of(network, x + away[:-1], x[0] + away[-1])
         return {"windkessels": windkessels, "circuits begin": begin,
-                "measured": {"systolic": beat.systolic, "diastolic": beat.diastolic, "splits": beat.splits, "circuits end": beat.circuits_end}}
+                "measured": {"systolic": beat.systolic, "diastolic": beat.diastolic, "splits": beat.splits,
+                             "circuits end": beat.circuits_end}}
 
     def test_second_corrected_beat_has_the_goals_and_repeats_itself(self):
         problem = problem_of()

@@ -7,7 +7,7 @@ import unittest
 import h5py
 import numpy as np
 
-from vessel import branches, case_file, checkpoint, flow_shapes, folder, options
+from vessel import branches, case_file, checkpoint, flow_shapes, folder, options, walls
 from vessel.errors import BadInput
 from vessel.mesh_file import Mesh, elements_across, opening_of
 
@@ -72,7 +72,24 @@ class Flow(unittest.TestCase):
     def test_spline_is_that_of_a_sine(self):
         t = np.arange(24) * 800.0 / 24
         at = np.linspace(-100, 1000, 57)
-        np.testing.assert_allclose(flow_shapes.periodic_spline(t, np.sin(2 * np.pi * t / 800), 800.0, at), np.sin(2 * np.pi * at / 800), atol=1e-4)
+        found = flow_shapes.periodic_spline(t, np.sin(2 * np.pi * t / 800), 800.0, at)
+        np.testing.assert_allclose(found, np.sin(2 * np.pi * at / 800), atol=1e-4)
+
+
+class Walls(unittest.TestCase):
+    def test_bad_files_are_refused_with_the_key(self):
+        key = '<Parameter name="{}" value="{}"/>'
+        layer = f'<ParameterList name="Layers"><ParameterList name="w">{key}</ParameterList></ParameterList>'
+        top = key + layer.format("c10", 100)
+        for text, reason in ((top.format("thicknes", 0.1), 'Did you mean "thickness"'), (top.format("thickness", 0), "positive"),
+                             (top.format("shape", "aorte"), 'Did you mean "aorta"'), (layer.format("c1O", 5), 'Did you mean "c10"'),
+                             (layer.format("law", "neohookean"), 'Did you mean "neo-hookean"'),
+                             (layer.format("c10", "much"), "a number"),
+                             ("", "Layers is empty"), ("<", "no valid XML")):
+            with tempfile.TemporaryDirectory() as where, self.assertRaisesRegex(BadInput, reason):
+                path = os.path.join(where, "wall.xml")
+                folder.write_atomically(path, f'<ParameterList name="Wall">{text}</ParameterList>')
+                walls.read_file(path)
 
 
 class Steps(unittest.TestCase):
