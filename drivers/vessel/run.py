@@ -235,7 +235,8 @@ def verdict(done, goal, options):
     change = "there is one beat only"
     if last["change"] is not None:
         change = f"the last beat changes by {100 * last['change']:.2g} % of the pulse"
-    return (f"run: not reached in {len(done)} {'beat' if len(done) == 1 else 'beats'}: {where} is off by {100 * worst[where]:.1f} %, {change} "
+    count = "1 beat" if len(done) == 1 else f"{len(done)} beats"
+    return (f"run: not reached in {count}: {where} is off by {100 * worst[where]:.1f} %, {change} "
             f"(goals: {100 * options.tolerance:g} % and {100 * PERIODIC:g} %). --beats {len(done) + 4} goes on")
 
 

@@ -92,7 +92,8 @@ def survives_kills(programs, folder):
 
 
 def refuses(programs, folder):
-    for more, reason in ((["--pressure", "130/80"], "--pressure 120/80, not 130/80"), (["--splits", "outlet=0.5"], "--splits None")):
+    for more, reason in ((["--pressure", "130/80"], "--pressure 120/80, not 130/80"),
+                         (["--splits", "outlet=0.5"], "--splits None")):
         status, text = run(programs, ["lumen.h5", *OPTIONS, *more, "--output", "one"], folder)
         claim(status == 1 and reason in text and "--from tune" in text, f"other options are refused: {text.strip()[:100]}", text)
     status, text = run(programs, ["lumen.h5", *OPTIONS, "--flow", "0.01", "--output", "three"], folder)
