@@ -204,11 +204,9 @@ def make(folder, options, programs):
     while not (record["beats"] and is_done(record["beats"][-1], goal, options)) and len(record["beats"]) < options.beats:
         beat = run_beat(folder, options, programs, tuned, record)
         as_run = dict(beat, windkessels=from_dicts(beat["windkessels"]))
-        # The network accounts for the start from rest, but not as well as for what follows.
         is_first = not record["beats"]
         start = correction.Start(tuned["goal"]["diastolic"], rising(len(problem.inflow))) if is_first else None
-        permitted = (1.0 if is_first else 0.5) * options.tolerance
-        chosen = correction.choose(problem, goal, tuned["proximal share"], as_run, permitted, start)
+        chosen = correction.choose(problem, goal, tuned["proximal share"], as_run, 0.5 * options.tolerance, start)
         record["beats"].append(beat)
         record["next"] = {"windkessels": as_dicts(chosen.windkessels), "circuits": chosen.circuits}
         beat["expected"], beat["corrected"] = chosen.expected, chosen.is_changed
