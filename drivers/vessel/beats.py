@@ -6,6 +6,8 @@ import numpy as np
 
 from .errors import BadInput
 
+SETTLING = 0.05  # part of a beat in which a correction at its beginning is still felt
+
 
 @dataclasses.dataclass
 class Curves:
@@ -70,9 +72,11 @@ def measure(curves, inlet):
 
 
 def change(curves, before, inlet):
-    """Largest change of a pressure since the beat before, as a part of the pulse at the inlet."""
+    """Largest change of a pressure since the beat before, as a part of the pulse at the inlet. The first steps do not count:
+    the beat before may have begun with corrected Windkessels, and their pressures jump there once."""
     if before is None:
         return None
     pulse = np.ptp(curves.pressure[inlet])
-    return float(max(np.abs(np.interp(curves.time, before.time, before.pressure[name]) - values).max()
+    late = curves.time > SETTLING * curves.time[-1]
+    return float(max(np.abs(np.interp(curves.time, before.time, before.pressure[name]) - values)[late].max()
                      for name, values in curves.pressure.items()) / pulse)

@@ -76,10 +76,11 @@ def assumptions(options, tuned, wall):
              f"tissue around it of {wall['tissue']:g} kPa/mm.",
              f"The surface shows the vessel at the end of diastole, at {mmhg(tuned['goal']['diastolic']):.0f} mmHg.",
              f"The pressures of the goal are those at {tuned['inlet']}.",
-             "Blood is Newtonian, 3.5 mPa s, 1.06 g/ml. Behind the outlets lies a venous pressure of 0 mmHg."]
+             "Blood is Newtonian, 3.5 mPa s, 1.06 g/ml.", "The pressure behind the outlets: " + ", ".join(
+                 f"{name} {mmhg(outlet['distal pressure']):.3g} mmHg" for name, outlet in tuned["outlets"].items()) + "."]
     given = options.given_splits
     free = [name for name in tuned["outlets"] if name not in given]
-    if free:
+    if free and len(tuned["outlets"]) > 1:
         found.append(f"Shares of the flow by Murray's law, the cube of the radius: {', '.join(free)}.")
     return found
 
@@ -114,13 +115,15 @@ def text_of(folder, options):
     last = done[-1]
     mesh_lines, across = meshes(folder, table)
     worst = max(map(abs, correction.errors(goal, last["measured"]).values()))
-    verdict = run.verdict(done, goal, options).replace("run: ", "")
+    verdict = run.verdict(done, goal, options)
     lines = [f"# {os.path.basename(os.path.abspath(folder.path))}", "", verdict[0].upper() + verdict[1:] + ".", "",
-             f"Largest distance from a goal: {100 * worst:.1f} %. Figures: [pressures](pressures.png), [flows](flows.png); "
-             "fields and stress: [results/report/index.html](results/report/index.html).", "", "## Pressures", ""]
+             f"Largest distance from a goal: {100 * worst:.1f} %. Figures: [pressures](pressures.png), [flows](flows.png)"
+             + (", [mesh](lumen.png)" if os.path.exists(folder.file("lumen.png")) else "") + "; fields and stress: "
+             "[results/report/index.html](results/report/index.html).", "", "## Pressures", ""]
     lines += pressures(tuned, last, goal) + ["## Flows", ""] + flows(tuned, last, goal)
     lines += ["## Windkessels", ""] + windkessels(tuned, last)
-    lines += ["## Beats", "", f"A beat repeats itself when no pressure changes by {100 * run.PERIODIC:g} % of the pulse.", ""]
+    lines += ["## Beats", "", f"A beat repeats itself when no pressure changes by {100 * run.PERIODIC:g} % of the pulse, "
+              f"after the first {100 * beats.SETTLING:g} % of the beat, in which a correction is still felt.", ""]
     minutes = beats.minutes(beats.read_steps(folder.file(run.RESULTS_FOLDER, "steps.csv")), len(done), tuned["period"])
     lines += beats_table(done, goal, minutes) + ["## Mesh", ""]
     lines += [f"{wall['mesh']['tetrahedra']} tetrahedra, about {wall['mesh']['unknowns']} unknowns.", ""]

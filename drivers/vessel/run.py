@@ -227,14 +227,14 @@ def line_of(number, beat, goal):
 def verdict(done, goal, options):
     last = done[-1]
     if is_done(last, goal, options):
-        return f"run: after {len(done)} beats the beat repeats itself and has the pressures and shares asked for"
+        return f"after {len(done)} beats the beat repeats itself and has the pressures and shares asked for"
     worst = correction.errors(goal, last["measured"])
     where = max(worst, key=lambda name: abs(worst[name]))
     change = "there is one beat only"
     if last["change"] is not None:
         change = f"the last beat changes by {100 * last['change']:.2g} % of the pulse"
     count = "1 beat" if len(done) == 1 else f"{len(done)} beats"
-    return (f"run: not reached in {count}: {where} is off by {100 * worst[where]:.1f} %, {change} "
+    return (f"not reached in {count}: {where} is off by {100 * worst[where]:.1f} %, {change} "
             f"(goals: {100 * options.tolerance:g} % and {100 * PERIODIC:g} %). --beats {len(done) + 4} goes on")
 
 
