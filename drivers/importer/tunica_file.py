@@ -1,4 +1,4 @@
-"""The HDF5 file that Tunica's programs read, "tunica-mesh 1"; docs/your-vessel.md describes it."""
+"""The HDF5 file that Tunica's programs read, "tunica-mesh 1"; docs/meshes.md describes it."""
 import contextlib
 import os
 import tempfile

@@ -36,6 +36,7 @@ for program in "$bin"/tunica-*; do
     tunica-import) corrects --scale "$program" never-read.vtu never-written.h5 --scal 2 ;;
     tunica-lumen) corrects --across "$program" never-read.stl never-written.h5 --acros 9 ;;
     tunica-report) corrects --magnify "$program" . --magnifi 2 ;;
+    tunica-vessel) corrects --pressure "$program" never-read.stl --output never-made --presure 120/80 ;;
     *) corrects --steps "$program" never-read.xml --stesp 2 ;;
   esac
 done

@@ -53,6 +53,8 @@ def main():
         verdict.claim(wall.status == 0 and (scratch / "block.h5").exists(), f"a mesh is imported {wall.err}")
         lumen = Run([str(programs / "tunica-mesh"), "lumen", "--help"], scratch)
         verdict.claim(lumen.status == 0 and "--thinnest" in lumen.out, f"the command lumen finds its program {lumen.err}")
+        vessel = Run([str(programs / "tunica-vessel"), str(scratch / "block.h5"), "--output", str(scratch / "vessel")], scratch)
+        verdict.claim(vessel.status == 1 and "regions" in vessel.err, f"tunica-vessel knows a lumen from a block {vessel.err}")
         paper = Run([str(shared / "xml" / "paper" / "reproduce"), "--list"], scratch)
         verdict.claim(paper.status == 0, f"the items of the paper are listed {paper.err}")
     return verdict.status()

@@ -1,0 +1,104 @@
+"""Stage mesh: a surface or a mesh of the lumen becomes lumen.h5 and lumen.json."""
+import os
+import shutil
+
+import numpy as np
+
+from . import branches
+from .errors import BadInput, nearest
+from .folder import read_json, write_json
+from .mesh_file import Mesh, opening_of
+
+MESH, TABLE, LOG = "lumen.h5", "lumen.json", "programs.log"
+MESHES = (".h5", ".msh", ".vol")
+RESULTS = (MESH, TABLE)
+
+
+def make(folder, options, programs):
+    """Both files appear complete: they are made under other names, and renamed."""
+    draft = folder.file("draft-" + MESH)
+    table_draft, picture = (os.path.splitext(draft)[0] + ending for ending in (".json", ".png"))
+    remove(draft, table_draft, picture)
+    log = folder.file(LOG)
+    if os.path.splitext(options.lumen)[1].lower() in MESHES:
+        take_mesh(options.lumen, draft, programs, log)
+    else:
+        fill_surface(options, draft, programs, log)
+    table = table_of(draft, table_draft, options)
+    os.replace(draft, folder.file(MESH))
+    write_json(folder.file(TABLE), table)
+    if os.path.exists(picture):
+        os.replace(picture, folder.file("lumen.png"))
+    remove(table_draft)
+    return report(table)
+
+
+def remove(*paths):
+    for path in paths:
+        if os.path.exists(path):
+            os.remove(path)
+
+
+def take_mesh(source, draft, programs, log):
+    beside = os.path.splitext(source)[0] + ".json"
+    if source.lower().endswith(".h5"):
+        shutil.copyfile(source, draft)
+    else:
+        programs.must(["tunica-mesh", "convert", source, draft], log)
+    if os.path.exists(beside):
+        shutil.copyfile(beside, os.path.splitext(draft)[0] + ".json")
+
+
+def fill_surface(options, draft, programs, log):
+    if not programs.has_command("tunica-mesh", "lumen"):
+        raise BadInput(f"{options.lumen}: this tunica-mesh has no command \"lumen\" to fill a surface. Give a mesh of the lumen")
+    words = ["tunica-mesh", "lumen", options.lumen, draft]
+    for name in ("scale", "size", "across", "layers"):
+        value = getattr(options, name)
+        words += [] if value is None else [f"--{name}", f"{value:g}"]
+    programs.must(words, log)
+
+
+def table_of(draft, table_draft, options):
+    """What describes the lumen: the file of the program that made it, completed from the mesh where it lacks something."""
+    mesh = Mesh(draft)
+    check(mesh, options)
+    table = read_json(table_draft) if os.path.exists(table_draft) else {}
+    table = table if isinstance(table, dict) and "openings" in table else {}  # another file of that name
+    names = [name for name in mesh.surfaces if name != options.lumen_wall and len(mesh.triangles_of(name))]
+    openings = table.get("openings") or [opening_of(mesh, name) for name in names]
+    openings = sorted(openings, key=lambda opening: -opening["area"])
+    known = [opening["name"] for opening in openings]
+    if sorted(known) != sorted(names):
+        raise BadInput(f"{table_draft}: names the openings {', '.join(known)}, but the mesh has {', '.join(names)}")
+    if options.inlet and options.inlet not in known:
+        raise BadInput(f"--inlet {options.inlet}: there is no such opening. {nearest(options.inlet, known)}")
+    table["openings"] = openings
+    ends = {branch[end] for branch in table.get("branches") or () for end in ("start", "end")}
+    if not set(known) <= ends:
+        table["branches"] = branches.find(mesh, openings, options.inlet or known[0])
+    fluid = mesh.tets_of("fluid")
+    table.update(volume=float(np.abs(mesh.volume(fluid)).sum()), tetrahedra=len(fluid), vertices=len(mesh.vertices))
+    table.setdefault("warnings", [])
+    return table
+
+
+def check(mesh, options):
+    if mesh.regions != ["fluid"]:
+        raise BadInput(f"{options.lumen}: its regions are {', '.join(mesh.regions)}, expected the lumen alone, \"fluid\". "
+                       "tunica-import --fluid MESH OUT.h5 names it")
+    if options.lumen_wall not in mesh.surfaces:
+        raise BadInput(f"{options.lumen}: has no surface \"{options.lumen_wall}\" on which a wall could grow; --lumen-wall "
+                       f"names it. {nearest(options.lumen_wall, mesh.surfaces)}")
+    if len(mesh.surfaces) < 3:
+        raise BadInput(f"{options.lumen}: has the surfaces {', '.join(mesh.surfaces)}, expected two openings or more and the wall")
+    extent = np.ptp(mesh.vertices, axis=0).max()
+    if not 2 <= extent <= 2000:
+        raise BadInput(f"{options.lumen}: is {extent:.3g} mm long. Lengths are in mm; tunica-import --scale 10 converts cm")
+
+
+def report(table):
+    lines = [f"lumen: {table['volume'] / 1000:.3g} ml, {table['tetrahedra']} tetrahedra, {len(table['branches'])} branches"]
+    for opening in table["openings"]:
+        lines.append(f"  {opening['name']}: radius {opening['radius']:.2f} mm")
+    return lines + [f"  note: {text}" for text in table["warnings"]]
