@@ -38,7 +38,17 @@ std::vector<std::string> columns() {
           "operator_complexity",
           "operator_applications",
           "refresh_seconds",
-          "memory_megabytes"};
+          "memory_megabytes",
+          "field_residuals",
+          "backward_error"};
+}
+
+/// `vector 2.1e-09 scalar 4.0e-10`
+std::string field_residuals(const SolverRow& row) {
+  std::string text;
+  for (std::size_t f = 0; f < row.residuals.of_fields.size(); ++f)
+    text += (f == 0 ? "" : " ") + row.fields[f] + formatted(" %.1e", row.residuals.of_fields[f]);
+  return text;
 }
 
 /// `25200 3840 640`
@@ -69,7 +79,9 @@ std::vector<io::Cell> cells(const SolverRow& row) {
           s.levels.operator_complexity,
           s.operator_applications,
           row.refresh_seconds,
-          row.memory_megabytes};
+          row.memory_megabytes,
+          field_residuals(row),
+          row.residuals.backward_error};
 }
 
 /// For systems that come without named operators.
