@@ -3,6 +3,7 @@
 //
 //   tunica-solvers xml/solvers-tiny.xml --output results/solvers
 //   tunica-solvers xml/system.xml
+//   tunica-solvers K.mtx b.mtx
 //   mpirun -n 2 tunica-solvers xml/solvers-tiny.xml --export systems
 
 #include <algorithm>
@@ -95,16 +96,27 @@ Outcome march(const setup::Case& the_case, const run::Domain& domain, run::RunOu
   return outcome;
 }
 
+/// "578 vector and 81 scalar unknowns"
+std::string describe_unknowns(const algebra::BlockSpace& space) {
+  std::string text;
+  for (int b = 0; b < space.n_blocks(); ++b)
+    text += (b > 0 ? " and " : "") + std::to_string(space[b].map->getGlobalNumElements()) + " " +
+            space[b].name;
+  return text + " unknowns";
+}
+
 /// A system from files in the place of a coupled problem.
 std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList& list,
                                                     const CommPtr& comm) {
   const auto system =
       std::make_shared<systems::System>(systems::read_system(list.sublist("System"), comm));
   if (comm->getRank() == 0)
-    std::cout << "system: " << system->K(0, 0)->getGlobalNumRows() << " vector and "
-              << system->K(1, 1)->getGlobalNumRows()
-              << " scalar unknowns\nranks: " << comm->getSize() << std::endl;
-  for (const std::string& remark : system->remarks) io::print_error_line("warning: " + remark);
+    std::cout << "system: " << describe_unknowns(*system->K.space()) << ", " << system->order
+              << "\nranks: " << comm->getSize() << std::endl;
+  if (comm->getRank() == 0) {
+    for (const std::string& note : system->notes) io::print_line("note: " + note);
+    for (const std::string& remark : system->remarks) io::print_error_line("warning: " + remark);
+  }
   return [system, list, comm](run::RunOutput& output) {
     compare::SolverTable table(list, output.folder, output.record, comm->getRank() == 0);
     compare::LinearSystem linear;
@@ -115,9 +127,8 @@ std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList
     const auto best = table.run(linear);
     table.print();
     if (!best) return Outcome::failure("no setting came nearer to the solution than zero");
-    const algebra::BlockVector x = systems::in_file_order(*system, best->x);
-    io::write_matrix_market(output.folder.file("solution.mtx"), {&x[0], &x[1]},
-                            compare::note_on(*best));
+    const Vector x = systems::in_file_order(*system, systems::in_units_of_files(*system, best->x));
+    io::write_matrix_market(output.folder.file("solution.mtx"), {&x}, compare::note_on(*best));
     if (!best->is_converged)
       return Outcome::failure("no setting has converged; solution.mtx is the nearest: " +
                               compare::note_on(*best));
