@@ -17,6 +17,7 @@
 #include "tunica/coupling/registry.hpp"
 #include "tunica/io/matrix_market.hpp"
 #include "tunica/io/messages.hpp"
+#include "tunica/params/read_xml.hpp"
 #include "tunica/run/field_problems.hpp"
 #include "tunica/run/run_log.hpp"
 #include "tunica/setup/schema.hpp"
@@ -105,6 +106,20 @@ std::string describe_unknowns(const algebra::BlockSpace& space) {
   return text + " unknowns";
 }
 
+/// The list of a case that solves the system as it has been solved.
+Teuchos::ParameterList used_case(const Teuchos::ParameterList& list, const systems::System& system,
+                                 const compare::BestSolution& best) {
+  Teuchos::ParameterList used("Case");
+  for (const auto& entry : list.sublist("System"))
+    if (!entry.second.isType<std::string>() ||
+        !Teuchos::getValue<std::string>(entry.second).empty())
+      used.sublist("System").setEntry(entry.first, entry.second);
+  used.sublist("System").setParameters(system.found);
+  used.sublist("Solvers").set("tolerance", list.sublist("Solvers").get<double>("tolerance"));
+  used.sublist("Solvers").sublist("Settings").sublist(best.setting) = best.list;
+  return used;
+}
+
 /// A system from files in the place of a coupled problem.
 std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList& list,
                                                     const CommPtr& comm) {
@@ -129,6 +144,9 @@ std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList
     if (!best) return Outcome::failure("no setting came nearer to the solution than zero");
     const Vector x = systems::in_file_order(*system, systems::in_units_of_files(*system, best->x));
     io::write_matrix_market(output.folder.file("solution.mtx"), {&x}, compare::note_on(*best));
+    if (table.is_chosen() && comm->getRank() == 0)
+      io::print_line("the case that does the same:\n" +
+                     params::to_xml(used_case(list, *system, *best)));
     if (!best->is_converged)
       return Outcome::failure("no setting has converged; solution.mtx is the nearest: " +
                               compare::note_on(*best));

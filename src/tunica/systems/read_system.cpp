@@ -209,7 +209,7 @@ System read_system(const Teuchos::ParameterList& options, const CommPtr& comm,
        {doubt_sign_of_C(blocks), fill_empty_rows(blocks, preparation.is_known)})
     if (!remark.empty()) preparation.remarks.push_back(remark);
   prepare(blocks, options, preparation);
-  const VectorOrder vectors = find_components(blocks.A, options);
+  const VectorOrder vectors = find_components(blocks.A, blocks.n_rows(1), options);
   Teuchos::ParameterList with_order(options);
   with_order.set("components", vectors.components)
       .set<std::string>("order", vectors.is_by_node ? "by node" : "by component");
@@ -224,6 +224,8 @@ System read_system(const Teuchos::ParameterList& options, const CommPtr& comm,
   system.notes = std::move(preparation.notes);
   system.constants = std::move(constants);
   system.order = vectors.text + (order.empty() ? "" : ", " + order);
+  system.found.set("components", vectors.components)
+      .set<std::string>("order", vectors.is_by_node ? "by node" : "by component");
   if (is_whole) system.file_rows = file_rows;
   return system;
 }

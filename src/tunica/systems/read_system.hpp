@@ -17,6 +17,7 @@ struct System {
   algebra::BlockVector known, is_known, scale;
   std::vector<ConstantMode> constants{};  ///< that K does not determine
   std::string order;                      ///< of the unknowns, in words
+  Teuchos::ParameterList found{};         ///< values of keys that are automatic
   /// Rows of one matrix K that the unknowns of the portions have; empty for blocks.
   std::array<std::vector<long long>, 2> file_rows{};
 };

@@ -79,45 +79,60 @@ std::vector<char> rows_of(const Layout& layout, long long n) {
   return is_scalar;
 }
 
-/// Of the pairs of entries K_ij K_ji ≠ 0, i < j.
+/// Of the pairs of entries K_ij K_ji ≠ 0, i < j, for a layout.
 struct Pairs {
-  double opposite = 0.0, all = 0.0;  ///< of opposite signs
-  std::vector<double> against;       ///< for each layout: those whose sign contradicts it
+  double judged = 0.0, against = 0.0;  ///< of these those that contradict it
+  double across = 0.0;                 ///< between vectors and scalars
 };
 
-Pairs count_pairs(const MatrixRows& K, const std::vector<Layout>& layouts) {
+/// is_convective: pairs of vectors have any sign, and those across are K_ij = −K_ji exactly.
+std::vector<Pairs> count_pairs(const MatrixRows& K, const std::vector<Layout>& layouts,
+                               bool is_convective) {
   const MatrixRows T = transposed(K);
-  std::vector<double> counts(layouts.size() + 2, 0.0);
+  std::vector<double> counts(3 * layouts.size(), 0.0);
+  const auto note = [&](long long i, long long j, double there, double back) {
+    const bool is_opposite =
+        is_convective ? std::abs(there + back) <= 1e-8 * std::abs(there) : there * back < 0.0;
+    for (std::size_t l = 0; l < layouts.size(); ++l) {
+      const bool of_i = layouts[l].is_scalar(i, K.n_rows), of_j = layouts[l].is_scalar(j, K.n_rows);
+      if (is_convective && !of_i && !of_j) continue;
+      ++counts[3 * l];
+      counts[3 * l + 1] += (of_i != of_j) != is_opposite;
+      counts[3 * l + 2] += of_i != of_j;
+    }
+  };
   for (std::size_t i = 0; i < K.n_local_rows(); ++i) {
     const long long row = K.first_row() + static_cast<long long>(i);
     for (std::size_t k = K.start[i], t = T.start[i]; k < K.start[i + 1]; ++k) {
       while (t < T.start[i + 1] && T.columns[t] < K.columns[k]) ++t;
       if (t == T.start[i + 1]) break;
-      const double product = K.values[k] * T.values[t];
-      if (T.columns[t] != K.columns[k] || K.columns[k] <= row || product == 0.0) continue;
-      ++counts[0];
-      if (product < 0.0) ++counts[1];
-      for (std::size_t l = 0; l < layouts.size(); ++l) {
-        const bool crosses =
-            layouts[l].is_scalar(row, K.n_rows) != layouts[l].is_scalar(K.columns[k], K.n_rows);
-        if (crosses != (product < 0.0)) ++counts[l + 2];
-      }
+      if (T.columns[t] == K.columns[k] && K.columns[k] > row && K.values[k] * T.values[t] != 0.0)
+        note(row, K.columns[k], K.values[k], T.values[t]);
     }
   }
   counts = global_sum(*K.comm, counts);
-  return {counts[1], counts[0], {counts.begin() + 2, counts.end()}};
+  std::vector<Pairs> pairs;
+  for (std::size_t l = 0; l < layouts.size(); ++l)
+    pairs.push_back({counts[3 * l], counts[3 * l + 1], counts[3 * l + 2]});
+  return pairs;
 }
 
-/// [A B; −Bᵀ C]: the regular layout that the signs of at most a twentieth of the pairs contradict.
+/// [A B; −Bᵀ C]: the regular layout that at most a twentieth of the pairs contradict.
 ScalarRows scalars_by_pairs(const MatrixRows& K) {
   const std::vector<Layout> layouts = regular_layouts(K.n_rows);
-  const Pairs pairs = count_pairs(K, layouts);
-  ScalarRows none{std::vector<char>(static_cast<std::size_t>(K.n_rows), 0), 1.0, 1.0, "no scalars"};
-  if (layouts.empty() || pairs.opposite < 0.05 * pairs.all) return none;
-  const auto best = std::min_element(pairs.against.begin(), pairs.against.end());
-  if (*best > 0.05 * pairs.all) return none;
-  const Layout& layout = layouts[static_cast<std::size_t>(best - pairs.against.begin())];
-  return {rows_of(layout, K.n_rows), 1.0, -1.0, layout.text()};
+  for (const bool is_convective : {false, true}) {
+    const std::vector<Pairs> pairs = count_pairs(K, layouts, is_convective);
+    double least = 0.05;
+    const Layout* best = nullptr;
+    for (std::size_t l = 0; l < layouts.size(); ++l) {
+      const auto& [judged, against, across] = pairs[l];
+      if (across < 0.05 * judged || against >= least * judged) continue;
+      least = against / judged;
+      best = &layouts[l];
+    }
+    if (best != nullptr) return {rows_of(*best, K.n_rows), 1.0, -1.0, best->text()};
+  }
+  return {std::vector<char>(static_cast<std::size_t>(K.n_rows), 0), 1.0, 1.0, "no scalars"};
 }
 
 /// Rows of the one kind and of the other stand in two stretches; those that are alone between them
@@ -215,8 +230,11 @@ struct Numbering {
   }
 };
 
-/// Whether no component is coupled with another one, or most nodes couple theirs.
-bool has_coupling_of_a_vector(const MatrixRows& A, const Numbering& numbering) {
+/// How components are coupled.
+enum class Coupling { none, of_vectors, of_others };
+
+/// None, or such that most nodes couple their own components; others are not those of vectors.
+Coupling coupling_of(const MatrixRows& A, const Numbering& numbering) {
   double across = 0.0, within_node = 0.0, rows = 0.0;
   for (std::size_t i = 0; i < A.n_local_rows(); ++i) {
     const long long row = A.first_row() + static_cast<long long>(i);
@@ -233,7 +251,9 @@ bool has_coupling_of_a_vector(const MatrixRows& A, const Numbering& numbering) {
     within_node += is_within;
   }
   const std::vector<double> all = global_sum(*A.comm, std::vector{across, within_node, rows});
-  return all[0] == 0.0 || all[1] > 0.5 * all[2];
+  return all[0] == 0.0           ? Coupling::none
+         : all[1] > 0.5 * all[2] ? Coupling::of_vectors
+                                 : Coupling::of_others;
 }
 
 /// How alike the nodes are that the rows of a node reach, from 0 to 1; a sample of nodes.
@@ -271,21 +291,40 @@ double likeness(const MatrixRows& A, const Numbering& numbering) {
 
 }  // namespace
 
-VectorOrder find_components(const MatrixRows& A, const Teuchos::ParameterList& options) {
+namespace {
+
+/// The numbers of components to try, the likeliest first: as many nodes as scalars, if it may be.
+std::vector<int> likely_components(long long n, long long n_scalars, int given) {
+  if (given > 0) return {given};
+  std::vector<int> all;
+  for (const int components : {3, 2})
+    if (n == components * n_scalars) all.push_back(components);
+  if (n_scalars == 0) all.push_back(6);
+  for (const int components : {3, 2})
+    if (n != components * n_scalars) all.push_back(components);
+  return all;
+}
+
+}  // namespace
+
+VectorOrder find_components(const MatrixRows& A, long long n_scalars,
+                            const Teuchos::ParameterList& options) {
   const int given = options.get<int>("components");
   const auto& order = options.get<std::string>("order");
   VectorOrder best{given > 0 ? given : 1, order != "by component", ""};
-  double best_likeness = 0.9;  // near boundaries the components of a node differ
-  for (const int components : {6, 3, 2})
+  double most = 0.9;  // near boundaries the components of a node differ
+  for (const int components : likely_components(A.n_rows, n_scalars, given))
     for (const bool is_by_node : {true, false}) {
-      if ((given > 0 && components != given) || A.n_rows % components != 0) continue;
+      if (components == 1 || A.n_rows % components != 0) continue;
       if (order != "automatic" && is_by_node != (order == "by node")) continue;
       const Numbering numbering{components, is_by_node};
-      if (!has_coupling_of_a_vector(A, numbering)) continue;
-      const double like = likeness(A, numbering);
-      if (like <= best_likeness + (best.text.empty() ? 0.0 : 0.01)) continue;
-      best_likeness = like;
-      best = {components, is_by_node, "found"};
+      const Coupling coupling = coupling_of(A, numbering);
+      if (coupling == Coupling::of_others) continue;
+      // The first of equals: lines of a grid of three nodes are as alike as components are.
+      const double like = likeness(A, numbering) + (coupling == Coupling::none ? 0.05 : 0.0);
+      if (like <= most + (most > 0.9 ? 0.02 : 0.0)) continue;
+      most = like;
+      best = {components, is_by_node, ""};
     }
   best.text = best.components == 1 ? "1 component"
                                    : std::to_string(best.components) + " components, " +

@@ -34,7 +34,9 @@ struct VectorOrder {
 
 /// From the keys "components" and "order" where they are given, otherwise from the pattern of A:
 /// with the right numbers the rows of a node reach the same nodes, and either no component is
-/// coupled with another one, or the components of a node are. Collective.
-VectorOrder find_components(const MatrixRows& A, const Teuchos::ParameterList& options);
+/// coupled with another one, or the components of a node are. As many nodes as scalars are likelier
+/// than others. Collective.
+VectorOrder find_components(const MatrixRows& A, long long n_scalars,
+                            const Teuchos::ParameterList& options);
 
 }  // namespace tunica::systems
