@@ -137,7 +137,8 @@ void check_files(const Teuchos::ParameterList& list, const std::string& path) {
                path + ": \"K\" has all unknowns, expected no A, B1T, B2 and C beside it.");
   for (const char* key : {"A", "B2", "rhs"})
     TUNICA_CHECK(is_given("K") || is_given(key),
-                 path + ": \"" + key + "\" is missing, expected a file.");
+                 path + ": \"" + key +
+                     "\" is missing, expected a file; one matrix with all unknowns is \"K\".");
 }
 
 /// In the order in which each needs what is before it.
