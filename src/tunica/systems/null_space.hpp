@@ -3,15 +3,9 @@
 
 #include "tunica/systems/node_table.hpp"
 #include "tunica/systems/preparation.hpp"
+#include "tunica/systems/read_system.hpp"
 
 namespace tunica::systems {
-
-/// Unknowns that K does not determine but for a common constant: the scalars, as the pressure of an
-/// enclosed flow, or the vectors of a component.
-struct ConstantMode {
-  int field;      ///< 0: vectors, 1: scalars
-  int component;  ///< of the vectors
-};
 
 /// Finds the constants n in the null space of K, |K n| ≤ 1e-8 ||K||n||, and makes K regular:
 ///

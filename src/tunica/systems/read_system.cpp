@@ -12,6 +12,7 @@
 #include "tunica/systems/matrix_files.hpp"
 #include "tunica/systems/node_graph.hpp"
 #include "tunica/systems/node_partition.hpp"
+#include "tunica/systems/null_space.hpp"
 #include "tunica/systems/preparation.hpp"
 #include "tunica/systems/unknown_order.hpp"
 #include "tunica/systems/whole_matrix.hpp"

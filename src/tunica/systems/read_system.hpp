@@ -1,12 +1,22 @@
 #pragma once
+#include <array>
+#include <string>
+#include <vector>
+
 #include "tunica/algebra/block_matrix.hpp"
 #include "tunica/params/table.hpp"
 #include "tunica/systems/matrix_rows.hpp"
-#include "tunica/systems/null_space.hpp"
 
 namespace tunica::systems {
 
-/// A block system K x = b of another program.
+/// Unknowns that K does not determine but for a common constant: the scalars, as the pressure of an
+/// enclosed flow, or the vectors of a component.
+struct ConstantMode {
+  int field;      ///< 0: vectors, 1: scalars
+  int component;  ///< of the vectors
+};
+
+/// A system K x = b of another program.
 struct System {
   algebra::BlockMatrix K;  ///< and b: as they are solved, see Preparation
   algebra::BlockVector b;
