@@ -3,6 +3,7 @@
 //
 //   tunica-solvers xml/solvers-tiny.xml --output results/solvers
 //   tunica-solvers xml/system.xml
+//   tunica-solvers K.mtx b.mtx
 //   mpirun -n 2 tunica-solvers xml/solvers-tiny.xml --export systems
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "tunica/coupling/registry.hpp"
 #include "tunica/io/matrix_market.hpp"
 #include "tunica/io/messages.hpp"
+#include "tunica/params/read_xml.hpp"
 #include "tunica/run/field_problems.hpp"
 #include "tunica/run/run_log.hpp"
 #include "tunica/setup/schema.hpp"
@@ -95,16 +97,41 @@ Outcome march(const setup::Case& the_case, const run::Domain& domain, run::RunOu
   return outcome;
 }
 
+/// "578 vector and 81 scalar unknowns"
+std::string describe_unknowns(const algebra::BlockSpace& space) {
+  std::string text;
+  for (int b = 0; b < space.n_blocks(); ++b)
+    text += (b > 0 ? " and " : "") + std::to_string(space[b].map->getGlobalNumElements()) + " " +
+            space[b].name;
+  return text + " unknowns";
+}
+
+/// The list of a case that solves the system as it has been solved.
+Teuchos::ParameterList used_case(const Teuchos::ParameterList& list, const systems::System& system,
+                                 const compare::BestSolution& best) {
+  Teuchos::ParameterList used("Case");
+  for (const auto& entry : list.sublist("System"))
+    if (!entry.second.isType<std::string>() ||
+        !Teuchos::getValue<std::string>(entry.second).empty())
+      used.sublist("System").setEntry(entry.first, entry.second);
+  used.sublist("System").setParameters(system.found);
+  used.sublist("Solvers").set("tolerance", list.sublist("Solvers").get<double>("tolerance"));
+  used.sublist("Solvers").sublist("Settings").sublist(best.setting) = best.list;
+  return used;
+}
+
 /// A system from files in the place of a coupled problem.
 std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList& list,
                                                     const CommPtr& comm) {
   const auto system =
       std::make_shared<systems::System>(systems::read_system(list.sublist("System"), comm));
   if (comm->getRank() == 0)
-    std::cout << "system: " << system->K(0, 0)->getGlobalNumRows() << " vector and "
-              << system->K(1, 1)->getGlobalNumRows()
-              << " scalar unknowns\nranks: " << comm->getSize() << std::endl;
-  for (const std::string& remark : system->remarks) io::print_error_line("warning: " + remark);
+    std::cout << "system: " << describe_unknowns(*system->K.space()) << ", " << system->order
+              << "\nranks: " << comm->getSize() << std::endl;
+  if (comm->getRank() == 0) {
+    for (const std::string& note : system->notes) io::print_line("note: " + note);
+    for (const std::string& remark : system->remarks) io::print_error_line("warning: " + remark);
+  }
   return [system, list, comm](run::RunOutput& output) {
     compare::SolverTable table(list, output.folder, output.record, comm->getRank() == 0);
     compare::LinearSystem linear;
@@ -115,9 +142,11 @@ std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList
     const auto best = table.run(linear);
     table.print();
     if (!best) return Outcome::failure("no setting came nearer to the solution than zero");
-    const algebra::BlockVector x = systems::in_file_order(*system, best->x);
-    io::write_matrix_market(output.folder.file("solution.mtx"), {&x[0], &x[1]},
-                            compare::note_on(*best));
+    const Vector x = systems::in_file_order(*system, systems::in_units_of_files(*system, best->x));
+    io::write_matrix_market(output.folder.file("solution.mtx"), {&x}, compare::note_on(*best));
+    if (table.is_chosen() && comm->getRank() == 0)
+      io::print_line("the case that does the same:\n" +
+                     params::to_xml(used_case(list, *system, *best)));
     if (!best->is_converged)
       return Outcome::failure("no setting has converged; solution.mtx is the nearest: " +
                               compare::note_on(*best));

@@ -9,6 +9,7 @@
 #include "tunica/base/heap.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
+#include "tunica/compare/refined_solve.hpp"
 
 namespace tunica::compare {
 
@@ -22,6 +23,16 @@ std::string verdict_of(const SolverSetting& setting, const linear::SolveReport& 
   const bool has_cap = setting.list.isParameter("max iterations");
   return has_cap && solve.iterations >= setting.list.get<int>("max iterations") ? "cap"
                                                                                 : "stagnated";
+}
+
+/// Systems of a coupled problem are solved as a run solves them, without refinement.
+linear::SolveReport solve_and_judge(linear::LinearSolver& solver, const LinearSystem& system,
+                                    double tolerance, algebra::BlockVector& x,
+                                    Residuals& residuals) {
+  if (system.mesh == nullptr) return refined_solve(solver, system, tolerance, x, residuals);
+  const linear::SolveReport report = solver.solve(*system.b, x, tolerance);
+  residuals = residuals_of(*system.K, *system.b, x);
+  return report;
 }
 
 double norm_of_difference(const Vector& x, const Vector& y) {
@@ -48,6 +59,7 @@ SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, 
   if (setting.list.isParameter("preconditioner"))
     row.preconditioner = setting.list.get<std::string>("preconditioner");
   row.unknowns = system.K->n_unknowns();
+  for (int b = 0; b < system.K->n_blocks(); ++b) row.fields.push_back((*system.K->space())[b].name);
   row.solve.true_residual = row.solve.recurrence_residual =
       std::numeric_limits<double>::quiet_NaN();
   Teuchos::ParameterList alone(setting.list);
@@ -62,7 +74,7 @@ SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, 
     setup_seconds = watch.seconds();
     solver->prepare();
     row.refresh_seconds = watch.seconds() - setup_seconds;
-    row.solve = solver->solve(*system.b, x, tolerance);
+    row.solve = solve_and_judge(*solver, system, tolerance, x, row.residuals);
     held = heap_bytes() - heap_before;
   });
   row.solve.setup_seconds = global_max(comm, setup_seconds);
@@ -72,6 +84,8 @@ SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, 
   row.verdict =
       outcome.is_success() ? verdict_of(setting, row.solve) : exception_summary(outcome.reason());
   row.solve.is_converged = row.verdict == "converged";
+  row.is_at_rounding =
+      row.solve.is_converged && system.mesh == nullptr && row.residuals.are_rounding(tolerance);
   return row;
 }
 

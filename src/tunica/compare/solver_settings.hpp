@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "tunica/compare/linear_system.hpp"
+#include "tunica/compare/residuals.hpp"
 #include "tunica/linear/linear_solver.hpp"
 
 namespace tunica::compare {
@@ -21,8 +22,11 @@ struct SolverRow {
   long long unknowns = 0;
   /// Here setup_seconds is all that is not iteration: matrices made and copied, factors.
   linear::SolveReport solve;
-  double refresh_seconds = 0.0;   ///< to set up once more, as for new values on the same graphs
-  double memory_megabytes = 0.0;  ///< what the solver holds after the solve, on all ranks
+  Residuals residuals{};              ///< of the solution; without fields where there is none
+  std::vector<std::string> fields{};  ///< names of the blocks, in the order of residuals
+  bool is_at_rounding = false;        ///< converged as nearly as double precision allows
+  double refresh_seconds = 0.0;       ///< to set up once more, as for new values on the same graphs
+  double memory_megabytes = 0.0;      ///< what the solver holds after the solve, on all ranks
   double difference = std::numeric_limits<double>::quiet_NaN();  ///< see SolverTable
   /// "converged"; "cap" on the iterations; "stagnated" before it; "drifted": small by the
   /// recurrence, not in truth; "diverged"; "breakdown"; or what an exception said.
@@ -34,7 +38,9 @@ struct SolverRow {
 };
 
 /// Sets a solver up anew and solves from zero to the tolerance; times are those of the slowest
-/// rank. Exceptions of the solver become a verdict; system errors are passed on. Collective.
+/// rank. A system of another program, which is solved once and for all, is judged field by field
+/// and refined where a method takes for solved what is not (refined_solve.hpp). Exceptions of the
+/// solver become a verdict; system errors are passed on. Collective.
 SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, double tolerance,
                       algebra::BlockVector& x);
 

@@ -6,6 +6,7 @@
 
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/timer.hpp"
+#include "tunica/compare/default_settings.hpp"
 #include "tunica/coupling/coupling_settings.hpp"
 #include "tunica/coupling/monolithic.hpp"
 #include "tunica/io/atomic_file.hpp"
@@ -38,7 +39,17 @@ std::vector<std::string> columns() {
           "operator_complexity",
           "operator_applications",
           "refresh_seconds",
-          "memory_megabytes"};
+          "memory_megabytes",
+          "field_residuals",
+          "backward_error"};
+}
+
+/// `vector 2.1e-09 scalar 4.0e-10`
+std::string field_residuals(const SolverRow& row) {
+  std::string text;
+  for (std::size_t f = 0; f < row.residuals.of_fields.size(); ++f)
+    text += (f == 0 ? "" : " ") + row.fields[f] + formatted(" %.1e", row.residuals.of_fields[f]);
+  return text;
 }
 
 /// `25200 3840 640`
@@ -69,14 +80,9 @@ std::vector<io::Cell> cells(const SolverRow& row) {
           s.levels.operator_complexity,
           s.operator_applications,
           row.refresh_seconds,
-          row.memory_megabytes};
-}
-
-/// For systems that come without named operators.
-params::Table foreign_solver_table() {
-  linear::SolverDefaults defaults;
-  defaults.block = linear::default_block_preconditioner(1, 1, "Algebraic");
-  return linear::linear_solver_table(defaults);
+          row.memory_megabytes,
+          field_residuals(row),
+          row.residuals.backward_error};
 }
 
 std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,
@@ -85,11 +91,7 @@ std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,
   std::vector<SolverSetting> settings;
   for (auto it = entries.begin(); it != entries.end(); ++it)
     settings.push_back({entries.name(it), entries.sublist(entries.name(it))});
-  if (settings.empty() && list.isSublist("System")) {
-    Teuchos::ParameterList fallback;
-    foreign_solver_table().resolve(fallback, "", "");
-    settings.push_back({"default", fallback});
-  }
+  if (list.isSublist("System")) return settings;  // none: chosen for the system
   const std::string owner = field == "System" ? "Coupling" : field;
   if (settings.empty()) settings.push_back({"case", list.sublist(owner).sublist("Linear Solver")});
   return settings;
@@ -122,7 +124,12 @@ constexpr const char* settings_sentence =
 
 void add_system_setting_keys(params::Table& table) {
   add_tolerance(table);
-  table.entries("Settings", foreign_solver_table(), settings_sentence);
+  table
+      .integer("direct unknowns", 3000, params::between(0, 1e9),
+               "without settings: largest system that is solved by sparse LU at first; larger ones "
+               "are where all else fails")
+      .entries("Settings", foreign_solver_table(),
+               std::string(settings_sentence) + "; none: chosen by the matrix");
 }
 
 void add_setting_keys(params::Table& table) {
@@ -152,17 +159,31 @@ std::string note_on(const BestSolution& solution) {
 SolverTable::SolverTable(const Teuchos::ParameterList& list, const output::RunFolder& folder,
                          const output::RunRecord& record, bool is_root)
     : settings_(all_settings(list)), tolerance_(list.sublist("Solvers").get<double>("tolerance")),
+      is_chosen_(settings_.count("system") > 0 && settings_.at("system").empty()),
+      direct_unknowns_(is_chosen_ ? list.sublist("Solvers").get<int>("direct unknowns") : 0),
       place_(place_of(list.sublist("Solvers"))), is_root_(is_root), record_(&record),
       json_file_(folder.file("solvers.json")),
       csv_(folder.file("solvers.csv"), columns(), is_root) {
   save();  // so that it never tells of an earlier run
 }
 
+std::vector<SolverSetting> SolverTable::settings_for(const LinearSystem& system) const {
+  if (!is_chosen_) return settings_.at(system.field);
+  const DefaultChoice choice = default_settings(*system.K, direct_unknowns_);
+  if (is_root_)
+    io::print_line("settings: \"" + choice.settings.front().name + "\" first (" + choice.reason +
+                   ")");
+  return choice.settings;
+}
+
 std::optional<BestSolution> SolverTable::run(const LinearSystem& system) {
   std::optional<BestSolution> best;
   std::optional<algebra::BlockVector> first;
   const Stopwatch watch;
-  for (const SolverSetting& setting : settings_.at(system.field)) {
+  const std::vector<SolverSetting> settings = settings_for(system);
+  std::size_t tried = 0;
+  for (const SolverSetting& setting : settings) {
+    ++tried;
     algebra::BlockVector x = system.K->zero();
     SolverRow row = run_setting(setting, system, tolerance_, x);
     if (row.solve.is_converged) {
@@ -171,13 +192,14 @@ std::optional<BestSolution> SolverTable::run(const LinearSystem& system) {
     }
     // What has converged comes before what has not, whatever its residual.
     if (is_nearer(row.solve, best))
-      best = {setting.name, row.solve.true_residual, x, row.solve.is_converged};
+      best = {setting.name, row.solve.true_residual, x, row.solve.is_converged, setting.list};
     add(row);
+    if (is_chosen_ && row.solve.is_converged) break;
   }
   save();
   if (is_root_)
-    io::print_line(formatted("%s: %zu settings, %g s", system.name().c_str(),
-                             settings_.at(system.field).size(), watch.seconds()));
+    io::print_line(
+        formatted("%s: %zu settings, %g s", system.name().c_str(), tried, watch.seconds()));
   return best;
 }
 

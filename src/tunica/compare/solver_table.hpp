@@ -20,7 +20,8 @@ struct BestSolution {
   std::string setting;
   double true_residual;
   algebra::BlockVector x;
-  bool is_converged;  ///< to the tolerance
+  bool is_converged;            ///< to the tolerance
+  Teuchos::ParameterList list;  ///< of the setting
 };
 
 /// Which setting found it, and how near it is: for the head of a file.
@@ -34,24 +35,29 @@ std::string note_on(const BestSolution& solution);
 class SolverTable {
 public:
   /// list: the resolved case. A field without settings gets that of its own "Linear Solver"
-  /// list, named "case", a system of another program the default. The record must outlive the
-  /// table.
+  /// list, named "case"; those of a system of another program are chosen by its matrix. The record
+  /// must outlive the table.
   SolverTable(const Teuchos::ParameterList& list, const output::RunFolder& folder,
               const output::RunRecord& record, bool is_root);
 
   /// Adds a row for each setting of the system's field, and says so on the screen. Nothing where no
   /// setting gave a solution. Collective.
   std::optional<BestSolution> run(const LinearSystem& system);
+  /// Whether the settings are not those of the case, but chosen.
+  bool is_chosen() const { return is_chosen_; }
 
   /// One block for each field. Rank 0 only prints.
   void print() const;
 
 private:
+  std::vector<SolverSetting> settings_for(const LinearSystem& system) const;
   void add(const SolverRow& row);
   void save() const;
 
   std::map<std::string, std::vector<SolverSetting>> settings_;  ///< by field
   double tolerance_;
+  bool is_chosen_;  ///< settings by the matrix, of which one has to converge
+  int direct_unknowns_;
   std::map<std::string, int> place_;  ///< of the systems in the run
   bool is_root_;
   const output::RunRecord* record_;

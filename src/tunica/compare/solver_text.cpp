@@ -13,6 +13,8 @@ struct Line {
   std::vector<std::string> iterations;
   double setup_seconds = 0.0, solve_seconds = 0.0, difference = 0.0, refresh_seconds = 0.0,
          memory_megabytes = 0.0;
+  std::vector<double> of_fields;  ///< largest residual of each
+  double backward_error = 0.0;
   bool is_ever_converged = false;
   multigrid::Levels levels;
 };
@@ -29,6 +31,13 @@ Line& line_of(std::vector<Line>& lines, const std::string& setting) {
   return lines.back();
 }
 
+void note_residuals(const Residuals& residuals, Line& line) {
+  line.backward_error = std::max(line.backward_error, residuals.backward_error);
+  line.of_fields.resize(residuals.of_fields.size(), 0.0);
+  for (std::size_t f = 0; f < residuals.of_fields.size(); ++f)
+    line.of_fields[f] = std::max(line.of_fields[f], residuals.of_fields[f]);
+}
+
 std::vector<Line> lines_of(const std::vector<SolverRow>& rows) {
   std::vector<Line> lines;
   for (const SolverRow& row : rows) {
@@ -42,6 +51,7 @@ std::vector<Line> lines_of(const std::vector<SolverRow>& rows) {
     line.memory_megabytes = std::max(line.memory_megabytes, row.memory_megabytes);
     if (!row.solve.is_converged) continue;
     line.is_ever_converged = true;
+    note_residuals(row.residuals, line);
     line.difference = std::max(line.difference, row.difference);
   }
   return lines;
@@ -62,7 +72,10 @@ std::string heading(const std::vector<SolverRow>& rows, std::size_t width) {
   for (const SolverRow& row : rows)
     if (row.setting == rows.front().setting)
       text += row.newton_step > 0 ? formatted("%7d", row.newton_step) : "  count";
-  return text + "   set-up s  refresh s   solve s    ratio     MB  difference\n";
+  text += "   set-up s  refresh s   solve s    ratio     MB  difference";
+  for (const std::string& field : rows.front().fields)
+    text += padded(field, std::max<std::size_t>(10, field.size() + 2));
+  return text + "  backward\n";
 }
 
 std::string text_of(const Line& line, std::size_t width, double measure) {
@@ -71,8 +84,10 @@ std::string text_of(const Line& line, std::size_t width, double measure) {
   const double seconds = line.setup_seconds + line.solve_seconds;
   text += formatted("%11.3f%11.3f%10.3f%9.2f%7.0f", line.setup_seconds, line.refresh_seconds,
                     line.solve_seconds, seconds / measure, line.memory_megabytes);
-  return text +
-         (line.is_ever_converged ? formatted("%12.1e\n", line.difference) : "           -\n");
+  if (!line.is_ever_converged) return text + "           -\n";
+  text += formatted("%12.1e", line.difference);
+  for (const double residual : line.of_fields) text += formatted("%10.1e", residual);
+  return text + formatted("%10.1e\n", line.backward_error);
 }
 
 /// `  levels of A, B: 25200, 3840, 640 unknowns, operator complexity 1.21` for each hierarchy.
@@ -115,6 +130,11 @@ std::string text_of(const std::vector<SolverRow>& all, const std::string& field)
       text += (row.newton_step > 0 ? formatted("  ! Newton step %d, ", row.newton_step) : "  ! ") +
               row.setting + ": " + row.verdict +
               formatted(", true residual %.1e\n", row.solve.true_residual);
+  for (const SolverRow& row : rows)
+    if (row.is_at_rounding)
+      text += "  " + row.setting + ": as near as double precision allows, " +
+              formatted("backward error %.1e (relative residual %.1e)\n",
+                        row.residuals.backward_error, row.solve.true_residual);
   return text;
 }
 

@@ -15,8 +15,22 @@ namespace tunica::setup {
 
 namespace {
 
+/// The case of a matrix: a list "System" that names it.
+Teuchos::ParameterList case_of_matrix(const CommandLine& command) {
+  Teuchos::ParameterList list("Case");
+  const auto set = [&](const char* key, const std::string& file) {
+    if (!file.empty())
+      list.sublist("System").set(key, std::filesystem::absolute(file).lexically_normal().string());
+  };
+  set("K", command.case_file);
+  set("rhs", command.right_side);
+  return list;
+}
+
 Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Table& table) {
-  Teuchos::ParameterList list = params::read_xml(command.case_file);
+  Teuchos::ParameterList list = is_matrix_file(command.case_file)
+                                    ? case_of_matrix(command)
+                                    : params::read_xml(command.case_file);
   const std::string remark = leave_one_field(list, command.program);
   if (!remark.empty()) io::print_line("note: " + remark);
   for (const std::string& assignment : command.set) params::set_from_text(list, table, assignment);
@@ -78,7 +92,8 @@ Case read_case(const CommandLine& command, const params::Table& table, const Com
 bool has_list(const std::string& file, const std::string& name, const Comm& comm) {
   std::string found;
   on_root(comm, [&] {
-    if (params::read_xml(file).isSublist(name)) found = name;
+    if (is_matrix_file(file) ? name == "System" : params::read_xml(file).isSublist(name))
+      found = name;
   });
   broadcast(comm, found);
   return !found.empty();

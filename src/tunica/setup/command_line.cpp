@@ -76,6 +76,12 @@ void store(CommandLine& line, const std::string& name, const std::string& value)
 }
 
 void store_case(CommandLine& line, const std::string& name) {
+  if (is_matrix_file(line.case_file) && line.right_side.empty()) {
+    line.right_side = name;
+    return;
+  }
+  TUNICA_CHECK(line.program == "tunica-solvers" || !is_matrix_file(name),
+               "\"" + name + "\" is a matrix, expected a case file; tunica-solvers takes both.");
   TUNICA_CHECK(line.case_file.empty(),
                "two case files, \"" + line.case_file + "\" and \"" + name + "\", expected one");
   line.case_file = name;
@@ -117,6 +123,13 @@ CommandLine parse(int argc, char** argv, const std::string& program, const std::
   return line;
 }
 
+bool is_matrix_file(const std::string& name) {
+  const auto ends_with = [&](const std::string& end) {
+    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+  };
+  return ends_with(".mtx") || ends_with(".mtx.gz");
+}
+
 bool takes(const std::string& program, const std::string& option) {
   for (const Option& one : options_of(program))
     if (one.name == option) return true;
@@ -125,7 +138,9 @@ bool takes(const std::string& program, const std::string& option) {
 
 std::string usage(const std::string& program, const std::string& sentence) {
   std::string text =
-      program + ": " + sentence + "\n\nUsage: " + program + " CASE.xml [options]\n\nOptions:\n";
+      program + ": " + sentence + "\n\nUsage: " + program + " CASE.xml [options]\n" +
+      (program == "tunica-solvers" ? "       " + program + " K.mtx [b.mtx] [options]\n\nOptions:\n"
+                                   : "\nOptions:\n");
   for (const Option& option : options_of(program)) {
     std::string left = "  " + option.name + (option.value.empty() ? "" : " " + option.value);
     left.resize(20, ' ');

@@ -7,8 +7,9 @@ namespace tunica::setup {
 
 /// Command line of the drivers: tunica-fsi CASE.xml --output DIR --set "Fluid/density=1.06"
 struct CommandLine {
-  std::string program{};  ///< the driver's name
-  std::string case_file;
+  std::string program{};           ///< the driver's name
+  std::string case_file;           ///< tunica-solvers: or a matrix
+  std::string right_side{};        ///< tunica-solvers with a matrix only; "" if not given
   std::string output;              ///< folder of the results; "" if not given
   std::optional<int> steps;        ///< stop after so many time steps
   bool dry_run = false;            ///< everything but the solve
@@ -25,6 +26,9 @@ struct CommandLine {
 /// Reads the command line. Throws tunica::Error if an option is unknown or incomplete, or if
 /// the case file is missing. program: name of the driver; sentence: what it does.
 CommandLine parse(int argc, char** argv, const std::string& program, const std::string& sentence);
+
+/// True for a matrix in the place of a case file: K.mtx.
+bool is_matrix_file(const std::string& name);
 
 /// True where the program has this option.
 bool takes(const std::string& program, const std::string& option);

@@ -28,56 +28,50 @@ std::size_t diagonal(const MatrixRows& block, std::size_t row) {
   return k;
 }
 
-/// "rows 6 and 21", "row 3", "rows 1, 2, 3, 4, 5, 6 and 12 more"; numbers from 1.
-std::string text_of(const std::vector<long long>& rows) {
-  constexpr std::size_t most = 6;
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < std::min(rows.size(), most); ++k)
-    names.push_back(std::to_string(rows[k] + 1));
-  if (rows.size() > most) names.push_back(std::to_string(rows.size() - most) + " more");
-  return (rows.size() > 1 ? "rows " : "row ") + listed(names);
-}
-
-/// Rows [square other] of K without an entry; a unit row where b is zero there.
-std::string fill_rows(MatrixRows& square, const MatrixRows& other, double unit,
-                      const std::vector<double>& b, const std::string& names) {
-  std::vector<long long> filled, senseless;
+/// Rows of a field without an entry in K; a unit row where b is zero there.
+std::string fill_rows(Blocks& blocks, int field, OfUnknowns& is_known,
+                      const OfUnknowns* rounding_of_b) {
+  MatrixRows& square = blocks(field, field);
+  const MatrixRows& other = blocks(field, 1 - field);
+  std::vector<double>& b = blocks.b[field];
+  std::vector<std::size_t> filled, senseless;
   for (std::size_t i = 0; i < square.n_local_rows(); ++i) {
     if (!is_empty(square, i) || !is_empty(other, i)) continue;
-    (b[i] == 0.0 ? filled : senseless).push_back(square.first_row() + static_cast<long long>(i));
-    square.values[diagonal(square, i)] = unit;
+    if (rounding_of_b != nullptr && std::abs(b[i]) <= (*rounding_of_b)[field][i]) b[i] = 0.0;
+    (b[i] == 0.0 ? filled : senseless).push_back(i);
+    is_known[field][i] = 1.0;
+    square.values[diagonal(square, i)] = field == 0 ? 1.0 : -1.0;
   }
-  const std::vector<long long> wrong = gather_rows(*square.comm, senseless);
-  on_root(*square.comm, [&] {
-    TUNICA_CHECK(wrong.empty(), "System: " + text_of(wrong) + " of " + names +
+  const std::string wrong = text_of_rows(blocks, field, senseless);
+  on_root(blocks.comm(), [&] {
+    TUNICA_CHECK(wrong.empty(), "System: " + wrong +
                                     " have no entries, but the right-hand side is not zero there: "
                                     "no solution fulfils these equations.");
   });
-  const std::vector<long long> all = gather_rows(*square.comm, filled);
+  const std::string all = text_of_rows(blocks, field, filled);
   return all.empty() ? ""
-                     : text_of(all) + " of " + names + (all.size() > 1 ? " have" : " has") +
+                     : all + (all.find("rows") == 0 ? " have" : " has") +
                            " no entries: nothing determines these unknowns, which are set to zero";
 }
 
 }  // namespace
 
-std::vector<double> rows_of_block(const ColumnRows& b, long long begin, long long count,
-                                  const Comm& comm) {
-  const Portion mine = portion_of(b.n_rows, comm);
-  const auto place = [&](long long row) {
-    return b.values.begin() + (std::clamp(row, mine.first, mine.first + mine.count) - mine.first);
-  };
-  return spread(comm, std::vector<double>(place(begin), place(begin + count)),
-                std::max(mine.first - begin, 0LL), count);
+std::string text_of_rows(const Blocks& blocks, int field, const std::vector<std::size_t>& rows) {
+  std::vector<long long> mine;
+  for (const std::size_t row : rows) mine.push_back(blocks.file_rows[field][row]);
+  const std::vector<long long> all = gather_rows(blocks.comm(), mine);
+  if (all.empty()) return "";
+  constexpr std::size_t most = 6;
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < std::min(all.size(), most); ++k)
+    names.push_back(std::to_string(all[k] + 1));
+  if (all.size() > most) names.push_back(std::to_string(all.size() - most) + " more");
+  return (all.size() > 1 ? "rows " : "row ") + listed(names) + " of " + blocks.files[field];
 }
 
-std::string fill_empty_rows(Blocks& blocks) {
-  const Comm& comm = *blocks.A.comm;
-  const long long n = blocks.A.n_rows, m = blocks.B2.n_rows;
-  const std::string vectors =
-      fill_rows(blocks.A, blocks.B1T, 1.0, rows_of_block(blocks.b, 0, n, comm), "A and B1T");
-  const std::string scalars =
-      fill_rows(blocks.mC, blocks.B2, -1.0, rows_of_block(blocks.b, n, m, comm), "B2 and C");
+std::string fill_empty_rows(Blocks& blocks, OfUnknowns& is_known, const OfUnknowns* rounding_of_b) {
+  const std::string vectors = fill_rows(blocks, 0, is_known, rounding_of_b);
+  const std::string scalars = fill_rows(blocks, 1, is_known, rounding_of_b);
   return vectors.empty() || scalars.empty() ? vectors + scalars : vectors + "; " + scalars;
 }
 

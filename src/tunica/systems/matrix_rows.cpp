@@ -121,6 +121,35 @@ std::vector<double> diagonal(const MatrixRows& A) {
   return result;
 }
 
+std::vector<double> over_columns(const MatrixRows& A,
+                                 const std::function<double(std::size_t, std::size_t)>& value,
+                                 const std::function<double(double, double)>& combine) {
+  struct OfColumn {
+    long long column;
+    double value;
+  };
+  // Those of this rank's rows first: a column of them is sent once.
+  const std::vector<long long> columns = columns_of(A);
+  std::vector<OfColumn> mine;
+  std::vector<int> ranks;
+  for (const long long column : columns) {
+    mine.push_back({column, 0.0});
+    ranks.push_back(rank_of_row(column, A.n_columns, *A.comm));
+  }
+  for (std::size_t i = 0; i < A.n_local_rows(); ++i)
+    for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k) {
+      double& sum = mine[place_of(A.columns[k], columns)].value;
+      sum = combine(sum, value(i, k));
+    }
+  const Portion portion = portion_of(A.n_columns, *A.comm);
+  std::vector<double> all(static_cast<std::size_t>(portion.count), 0.0);
+  for (const OfColumn& one : exchange_to(*A.comm, mine, ranks).items) {
+    double& sum = all[one.column - portion.first];
+    sum = combine(sum, one.value);
+  }
+  return all;
+}
+
 std::vector<Entry> fetch_rows(const MatrixRows& A, const std::vector<long long>& rows) {
   const Comm& comm = *A.comm;
   const Received<long long> asked = exchange(comm, rows, rows_by_rank(comm, rows, A.n_rows));

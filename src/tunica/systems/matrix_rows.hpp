@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,12 @@ MatrixRows transposed(const MatrixRows& A);
 MatrixRows with_diagonal(const MatrixRows& A);
 /// Diagonal entries of the rank's rows; 0 if there is none.
 std::vector<double> diagonal(const MatrixRows& A);
+
+/// What stands in each column of the rank's portion of columns: value(row, k) of every entry k in a
+/// local row of any rank, combined from 0 on. Collective.
+std::vector<double> over_columns(const MatrixRows& A,
+                                 const std::function<double(std::size_t, std::size_t)>& value,
+                                 const std::function<double(double, double)>& combine);
 
 /// The entries of these ascending rows, which any ranks have, in their order. Collective.
 std::vector<Entry> fetch_rows(const MatrixRows& A, const std::vector<long long>& rows);

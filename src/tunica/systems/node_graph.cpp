@@ -87,32 +87,42 @@ MatrixRows schur_rows(const MatrixRows& A, const MatrixRows& B1T, const MatrixRo
   return S;
 }
 
-}  // namespace
-
-NodeGraph vector_graph(const MatrixRows& A, const NodeTable& table) {
-  const Fetched<long long> node_of(*A.comm, columns_of(A), table.vector_node, A.n_columns);
-  EdgeCollector edges(table.n_nodes, A.comm);
+/// Nodes of the rows with those of the columns that an entry couples. Collective.
+void couple_all(const MatrixRows& A, const std::vector<long long>& node_of_row,
+                const std::vector<long long>& node_of_column, EdgeCollector& edges) {
+  const Fetched<long long> node_of(*A.comm, columns_of(A), node_of_column, A.n_columns);
   in_batches(A, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       long long before = -1;  // unknowns of a node often stand side by side
       for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k) {
         const long long node = node_of(A.columns[k]);
-        if (node != before) edges.couple(table.vector_node[i], node);
+        if (node != before) edges.couple(node_of_row[i], node);
         before = node;
       }
     }
     edges.deliver();
   });
+}
+
+}  // namespace
+
+NodeGraph vector_graph(const Blocks& blocks, const NodeTable& table) {
+  EdgeCollector edges(table.n_nodes, blocks.A.comm);
+  couple_all(blocks.A, table.vector_node, table.vector_node, edges);
+  if (table.is_shared) {
+    couple_all(blocks.B1T, table.vector_node, table.scalar_node, edges);
+    couple_all(blocks.B2, table.scalar_node, table.vector_node, edges);
+    couple_all(blocks.mC, table.scalar_node, table.scalar_node, edges);
+  }
   return edges.take();
 }
 
-NodeGraph scalar_graph(const MatrixRows& A, const MatrixRows& B1T, const MatrixRows& B2,
-                       const MatrixRows& mC, const NodeTable& table) {
+NodeGraph scalar_graph(const Blocks& blocks, const NodeTable& table) {
   struct OfScalar {
     long long node;
     double diagonal;
   };
-  const MatrixRows S = schur_rows(A, B1T, B2, mC);
+  const MatrixRows S = schur_rows(blocks.A, blocks.B1T, blocks.B2, blocks.mC);
   std::vector<OfScalar> mine;
   for (const double value : diagonal(S)) mine.push_back({table.scalar_node[mine.size()], value});
   const Fetched<OfScalar> scalar(*S.comm, columns_of(S), mine, S.n_rows);

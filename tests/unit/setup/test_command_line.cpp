@@ -103,6 +103,16 @@ TEUCHOS_UNIT_TEST(command_line, steps_are_a_positive_whole_number) {
                   std::string("--steps is \"") + text + "\", expected a whole number > 0");
 }
 
+TEUCHOS_UNIT_TEST(command_line, a_matrix_and_its_right_side_make_a_case_of_tunica_solvers) {
+  const CommandLine line = parsed({"K.mtx", "b.mtx", "--dry-run"}, "tunica-solvers");
+  TEST_EQUALITY(line.case_file, "K.mtx");
+  TEST_EQUALITY(line.right_side, "b.mtx");
+  TEST_EQUALITY(parsed({"K.mtx"}, "tunica-solvers").right_side, "");
+  TEST_THROW(parsed({"K.mtx", "b.mtx", "c.mtx"}, "tunica-solvers"), tunica::Error);
+  TEST_THROW(parsed({"case.xml", "b.mtx"}, "tunica-solvers"), tunica::Error);
+  TEST_THROW(parsed({"K.mtx"}), tunica::Error);
+}
+
 TEUCHOS_UNIT_TEST(command_line, two_case_files_are_one_too_many) {
   TEST_EQUALITY(refusal({"a.xml", "b.xml"}),
                 "two case files, \"a.xml\" and \"b.xml\", expected one");

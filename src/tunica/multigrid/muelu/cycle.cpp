@@ -257,6 +257,14 @@ Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomia
   return list;
 }
 
+Teuchos::ParameterList braess_sarazin_cycle_list(int sweeps, int schur_sweeps) {
+  Teuchos::ParameterList smoother;
+  smoother.set("factory", "NodalBraessSarazinSmoother")
+      .set("sweeps", sweeps)
+      .set("schur sweeps", schur_sweeps);
+  return nodal_levels(smoother, coarsest_mixed);
+}
+
 // The levels of mixed_cycle_list() but for rotations. Each patch is inverted by itself, with row
 // exchanges: nothing grows along an order of elimination.
 Teuchos::ParameterList vanka_cycle_list(int sweeps) {

@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tunica/compare/solver_settings.hpp"
+
+namespace tunica::compare {
+
+/// The keys of a setting for systems that come without named operators.
+params::Table foreign_solver_table();
+
+/// Settings for a system of another program of which nothing is known but the matrix, to be tried
+/// in this order until one converges.
+struct DefaultChoice {
+  std::vector<SolverSetting> settings;
+  std::string reason;  ///< why the first comes first
+};
+
+/// Sparse LU first for systems of at most direct_unknowns, last for others. Between: multigrid for
+/// all unknowns, smoothed by incomplete factors where C stabilises, by Braess and Sarazin's sweeps
+/// where it is zero; the fields in turn (block LU), incomplete factors. For one field multigrid
+/// with Gauss-Seidel. Collective.
+DefaultChoice default_settings(const algebra::BlockMatrix& K, int direct_unknowns);
+
+}  // namespace tunica::compare

@@ -1,0 +1,40 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tunica/algebra/block_matrix.hpp"
+
+namespace tunica::compare {
+
+/// How far x is from a solution of K x = b. A norm over all unknowns hides a field whose rows are
+/// small beside those of another; each field is therefore judged by what its own rows add up.
+///
+///   r = b − K x                     residual, r_f its part in the rows of field f
+///   η_f = |r_f| / ||K||x| + |b||_f  of a field: 0 where the denominator is
+///   η   = |r| / ||K||x| + |b||      backward error: x solves a system whose entries differ by η
+///   ρ   = |r| / |b|                 relative residual; cannot fall below ε ||K||x|| / |b|
+struct Residuals {
+  std::vector<double> of_fields;  ///< η_f, in the order of the blocks
+  double backward_error = 0.0;    ///< η
+  double relative = 0.0;          ///< ρ, 0 for b = 0
+
+  double largest_of_fields() const;
+  /// Solved to the tolerance: each field is, and so is the whole by its relative residual, or as
+  /// nearly as double precision allows.
+  bool are_within(double tolerance) const;
+  /// The relative residual is as small as rounding permits, though not within the tolerance.
+  bool are_rounding(double tolerance) const;
+};
+
+/// Collective.
+Residuals residuals_of(const algebra::BlockMatrix& K, const algebra::BlockVector& b,
+                       const algebra::BlockVector& x);
+
+/// r ← b − K x. Collective.
+void residual(const algebra::BlockMatrix& K, const algebra::BlockVector& b,
+              const algebra::BlockVector& x, algebra::BlockVector& r);
+
+/// |x| over all blocks. Collective.
+double norm(const algebra::BlockVector& x);
+
+}  // namespace tunica::compare

@@ -1,0 +1,42 @@
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+#include <vector>
+
+#include "tunica/systems/matrix_rows.hpp"
+
+namespace tunica::systems {
+
+/// Which rows of one matrix with all unknowns are those of scalars (pressures, multipliers).
+struct ScalarRows {
+  std::vector<char> is_scalar;  ///< of every row of the file, on all ranks
+  /// Factors that make the diagonal of A positive and that of −C negative.
+  double vector_sign = 1.0, scalar_sign = 1.0;
+  std::string text;  ///< "scalars last", "no scalars"
+};
+
+/// From the key "scalars", or from K, whose saddle-point form shows in its signs:
+///
+///   [A B; Bᵀ −C]   diagonals of scalars are zero or of the other sign than those of A
+///   [A B; −Bᵀ C]   K_ij K_ji < 0 between vectors and scalars, and > 0 among vectors and among
+///                  scalars, for a regular order: first, last, or in each node
+///
+/// Rows that hold only their diagonal may be of either kind, and go with their neighbours in the
+/// file. Collective.
+ScalarRows find_scalars(const MatrixRows& K, const Teuchos::ParameterList& options);
+
+/// Components of the vector unknowns, and how they are numbered.
+struct VectorOrder {
+  int components = 1;
+  bool is_by_node = true;
+  std::string text;  ///< "3 components, by node"
+};
+
+/// From the keys "components" and "order" where they are given, otherwise from the pattern of A:
+/// with the right numbers the rows of a node reach the same nodes, and either no component is
+/// coupled with another one, or the components of a node are. As many nodes as scalars are likelier
+/// than others. Collective.
+VectorOrder find_components(const MatrixRows& A, long long n_scalars,
+                            const Teuchos::ParameterList& options);
+
+}  // namespace tunica::systems

@@ -1,0 +1,60 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <Tpetra_Core.hpp>
+
+#include "tunica/base/trilinos.hpp"
+#include "tunica/compare/default_settings.hpp"
+
+namespace {
+
+using namespace tunica;
+
+Teuchos::RCP<CrsMatrix> diagonal_matrix(const Teuchos::RCP<const Map>& map, double value) {
+  const auto A = Teuchos::rcp(new CrsMatrix(map, 1));
+  for (const GlobalOrdinal row : global_numbers(*map)) A->insertGlobalValues(row, 1, &value, &row);
+  A->fillComplete();
+  return A;
+}
+
+/// Blocks of diagonals; c: of C.
+algebra::BlockMatrix blocks(bool has_scalars, double c) {
+  const auto map = Teuchos::rcp(new Map(8, 0, Tpetra::getDefaultComm()));
+  std::vector<algebra::Block> of_space{{"vector", map, 1, {}}};
+  if (has_scalars) of_space.push_back({"scalar", map, 1, {}});
+  algebra::BlockMatrix K(std::make_shared<const algebra::BlockSpace>(of_space));
+  K.set(0, 0, diagonal_matrix(map, 2.0));
+  if (!has_scalars) return K;
+  K.set(0, 1, diagonal_matrix(map, 1.0));
+  K.set(1, 0, diagonal_matrix(map, 1.0));
+  K.set(1, 1, diagonal_matrix(map, -c));
+  return K;
+}
+
+std::vector<std::string> names(const compare::DefaultChoice& choice) {
+  std::vector<std::string> all;
+  for (const auto& setting : choice.settings) all.push_back(setting.name);
+  return all;
+}
+
+using Names = std::vector<std::string>;
+
+TEUCHOS_UNIT_TEST(default_settings, follow_what_the_matrix_is) {
+  const auto stabilised = compare::default_settings(blocks(true, 1.0), 0);
+  TEST_ASSERT(names(stabilised) ==
+              (Names{"multigrid, incomplete factors", "multigrid, Braess-Sarazin", "field by field",
+                     "ILU(1)", "direct"}));
+  TEST_EQUALITY(stabilised.reason, "C stabilises");
+  const auto zero = compare::default_settings(blocks(true, 0.0), 0);
+  TEST_ASSERT(names(zero) ==
+              (Names{"multigrid, Braess-Sarazin", "field by field", "ILU(1)", "direct"}));
+  TEST_ASSERT(names(compare::default_settings(blocks(false, 0.0), 0)) ==
+              (Names{"multigrid, Gauss-Seidel", "ILU(1)", "direct"}));
+}
+
+TEUCHOS_UNIT_TEST(default_settings, small_systems_are_factored) {
+  const auto small = compare::default_settings(blocks(true, 1.0), 16);
+  TEST_EQUALITY(small.settings.front().name, "direct");
+  TEST_EQUALITY(small.reason, "at most 16 unknowns");
+  TEST_EQUALITY(compare::default_settings(blocks(true, 1.0), 15).settings.back().name, "direct");
+}
+
+}  // namespace
