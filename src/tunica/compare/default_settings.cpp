@@ -10,6 +10,10 @@ namespace tunica::compare {
 
 namespace {
 
+/// Factors of larger systems would take more memory than there is (as "direct unknowns" of
+/// fallbacks).
+constexpr long long most_factored = 300000;
+
 /// Part of the scalar rows with entries in B2 that have a diagonal in C.
 double stabilised_part(const algebra::BlockMatrix& K) {
   const auto B2 = K(1, 0)->getLocalMatrixHost(), mC = K(1, 1)->getLocalMatrixHost();
@@ -88,7 +92,7 @@ params::Table foreign_solver_table() {
 DefaultChoice default_settings(const algebra::BlockMatrix& K, int direct_unknowns) {
   DefaultChoice choice = iterative(K);
   if (K.n_unknowns() > direct_unknowns) {
-    choice.settings.push_back(direct());
+    if (K.n_unknowns() <= most_factored) choice.settings.push_back(direct());
     return choice;
   }
   choice.settings.insert(choice.settings.begin(), direct());

@@ -16,10 +16,10 @@ struct DefaultChoice {
   std::string reason;  ///< why the first comes first
 };
 
-/// Sparse LU first for systems of at most direct_unknowns, last for others. Between: multigrid for
-/// all unknowns, smoothed by incomplete factors where C stabilises, by Braess and Sarazin's sweeps
-/// where it is zero; the fields in turn (block LU), incomplete factors. For one field multigrid
-/// with Gauss-Seidel. Collective.
+/// Sparse LU first for systems of at most direct_unknowns, last for others of up to 300,000.
+/// Between: multigrid for all unknowns, smoothed by incomplete factors where C stabilises, by
+/// Braess and Sarazin's sweeps where it is zero; the fields in turn (block LU), incomplete factors.
+/// For one field multigrid with Gauss-Seidel. Collective.
 DefaultChoice default_settings(const algebra::BlockMatrix& K, int direct_unknowns);
 
 }  // namespace tunica::compare
