@@ -47,9 +47,8 @@ public:
   /// Collective.
   Outcome begin_step(const stepping::Clock& clock);
   /// Whether Jacobians have shape derivatives from the next solve on: with "geometry" = "newton"
-  /// they have, else not until told. Not where the domain is extrapolated. A solve that has not
-  /// converged in so many steps without them, or would not at its pace, goes on with them; 0: it
-  /// never does.
+  /// they have, else not until told; never where the domain is extrapolated. A solve that has not
+  /// converged in so many steps without them, or would not, goes on with them; 0: it never does.
   void want_shape_derivatives(bool wanted, int most_steps_without) {
     wants_shape_derivatives_ = wanted;
     most_steps_without_ = most_steps_without;

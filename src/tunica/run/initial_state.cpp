@@ -40,7 +40,7 @@ public:
                    const std::vector<fields::TetSearch::Spot>& places, Vector& x) const {
     const std::vector<double> q = stored_->values(grid_, array, columns);
     if (q.empty()) return false;
-    const auto view = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    const auto view = x.getLocalViewHost(overwrite_all);
     for (std::size_t k = 0; k < places.size(); ++k)
       for (int i = 0; i < columns; ++i) {
         double sum = 0.0;
