@@ -15,10 +15,17 @@ RESULTS = (MESH, TABLE)
 
 
 def make(folder, options, programs):
-    """Both files appear complete: they are made under other names, and renamed."""
+    """Both files appear complete: they are made under other names, and renamed. A failure leaves no draft."""
     draft = folder.file("draft-" + MESH)
     table_draft, picture = (os.path.splitext(draft)[0] + ending for ending in (".json", ".png"))
     remove(draft, table_draft, picture)
+    try:
+        return fill(folder, options, programs, draft, table_draft, picture)
+    finally:
+        remove(draft, table_draft, picture)
+
+
+def fill(folder, options, programs, draft, table_draft, picture):
     log = folder.file(LOG)
     if os.path.splitext(options.lumen)[1].lower() in MESHES:
         take_mesh(options.lumen, draft, programs, log)
@@ -29,7 +36,6 @@ def make(folder, options, programs):
     write_json(folder.file(TABLE), table)
     if os.path.exists(picture):
         os.replace(picture, folder.file("lumen.png"))
-    remove(table_draft)
     return report(table)
 
 
@@ -94,7 +100,8 @@ def check(mesh, options):
         raise BadInput(f"{options.lumen}: has the surfaces {', '.join(mesh.surfaces)}, expected two openings or more and the wall")
     extent = np.ptp(mesh.vertices, axis=0).max()
     if not 2 <= extent <= 2000:
-        raise BadInput(f"{options.lumen}: is {extent:.3g} mm long. Lengths are in mm; tunica-import --scale 10 converts cm")
+        raise BadInput(f"{options.lumen}: is {extent:.3g} mm long. Lengths are in mm: --scale 10 converts a surface in cm, 1000 one "
+                       "in m; tunica-import --scale does so with a mesh")
 
 
 def report(table):

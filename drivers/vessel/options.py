@@ -122,6 +122,8 @@ def read_pressure(text):
         raise BadInput(f"--pressure is {text}, expected systolic/diastolic in mmHg, such as 120/80") from None
     if not 10 <= diastolic < systolic <= 300:
         raise BadInput(f"--pressure is {text}, expected 10 <= diastolic < systolic <= 300 mmHg")
+    if systolic < 20:
+        raise BadInput(f"--pressure is {text}, less than 20 mmHg in systole. Are these kPa? 1 kPa is 7.5 mmHg")
     return systolic, diastolic
 
 
@@ -132,8 +134,11 @@ def read_splits(text):
         name, _, value = word.partition("=")
         if not word:
             continue
+        name = name.strip()
+        if name in shares:
+            raise BadInput(f"--splits: {name} has two shares, expected one")
         try:
-            shares[name.strip()] = float(value)
+            shares[name] = float(value) if name else float("no name")
         except ValueError:
             raise BadInput(f"--splits: {word} is no NAME=SHARE, such as opening-2=0.7") from None
     if any(not 0 < share < 1 for share in shares.values()) or sum(shares.values()) > 1 + 1e-9:

@@ -2,6 +2,7 @@
 import os
 
 from . import case_file, flow_shapes, lumen, run, tune, walls
+from .errors import BadInput
 from .folder import read_json
 
 SECONDS_A_STEP = 6e-5  # of each unknown and rank, measured on an arch of 43,000 unknowns; within a factor of 3
@@ -15,16 +16,18 @@ def size_of(folder, options):
         return walls.read(folder)["mesh"]["unknowns"], "of its mesh"
     if os.path.exists(folder.file(lumen.TABLE)):
         return 9 * read_json(folder.file(lumen.TABLE))["vertices"], "from the mesh of the lumen"
-    if options.size and not options.lumen.lower().endswith(lumen.MESHES):
+    if options.size and options.lumen.lower().endswith(".stl"):
         # A mesh has a vertex for each 0.7 cubes of its edge, with a wall of three elements twice as many.
-        return int(9 * volume_of(options.lumen) / (0.7 * options.size ** 3)), "from the volume of the surface and --size"
+        return int(9 * volume_of(options.lumen) * (options.scale or 1.0) ** 3 / (0.7 * options.size ** 3)), "from the volume of the surface and --size"
     return None
 
 
 def volume_of(path):
     """Volume [mm^3] that a closed surface includes, and nearly that of one with open ends."""
+    from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
     from vtkmodules.vtkIOGeometry import vtkSTLReader
+    vtkObject.GlobalWarningDisplayOff()
     reader = vtkSTLReader()
     reader.SetFileName(path)
     triangles = vtkTriangleFilter()
@@ -32,7 +35,10 @@ def volume_of(path):
     mass = vtkMassProperties()
     mass.SetInputConnection(triangles.GetOutputPort())
     mass.Update()
-    return mass.GetVolume()
+    volume = mass.GetVolume()
+    if not 0 < volume < float("inf"):
+        raise BadInput(f"{path}: includes a volume of {volume:.3g} mm^3, expected the surface of a lumen as an STL file")
+    return volume
 
 
 def period_of(folder, options):

@@ -8,8 +8,9 @@ Sources
     276 (1999) H257-H268: E h/r = 2e7 exp(-22.53 r) + 8.65e5, in g, cm and s; that is 2000 exp(-2.253 r) + 86.5 kPa, r in mm.
     The constants of the first source, of a rabbit's carotid in a stress-free state, are all multiplied by one factor, by which
     the thin tube of `thin_wall.py` widens at 80 mmHg as the second source says for `radius`. A test repeats this.
-  thickness over radius: W. W. Nichols, M. F. O'Rourke, "McDonald's Blood Flow in Arteries", 5th ed. (2005): about 0.15 in
-    the aorta, 0.2 and more in muscular arteries; cerebral arteries are thin for their size and lack an external elastic lamina.
+    That it holds at 80 mmHg, and for these four vessels, is assumed.
+  thickness over radius, assumed after W. W. Nichols, M. F. O'Rourke, "McDonald's Blood Flow in Arteries", 5th ed. (2005): about
+    0.15 in the aorta, 0.2 and more in muscular arteries; cerebral arteries are thin for their size and lack an external elastic lamina.
   tissue: springs and dashpots as in P. Moireau et al., "External tissue support and fluid-structure simulation in blood flows",
     Biomech. Model. Mechanobiol. 11 (2012) 1-18. The numbers are ours: a tenth of the stiffness of the wall itself or less,
     so that the tissue steadies the wall and does not bear its load.

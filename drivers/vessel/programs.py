@@ -17,7 +17,7 @@ PROGRESS_SECONDS = 10
 
 
 def end_with_parent():
-    """Of a child: it is told to end when this program is killed, so that the folder is free for the next one."""
+    """Of a child: it is asked to end when this program is killed, so that the folder is free for the next one."""
     try:
         ctypes.CDLL(None).prctl(1, signal.SIGTERM)  # PR_SET_PDEATHSIG, on Linux
     except (OSError, AttributeError):

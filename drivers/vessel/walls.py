@@ -12,7 +12,7 @@ from .mesh_file import Mesh
 from .presets import PRESETS
 
 MESH, TABLE = "vessel.h5", "wall.json"
-READS = (lumen.MESH,)
+READS = (lumen.MESH, lumen.TABLE)
 RESULTS = (MESH, TABLE)
 KEYS = {"thickness": float, "tissue": float, "damping": float, "flow": float, "shape": str}
 LARGEST = {"thickness": 1.0, "tissue": 1e4, "damping": 1e5, "flow": 50.0}
@@ -102,12 +102,20 @@ def make(folder, options, programs):
                    layers_text(wall, options), "--thickness-fraction", repr(wall["thickness"]), "--overwrite", "on"], log)
     mesh = Mesh(draft)
     wall["mesh"] = {"vertices": len(mesh.vertices), "tetrahedra": len(mesh.tets), "unknowns": unknowns_of(mesh)}
-    wall["warnings"] = warnings_in(log)
+    wall["warnings"] = warnings_in(log) + of_other_size(options, read_json(folder.file(lumen.TABLE))["openings"])
     os.replace(draft, folder.file(MESH))
     write_json(folder.file(TABLE), wall)
     layers = ", ".join(f"{name} ({layer['keys']['law']})" for name, layer in wall["layers"].items())
     return [f"wall: {wall['thickness']:g} of the radius, {layers}; {wall['mesh']['tetrahedra']} tetrahedra with the lumen, "
             f"about {wall['mesh']['unknowns']} unknowns"] + [f"  warning: {text}" for text in wall["warnings"]]
+
+
+def of_other_size(options, openings):
+    """A preset whose vessel is far larger or smaller than this one: its stiffness and its flow are those of another."""
+    usual, largest = PRESETS.get(options.wall, {}).get("radius"), max(opening["radius"] for opening in openings)
+    if usual is None or usual / 2 <= largest <= 2 * usual:
+        return []
+    return [f"--wall {options.wall} is made for a radius of about {usual:g} mm, the largest opening has {largest:.2g} mm"]
 
 
 def unknowns_of(mesh):
