@@ -1,4 +1,4 @@
-"""What is told of a mesh's elements."""
+"""What the program reports of the elements of a mesh."""
 import numpy as np
 
 from .surface import dot, unit

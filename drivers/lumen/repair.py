@@ -10,7 +10,7 @@ from .surface import Edges, Surface, show
 
 SAME = 1e-5     # of the median edge: two points at one place
 SHORT = 0.02    # of the median edge: a side that is contracted
-SLIVER = 1e-3   # quality of a triangle that is told
+SLIVER = 1e-3   # quality of a triangle that is reported
 SPECK = 0.03    # of the whole area: a piece that is dropped
 
 
