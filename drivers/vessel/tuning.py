@@ -107,7 +107,8 @@ def choose_share(problem, goal):
         return 0.0
     raise NotConverged(
         f"--pressure: a pulse of {mmhg(pulse):.0f} mmHg is out of reach, the least is about {mmhg(least):.0f}: to move the "
-        "blood in the vessel takes that much. Is the flow too large, or an opening far too small? --flow, --pressure")
+        "blood in the vessel takes that much. Is the flow too large, an opening far too small, or the surface not in mm? "
+        "--flow, --pressure, --scale")
 
 
 def jacobian(function, at, value):
