@@ -1,5 +1,7 @@
 """The parts of tunica-vessel that need no other program: test_parts.py ROOT FOLDER_OF_PROGRAMS SCRATCH"""
+import argparse
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -7,7 +9,7 @@ import unittest
 import h5py
 import numpy as np
 
-from vessel import branches, case_file, checkpoint, flow_shapes, folder, options, walls
+from vessel import branches, case_file, checkpoint, flow_shapes, folder, lumen, options, plan, tune, walls
 from vessel.errors import BadInput
 from vessel.mesh_file import Mesh, elements_across, opening_of
 
@@ -162,6 +164,41 @@ class Folders(unittest.TestCase):
             self.opened()
 
 
+    def test_refused_surface_leaves_its_picture_and_no_record(self):
+        def refuse(_words, _log):
+            folder.write_atomically(os.path.join(self.path, "draft-lumen.png"), "picture")
+            raise BadInput("two.stl: 2 pieces")
+        one = self.opened()
+        programs = argparse.Namespace(has_command=lambda *_: True, must=refuse)
+        wanted = argparse.Namespace(lumen="two.stl", scale=None, size=None, across=None, layers=None)
+        with self.assertRaisesRegex(BadInput, "2 pieces. The place is shown in .*refused.png"):
+            lumen.make(one, wanted, programs)
+        one.abandon()
+        self.assertEqual(os.listdir(self.path), ["refused.png"])
+        self.finish(self.opened(), "mesh", "lumen.h5", "")  # another surface may follow
+        self.last.abandon()
+        self.assertIn("stages.json", os.listdir(self.path))
+
+
+class Units(unittest.TestCase):
+    def check(self, radius, scale=None):
+        lumen.check_speed({"name": "in", "radius": radius, "area": np.pi * radius ** 2},
+                          argparse.Namespace(lumen="arch.stl", scale=scale, mean_inflow=83.3))
+
+    def test_surface_in_cm_is_refused_unless_its_unit_is_given(self):
+        self.check(12.5)
+        self.check(1.25, 1.0)
+        with self.assertRaisesRegex(BadInput, "at 17 m/s.*--scale 10 converts"):
+            self.check(1.25)
+
+    def test_cost_is_that_of_tunica_check(self):
+        with open(os.path.join(ROOT, "src", "tunica", "judge", "cost.cpp"), encoding="utf-8") as file:
+            theirs = dict(re.findall(r"constexpr double (\w+) = ([-+.e0-9]+);", file.read()))
+        self.assertEqual({name: float(value) for name, value in theirs.items()},
+                         {"program": plan.MB_OF_PROGRAM, "per_tetrahedron": plan.MB_A_TETRAHEDRON,
+                          "seconds_per_tetrahedron": plan.SECONDS_A_TETRAHEDRON})
+
+
 class Branches(unittest.TestCase):
     def test_fork_has_three_branches_of_its_radii(self):
         with tempfile.TemporaryDirectory() as where:
@@ -228,6 +265,24 @@ class Checkpoints(unittest.TestCase):
 
 
 class Comments(unittest.TestCase):
+    def test_every_number_of_a_case_says_where_it_came_from(self):
+        outlet = {"split": 1.0, "proximal resistance": 0.1, "capacitance": 500.0, "distal resistance": 1.0, "distal pressure": 0.0,
+                  "initial pressure": 10.0, "characteristic impedance": 0.2}
+        for kind, more in (("aorta", ["--ends", "slide", "--tissue", "3"]), ("cerebral", [])):
+            with tempfile.TemporaryDirectory() as where:
+                wanted = options.read("about", [__file__, "--output", where, "--wall", kind, *more])
+                one = folder.Folder(where, {})
+                folder.write_json(one.file(walls.TABLE), walls.read_wall(wanted))
+                folder.write_json(one.file(lumen.TABLE), {"openings": [{"name": "in"}, {"name": "out"}]})
+                folder.write_json(one.file(tune.TABLE), {"period": 800.0, "inlet": "in", "inflow": "drawn", "mean flow": 80.0,
+                                                         "goal": {"systolic": 16.0, "diastolic": 10.7}, "outlets": {"out": outlet}})
+                text = case_file.text_of(one, wanted)
+            body = re.sub(r'<ParameterList name="\w+">  <!--.*?</ParameterList>', "", text, flags=re.S)  # said of a list
+            bare = [line for line in body.split("\n") if re.search('type="double"|"profile"|"clamped"', line) and "<!--" not in line]
+            self.assertEqual(bare, [])
+            self.assertEqual(text.count("Olufsen"), 2 if more else 1)
+            self.assertEqual(text.count("option tissue"), 1 if more else 0)
+
     def test_comments_of_a_case_have_no_two_hyphens(self):
         out = case_file.Writer("by --flow")
         out.put("x", 1.5, "see --flow my--curve.csv")
