@@ -4,6 +4,8 @@ import os
 import re
 from xml.sax.saxutils import escape
 
+import numpy as np
+
 from . import lumen, tune, walls
 from .errors import BadInput
 from .folder import read_json, write_atomically
@@ -16,6 +18,7 @@ FIELDS = 20  # outputs of the fields in a beat
 CHECKPOINTS = 8  # in a beat: what a run that is killed has to repeat at most
 PROFILES = {"womersley": "that of a pulsating flow in a round tube, Womersley, J. Physiol. 127 (1955)",
             "parabolic": "that of a steady flow in a round tube", "flat": "the same velocity everywhere"}
+LEAST_HOLD = 0.5  # of what openings with perpendicular normals hold
 BACKFLOW = 0.2  # safe, and with no effect where nothing flows back
 
 
@@ -192,6 +195,16 @@ def text_of(folder, options):
     return out.text()
 
 
+def slide_lines(table):
+    """Ends that slide hold the wall along their normals n alone, against a shift v by sum (n.v)^2. The pressure of the prestress
+    pushes the wall also where that is next to nothing, and only its bending bears it."""
+    hold = np.linalg.svd(np.array([opening["normal"] for opening in table["openings"]]))[1]
+    if len(hold) == 3 and hold[-1] > LEAST_HOLD:
+        return []
+    return ["warning: --ends slide: all openings face nearly one plane or direction, and nothing holds the wall across it. Its "
+            "prestress takes many steps there, or is not found; --ends clamped holds it"]
+
+
 def make(folder, options, programs):
     """The case is written beside its name first, and validated there."""
     draft = folder.file("draft-" + CASE)
@@ -203,4 +216,5 @@ def make(folder, options, programs):
     if status != 0:
         raise BadInput(f"{draft}: tunica-check refuses it: {[line for line in told if line.strip()][-1]}")
     os.replace(draft, folder.file(CASE))
-    return [f"case: {folder.file(CASE)} is valid"] + ["  " + line for line in told if line.startswith(("warning", "CFL", "memory"))]
+    slide = slide_lines(read_json(folder.file(lumen.TABLE))) if options.ends == "slide" else []
+    return [f"case: {folder.file(CASE)} is valid", *slide] + ["  " + line for line in told if line.startswith(("warning", "CFL", "memory"))]

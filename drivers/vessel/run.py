@@ -141,7 +141,7 @@ def advance(folder, options, programs, number, tuned, windkessels):
         way = ["--restart", "--allow-changes"] if has_state else ["--overwrite"]
         status = programs.run(["tunica-fsi", folder.file(case_file.CASE), "--output", results, "--steps", steps, *way,
                                *words], folder.file(LOG), options.ranks, shown=True)
-        check_status(status, folder)
+        check_status(status, folder, options)
         newest = checkpoint.newest(results)
         if newest is None:
             raise BadInput(f"{folder.file(case_file.CASE)}: Output: \"checkpoint every\" is 0, expected checkpoints, from which "
@@ -154,8 +154,11 @@ def advance(folder, options, programs, number, tuned, windkessels):
         before, steps = reached, steps + round((number * period - reached) / step)
 
 
-def check_status(status, folder):
+def check_status(status, folder, options):
     reason = f"tunica-fsi ended with status {status}: {last_line(folder.file(LOG))} (all in {folder.file(LOG)})"
+    if status == 2 and "the prestress, at" in reason and options.ends == "slide":
+        raise NotConverged(reason + ". Ends that slide hold the wall along their normals alone; across a plane that all openings "
+                           "nearly face, only its bending bears the pressure. Give --ends clamped --from case")
     if status in (2, 5):
         raise NotConverged(reason + ". The same command continues from the last checkpoint")
     if status == 1:

@@ -10,8 +10,8 @@ import h5py
 import numpy as np
 
 from lumens import lumen_of
-from vessel import branches, case_file, checkpoint, flow_shapes, folder, lumen, options, plan, tune, walls
-from vessel.errors import BadInput
+from vessel import beats, branches, case_file, checkpoint, flow_shapes, folder, lumen, options, plan, run, tune, walls
+from vessel.errors import BadInput, NotConverged
 from vessel.mesh_file import Mesh, elements_across, opening_of
 
 ROOT = sys.argv[1]
@@ -105,6 +105,42 @@ class Steps(unittest.TestCase):
             self.assertEqual(steps % case_file.FIELDS, 0)
             self.assertLessEqual(period / steps, longest * (1 + 1e-9))
             self.assertLess(period / steps, 1.01 * longest) if longest == 40.0 else None
+
+
+class Ends(unittest.TestCase):
+    def test_ends_that_hold_nothing_across_a_plane_are_warned_of(self):
+        def told(*normals):
+            return case_file.slide_lines({"openings": [{"normal": normal} for normal in normals]})
+        self.assertEqual(told([1, 0, 0], [0, 1, 0], [0, 0, 1]), [])
+        self.assertIn("--ends clamped", told([0, 0, -1], [-0.57, 0, 0.82], [0.57, 0, 0.82])[0])
+        self.assertIn("--ends clamped", told([0, 0, -1], [0, 0, 1])[0])
+
+    def test_prestress_that_is_not_found_names_the_ends(self):
+        with tempfile.TemporaryDirectory() as where:
+            one = folder.Folder(where, {})
+            folder.write_atomically(one.file(run.LOG), "tunica-fsi: the prestress, at 10 of 10.7 kPa: steps do not get shorter\n")
+            for ends, reason in (("slide", "--ends clamped --from case"), ("clamped", "continues from the last checkpoint")):
+                with self.assertRaisesRegex(NotConverged, reason):
+                    run.check_status(2, one, argparse.Namespace(ends=ends))
+
+
+class Repetition(unittest.TestCase):
+    def test_change_of_the_shear_stress_is_that_of_fields_at_the_same_times(self):
+        table = {"step": np.arange(1, 9), "time": 200.0 * np.arange(1, 9)}
+        with tempfile.TemporaryDirectory() as where:
+            path = os.path.join(where, "fields.h5")
+            with h5py.File(path, "w") as file:
+                for step, size in zip(range(1, 9), (0, 2, 4, 2, 1, 2, 4.2, 2)):
+                    file[f"step_{step:06d}/fluid/wall_shear_stress"] = size * np.ones((5, 3))
+            self.assertAlmostEqual(beats.shear_change(path, table, 2, 800.0), 1.0 / 4.2)
+            table["time"][4:] += 7.0  # other times: nothing is compared
+            self.assertIsNone(beats.shear_change(path, table, 2, 800.0))
+            self.assertIsNone(beats.shear_change(path + "-none", table, 2, 800.0))
+
+    def test_beat_repeats_itself_by_pressure_and_shear(self):
+        for change, shear, expected in ((None, None, False), (0.005, None, True), (0.005, 0.02, False), (0.02, 0.005, False),
+                                        (0.005, 0.005, True)):
+            self.assertEqual(run.is_periodic({"change": change, "shear change": shear}), expected)
 
 
 class Folders(unittest.TestCase):

@@ -15,7 +15,8 @@ from scratch import fresh
 from vessel import beats, run
 from vessel.programs import MPI
 
-OPTIONS = {"bifurcation": ["--wall", "aorta", "--flow", "0.1", "--step", "20"], "arch": ["--wall", "aorta", "--step", "20"]}
+COMMON = ["--wall", "aorta", "--step", "40", "--wall-elements", "2"]
+OPTIONS = {"bifurcation": [*COMMON, "--flow", "0.05"], "arch": COMMON}
 MOST, FEW, SAME = 10, 3, 0.005  # beats by marching on; beats of tunica-vessel; difference of the answers
 
 
