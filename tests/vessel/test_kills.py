@@ -12,12 +12,10 @@ import time
 
 import numpy as np
 
-from lumens import lumen_of
 from scratch import fresh
-from test_pipeline import claim, numbers_in
+from test_pipeline import OPTIONS, claim, make_lumen, numbers_in
 
 KILLS, SAME = 20, 1e-6
-OPTIONS = ["--wall", "aorta", "--flow", "0.1", "--wall-elements", "2", "--step", "40"]
 STAGES = ("lumen.json", "wall.json", "windkessels.json", "inflow.txt", "case.xml")
 
 
@@ -103,9 +101,9 @@ def refuses(programs, folder):
 
 
 def main():
-    root, programs, folder = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve(), fresh(sys.argv[3])
+    programs, folder = pathlib.Path(sys.argv[2]).resolve(), fresh(sys.argv[3])
     refuses(programs, folder)
-    lumen_of(root / "meshes" / "bifurcation.h5", folder / "lumen.h5")
+    make_lumen(programs, folder)
     survives(programs, folder, int(sys.argv[4]) if len(sys.argv) > 4 else 1)
 
 

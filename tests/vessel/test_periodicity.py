@@ -1,10 +1,11 @@
-"""How many beats it takes until a beat repeats itself, by tunica-vessel and by marching the same case on from the diastolic
-pressure, and whether both end in the same beat: test_periodicity.py ROOT FOLDER_OF_PROGRAMS SCRATCH [VESSEL ...]
+"""How many beats it takes until a beat repeats itself, by tunica-vessel and by marching the same case on, both from the mean
+pressure in all Windkessels, and whether both end in the same beat: test_periodicity.py ROOT FOLDER_OF_PROGRAMS SCRATCH [VESSEL ...]
 """
 import argparse
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -44,10 +45,22 @@ def first_periodic(changes):
     return next((k for k, pair in enumerate(changes, 2) if max(pair) < run.PERIODIC), None)
 
 
+def mean_pressure(tuned):
+    """With which a case by hand may begin [kPa]."""
+    return 0.5 * (tuned["goal"]["diastolic"] + tuned["goal"]["systolic"])
+
+
+def begin_with(case, pressure):
+    """In place of the pressures of the network."""
+    path = case / "case.xml"
+    text = path.read_text(encoding="utf-8")
+    path.write_text(re.sub('(name="initial pressure" type="double" value=)"[^"]*"', rf'\1"{pressure!r}"', text), encoding="utf-8")
+
+
 def march_on(programs, case, tuned):
-    """The tuned case by tunica-fsi alone, from the pressure of the prestress on."""
+    """The tuned case by tunica-fsi alone."""
     words = [word for name in tuned["outlets"]
-             for word in ("--set", f"Fluid/Surfaces/{name}/initial pressure={tuned['goal']['diastolic']!r}")]
+             for word in ("--set", f"Fluid/Surfaces/{name}/initial pressure={mean_pressure(tuned)!r}")]
     steps = MOST * round(tuned["period"] / run.time_step(argparse.Namespace(file=lambda name: str(case / name)), tuned["period"]))
     must([programs / "tunica-fsi", "case-tuned.xml", "--output", "plain", "--steps", steps, "--overwrite", *words], case, "plain.log")
     return beats_of(case / "plain", tuned, MOST)
@@ -61,10 +74,11 @@ def difference(one, other, inlet):
 
 def try_one(root, programs, folder, name):
     lumen_of(root / "meshes" / f"{name}.h5", folder / f"{name}.h5")
-    must([programs / "tunica-vessel", f"{name}.h5", *OPTIONS[name], "--programs", programs, "--output", name, "--to", "run"], folder,
-         f"{name}.log")
-    case = folder / name
+    command, case = [programs / "tunica-vessel", f"{name}.h5", *OPTIONS[name], "--programs", programs, "--output", name], folder / name
+    must([*command, "--to", "case"], folder, f"{name}.log")
     tuned = json.loads((case / "windkessels.json").read_text(encoding="utf-8"))
+    begin_with(case, mean_pressure(tuned))
+    must([*command, "--to", "run"], folder, f"{name}.log")
     count = len(json.loads((case / "beats.json").read_text(encoding="utf-8"))["beats"])
     curves, changes = beats_of(case / "results", tuned, count)
     plain, plain_changes = march_on(programs, case, tuned)

@@ -105,18 +105,18 @@ def refuses(programs, folder):
 def main():
     programs, folder = pathlib.Path(sys.argv[2]).resolve(), fresh(sys.argv[3])
     start = time.time()
-    subprocess.run([str(programs / "tunica-mesh"), "tube", "tube.h5", "--radius", "3", "--length", "30", "--around", "8",
-                    "--axial", "8", "--wall", "off"], cwd=folder, stdout=subprocess.DEVNULL, check=True)
-    rename_wall(folder)
+    make_lumen(programs, folder)
     makes_all(programs, folder)
     refuses(programs, folder)
     survives_kills(programs, folder)
     print(f"{time.time() - start:.0f} s, {os.times().children_user:.0f} s of CPU")
 
 
-def rename_wall(folder):
+def make_lumen(programs, folder):
     import h5py
     import numpy as np
+    subprocess.run([str(programs / "tunica-mesh"), "tube", "tube.h5", "--radius", "3", "--length", "30", "--around", "8",
+                    "--axial", "8", "--wall", "off"], cwd=folder, stdout=subprocess.DEVNULL, check=True)
     os.rename(folder / "tube.h5", folder / "lumen.h5")
     with h5py.File(folder / "lumen.h5", "r+") as file:
         names = [b"lumen_wall" if name == b"interface" else name for name in file["surface_names"][:]]
