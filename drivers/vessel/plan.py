@@ -22,11 +22,11 @@ def size_of(folder, options):
         mesh = Mesh(folder.file(lumen.MESH))
         return len(mesh.tets) + through * len(mesh.triangles_of(options.lumen_wall)), "from the mesh of the lumen"
     if options.size and options.lumen.lower().endswith(".stl"):
-        # Equal sides: a triangle has 0.43 of their square. In space there are some 8 tetrahedra to the cube of a side.
+        # Equal sides: a triangle has 0.43 of their square. There are some 6 tetrahedra to the cube of a side: those of Gmsh are a little wider.
         volume, area = measures_of(options.lumen)
         side = options.size / (options.scale or 1.0)
         at_wall = through + OF_PRISM * (USUAL_LAYERS if options.layers is None else options.layers)
-        return int(8 * volume / side ** 3 + at_wall * area / (0.43 * side ** 2)), "from the surface and --size"
+        return int(6 * volume / side ** 3 + at_wall * area / (0.43 * side ** 2)), "from the surface and --size"
     return None
 
 
