@@ -103,7 +103,8 @@ def shear_change(path, table, number, period):
         fields = {time[step]: values for step, values in shear_at(path, time).items()}
     except (OSError, KeyError):
         return None
-    pairs = [(values, before) for at, values in fields.items() if late < at < number * period * (1 + 1e-6)
-             for earlier, before in fields.items() if abs(at - period - earlier) < 1e-6 * period]
-    largest = max((np.linalg.norm(values) for values, _ in pairs), default=0.0)
-    return float(max(np.linalg.norm(values - before) for values, before in pairs) / largest) if largest > 0.0 else None
+    end = number * period * (1 + 1e-6)
+    largest = max((np.linalg.norm(values) for at, values in fields.items() if end - period < at < end), default=0.0)
+    changes = [np.linalg.norm(values - before) for at, values in fields.items() if late < at < end
+               for earlier, before in fields.items() if abs(at - period - earlier) < 1e-6 * period]
+    return float(max(changes) / largest) if changes and largest > 0.0 else None
