@@ -4,11 +4,10 @@ import difflib
 from ..raw import BadMesh
 from . import waves
 
-TYPES = {"dirichlet": "Dir", "dir": "Dir", "neumann": "Neu", "neu": "Neu", "traction": "Trac", "trac": "Trac", "robin": "Robin",
-         "rbn": "Robin", "coupled momentum": "CMM", "cmm": "CMM", "ris0d": "RIS0D"}
-TIMES = {"steady": "Steady", "unsteady": "Unsteady", "coupled": "Coupled", "resistance": "Resistance", "rcr": "RCR",
-         "windkessel": "RCR", "spatial": "Spatial", "general": "General"}
-PROFILES = {"flat": "flat", "parabolic": "parabolic", "user_defined": "user"}
+TYPES = {"Dir": "Dir", "Dirichlet": "Dir", "Neu": "Neu", "Neumann": "Neu", "Trac": "Trac", "Traction": "Trac", "Robin": "Robin",
+         "Rbn": "Robin", "CMM": "CMM", "Coupled Momentum": "CMM", "RIS0D": "RIS0D"}
+TIMES = {name: name for name in ("Steady", "Unsteady", "Coupled", "Resistance", "RCR", "Spatial", "General")} | {"Windkessel": "RCR"}
+PROFILES = {"Flat": "flat", "Parabolic": "parabolic", "User_defined": "user"}
 FREE = "the surface is free"
 AXES = "xyz"
 

@@ -2,7 +2,7 @@
 from ..raw import BadMesh
 from .tree import meant
 
-TYPES = {"fsi": "FSI", "fluid": "fluid", "struct": "wall", "ustruct": "wall", "mesh": "mesh"}
+TYPES = {"FSI": "FSI", "fluid": "fluid", "struct": "wall", "ustruct": "wall", "mesh": "mesh"}
 FIELDS = {"fluid": "fluid", "struct": "wall", "ustruct": "wall"}
 
 

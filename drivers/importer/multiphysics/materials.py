@@ -1,12 +1,11 @@
 """Fluids and walls: the parameters of a Domain, or of an equation without any, as keys of Tunica."""
 from .tree import meant
 
-LAWS = {"neohookean": "neo-hookean", "nhk": "neo-hookean", "stvenantkirchhoff": "st-venant-kirchhoff",
-        "stvk": "st-venant-kirchhoff", "mooney-rivlin": "mooney-rivlin", "mr": "mooney-rivlin", "hgo": "holzapfel",
-        "guccione": None, "gucci": None, "holzapfelogden": None, "holzapfelogden-modifiedanisotropy": None,
-        "lee-sacks": None, "cann": None}
-VISCOSITIES = {"constant": "newtonian", "newtonian": "newtonian", "carreau-yasuda": "carreau-yasuda", "cassons": "casson",
-               "casson": "casson"}
+LAWS = {"neoHookean": "neo-hookean", "nHK": "neo-hookean", "stVenantKirchhoff": "st-venant-kirchhoff",
+        "stVK": "st-venant-kirchhoff", "Mooney-Rivlin": "mooney-rivlin", "MR": "mooney-rivlin", "HGO": "holzapfel",
+        "Guccione": None, "Gucci": None, "HolzapfelOgden": None, "HolzapfelOgden-ModifiedAnisotropy": None, "Lee-Sacks": None,
+        "CANN": None}
+VISCOSITIES = {"Constant": "newtonian", "Newtonian": "newtonian", "Carreau-Yasuda": "carreau-yasuda", "Cassons": "casson"}
 QUADRATIC = ("quad", "quadratic")
 STIFF = 1000.0  # bulk modulus over shear modulus, where the wall of svMultiPhysics is exactly incompressible
 

@@ -115,9 +115,8 @@ class Node:
         return values
 
     def choice(self, tag, names, default):
-        """What this text stands for. names: word in small letters -> meaning."""
-        text = self.word(tag, default)
-        return meant(self.file, f"{self.where()}{tag}", text, names)
+        """What this text stands for, as meant() says."""
+        return meant(self.file, f"{self.where()}{tag}", self.word(tag, default), names)
 
     def name(self, attribute="name"):
         value = self.attributes.get(attribute, "").strip()
@@ -158,10 +157,12 @@ class Node:
 
 
 def meant(file, place, text, names):
-    if text.lower() in names:
-        return names[text.lower()]
-    near = difflib.get_close_matches(text.lower(), names, 1)
-    hint = f'Did you mean "{near[0]}"?' if near else "Expected one of " + ", ".join(names) + "."
+    """What a word stands for. names: as it is written there -> meaning; capitals or not are the same here."""
+    by_small = {name.lower(): name for name in names}
+    if text.lower() in by_small:
+        return names[by_small[text.lower()]]
+    near = difflib.get_close_matches(text.lower(), by_small, 1)
+    hint = f'Did you mean "{by_small[near[0]]}"?' if near else "Expected one of " + ", ".join(names) + "."
     raise BadMesh(f'{file}: {place} is "{text}", which has no meaning there. {hint}')
 
 
