@@ -249,6 +249,7 @@ class Laws(Multiphysics):
         found = self.wall_law('<Constitutive_model type="Guccione"> <c> 1 </c> <bf> 2 </bf> <bt> 3 </bt> <bfs> 4 </bfs> '
                               "</Constitutive_model>")
         self.assertEqual(found["law"], "neo-hookean")
+        self.assertAlmostEqual(found["c10"], 1e-4 * (4 / 2 + 4 / 2 + 3 / 2) / 3)  # c b_fs/2 twice, c b_t/2
         self.expect_note("Constitutive_model Guccione", "stands in for it")
 
     def test_viscosities(self):

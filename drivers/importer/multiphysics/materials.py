@@ -41,18 +41,32 @@ def wall(domain, units, notes):
     if law == "st-venant-kirchhoff":
         return [("law", law)] + entries + st_venant(domain, E, nu, notes), False
     if law is None:
-        notes.add(model.place, "a law that Tunica does not have",
-                  f"neo-hookean with the shear modulus of Elasticity_modulus and Poisson_ratio, {mu:.4g} kPa, stands in for it: "
-                  "other stresses. Choose a law and its constants before you run it")
-        model.skip()
-        law = "neo-hookean"
+        mu, law = stand_in(model, mu, units, notes), "neo-hookean"
     constants = {"neo-hookean": neo_hookean, "mooney-rivlin": mooney_rivlin, "holzapfel": holzapfel}[law]
     return ([("law", law)] + entries + constants(model, mu, units, notes) + [bulk(domain, E, nu, mu, units, notes)],
             law == "holzapfel")
 
 
+def stand_in(model, mu, units, notes):
+    """Shear modulus of a law that Tunica does not have, at small strains; the mean where it depends on the direction.
+
+    Guccione: c b_fs/2 in both planes of the fibre, c b_t/2 across; Holzapfel and Ogden: a; others: mu as given.
+    """
+    kind, why = model.name("type").lower(), "by Elasticity_modulus and Poisson_ratio"
+    if kind.startswith("gucci"):
+        mu = units.pressure * model.number("c") * (2.0 * model.number("bfs") + model.number("bt")) / 6.0
+        why = "of this law at small strains, the mean over directions"
+    elif kind.startswith("holzapfelogden"):
+        mu, why = units.pressure * model.number("a"), "of this law's matrix at small strains"
+    notes.add(model.place, "a law that Tunica does not have",
+              f"neo-hookean stands in for it, with the shear modulus {why}, {mu:.4g} kPa: other stresses. Choose a law and its "
+              "constants before you run it")
+    model.skip()
+    return mu
+
+
 def neo_hookean(model, mu, units, notes):
-    return [("c10", mu, "kPa, E/(2(1 + nu)): energy c10/2 (J1 - 3)")]
+    return [("c10", mu, "kPa, shear modulus: energy c10/2 (J1 - 3)")]
 
 
 def mooney_rivlin(model, mu, units, notes):
