@@ -330,6 +330,7 @@ class Refused(Multiphysics):
                 (['Add_BC lumen_inlet: unknown key "Impose_fluxx". Did you mean "Impose_flux"?'],
                  {"inlet": made.INLET.replace("Impose_flux>", "Impose_fluxx>")}),
                 (['Time_step_size is "soon", expected a number'], {"general": made.GENERAL.replace("1e-3", "soon")}),
+                (["Time_step_size = -0.001, expected"], {"general": made.GENERAL.replace("1e-3", "-1e-3")}),
                 (['"Number_of_time_steps" is missing'],
                  {"general": made.GENERAL.replace("Number_of_time_steps", "Starting_time_step")}),
                 (['Add_BC lumen_inlet: Time_dependence is "Unstedy"', 'Did you mean "Unsteady"?'],

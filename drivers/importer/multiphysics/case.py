@@ -56,8 +56,11 @@ class Translation:
         self.text = self.written()
 
     def time_entries(self):
-        return [("step size", self.units.time * self.general.number("Time_step_size"), "ms"),
-                ("steps", self.general.count("Number_of_time_steps"))]
+        size, steps = self.general.number("Time_step_size"), self.general.count("Number_of_time_steps")
+        if size <= 0.0 or steps < 1:
+            raise BadMesh(f"{self.path}: {self.general.place}: Number_of_time_steps = {steps} of Time_step_size = {size:g}, "
+                          "expected one or more, of more than 0")
+        return [("step size", self.units.time * size, "ms"), ("steps", steps)]
 
     def time_scheme(self):
         rho = self.general.number("Spectral_radius_of_infinite_time_step", 0.5)
@@ -102,7 +105,7 @@ class Translation:
         return self.prestress() + frame + [("Layers", Sublist(layers)), scheme, self.on_surfaces("wall")]
 
     def fibre_angle(self, name, domain):
-        """Both families lie to both sides of their bisector, as ours do of the circumference: the frame follows from them."""
+        """Both families lie to both sides of their bisector, as ours do of the circumference: this gives the frame."""
         raw = self.mesh.raw
         if self.angle is None and "fibre 1" not in raw.vectors:
             raise BadMesh(f"{self.path}: {domain.place}: HGO needs two directions of fibres, two Fiber_direction or "
@@ -111,26 +114,30 @@ class Translation:
             self.angle = frame_of_fibres(raw)
         angles = self.angle[raw.region.of == raw.region.names.index(name)]
         if np.ptp(angles) > 2.0 * ALIKE:
-            self.notes.add(domain.place, f"an angle between fibres that varies, {2 * angles.min():.3g} to {2 * angles.max():.3g} degrees",
-                           "the mean angle everywhere")
+            least, most = 2.0 * angles.min(), 2.0 * angles.max()
+            self.notes.add(domain.place, f"an angle between fibres that varies, {least:.3g} to {most:.3g} degrees", "the mean angle")
         return "fibre angle", float(angles.mean()), "degrees, half of the angle between both directions"
 
     def prestress(self):
         """A file of stresses says that the mesh is loaded, but not by how much."""
-        nodes = [node for node in self.root.all("Add_mesh") if node.has("Prestress_file_path")]
         if self.equation.node.flag("Prestress"):
             self.notes.of_key(self.equation.node, "Prestress", "a run that only finds the stress of the wall",
-                              "the wall is loaded as it is; Wall / Prestress / pressure finds that stress at the start of a run")
+                              "the wall is loaded as it is. Wall / Prestress / pressure finds that stress when a run begins")
+        nodes = [node for node in self.root.all("Add_mesh") if node.has("Prestress_file_path")]
         if not nodes:
             return []
-        pressures = [dict((e[0], e[1]) for e in entries).get("initial pressure", 0.0) for entries in self.surfaces["fluid"].values()]
-        loaded = [pressure for pressure in pressures if pressure > 0.0]
-        pressure = sum(loaded) / len(loaded) if loaded else 0.0
-        self.notes.of_key(nodes[0], "Prestress_file_path", "stress of the wall at the start", "found anew at the start of the run, "
-                          + (f"in balance with {pressure:.4g} kPa, the mean initial pressure of the Windkessels: a guess, put right "
-                             "Wall / Prestress / pressure" if loaded else "once Wall / Prestress / pressure says which pressure it "
-                             "balances, which that file does not; until then the mesh is free of stress"))
-        return [("Prestress", Sublist([("pressure", pressure, "kPa, a guess: see the list above")]))] if loaded else []
+        pressure = self.initial_pressure()
+        done = (f"found when the run begins, in balance with {pressure:.4g} kPa, the mean initial pressure of the Windkessels. This is "
+                "a guess: correct Wall / Prestress / pressure" if pressure > 0.0 else
+                "left out, since that file does not say which pressure the stress balances. Give this as Wall / Prestress / pressure; "
+                "without it the mesh is free of stress")
+        self.notes.of_key(nodes[0], "Prestress_file_path", "stress of the wall at the start", done)
+        return [("Prestress", Sublist([("pressure", pressure, "kPa, a guess: see the list above")]))] if pressure > 0.0 else []
+
+    def initial_pressure(self):
+        """Mean of the Windkessels that begin with one, kPa; otherwise zero."""
+        found = [dict(entry[:2] for entry in entries).get("initial pressure", 0.0) for entries in self.surfaces["fluid"].values()]
+        return float(np.mean([pressure for pressure in found if pressure > 0.0] or [0.0]))
 
     def mesh_motion(self):
         node = self.equation.mesh
