@@ -19,15 +19,19 @@ def is_file_of_them(path):
 
 def read(path):
     """Number -> name."""
+    found = content(path)
+    if not found:
+        raise BadMesh(f"{path}: names no faces, expected those of a model of SimVascular")
+    return found
+
+
+def content(path):
     try:
         with open(path, encoding="utf-8-sig") as file:
             text = file.read()
     except (OSError, UnicodeDecodeError) as error:
         raise BadMesh(f"{path}: cannot be read as names of faces: {error}") from error
-    found = of_model(path, text) if path.lower().endswith(".mdl") else of_script(text)
-    if not found:
-        raise BadMesh(f"{path}: names no faces, expected those of a model of SimVascular")
-    return found
+    return of_model(path, text) if path.lower().endswith(".mdl") else of_script(text)
 
 
 def of_model(path, text):
@@ -48,11 +52,20 @@ def of_script(text):
 def beside(path):
     """Of model.vtp those of model.mdl or model.vtp.facenames; of an exterior those of the faces in mesh-surfaces."""
     for other in (os.path.splitext(path)[0] + ".mdl", path + ".facenames"):
-        if os.path.isfile(other):
-            return read(other)
+        found = content(other) if os.path.isfile(other) else {}
+        if found:
+            return found
     found = {}
     for file in sorted(glob.glob(os.path.join(os.path.dirname(path), "mesh-surfaces", "*.vtp"))):
-        numbers = np.unique(data_of(read_surface(file)[0].GetCellData()).get("ModelFaceID", []))
+        numbers = face_numbers(file)
         if len(numbers) == 1:
             found[int(numbers[0])] = os.path.splitext(os.path.basename(file))[0]
     return found
+
+
+def face_numbers(path):
+    """Different ones in a file; none where it is no surface of triangles."""
+    try:
+        return np.unique(data_of(read_surface(path)[0].GetCellData()).get("ModelFaceID", []))
+    except BadMesh:
+        return []
