@@ -79,23 +79,24 @@ def condition(name, text):
     return f'<Add_BC name="{name}">\n{text}\n</Add_BC>\n'
 
 
-def solver_xml(law=NEO_HOOKEAN, inlet=INLET, outlet=OUTLET, ends=SLIDES, outer=OUTER, general=GENERAL, extra="",
-               directions=""):
-    """The text of the file, with other parts where these are given."""
+def solver_xml(**parts):
+    """The text of the file, with other parts than these where they are given."""
+    part = {"law": NEO_HOOKEAN, "inlet": INLET, "outlet": OUTLET, "ends": SLIDES, "outer": OUTER, "general": GENERAL, "extra": "",
+            "directions": ""} | parts
     adventitia = '<Constitutive_model type="neoHookean"/> <Dilational_penalty_model> Quad </Dilational_penalty_model>'
     domains = "".join(f'<Domain id="{number}"> <Equation> struct </Equation> {text} <Density> 1.2 </Density>\n'
                       f"<Elasticity_modulus> {E} </Elasticity_modulus> <Poisson_ratio> 0.45 </Poisson_ratio> </Domain>\n"
-                      for number, E, text in ((1, "1.0e7", law), (2, "4.0e6", adventitia)))
-    conditions = "".join(condition(*pair) for pair in (("lumen_inlet", inlet), ("lumen_outlet", outlet), ("wall_inlet", ends),
-                                                       ("wall_outlet", ends), ("wall_outer", outer)))
+                      for number, E, text in ((1, "1.0e7", part["law"]), (2, "4.0e6", adventitia)))
+    conditions = "".join(condition(name, part[key]) for name, key in (
+        ("lumen_inlet", "inlet"), ("lumen_outlet", "outlet"), ("wall_inlet", "ends"), ("wall_outlet", "ends"), ("wall_outer", "outer")))
     still = "<Type> Dir </Type> <Value> 0.0 </Value>"
     text = f"""<?xml version="1.0" encoding="UTF-8" ?>
 <svMultiPhysicsFile version="0.1">
 <GeneralSimulationParameters>
-{general}
+{part['general']}
 </GeneralSimulationParameters>
 {add_mesh("lumen", "lumen", FLUID.values(), "<Domain> 0 </Domain>")}
-{add_mesh("wall", "tissue", WALL.values(), "<Domain_file_path> tissue/domains.vtu </Domain_file_path>" + directions)}
+{add_mesh("wall", "tissue", WALL.values(), "<Domain_file_path> tissue/domains.vtu </Domain_file_path>" + part['directions'])}
 <Add_projection name="wall_inner"> <Project_from_face> lumen_wall </Project_from_face> </Add_projection>
 <Add_equation type="FSI">
 <Coupled> true </Coupled> {SOLVER}
@@ -104,7 +105,7 @@ def solver_xml(law=NEO_HOOKEAN, inlet=INLET, outlet=OUTLET, ends=SLIDES, outer=O
 <Backflow_stabilization_coefficient> 0.3 </Backflow_stabilization_coefficient> </Domain>
 {domains}
 <Output type="Spatial"> <Velocity> true </Velocity> </Output>
-{conditions}{extra}
+{conditions}{part['extra']}
 </Add_equation>
 <Add_equation type="mesh"> {SOLVER} <Poisson_ratio> 0.25 </Poisson_ratio>
 {condition("lumen_inlet", still)}{condition("lumen_outlet", still)}

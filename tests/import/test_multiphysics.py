@@ -318,6 +318,23 @@ class Ends(Multiphysics):
         self.assertEqual(self.values("/Fluid/Surfaces/lumen_outlet"), {})
         self.expect_note("Add_BC lumen_outlet", "no Windkessel and no resistance")
 
+    def test_windkessels_of_a_file_beside_it(self):
+        """As SimVascular writes it for its other solvers, with names or without."""
+        end = "<Type> Neu </Type> <Time_dependence> RCR </Time_dependence>"
+        path = os.path.join(self.base, "rcrt.dat")
+        self.addCleanup(os.remove, path)
+        values = "121\n1.5e-5\n1212\n0.0 100\n1.0 100\n"
+        for text, by in ((f"2\n2\nother\n{values}2\nlumen_outlet\n{values}", "by their name"), (f"2\n2\n{values}", "in the order")):
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+            self.translated(outlet=end)
+            self.expect_values("/Fluid/Surfaces/lumen_outlet", condition="windkessel", proximal_resistance=0.0121, capacitance=150.0,
+                               distal_resistance=0.1212, distal_pressure=0.01, initial_pressure=0.0, backflow_stabilisation=0.3)
+            self.expect_note("Add_BC lumen_outlet", by)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("2\n2\n121\n1.5e-5\n")
+        self.expect_refused("rcrt.dat: cannot be read as Windkessels: it ends too early", outlet=end)
+
     def test_stress_at_the_start_becomes_a_pressure_where_one_is_known(self):
         self.translated(directions="<Prestress_file_path> stress.vtu </Prestress_file_path>")
         self.assertEqual(self.found["/Wall/Prestress/pressure"], 0.2)

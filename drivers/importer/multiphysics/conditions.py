@@ -1,8 +1,10 @@
 """Add_BC: conditions of surfaces, each as the entries of a list of Fluid / Surfaces or Wall / Surfaces, or None."""
 import difflib
+import os
 
 from ..raw import BadMesh
 from . import waves
+from .rcr_file import NAME, RcrFile
 
 TYPES = {"Dir": "Dir", "Dirichlet": "Dir", "Neu": "Neu", "Neumann": "Neu", "Trac": "Trac", "Traction": "Trac", "Robin": "Robin",
          "Rbn": "Robin", "CMM": "CMM", "Coupled Momentum": "CMM", "RIS0D": "RIS0D"}
@@ -16,6 +18,7 @@ class Conditions:
     def __init__(self, equation, meshes, network, units, notes):
         self.meshes, self.network, self.units, self.notes = meshes, network, units, notes
         self.equation = equation
+        self.rcr_file, self.windkessels = RcrFile(os.path.dirname(equation.node.file)), 0
 
     def all(self):
         """field -> {name of the surface: entries}"""
@@ -98,12 +101,7 @@ class Conditions:
         if dependence == "Resistance":
             return self.resistance(node.number("Value"), 0.0) + backflow
         if dependence == "RCR":
-            values = node.one("RCR_values")
-            if values is None:
-                raise BadMesh(f'{node.file}: {node.place}: "RCR_values" is missing')
-            return self.windkessel(values.number("Proximal_resistance"), values.number("Capacitance"),
-                                   values.number("Distal_resistance"), values.number("Distal_pressure", 0.0),
-                                   values.number("Initial_pressure", 0.0)) + backflow
+            return self.rcr(node) + backflow
         if dependence == "Coupled":
             entries = self.coupled(node)
             return entries and entries + backflow
@@ -111,6 +109,23 @@ class Conditions:
         if factor is None:
             return self.give_up(node, "a pressure that varies over the surface")
         return [("condition", "pressure"), ("pressure", factor * self.units.pressure, "kPa")] + backflow + amplitude
+
+    def rcr(self, node):
+        """RCR_values; without them those of rcrt.dat, which svMultiPhysics does not read, but SimVascular writes."""
+        values, position = node.one("RCR_values"), self.windkessels
+        self.windkessels += 1
+        if values is not None:
+            return self.windkessel(values.number("Proximal_resistance"), values.number("Capacitance"),
+                                   values.number("Distal_resistance"), values.number("Distal_pressure", 0.0),
+                                   values.number("Initial_pressure", 0.0))
+        found = self.rcr_file.of(node.name(), position)
+        if found is None:
+            raise BadMesh(f'{node.file}: {node.place}: "RCR_values" is missing, and no {NAME} beside the file has values for it')
+        self.notes.add(node.place, "without RCR_values", f"those of {NAME}, " + ("by their name" if self.rcr_file.named else
+                                                                                 "in the order of the conditions"))
+        if not found.is_steady:
+            self.notes.add(f"{NAME}, {node.name()}", "a pressure behind the Windkessel that varies", "its mean")
+        return self.windkessel(found.proximal, found.capacitance, found.distal, found.pressure, 0.0)
 
     def backflow(self):
         """Their coefficient is that of the fluid's domain; both multiply ρ (u·n)₋ u."""
