@@ -33,8 +33,9 @@ class RcrFile:
             for line in lines:
                 self.read_one(int(line), lines)
         except (OSError, ValueError, IndexError, StopIteration) as error:
-            raise BadMesh(f"{self.path}: cannot be read as Windkessels: {str(error) or "it ends too early"}. Expected for each the number "
-                          "of pressures, perhaps a name, R_p, C, R_d, and so many lines with a time and a pressure") from None
+            why = str(error) or "it ends too early"
+            raise BadMesh(f"{self.path}: cannot be read as Windkessels: {why}. Expected for each the number of pressures, perhaps a "
+                          "name, R_p, C, R_d, and so many lines with a time and a pressure") from None
 
     def read_one(self, count, lines):
         first = next(lines)
