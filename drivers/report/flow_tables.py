@@ -12,11 +12,11 @@ LISTED = ("proximal resistance", "distal resistance", "capacitance")
 
 
 def share(part):
-    return "–" if part is None or not np.isfinite(part) else f"{100 * part:.1f} %"
+    return "–" if part is None or not np.isfinite(part) else f"{round(100 * part, 1) + 0.0:.1f} %"  # no minus before a zero
 
 
 def signed(part):
-    return "–" if part is None or not np.isfinite(part) else f"{100 * part:+.1f} %"
+    return "–" if part is None or not np.isfinite(part) else f"{round(100 * part, 1) + 0.0:+.1f} %"
 
 
 def pressures(beat, told):

@@ -204,7 +204,9 @@ def write(run, folder, drawn, step, clinic):
 
 
 def title_of(run):
-    return f"{run.record.get('program', 'tunica')}: {os.path.basename(os.path.abspath(run.folder))}"
+    """Of a run in a folder "results" that of the folder around it."""
+    above, name = os.path.split(os.path.abspath(run.folder))
+    return f"{run.record.get('program', 'tunica')}: {os.path.basename(above) if name == 'results' else name}"
 
 
 def write_compared(compared, folder, figures):
