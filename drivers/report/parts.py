@@ -46,23 +46,24 @@ def name_ends(run, ends, beat):
     return {names[i]: ends[j] for i, j in zip(*chosen)}
 
 
-def _vectors(run, end, group):
+def moved_vectors(run, end, group):
+    """Of the triangles of a cap where they are at an output."""
     moved = run.mesh("fluid")[0] + run.displacement(group, "fluid")
     return area_vectors(moved[end.nodes], end.triangles)
 
 
 def _area(run, end, group):
-    return np.linalg.norm(_vectors(run, end, group), axis=1).sum()
+    return np.linalg.norm(moved_vectors(run, end, group), axis=1).sum()
 
 
 def _pressure(run, end, group):
-    weights = np.linalg.norm(_vectors(run, end, group), axis=1)
+    weights = np.linalg.norm(moved_vectors(run, end, group), axis=1)
     return np.average(run.nodal(group, "fluid", "pressure").reshape(-1)[end.nodes][end.triangles].mean(axis=1), weights=weights)
 
 
 def _flow(run, end, group):
     velocity = run.nodal(group, "fluid", "velocity")[end.nodes][end.triangles].mean(axis=1)
-    return -np.einsum("ij,ij", velocity, _vectors(run, end, group))
+    return -np.einsum("ij,ij", velocity, moved_vectors(run, end, group))
 
 
 class Branch:

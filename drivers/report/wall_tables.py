@@ -8,7 +8,7 @@
 import numpy as np
 
 from report.case_tables import integral
-from report.parts import area_where
+from report.parts import area_where, moved_vectors
 from report.surfaces import area_vectors
 from report.tables import Table
 from report.wall_stress import quantile
@@ -116,10 +116,9 @@ def kinetic_inflow(fields):
     velocities = [fields.run.nodal(group, "fluid", "velocity") for _, group in fields.outputs]
     if end is None or len(velocities) < 3 or any(v is None for v in velocities):
         return None
-    normals = area_vectors(end.points, end.triangles)
     power = []
-    for velocity in velocities:
-        at = np.einsum("qk,tkx->tqx", CUBIC, velocity[end.nodes][end.triangles])
+    for velocity, (_, group) in zip(velocities, fields.outputs):
+        normals, at = moved_vectors(fields.run, end, group), np.einsum("qk,tkx->tqx", CUBIC, velocity[end.nodes][end.triangles])
         power.append(-0.5 * fields.density * np.einsum("q,tq,tqx,tx->", WEIGHTS, (at ** 2).sum(axis=2), at, normals))
     return float(integral(np.array(power), np.array([time for time, _ in fields.outputs])))
 
