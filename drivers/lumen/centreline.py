@@ -102,11 +102,18 @@ def tree(lines, rims):
         found.append(Branch(line[:, :3], line[:, 3], name, junction))
         for group in groups:
             for member in group:  # all go on from where the trunk ends
-                lines[member][ends[member], :3] = line[-1, :3]
+                begin_at(line[-1, :3], lines[member][ends[member]:])
             grow(group, ends, junction)
 
     grow(list(range(len(lines))), {k: 0 for k in range(len(lines))}, rims[0].name)
     return found
+
+
+def begin_at(place, line):
+    """Moves the first point of a line; the points that follow within three of its radii go with it, less and less."""
+    along = arc_length(line)
+    part = np.minimum(along / min(3.0 * line[0, 3], along[-1]), 1.0)
+    line[:, :3] += 0.5 * (1.0 + np.cos(np.pi * part))[:, None] * (place - line[0, :3])
 
 
 def parting(lines, members, start):
