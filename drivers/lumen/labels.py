@@ -35,6 +35,7 @@ def touches(a, b):
 def draw(axis, names, points):
     """Names at points of an axis whose place in the figure no longer changes, each with a line to its point."""
     canvas = axis.figure.canvas
+    axis.apply_aspect()
     texts = [axis.text(0, 0, name, fontsize=9) for name in names]
     sizes = [(box.width + 4, box.height + 4) for box in (text.get_window_extent(canvas.get_renderer()) for text in texts)]
     for text in texts:

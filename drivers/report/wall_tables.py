@@ -16,7 +16,7 @@ from vessel.units import MMHG
 
 LOW_WSS, HIGH_OSI = 0.4, 0.2  # Pa, 1
 PASCAL = 1000.0  # of a kPa
-# On a triangle, exact for cubic polynomials [Strang and Fix].
+# Points and weights on a triangle, exact for cubic polynomials.
 CUBIC, WEIGHTS = np.vstack([np.full(3, 1 / 3), 0.4 * np.eye(3) + 0.2]), np.array([-27, 25, 25, 25]) / 48
 FEW = 20  # outputs in a beat below which peaks may be missed
 

@@ -155,12 +155,12 @@ class Sizes(unittest.TestCase):
         found = centreline.tree([trunk, leaving], [rim("in"), rim("ahead"), rim("aside")])
         self.assertEqual([(b.start, b.end) for b in found], [("in", "junction-1"), ("junction-1", "ahead"), ("junction-1", "aside")])
         self.assertLess(np.abs(found[2].points[0] - found[0].points[-1]).max(), 1e-12)
-        self.assertGreater(found[0].points[-1, 0], 3.5)  # past where the lines part
-        for branch in found:
-            ways = np.diff(branch.points, axis=0)
+        self.assertAlmostEqual(found[0].points[-1, 0], 3.4, delta=0.3)  # a little behind where the lines part
+        for points, most in ((found[2].points, 5.0), (np.vstack([found[0].points, found[2].points[1:]]), 35.0)):
+            ways = np.diff(points, axis=0)
             ways /= np.linalg.norm(ways, axis=1)[:, None]
             turn = np.degrees(np.arccos(np.clip((ways[1:] * ways[:-1]).sum(axis=1), -1, 1)))
-            self.assertLess(turn.max(), 15.0, branch.end)
+            self.assertLess(turn.max(), most)
         self.assertLess(np.abs(found[2].points[-1] - leaving[-1, :3]).max(), 1e-12)
 
     def test_labels_do_not_overlap(self):
