@@ -63,7 +63,7 @@ class Clinic:
         if len(self.run.grids()) > 1:
             yield wall_tables.motion(fields, volumes, rest)
             yield wall_tables.distensibility(fields, volumes)
-            yield wall_stress.of_beat(self.run, fields.outputs, self.parts.branch_at)
+            yield wall_stress.of_beat(self.run, fields.outputs, self.beat.start, self.parts.branch_at)
 
     def figures(self):
         """Jobs of canvas.save()."""

@@ -61,15 +61,17 @@ class Layers:
         return float(np.sqrt((v * error.reshape(-1)[cells] ** 2).sum() / size)) if size > 0 else float("nan")
 
 
-def of_beat(run, outputs, branch_at):
-    """The same of the outputs of a beat, with the branch of each place; None without stress at the vertices."""
+def of_beat(run, outputs, begin, branch_at):
+    """The same of the outputs of a beat, with the branch of each place and times from its begin; None without stress at the
+    vertices."""
     peaks, errors = tables(run, outputs)
     if not peaks:
         return None
     note = ("At the vertices, each layer for itself, at the output in which the quantile is greatest."
             + " Estimated error: " * bool(errors) + ", ".join(f"{layer} {error}" for layer, error in errors) + "." * bool(errors))
-    rows = [[*row[:5], branch_at(np.array(row[4].split(", "), dtype=float)), *row[5:]] for row in peaks]
-    return Table("Stress in the wall", note, [*HEADING[:5], "branch", *HEADING[5:]], rows)
+    rows = [[*row[:5], branch_at(np.array(row[4].split(", "), dtype=float)), row[5], row[6] - begin]
+            for row in peaks]
+    return Table("Stress in the wall", note, [*HEADING[:5], "branch", HEADING[5], "at, ms"], rows)
 
 
 def tables(run, outputs):
