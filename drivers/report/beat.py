@@ -14,7 +14,7 @@ class Beat:
         self.steps, self.period = steps, period
         times = np.array(steps["time"], dtype=float)
         self.end = float(times[-1])
-        self.start = self.end - period
+        self.start = max(self.end - period, 0.0)
         self._kept = times >= self.start - 1e-6 * period
         self.times = times[self._kept]
         self.flows = {name: self.of(column) for name, column in _columns(steps).items()}
@@ -56,9 +56,10 @@ def _pressure(beat, name):
     return beat.of(f"mean_pressure_{name}_kPa") if found is None else found
 
 
-def of_run(run, case):
-    """None where the run is no vessel with a beat: no load has a period, or no flow has a pressure."""
-    period = case_tables.period(case)
+def of_run(run, case, told):
+    """None where the run is no vessel with a beat: no load has a period, or no flow has a pressure. The first beat of
+    tunica-vessel has a curve of its own, with another period than it tells."""
+    period = told.get("period") or case_tables.period(case)
     if period is None or len(run.steps.get("time", [])) < 4 or len(_columns(run.steps)) < 2:
         return None
     beat = Beat(run.steps, period)

@@ -15,8 +15,8 @@ TOLD = "vessel.json"  # what tunica-vessel tells of the case beside the run
 class Clinic:
     """Tables and figures of the last beat; parts is None where there are no fields of a fluid."""
 
-    def __init__(self, run, case, beat):
-        self.run, self.case, self.beat, self.told = run, case, beat, read_told(run.folder)
+    def __init__(self, run, case, beat, told):
+        self.run, self.case, self.beat, self.told = run, case, beat, told
         has_fields = run.fields is not None and "fluid" in run.grids()
         self.parts = Parts(run, beat) if has_fields else None
         self.tables = [table for table in self._tables() if table is not None]
@@ -80,6 +80,6 @@ def read_told(folder):
 
 def of_run(run):
     """None where the run is no vessel with a beat."""
-    case = read_case(run.folder)
-    beat = beats.of_run(run, case) if case is not None else None
-    return Clinic(run, case, beat) if beat else None
+    case, told = read_case(run.folder), read_told(run.folder)
+    beat = beats.of_run(run, case, told) if case is not None else None
+    return Clinic(run, case, beat, told) if beat else None

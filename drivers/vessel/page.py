@@ -67,7 +67,7 @@ def told_of(folder, options, done):
     verdict, worst = run.verdict(done, goal, options), max(map(abs, correction.errors(goal, done[-1]["measured"]).values()))
     minutes = beats.minutes(beats.read_steps(folder.file(run.RESULTS_FOLDER, "steps.csv")), len(done), tuned["period"])
     return {"verdict": f"{verdict[0].upper()}{verdict[1:]}. Largest distance from a goal: {100 * worst:.1f} %.",
-            "goal": tuned["goal"], "splits": goal.splits, "network": run.as_dicts(tuned["windkessels"]),
+            "period": tuned["period"], "goal": tuned["goal"], "splits": goal.splits, "network": run.as_dicts(tuned["windkessels"]),
             "beats": beats_table(done, goal, minutes), "assumed": assumptions(options, tuned, wall),
             "doubtful": doubts(options, tuned, wall, done)}
 
