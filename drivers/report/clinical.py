@@ -5,7 +5,7 @@ import os
 
 from report import assumptions, beat_figures, flow_tables, quality_tables, wall_stress, wall_tables
 from report import beat as beats
-from report.case_tables import read_case
+from report.case_tables import averages_from, read_case
 from report.parts import Parts
 from report.tables import Table
 
@@ -55,7 +55,7 @@ class Clinic:
         return wall_tables.kinetic_inflow(fields) if condition in flow_tables.PRESCRIBED else None
 
     def _of_fields(self, fields):
-        yield wall_tables.averages(fields)
+        yield wall_tables.averages(fields, averages_from(self.case))
         if not fields.outputs:
             return
         yield wall_tables.peaks(fields)

@@ -97,7 +97,8 @@ def pulse_waves(beat, ways):
     for name in beat.outlets:
         if feet[name] is None or feet[beat.inlet] is None or name not in ways:
             continue
-        delay = feet[name] - feet[beat.inlet]
+        half = 0.5 * beat.period  # either foot may be that of the next pulse
+        delay = (feet[name] - feet[beat.inlet] + half) % beat.period - half
         is_seen = delay >= step
         rows.append([name, f"{ways[name]:.1f}", f"{delay:.2f}", f"{ways[name] / delay:.2f}" if is_seen else f"delay below a step of {step:g} ms"])
     return Table("Pulse wave velocity, from foot to foot", "Of the mean pressure of inlet and outlet; m/s = mm/ms.",

@@ -50,8 +50,8 @@ class BeatFields:
         return ", ".join(f"{x:.3g}" for x in self.parts.points[self.nodes[node]].round(3) + 0.0)
 
 
-def averages(fields):
-    """TAWSS, OSI and RRT by branch, averaged over the last beat."""
+def averages(fields, begin):
+    """TAWSS, OSI and RRT by branch, averaged from that time on [ms]."""
     if not fields.outputs:
         return None
     group = fields.outputs[-1][1]
@@ -68,7 +68,9 @@ def averages(fields):
         rows.append([name, f"{area:.4g}", f"{np.average(tawss, weights=weights):.3g}", f"{quantile(tawss, weights, 0.99):.3g}",
                      f"{low:.4g}", f"{100 * low / area:.1f} %", f"{np.average(osi, weights=weights):.3f}", f"{high:.4g}",
                      f"{100 * high / area:.1f} %", f"{quantile(rrt, weights, 0.5):.3g}", f"{quantile(rrt, weights, 0.99):.3g}"])
-    return Table("Shear stress at the wall, averaged over time", "Areas are those of the mesh as it was given.",
+    end, period = fields.outputs[-1][0], fields.beat.period
+    over = f"Averaged from {begin:g} to {end:g} ms" + ("." if end - begin > period * (1 - 1e-6) else f", less than a beat of {period:g} ms.")
+    return Table("Shear stress at the wall, averaged over time", f"{over} Areas are those of the mesh as it was given.",
                  ["branch", "area, mm²", "TAWSS mean, Pa", "99 %, Pa", f"TAWSS < {LOW_WSS:g} Pa, mm²", "of the area", "OSI mean",
                   f"OSI > {HIGH_OSI:g}, mm²", "of the area", "RRT median, 1/Pa", "99 %, 1/Pa"], rows)
 

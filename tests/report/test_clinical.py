@@ -19,7 +19,7 @@ sys.path.append(TESTS)
 from scratch import fresh  # noqa: E402
 sys.path.insert(0, os.path.dirname(os.path.realpath(PROGRAM)))  # as the program does
 from report import beat as beats  # noqa: E402
-from report import clinical, parts, quality_tables, viewer, wall_tables  # noqa: E402
+from report import clinical, flow_tables, parts, quality_tables, viewer, wall_tables  # noqa: E402
 from report.run_data import Run  # noqa: E402
 from report.section import Plane  # noqa: E402
 from report.surfaces import Surface, area_vectors, boundary  # noqa: E402
@@ -71,6 +71,13 @@ class Tube(unittest.TestCase):
         self.near(row[4], 1000 * STRETCH / 40)
         self.near(row[5], STRETCH / PULSE)
         self.near(row[6], np.sqrt(PULSE / (1.06 * STRETCH)))
+
+    def test_delay_is_that_of_one_pulse_where_the_beat_begins_between_its_feet(self):
+        """The steepest rise is a quarter of a beat after its begin."""
+        until = round((1.25 * PERIOD + DELAY / 2) / self.run_.steps["time"][0])
+        cut = {name: values[:until] for name, values in self.run_.steps.items()}
+        table = flow_tables.pulse_waves(beats.Beat(cut, PERIOD), {"outlet": LENGTH})
+        self.near(table.rows[0][2], DELAY, 0.1)
 
     def test_areas_of_low_and_of_turning_shear_stress_are_those_of_linear_fields(self):
         row = self.row("Shear stress at the wall, averaged over time", "inlet to outlet")
