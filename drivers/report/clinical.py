@@ -1,5 +1,6 @@
 """What a clinician asks of a vessel with a beat: tables in mmHg, ml/s and l/min beside the units of the case. Definitions
 are in docs/results.md."""
+import importlib.util
 import json
 import os
 
@@ -82,4 +83,7 @@ def of_run(run):
     """None where the run is no vessel with a beat."""
     case, told = read_case(run.folder), read_told(run.folder)
     beat = beats.of_run(run, case, told) if case is not None else None
+    if beat and importlib.util.find_spec("scipy") is None:
+        run.remarks.append("The tables of the beat need SciPy: install python3-scipy.")
+        return None
     return Clinic(run, case, beat, told) if beat else None

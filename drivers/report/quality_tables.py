@@ -1,7 +1,6 @@
 """Tables about the mesh and the wall that a run had, from fields.h5."""
 import numpy as np
 
-from lumen.quality import least_dihedral
 from report.surfaces import numbers_by_place
 from report.tables import Table
 
@@ -62,6 +61,7 @@ def through_wall(run, parts):
 
 
 def quality(run, beat, parts):
+    from lumen.quality import least_dihedral
     rows = []
     for grid in run.grids():
         points, tets = run.mesh(grid)

@@ -81,4 +81,6 @@ def make(folder, options, programs):
     if os.path.exists(folder.file(PICTURE)):
         shutil.copyfile(folder.file(PICTURE), os.path.join(results, PICTURE))
     programs.must(["tunica-report", results, *(["--pdf"] if options.pdf else [])], folder.file(lumen.LOG))
+    if not os.path.exists(folder.file(RESULTS[1])):
+        raise BadInput(f"{folder.file(RESULTS[0])} has no tables of the beat; it says why")
     return [f"report: {folder.file(RESULTS[0])}, {folder.file(RESULTS[1])}"]
