@@ -2,9 +2,9 @@
 import math
 import os
 
-from importer.case_writer import Writer
-
 import numpy as np
+
+from importer.case_writer import Writer
 
 from . import lumen, tune, walls
 from .errors import BadInput
