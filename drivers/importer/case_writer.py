@@ -24,8 +24,8 @@ class Writer:
         self.lines, self.depth = [comment(text) for text in head], 0
         self.begin("Case")
 
-    def begin(self, name):
-        self.lines.append("  " * self.depth + f'<ParameterList name="{escape(name, QUOTE)}">')
+    def begin(self, name, why=""):
+        self.lines.append("  " * self.depth + f'<ParameterList name="{escape(name, QUOTE)}">' + ("  " + comment(why) if why else ""))
         self.depth += 1
 
     def end(self):

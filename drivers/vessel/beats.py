@@ -2,6 +2,7 @@
 import csv
 import dataclasses
 
+import h5py
 import numpy as np
 
 from .errors import BadInput
@@ -28,7 +29,7 @@ def read_steps(path):
         raise BadInput(f"{path}: cannot be read: {error.strerror}") from None
     heading = rows[0]
     rows = [row for row in rows[1:] if len(row) == len(heading)]
-    wanted = [k for k, name in enumerate(heading) if name in ("time", "step_size", "seconds")
+    wanted = [k for k, name in enumerate(heading) if name in ("step", "time", "step_size", "seconds")
               or name.startswith(("mean_pressure_", "pressure_", "stored_pressure_", "inflow_"))]
     return {heading[k]: np.array([float(row[k]) for row in rows]) for k in wanted}
 
@@ -80,3 +81,24 @@ def change(curves, before, inlet):
     late = curves.time > SETTLING * curves.time[-1]
     return float(max(np.abs(np.interp(curves.time, before.time, before.pressure[name]) - values)[late].max()
                      for name, values in curves.pressure.items()) / pulse)
+
+
+def shear_at(path, steps):
+    """Wall shear stress [kPa] on the nodes of the fluid at those of these steps that have fields."""
+    with h5py.File(path) as file:
+        names = {step: f"step_{step:06d}/fluid/wall_shear_stress" for step in steps}
+        return {step: file[name][:] for step, name in names.items() if name in file}
+
+
+def shear_change(path, table, number, period):
+    """As change(), of the wall shear stress: its root mean square over the wall, as a part of the largest one in the beat. None
+    where there are no fields at the same times of both beats."""
+    time, late = {int(step): at for step, at in zip(table["step"], table["time"])}, (number - 1 + SETTLING * (1 + 1e-6)) * period
+    try:
+        fields = {time[step]: values for step, values in shear_at(path, time).items()}
+    except (OSError, KeyError):
+        return None
+    pairs = [(values, before) for at, values in fields.items() if late < at < number * period * (1 + 1e-6)
+             for earlier, before in fields.items() if abs(at - period - earlier) < 1e-6 * period]
+    largest = max((np.linalg.norm(values) for values, _ in pairs), default=0.0)
+    return float(max(np.linalg.norm(values - before) for values, before in pairs) / largest) if largest > 0.0 else None
