@@ -9,6 +9,7 @@ import unittest
 
 import h5py
 import numpy as np
+from matplotlib import image
 
 from synthetic_run import (AROUND, CROSS_SECTION, DELAY, INNER, LENGTH, MEAN_FLOW, PERIOD, PULSE, SWING, WIDENING, beat_flow,
                            oriented, rise, tube, write_beats)
@@ -141,11 +142,12 @@ class Tube(unittest.TestCase):
 
     def test_program_writes_page_summary_and_pdf(self):
         output = os.path.join(SCRATCH, "report")
+        image.imsave(os.path.join(self.folder, "lumen.png"), np.zeros((30, 40)))
         done = subprocess.run([PROGRAM, self.folder, "--no-fields", "--pdf", "--output", output], capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         with open(os.path.join(output, "index.html"), encoding="utf-8") as file:
             page = file.read()
-        for text in ("The beat, in the units of the clinic", "<h3>Windkessels</h3>", "120/75, pulse 45", "beat_pressures.png"):
+        for text in ("The beat, in the units of the clinic", "<h3>Windkessels</h3>", "120/75, pulse 45", "beat_pressures.png", 'src="lumen.png"'):
             self.assertIn(text, page)
         with open(os.path.join(output, "summary.md"), encoding="utf-8") as file:
             self.assertIn("| inlet (in) | 120.0 | 80.0 | 40.0 | 100.0 | 120/75, pulse 45 |", file.read())
