@@ -3,14 +3,16 @@ are in docs/results.md."""
 import importlib.util
 import json
 import os
+import shutil
 
 from report import assumptions, beat_figures, flow_tables, quality_tables, wall_stress, wall_tables
 from report import beat as beats
+from report.canvas import Figure
 from report.case_tables import averages_from, read_case
 from report.parts import Parts
 from report.tables import Table
 
-TOLD = "vessel.json"  # what tunica-vessel tells of the case beside the run
+TOLD, LUMEN = "vessel.json", "lumen.png"  # what tunica-vessel puts beside the run: what it knows, and the lumen's mesh
 
 
 class Clinic:
@@ -69,6 +71,14 @@ class Clinic:
     def figures(self):
         """Jobs of canvas.save()."""
         return beat_figures.jobs(self.beat, self.told)
+
+    def pictures(self, folder):
+        """Figures that lie beside the run; copies of them go to that folder."""
+        path = os.path.join(self.run.folder, LUMEN)
+        if not os.path.exists(path):
+            return []
+        shutil.copyfile(path, os.path.join(folder, LUMEN))
+        return [Figure(LUMEN, "The mesh of the lumen", "With the names of its openings, its centreline and sections.")]
 
 
 def read_told(folder):

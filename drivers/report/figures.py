@@ -25,4 +25,4 @@ def draw_all(run, clinic, folder, outputs, step, look):
         jobs.append(lambda: bulge(run, outputs, line))
     jobs += [lambda: curves(run), lambda: coupling_history(run, step), lambda: counts(run),
              lambda: newton_history(run, step), lambda: observables(run)]
-    return save(jobs, folder), page
+    return save(jobs, folder) + (clinic.pictures(folder) if clinic else []), page

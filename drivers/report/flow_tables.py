@@ -21,23 +21,23 @@ def signed(part):
 
 def pressures(beat, told):
     goal, rows = told.get("goal"), []
-    aim = ""
+    at_inlet, aim, off = beat.pressures[beat.inlet], "", ""
     if goal:
         high, low = mmhg(goal["systolic"]), mmhg(goal["diastolic"])
         aim = f"{high:.0f}/{low:.0f}, pulse {high - low:.0f}"
-    at_inlet = beat.pressures[beat.inlet]
+        off = f"{signed(at_inlet.max() / goal['systolic'] - 1)}, {signed(at_inlet.min() / goal['diastolic'] - 1)}"
     for name in beat.openings():
         p = beat.pressures[name]
         if p is None:
-            rows.append([name] + ["–"] * 8)
+            rows.append([name] + ["–"] * 9)
             continue
         is_inlet = name == beat.inlet
         drop = at_inlet - p
         rows.append([name + (" (in)" if is_inlet else ""), f"{mmhg(p.max()):.1f}", f"{mmhg(p.min()):.1f}", f"{mmhg(np.ptp(p)):.1f}",
-                     f"{mmhg(beat.mean(p)):.1f}", aim if is_inlet else "", f"{p.max():.2f}/{p.min():.2f}",
+                     f"{mmhg(beat.mean(p)):.1f}", aim if is_inlet else "", off if is_inlet else "", f"{p.max():.2f}/{p.min():.2f}",
                      "" if is_inlet else f"{mmhg(beat.mean(drop)):.2f}", "" if is_inlet else f"{mmhg(drop.max()):.2f}"])
     return Table("Pressures", "Of the last beat. Drop: pressure at the inlet less that at the outlet.",
-                 ["pressure, mmHg", "systole", "diastole", "pulse", "mean", "goal", "kPa", "mean drop", "greatest drop"], rows)
+                 ["pressure, mmHg", "systole", "diastole", "pulse", "mean", "goal", "off by", "kPa", "mean drop", "greatest drop"], rows)
 
 
 def flows(beat, told):

@@ -17,7 +17,8 @@ img { max-width: 100%; height: auto; } p.note { color: #666; margin: .2rem 0 .6r
 table { border-collapse: collapse; font-size: .9rem; margin: .6rem 1.5rem .6rem 0; display: inline-block; vertical-align: top; }
 td, th { padding: .15rem .7rem; text-align: right; border-bottom: 1px solid #e4e4e4; }
 td:first-child, th:first-child { text-align: left; } th { color: #555; font-weight: 600; }
-h3 { font-size: 1rem; margin: 1.4rem 0 0; } iframe { width: 100%; height: 34rem; border: 1px solid #ccc; }
+h3 { font-size: 1rem; margin: 1.4rem 0 0; } .beat { overflow-x: auto; }
+.beat td { white-space: nowrap; } iframe { width: 100%; height: 34rem; border: 1px solid #ccc; }
 .remark { background: #fff7e6; border-left: 4px solid #d9a406; padding: .4rem .8rem; }
 .scroll { max-height: 24rem; overflow: auto; } summary { cursor: pointer; }
 .done { color: #1a7f37; } .bad { color: #b42318; } .running { color: #9a6700; }

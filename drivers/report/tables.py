@@ -31,7 +31,7 @@ def as_html(table):
         body = "<ul>" + "".join(f"<li>{html.escape(row)}</li>\n" for row in table.rows) + "</ul>\n"
     else:
         body = html_table(table.heading, table.rows)
-    return f"<h3>{html.escape(table.title)}</h3>\n{note}{body}"
+    return f"<h3>{html.escape(table.title)}</h3>\n{note}<div class=\"beat\">{body}</div>\n"
 
 
 def as_markdown(table):

@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib import pyplot as plt
 
 from report.canvas import colour_scale
+from report.page import title_of
 from report.run_data import spread
 from report.section import norm_of
 from report.space import views
@@ -124,7 +125,7 @@ def write(run, clinic, parts, folder, look):
             "surfaces": [_surface(run, title, grid, part, outputs) for title, grid, part in surfaces]}
     with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "viewer.html"), encoding="utf-8") as file:
         text = file.read()
-    title = html.escape(os.path.basename(os.path.abspath(run.folder)))
+    title = html.escape(title_of(run))
     with open(os.path.join(folder, "vessel.html"), "w", encoding="utf-8") as file:
         file.write(text.replace("@TITLE@", title).replace("@DATA@", json.dumps(data).replace("</", "<\\/")))
     return "vessel.html"

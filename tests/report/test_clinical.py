@@ -9,6 +9,7 @@ import unittest
 
 import h5py
 import numpy as np
+from matplotlib import image
 
 from synthetic_run import (AROUND, CROSS_SECTION, DELAY, INNER, LENGTH, MEAN_FLOW, PERIOD, PULSE, SWING, WIDENING, beat_flow,
                            oriented, rise, tube, write_beats)
@@ -34,7 +35,7 @@ class Tube(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = write_beats(os.path.join(SCRATCH, "tube"))
-        goal = {"goal": {"systolic": 16.0, "diastolic": 10.67}, "splits": {"outlet": 0.8}, "assumed": ["A told assumption."]}
+        goal = {"goal": {"systolic": 120 * 0.133322, "diastolic": 75 * 0.133322}, "splits": {"outlet": 0.8}, "assumed": ["A told assumption."]}
         with open(os.path.join(cls.folder, "vessel.json"), "w", encoding="utf-8") as file:
             json.dump(goal, file)
         cls.run_ = Run(cls.folder)
@@ -49,9 +50,9 @@ class Tube(unittest.TestCase):
 
     def test_pressures_are_in_mmhg_against_the_goal(self):
         row = self.row("Pressures", "inlet (in)")
-        self.assertEqual(row[1:7], ["120.0", "80.0", "40.0", "100.0", "120/80, pulse 40", "16.00/10.67"])
+        self.assertEqual(row[1:8], ["120.0", "80.0", "40.0", "100.0", "120/75, pulse 45", "+0.0 %, +6.7 %", "16.00/10.67"])
         drop = 40 * np.sin(np.pi * DELAY / PERIOD)  # two waves of 20 mmHg apart by a delay
-        self.near(self.row("Pressures", "outlet")[8], drop)
+        self.near(self.row("Pressures", "outlet")[9], drop)
 
     def test_flows_are_in_litres_per_minute_with_their_shares(self):
         row = self.row("Flows", "inlet (in)")
@@ -141,14 +142,15 @@ class Tube(unittest.TestCase):
 
     def test_program_writes_page_summary_and_pdf(self):
         output = os.path.join(SCRATCH, "report")
+        image.imsave(os.path.join(self.folder, "lumen.png"), np.zeros((30, 40)))
         done = subprocess.run([PROGRAM, self.folder, "--no-fields", "--pdf", "--output", output], capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         with open(os.path.join(output, "index.html"), encoding="utf-8") as file:
             page = file.read()
-        for text in ("The beat, in the units of the clinic", "<h3>Windkessels</h3>", "120/80, pulse 40", "beat_pressures.png"):
+        for text in ("The beat, in the units of the clinic", "<h3>Windkessels</h3>", "120/75, pulse 45", "beat_pressures.png", 'src="lumen.png"'):
             self.assertIn(text, page)
         with open(os.path.join(output, "summary.md"), encoding="utf-8") as file:
-            self.assertIn("| inlet (in) | 120.0 | 80.0 | 40.0 | 100.0 | 120/80, pulse 40 |", file.read())
+            self.assertIn("| inlet (in) | 120.0 | 80.0 | 40.0 | 100.0 | 120/75, pulse 45 |", file.read())
         with open(os.path.join(output, "report.pdf"), "rb") as file:
             book = file.read()
         self.assertEqual(book[:4], b"%PDF")
