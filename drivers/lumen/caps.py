@@ -20,20 +20,28 @@ LEAST = 6.0       # area of a cap, in squares of short sides
 
 def taken_off(surface, say):
     """The wall alone, and the names of caps by their centres, where the file has them."""
-    caps = by_numbers(surface)
-    if caps is None:
-        caps = by_shape(surface)
+    numbered = by_numbers(surface)
+    caps = by_shape(surface) if numbered is None else numbered
     is_wall = np.ones(len(surface.triangles), dtype=bool)
     names = []
     for chosen in caps:
         is_wall[chosen] = False
         corners = surface.points[surface.triangles[chosen]]
-        if surface.face is not None and int(surface.face[chosen[0]]) in surface.names:
-            names.append((surface.names[int(surface.face[chosen[0]])], corners.mean(axis=(0, 1))))
+        name = name_of(surface, chosen, numbered is not None)
+        if name:
+            names.append((name, corners.mean(axis=(0, 1))))
     if caps:
         say(f"{len(caps)} flat caps found, the first about "
             f"{show(surface.points[surface.triangles[caps[0]]].mean(axis=(0, 1)))}")
     return surface.take(is_wall), names
+
+
+def name_of(surface, chosen, has_number):
+    """Of a cap; one that is a face of the file without a name is called after its number, as tunica-import does."""
+    if surface.face is None:
+        return None
+    number = int(surface.face[chosen[0]])
+    return surface.names.get(number) or (f"surface-{number}" if has_number else None)
 
 
 def by_numbers(surface):

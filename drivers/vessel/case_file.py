@@ -1,10 +1,10 @@
 """Stage case: an ordinary case, with comments that say where each number came from."""
 import math
 import os
-import re
-from xml.sax.saxutils import escape
 
 import numpy as np
+
+from importer.case_writer import Writer
 
 from . import lumen, tune, walls
 from .errors import BadInput
@@ -25,38 +25,6 @@ BACKFLOW = 0.2  # safe, and with no effect where nothing flows back
 def steps_of(period, longest):
     """Steps of a beat, a multiple of FIELDS, so that every beat has fields at the same times."""
     return FIELDS * math.ceil(period / longest / FIELDS - 1e-9)
-
-
-def comment(text):
-    """XML permits no two hyphens in a comment."""
-    return "<!-- " + re.sub("--+", "", text) + " -->"
-
-
-class Writer:
-    """Lines of parameters, indented, with comments behind them."""
-
-    def __init__(self, head):
-        self.lines, self.depth = [comment(head)], 0
-        self.begin("Case")
-
-    def begin(self, name, why=""):
-        self.lines.append("  " * self.depth + f'<ParameterList name="{escape(name)}">' + ("  " + comment(why) if why else ""))
-        self.depth += 1
-
-    def end(self):
-        self.depth -= 1
-        self.lines.append("  " * self.depth + "</ParameterList>")
-
-    def put(self, name, value, why=""):
-        kind = {int: "int", float: "double", str: "string", bool: "bool"}.get(type(value), "Array(string)")
-        text = f"{value:.10g}" if kind == "double" else "{" + ", ".join(value) + "}" if kind == "Array(string)" else str(value)
-        self.lines.append("  " * self.depth + f'<Parameter name="{name}" type="{kind}" value="{escape(text)}"/>'
-                          + ("  " + comment(why) if why else ""))
-
-    def text(self):
-        while self.depth:
-            self.end()
-        return "\n".join(self.lines) + "\n"
 
 
 def source_of(wall, key):

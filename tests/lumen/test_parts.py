@@ -7,8 +7,8 @@ import numpy as np
 import cases
 import shapes
 from importer.raw import BadMesh
-from lumen import (caps, centreline, crossings, edits, ends, handles, layers, medial, names, quality, repair, rims, smooth,
-                   unfold)
+from lumen import (caps, centreline, crossings, edits, ends, handles, labels, layers, medial, names, quality, repair, rims,
+                   smooth, unfold)
 from lumen import surface as base
 from lumen.faults import BadSurface
 from lumen.surface import Surface
@@ -154,6 +154,32 @@ class Sizes(unittest.TestCase):
         (branch,) = centreline.branches(balls, found, "tube")
         self.assertEqual((branch.start, branch.end), ("opening-1", "opening-2"))
         self.assertLess(np.abs(branch.points[:, :2]).max(), 0.1)
+
+    def test_branch_leaves_its_trunk_without_a_kink(self):
+        x = np.arange(0.0, 12.0, 0.2)
+        trunk = np.column_stack([x, 0 * x, 0 * x, 1.0 + 0 * x])
+        leaving = np.column_stack([x, 0.6 * np.maximum(x - 3.0, 0), 0 * x, 0.8 + 0 * x])  # 31 degrees
+        rim = lambda name: type("Rim", (), {"name": name})  # noqa: E731
+        found = centreline.tree([trunk, leaving], [rim("in"), rim("ahead"), rim("aside")])
+        self.assertEqual([(b.start, b.end) for b in found], [("in", "junction-1"), ("junction-1", "ahead"), ("junction-1", "aside")])
+        self.assertLess(np.abs(found[2].points[0] - found[0].points[-1]).max(), 1e-12)
+        self.assertAlmostEqual(found[0].points[-1, 0], 3.4, delta=0.3)  # a little behind where the lines part
+        for points, most in ((found[2].points, 5.0), (np.vstack([found[0].points, found[2].points[1:]]), 35.0)):
+            ways = np.diff(points, axis=0)
+            ways /= np.linalg.norm(ways, axis=1)[:, None]
+            turn = np.degrees(np.arccos(np.clip((ways[1:] * ways[:-1]).sum(axis=1), -1, 1)))
+            self.assertLess(turn.max(), most)
+        self.assertLess(np.abs(found[2].points[-1] - leaving[-1, :3]).max(), 1e-12)
+
+    def test_labels_do_not_overlap(self):
+        random = np.random.default_rng(3)
+        anchors = (random.normal(0, 15, (10, 2)) + (300, 200)).tolist()
+        boxes = labels.places(anchors, [(60, 14)] * 10, (600, 400))
+        for k, (x, y, w, h) in enumerate(boxes):
+            self.assertTrue(0 <= x and x + w <= 600 and 0 <= y and y + h <= 400)
+            for u, v, a, b in boxes[:k]:
+                self.assertTrue(x + w <= u or u + a <= x or y + h <= v or v + b <= y)
+        self.assertIsNone(labels.places([(5, 5)], [(60, 14)], (50, 50))[0])
 
     def test_edits_keep_a_surface_whole(self):
         tube = pipe(32, 60, 2.0, 16.0)
