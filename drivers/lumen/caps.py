@@ -10,7 +10,7 @@ ROUND = 0.4       # 4 pi area / perimeter squared, small where rims are ragged
 LONG = 2.0        # the long axis of a disc over the short one
 PARALLEL = 0.3    # mean of the cosine between a cap and the surface around it
 RADIAL = 0.6      # mean of the cosine between the wall behind a cap and the way from its axis
-BESIDE = 2.0      # radii between a cap and plateaus of voxels on the wall behind it
+BESIDE = 3.0      # radii of the smaller one between a cap and a plateau of voxels on the wall behind it
 LESS = 0.85       # of the cosine behind a cap: that behind such a plateau
 ENOUGH = 0.4      # area of that wall over a cylinder's
 STARTS = 400      # so many regions are looked at
@@ -82,7 +82,7 @@ def without_plateaus(middle, normal, area, found):
     vector = [unit((area[chosen, None] * normal[chosen]).sum(axis=0)) for _, chosen in found]
 
     def is_beside(i, j):
-        reach = BESIDE * np.sqrt(max(whole[i], whole[j]) / np.pi)
+        reach = BESIDE * np.sqrt(min(whole[i], whole[j]) / np.pi)
         return np.linalg.norm(centre[i] - centre[j]) < reach and abs(vector[i] @ vector[j]) < 0.5
 
     every = range(len(found))
