@@ -53,10 +53,7 @@ def opened(path, options, of_faces, progress):
     surface = surface_files.read(path, of_faces)
     surface.points = surface.points * options.scale
     progress.say(f"{len(surface.triangles):,} triangles, {len(surface.points):,} points")
-    surface, given = subdivide.evened(repair.mended(surface, path, progress.note)), []
-    if not len(base.loops(surface.triangles)):
-        surface, given = caps.taken_off(surface, progress.say)
-        surface = repair.apart(surface, path)
+    surface, given = without_caps(subdivide.evened(repair.mended(surface, path, progress.note)), path, progress)
     surface = handles.cut(surface, path, progress.note)
     surface, rims = of_rims.openings(surface, path, progress.note)
     if not rims:
@@ -65,6 +62,17 @@ def opened(path, options, of_faces, progress):
                          surface)
     refuse_crossing(surface, path, "the surface crosses itself")
     return surface, rims, given
+
+
+def without_caps(surface, path, progress):
+    """The wall of a surface that is closed, but for small holes, and names of its caps with their places."""
+    if len(base.loops(surface.triangles)):
+        filled, rims = of_rims.openings(surface, path, lambda text: None)
+        if rims:
+            return surface, []
+        surface = filled
+    surface, given = caps.taken_off(surface, progress.say)
+    return repair.apart(surface, path), given
 
 
 def refuse_crossing(surface, path, words):
