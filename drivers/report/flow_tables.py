@@ -187,5 +187,6 @@ def periodicity(beat, wss_change):
     if wss_change is not None:
         rows.append(["wall shear stress", f"{100 * wss_change:.2g} %"])
     return Table("Does the beat repeat itself?", "Largest change since the beat before, after its first twentieth: of pressures in parts "
-                 "of the pulse at the inlet, of flows in parts of the mean inflow; of wall shear stress as a root mean square.",
+                 "of the pulse at the inlet, of flows in parts of the mean inflow; of wall shear stress its root mean square, in parts of "
+                 "the largest one.",
                  ["quantity", "change"], rows)
