@@ -30,7 +30,7 @@ class BeatFields:
     def __init__(self, run, beat, parts, density):
         self.run, self.beat, self.parts, self.density = run, beat, parts, density
         self.outputs = [o for o in run.outputs if beat.start - 1e-6 * beat.period <= o[0] <= beat.end * (1 + 1e-9)]
-        lumen = parts.surfaces.lumen
+        lumen = parts.lumen
         self.nodes, self.triangles = lumen.nodes, lumen.triangles
         self.areas = np.linalg.norm(area_vectors(lumen.points, lumen.triangles), axis=1)
 
