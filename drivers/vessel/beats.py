@@ -7,7 +7,7 @@ import numpy as np
 
 from .errors import BadInput
 
-SETTLING = 0.05  # part of a beat in which a correction at its beginning is still felt
+SETTLING, REMEMBERED = 0.05, 2  # part of a beat, and steps of the time scheme, in which a correction at its beginning is still felt
 
 
 @dataclasses.dataclass
@@ -72,13 +72,17 @@ def measure(curves, inlet):
             "mean flows": flows}
 
 
+def settled_at(period, steps):
+    """From the beginning of a beat [ms]: the beat before may have begun with corrected Windkessels, whose pressures jump once."""
+    return max(SETTLING * period, REMEMBERED * float(np.max(steps))) * (1 + 1e-6)
+
+
 def change(curves, before, inlet):
-    """Largest change of a pressure since the beat before, as a part of the pulse at the inlet. The first steps do not count:
-    the beat before may have begun with corrected Windkessels, and their pressures jump there once."""
+    """Largest change of a pressure since the beat before, as a part of the pulse at the inlet, once settled."""
     if before is None:
         return None
     pulse = np.ptp(curves.pressure[inlet])
-    late = curves.time > SETTLING * curves.time[-1]
+    late = curves.time > settled_at(curves.time[-1], curves.step)
     return float(max(np.abs(np.interp(curves.time, before.time, before.pressure[name]) - values)[late].max()
                      for name, values in curves.pressure.items()) / pulse)
 
@@ -93,12 +97,14 @@ def shear_at(path, steps):
 def shear_change(path, table, number, period):
     """As change(), of the wall shear stress: its root mean square over the wall, as a part of the largest one in the beat. None
     where there are no fields at the same times of both beats."""
-    time, late = {int(step): at for step, at in zip(table["step"], table["time"])}, (number - 1 + SETTLING * (1 + 1e-6)) * period
+    time = {int(step): at for step, at in zip(table["step"], table["time"])}
+    late = (number - 1) * period + settled_at(period, table["step_size"][rows_of(table, number, period)])
     try:
         fields = {time[step]: values for step, values in shear_at(path, time).items()}
     except (OSError, KeyError):
         return None
-    pairs = [(values, before) for at, values in fields.items() if late < at < number * period * (1 + 1e-6)
-             for earlier, before in fields.items() if abs(at - period - earlier) < 1e-6 * period]
-    largest = max((np.linalg.norm(values) for values, _ in pairs), default=0.0)
-    return float(max(np.linalg.norm(values - before) for values, before in pairs) / largest) if largest > 0.0 else None
+    end = number * period * (1 + 1e-6)
+    largest = max((np.linalg.norm(values) for at, values in fields.items() if end - period < at < end), default=0.0)
+    changes = [np.linalg.norm(values - before) for at, values in fields.items() if late < at < end
+               for earlier, before in fields.items() if abs(at - period - earlier) < 1e-6 * period]
+    return float(max(changes) / largest) if changes and largest > 0.0 else None

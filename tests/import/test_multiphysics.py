@@ -153,7 +153,9 @@ class Whole(Multiphysics):
         self.assertAlmostEqual(self.found["/Fluid/Surfaces/lumen_outlet/initial pressure"], 2.0)
 
     def test_fluid_or_wall_alone(self):
-        path = made.write_solver(self.base)
+        """0.5 cm^3/s through a rigid tube against 1500 dyn s/cm^5 are 750 dyn/cm^2, 0.075 kPa."""
+        path = made.write_solver(self.base, outlet="<Type> Neu </Type> <Time_dependence> Resistance </Time_dependence> "
+                                 "<Value> 1500 </Value>", inlet="<Type> Dir </Type> <Value> -0.5 </Value> <Impose_flux> 1 </Impose_flux>")
         with open(path, encoding="utf-8") as file:
             root = ElementTree.fromstring(file.read())
         fsi, mesh_motion = root.findall("Add_equation")
@@ -176,6 +178,10 @@ class Whole(Multiphysics):
             done = tunica(program, self.path(kind, "case.xml"), "--steps", 1, "--output", self.path(kind, "run"))
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertEqual(parameters(made_alone.text)["/Wall/Surfaces/wall_inner/pressure"], 1.0)
+        with open(self.path("fluid", "run", "steps.csv"), encoding="utf-8") as file:
+            row = list(csv.DictReader(file))[-1]
+        self.assertAlmostEqual(float(row["inflow_lumen_outlet_mm3_per_ms"]), -0.5, places=6)
+        self.assertAlmostEqual(float(row["pressure_lumen_outlet_kPa"]), 0.075, places=6)
 
 
 class Curves(Multiphysics):

@@ -106,12 +106,20 @@ class Openings(unittest.TestCase):
         self.assertLess(np.linalg.norm(caught.exception.place - [0.85, 0, 6]), 0.2)
 
     def test_flat_caps_of_voxels_are_found_and_plateaus_left(self):
-        found = shapes.surface(shapes.fork(), 0.5, closed=True).GetOutput()
+        self.assertEqual(self.ends_of(shapes.fork(), 0.5), 3)
+
+    def test_plateaus_beside_the_end_of_a_branch_of_two_voxels_are_no_caps(self):
+        lines = shapes.of_seed(108)
+        self.assertEqual(self.ends_of(lines, lines[0][1][0] / 4), 5)
+
+    def ends_of(self, lines, voxel):
+        """How many openings are left of a closed surface."""
         from vtkmodules.util.numpy_support import vtk_to_numpy
+        found = shapes.surface(lines, voxel, closed=True).GetOutput()
         surface = Surface(vtk_to_numpy(found.GetPoints().GetData()).astype(float),
                           vtk_to_numpy(found.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(np.int64))
-        wall, _ = caps.taken_off(repair.mended(surface, "fork", silent), silent)
-        self.assertEqual(len(openings(wall)), 3)
+        wall, _ = caps.taken_off(repair.mended(surface, "voxels", silent), silent)
+        return len(openings(wall))
 
     def test_oblique_ends_are_cut_square(self):
         tilted = pipe(32, 48, 1.0, 8.0)

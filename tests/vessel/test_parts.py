@@ -126,16 +126,16 @@ class Ends(unittest.TestCase):
 
 class Repetition(unittest.TestCase):
     def test_change_of_the_shear_stress_is_that_of_fields_at_the_same_times(self):
-        table = {"step": np.arange(1, 9), "time": 200.0 * np.arange(1, 9)}
+        table = {"step": np.arange(1, 25), "time": 100.0 * np.arange(1, 25), "step_size": np.full(24, 100.0)}
         with tempfile.TemporaryDirectory() as where:
             path = os.path.join(where, "fields.h5")
             with h5py.File(path, "w") as file:
-                for step, size in zip(range(1, 9), (0, 2, 4, 2, 1, 2, 4.2, 2)):
+                for step, size in zip((8, 9, 10, 12, 14, 16, 18, 20, 22, 24), (0, 7, 0, 2, 4, 2, 1, 2, 4.2, 2)):
                     file[f"step_{step:06d}/fluid/wall_shear_stress"] = size * np.ones((5, 3))
-            self.assertAlmostEqual(beats.shear_change(path, table, 2, 800.0), 1.0 / 4.2)
-            table["time"][4:] += 7.0  # other times: nothing is compared
-            self.assertIsNone(beats.shear_change(path, table, 2, 800.0))
-            self.assertIsNone(beats.shear_change(path + "-none", table, 2, 800.0))
+            self.assertAlmostEqual(beats.shear_change(path, table, 3, 800.0), 0.2 / 4.2)  # the first steps jump
+            table["time"][16:] += 7.0  # other times: nothing is compared
+            self.assertIsNone(beats.shear_change(path, table, 3, 800.0))
+            self.assertIsNone(beats.shear_change(path + "-none", table, 3, 800.0))
 
     def test_beat_repeats_itself_by_pressure_and_shear(self):
         for change, shear, expected in ((None, None, False), (0.005, None, True), (0.005, 0.02, False), (0.02, 0.005, False),
