@@ -104,6 +104,7 @@ def wss_change(fields):
     """Since the beat before, as tunica-vessel has it; None where no two outputs are a period apart."""
     run, beat = fields.run, fields.beat
     table = {name: np.array(run.steps[name]) for name in ("step", "time")}
+    table["step_size"] = np.diff(table["time"], prepend=0.0)
     return shear_change(os.path.join(run.folder, "fields.h5"), table, beat.end / beat.period, beat.period)
 
 

@@ -21,9 +21,10 @@ def beats_table(done, goal, minutes):
                      part(beat["change"]), part(beat.get("shear change")), "yes" if beat["corrected"] else "no",
                      f"{minutes[number - 1]:.3g}"])
     return {"note": f"A beat repeats itself when no pressure changes by {100 * run.PERIODIC:g} % of the pulse, nor the wall shear stress "
-                    f"by as much of its largest one, after the first {100 * beats.SETTLING:g} % of the beat, in which a correction is still felt.",
-            "heading": ["beat", "systole, mmHg", "diastole, mmHg", "worst share", "change since the beat before, of the pulse", "of the wall shear stress",
-                        "Windkessels corrected after it", "minutes"], "rows": rows}
+                    f"by as much of its largest one, after the first {100 * beats.SETTLING:g} % of the beat and {beats.REMEMBERED} steps, "
+                    "in which a correction is still felt.",
+            "heading": ["beat", "systole, mmHg", "diastole, mmHg", "worst share", "change since the beat before, of the pulse",
+                        "of the wall shear stress", "Windkessels corrected after it", "minutes"], "rows": rows}
 
 
 def assumptions(options, tuned, wall):
