@@ -1,7 +1,7 @@
 """The branches of a vessel between its openings and forks, and what is measured over the lumen and along them."""
 import numpy as np
 
-from report.surfaces import VesselSurfaces, area_vectors, boundary, weighted_centre
+from report.surfaces import Surface, VesselSurfaces, area_vectors, boundary, pieces, weighted_centre
 from vessel import branches as tree
 
 MIDDLE = 0.5  # part of a branch, in its middle, that stands for it
@@ -66,6 +66,20 @@ def _flow(run, end, group):
     return -np.einsum("ij,ij", velocity, moved_vectors(run, end, group))
 
 
+def without_caps(run, boundary_of_all):
+    """The rigid wall of a fluid alone, and its caps: in their inside there is no shear stress at any time."""
+    stress = run.nodal(run.outputs[-1][1], "fluid", "time_averaged_wss")
+    if stress is None:
+        return boundary_of_all, []
+    faces = boundary_of_all.nodes[boundary_of_all.triangles]
+    is_wall = (stress.reshape(-1) > 0)[faces].all(axis=1)
+    if is_wall.all() or not is_wall.any():
+        return boundary_of_all, []
+    piece = pieces(faces[~is_wall])
+    return (Surface(run.mesh("fluid")[0], faces[is_wall]),
+            [Surface(run.mesh("fluid")[0], faces[~is_wall][piece == k]) for k in range(piece.max() + 1)])
+
+
 class Branch:
     """Name, its tetrahedra, those in its middle, and length [mm]."""
 
@@ -80,7 +94,10 @@ class Parts:
     def __init__(self, run, beat):
         self.surfaces = VesselSurfaces(run)
         self.points, self.tets = run.mesh("fluid")
-        self.ends = name_ends(run, self.surfaces.ends, beat)
+        self.lumen, caps = self.surfaces.lumen, self.surfaces.ends
+        if "wall" not in run.grids():
+            self.lumen, caps = without_caps(run, self.lumen)
+        self.ends = name_ends(run, caps, beat)
         self.branches, self.ways = [], {}
         if beat.inlet in self.ends and beat.outlets:
             self._divide(beat)
@@ -91,29 +108,29 @@ class Parts:
         self.of_node[self.tets.reshape(-1)] = np.repeat(of_tet, 4)
         sides, parents = boundary(self.points, self.tets)
         key = {tuple(sorted(face)): tet for face, tet in zip(sides.tolist(), parents.tolist())}
-        lumen = self.surfaces.lumen
-        self.of_triangle = of_tet[[key[tuple(sorted(face))] for face in lumen.nodes[lumen.triangles].tolist()]]
+        faces = self.lumen.nodes[self.lumen.triangles]
+        self.of_triangle = of_tet[[key[tuple(sorted(face))] for face in faces.tolist()]]
 
     def _divide(self, beat):
         mesh = MeshOfLumen(self.points, self.tets, self.ends)
-        pieces = tree.Pieces(mesh, beat.inlet)
-        ways = {name: pieces.way(mesh, name) for name in beat.outlets}
-        of_piece = np.full(len(pieces.parent), -1)
+        slabs = tree.Pieces(mesh, beat.inlet)
+        ways = {name: slabs.way(mesh, name) for name in beat.outlets}
+        of_piece = np.full(len(slabs.parent), -1)
         chains = tree.chains(ways, beat.inlet)
         for k, (_, _, chosen) in enumerate(chains):
             of_piece[chosen[1 if k else 0:]] = k
-        for piece in np.argsort(pieces.slab, kind="stable"):  # what no way leads through belongs to what it hangs on
-            if of_piece[piece] < 0 and pieces.parent[piece] >= 0:
-                of_piece[piece] = of_piece[pieces.parent[piece]]
-        of_tet = of_piece[pieces.of_tet]
+        for piece in np.argsort(slabs.slab, kind="stable"):  # what no way leads through belongs to what it hangs on
+            if of_piece[piece] < 0 and slabs.parent[piece] >= 0:
+                of_piece[piece] = of_piece[slabs.parent[piece]]
+        of_tet = of_piece[slabs.of_tet]
         centre = {name: weighted_centre(end.points, end.triangles)[0][None] for name, end in self.ends.items()}
         at = lambda name: centre.get(name, np.zeros((0, 3)))  # noqa: E731
         for k, (start, end, chosen) in enumerate(chains):
             inner = np.array(chosen)[_inner(len(chosen))]
-            line = np.vstack([at(start), pieces.centre[chosen][bool(len(at(start))):len(chosen) - bool(len(at(end)))], at(end)])
-            self.branches.append(Branch(start, end, np.flatnonzero(of_tet == k), np.flatnonzero(np.isin(pieces.of_tet, inner)),
+            line = np.vstack([at(start), slabs.centre[chosen][bool(len(at(start))):len(chosen) - bool(len(at(end)))], at(end)])
+            self.branches.append(Branch(start, end, np.flatnonzero(of_tet == k), np.flatnonzero(np.isin(slabs.of_tet, inner)),
                                         _length(line)))
-        self.ways = {name: _length(np.vstack([at(beat.inlet), pieces.centre[way[1:-1]], at(name)])) for name, way in ways.items()}
+        self.ways = {name: _length(np.vstack([at(beat.inlet), slabs.centre[way[1:-1]], at(name)])) for name, way in ways.items()}
 
     def branch_at(self, place):
         """Name of the branch whose lumen is nearest to a point, empty without branches."""

@@ -158,6 +158,28 @@ class Tube(unittest.TestCase):
         self.assertGreater(len(re.findall(rb"/Type /Page\b(?!s)", book)), pictures)
 
 
+class FluidAlone(unittest.TestCase):
+    def test_caps_are_where_there_is_no_shear_stress(self):
+        """An outlet whose pressure is not known has flow and area."""
+        folder = write_beats(os.path.join(SCRATCH, "fluid"))
+        with h5py.File(os.path.join(folder, "fields.h5"), "r+") as file:
+            points = file["fluid/points"][:]
+            is_wall = np.hypot(points[:, 0], points[:, 1]) > INNER - 1e-9
+            del file["wall"]
+            for step in (name for name in file if name.startswith("step_")):
+                del file[f"{step}/wall"]
+                file[f"{step}/fluid/time_averaged_wss"][:] = is_wall * 1e-3 * (0.2 + points[:, 2] / LENGTH)
+        run = Run(folder)
+        run.steps = {name: values for name, values in run.steps.items() if "pressure_outlet" not in name}
+        tables = {table.title: table for table in clinical.of_run(run).tables}
+        self.assertEqual(tables["Pressures"].rows[1], ["outlet"] + ["–"] * 9)
+        row = tables["Shear stress at the wall, averaged over time"].rows[0]
+        self.assertEqual((row[0], row[5]), ("inlet to outlet", "20.0 %"))
+        self.assertAlmostEqual(float(row[1]) / LUMEN, 1.0, places=3)
+        self.assertEqual([row[0] for row in tables["Openings"].rows], ["inlet", "outlet"])
+        self.assertNotIn("Distensibility, and pulse wave velocity from it", tables)
+
+
 class Pieces(unittest.TestCase):
     def test_area_below_and_above_a_level_is_exact(self):
         corners = np.array([[0.0, 1.0, 0.0]])  # x on the unit triangle
