@@ -10,6 +10,7 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
 #include "tunica/foreign/refined_solve.hpp"
+#include "tunica/foreign/told_rows.hpp"
 
 namespace tunica::compare {
 
@@ -85,6 +86,8 @@ SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, 
   row.memory_megabytes = global_sum(comm, held) / 1e6;
   row.verdict =
       outcome.is_success() ? verdict_of(setting, row.solve) : exception_summary(outcome.reason());
+  if (outcome.is_failure() && system.of_files != nullptr)
+    row.verdict = foreign::with_rows_of_files(*system.of_files, row.verdict);
   row.solve.is_converged = row.verdict == "converged";
   row.is_at_rounding =
       row.solve.is_converged && system.of_files != nullptr && row.residuals.are_rounding(tolerance);

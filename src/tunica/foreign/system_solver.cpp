@@ -7,6 +7,7 @@
 #include "tunica/base/exception_summary.hpp"
 #include "tunica/base/formatted.hpp"
 #include "tunica/foreign/refined_solve.hpp"
+#include "tunica/foreign/told_rows.hpp"
 
 namespace tunica::foreign {
 
@@ -41,6 +42,10 @@ SystemSolver::SystemSolver(const systems::System& system, const Teuchos::Paramet
     : system_(&system), tolerance_(solvers.get<double>("tolerance")),
       settings_(settings_for(system, solvers)) {}
 
+std::string SystemSolver::told(const Outcome& failure) const {
+  return with_rows_of_files(*system_, exception_summary(failure.reason()));
+}
+
 bool SystemSolver::prepare_next() {
   for (; present_ < settings_.size(); ++present_) {
     const SolverSetting& setting = settings_[present_];
@@ -49,7 +54,7 @@ bool SystemSolver::prepare_next() {
       solver_->prepare();
     });
     if (outcome.is_success()) return true;
-    failures_ += setting.name + ": " + exception_summary(outcome.reason()) + "\n";
+    failures_ += setting.name + ": " + told(outcome) + "\n";
     solver_.reset();
   }
   present_ = 0;
@@ -69,7 +74,7 @@ void SystemSolver::refresh() {
     solver_->prepare();
   });
   if (outcome.is_success()) return;
-  failures_ += setting().name + ": " + exception_summary(outcome.reason()) + "\n";
+  failures_ += setting().name + ": " + told(outcome) + "\n";
   ++present_;
   TUNICA_CHECK(prepare_next(), "no setting can be set up: " + failures_);
 }
@@ -88,10 +93,9 @@ Answer SystemSolver::solve(algebra::BlockVector& y) {
       y.assign(tried);
     }
     if (outcome.is_success() && answer.report.is_converged) break;
-    failures_ += setting().name + ": " +
-                 (outcome.is_success() ? linear::describe_unconverged(answer.report)
-                                       : exception_summary(outcome.reason())) +
-                 "\n";
+    failures_ +=
+        setting().name + ": " +
+        (outcome.is_success() ? linear::describe_unconverged(answer.report) : told(outcome)) + "\n";
     solver_.reset();
     ++present_;
   }

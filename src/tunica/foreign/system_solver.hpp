@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tunica/base/outcome.hpp"
 #include "tunica/foreign/default_settings.hpp"
 #include "tunica/foreign/residuals.hpp"
 
@@ -38,6 +39,8 @@ public:
 private:
   /// From the present one on; false where there is none.
   bool prepare_next();
+  /// Why, in the terms of the user.
+  std::string told(const Outcome& failure) const;
 
   const systems::System* system_;
   double tolerance_;
