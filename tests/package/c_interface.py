@@ -28,7 +28,9 @@ def run_the_c_program(verdict, prefix, example, scratch):
 
 
 def run_python(verdict, library, example):
-    where = {**ENVIRONMENT, "TUNICA_LIBRARY": str(library)}
+    # Debian's package of the bindings alone leaves them where Python does not look.
+    petsc = next(pathlib.Path("/usr/lib/petscdir").glob("*/*-real/lib/python3/dist-packages"), pathlib.Path())
+    where = {**ENVIRONMENT, "TUNICA_LIBRARY": str(library), "PYTHONPATH": str(petsc)}
     for script, ranks in (("stokes.py", 1), ("stokes_petsc.py", 1), ("stokes_petsc.py", 2)):
         run = Run(command("/usr/bin/python3", [str(example / script), "40"], ranks), example, where)
         print(run.out + run.err)
