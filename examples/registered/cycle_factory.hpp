@@ -38,8 +38,8 @@ public:
           Extraction::getTpetraOperator(made.getNonconstUnspecifiedPrecOp()), true);
       if (before->matrix(0).get() == K.get()) return before->refresh();
     }
-    const auto cycle = Teuchos::rcp(new tunica::multigrid::Cycle(
-        K, list_->get<int>("components"), list_->sublist("MueLu")));
+    const auto cycle = Teuchos::rcp(
+        new tunica::multigrid::Cycle(K, list_->get<int>("components"), list_->sublist("MueLu")));
     const Teuchos::RCP<Tpetra::Operator<double, int, long long>> as_operator = cycle;
     made.initializeUnspecified(Thyra::createLinearOp(as_operator));
   }

@@ -66,8 +66,7 @@ double by_muelu(const Stokes& stokes, const Teuchos::ParameterList& of_muelu) {
   Teuchos::ParameterList list(of_muelu);
   MueLu::ParameterListInterpreter<double, int, long long, Node> interpreter(
       list, stokes.map->getComm(),
-      tunica::multigrid::make_factory_factory(
-          tunica::multigrid::make_coarsening(*stokes.K, 3)));
+      tunica::multigrid::make_factory_factory(tunica::multigrid::make_coarsening(*stokes.K, 3)));
   const auto hierarchy = interpreter.CreateHierarchy();
   hierarchy->setlib(Xpetra::UseTpetra);
   hierarchy->GetLevel(0)->Set(
