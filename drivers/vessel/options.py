@@ -12,7 +12,7 @@ STAGE_OF = {"lumen": "mesh", "scale": "mesh", "across": "mesh", "size": "mesh", 
             "lumen_wall": "mesh", "inlet": "mesh", "wall": "wall", "thickness": "wall", "tissue": "wall",
             "wall_elements": "wall", "pressure": "tune", "flow": "tune", "mean_flow": "tune", "heart_rate": "tune",
             "splits": "tune", "proximal": "tune", "profile": "case", "step": "case",
-            "ends": "case", "beats": "run", "tolerance": "run"}
+            "ends": "case", "beats": "run", "tolerance": "run", "pdf": "report"}
 FREE = ("beats",)  # more of them continue what there is
 
 
@@ -65,6 +65,7 @@ def add_numerics(parser):
     add("--step", type=float, metavar="MS", default=5.0, help="largest time step; the beat has a whole number of them; default 5")
     add("--beats", type=int, metavar="N", default=8, help="most beats to compute; default 8")
     add("--tolerance", type=float, metavar="SHARE", default=0.05, help="of pressures and splits against the goals; default 0.05")
+    add("--pdf", action="store_const", const=True, help="the report as a PDF file, too")
     add("--ranks", type=int, metavar="N", default=1, help="MPI ranks of tunica-fsi; default 1")
 
 
