@@ -11,7 +11,9 @@ from pages import ROOT
 
 PAPER = os.path.join(ROOT, "xml", "paper")
 MUELU = "https://trilinos.github.io/pdfs/mueluguide.pdf"
+TEKO = "https://trilinos.github.io/docs/teko/teko_navier_stokes.html"
 PETSC = "https://petsc.org/release/manual/ksp/"
+PAGES = "https://petsc.org/release/manualpages/PC/"
 
 
 @dataclasses.dataclass
@@ -98,10 +100,10 @@ CONTESTANTS = [
                listed("muelu-fluid.xml", "MueLu indefinite diagonal 2+2")),
     Contestant("MueLu block Gauss–Seidel", "tunica", "Trilinos", "the same",
                listed("muelu-fluid.xml", "MueLu block Gauss-Seidel 2+2")),
-    Contestant("Teko SIMPLE, MueLu", "tunica", "Trilinos", "comment of Teko_SIMPLEPreconditionerFactory.hpp",
+    Contestant("Teko SIMPLE, MueLu", "tunica", "Trilinos", TEKO + ", SIMPLE",
                teko("NS SIMPLE", **{"Inverse Velocity Type": "Velocity", "Inverse Pressure Type": "Pressure",
                                     "Explicit Velocity Inverse Type": "AbsRowSum", "Alpha": 0.9})),
-    Contestant("Teko LSC, MueLu", "tunica", "Trilinos", "comment of Teko_LSCPreconditionerFactory.hpp",
+    Contestant("Teko LSC, MueLu", "tunica", "Trilinos", TEKO + ", LSC",
                teko("NS LSC", **{"Strategy Name": "Basic Inverse", "Strategy Settings/Inverse Velocity Type": "Velocity",
                                  "Strategy Settings/Inverse Pressure Type": "Pressure",
                                  "Strategy Settings/Ignore Boundary Rows": False, "Strategy Settings/Use LDU": False}), (1,)),
@@ -109,20 +111,20 @@ CONTESTANTS = [
                made(**{"method": "gmres", "preconditioner": "ilu", "fill level": 1})),
     Contestant("Ifpack2 ILU(2), overlap 1", "tunica", "Trilinos", "the same",
                made(**{"method": "gmres", "preconditioner": "ilu", "fill level": 2, "overlap": 1})),
-    Contestant("PETSc Schur selfp, GAMG", "petsc", "PETSc", PETSC + "#solving-block-matrices-with-pcfieldsplit",
+    Contestant("PETSc Schur selfp, GAMG", "petsc", "PETSc", PETSC + ", Solving Block Matrices, and " + PAGES + "PCFieldSplitSetSchurPre",
                SCHUR + "-pc_fieldsplit_schur_precondition selfp -fieldsplit_0_pc_type gamg -fieldsplit_1_pc_type gamg"),
     Contestant("PETSc Schur selfp, BoomerAMG", "petsc", "PETSc", "the same",
                SCHUR + "-pc_fieldsplit_schur_precondition selfp -fieldsplit_0_pc_type hypre -fieldsplit_1_pc_type hypre"),
     Contestant("PETSc Schur mass, GAMG", "petsc", "PETSc", "the same, and https://petsc.org/release/src/ksp/ksp/tutorials/ex70.c.html",
                SCHUR + "-arena_schur_given -fieldsplit_0_pc_type gamg -fieldsplit_1_pc_type bjacobi", needs="schur"),
-    Contestant("PETSc Schur LSC, GAMG", "petsc", "PETSc", "https://petsc.org/release/manualpages/PC/PCLSC/",
+    Contestant("PETSc Schur LSC, GAMG", "petsc", "PETSc", PAGES + "PCLSC",
                SCHUR + "-pc_fieldsplit_schur_precondition self -fieldsplit_0_pc_type gamg -fieldsplit_1_pc_type lsc "
                "-fieldsplit_1_lsc_pc_type gamg"),
-    Contestant("PETSc ILU(1)", "petsc", "PETSc", PETSC + "#ilu-and-icc-preconditioners",
+    Contestant("PETSc ILU(1)", "petsc", "PETSc", PETSC + ", Block Jacobi and Overlapping Additive Schwarz Preconditioners",
                GMRES + "-pc_type bjacobi -sub_pc_type ilu -sub_pc_factor_levels 1 -sub_pc_factor_shift_type nonzero"),
-    Contestant("PETSc Schwarz", "petsc", "PETSc", PETSC + "#additive-schwarz-preconditioners",
+    Contestant("PETSc Schwarz", "petsc", "PETSc", "the same",
                GMRES + "-pc_type asm -pc_asm_blocks 8 -pc_asm_overlap 2 -sub_pc_type lu -sub_pc_factor_shift_type nonzero"),
-    Contestant("PETSc MUMPS", "petsc", "PETSc", PETSC + "#using-external-linear-solvers",
+    Contestant("PETSc MUMPS", "petsc", "PETSc", PETSC + ", Using External Linear Solvers",
                "-ksp_type fgmres -pc_type lu -pc_factor_mat_solver_type mumps -mat_mumps_icntl_24 1 -mat_mumps_icntl_14 80"),
     Contestant("PETSc SuperLU_DIST", "petsc", "PETSc", "the same",
                "-ksp_type fgmres -pc_type lu -pc_factor_mat_solver_type superlu_dist"),

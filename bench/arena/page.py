@@ -39,12 +39,19 @@ def key_of(row):
 
 def read_results(path):
     """The last result of each pair; a line that a kill has cut is left out."""
+    found = {}
     try:
         with open(path, encoding="utf-8") as file:
-            rows = [json.loads(line) for line in file if line.endswith("\n")]
+            lines = file.read().split("\n")
     except FileNotFoundError:
         return []
-    return list({key_of(row): row for row in rows}.values())
+    for line in lines:
+        try:
+            row = json.loads(line)
+        except ValueError:
+            continue
+        found[key_of(row)] = row
+    return list(found.values())
 
 
 def seconds(row):

@@ -11,6 +11,7 @@ killed goes on where it was. Seconds are those of processors, of all ranks toget
 """
 import argparse
 import concurrent.futures
+import importlib.util
 import json
 import os
 import resource
@@ -35,10 +36,11 @@ SECONDS = {"small": 20, "medium": 60, "large": 600}
 GIGABYTES = {"small": 4, "medium": 6, "large": 12}
 WALL_FACTOR = 40  # a machine may give us this part of a processor
 PYTHON = "/usr/bin/python3"
+PATHS = os.pathsep.join([*sys.path[:2], os.environ.get("PYTHONPATH", "")])
 KILLED = {signal.SIGXCPU: "time limit", signal.SIGKILL: "time limit", signal.SIGABRT: "abort", signal.SIGSEGV: "segmentation fault"}
 
 
-def command_of(contestant, folder, scratch, ranks):
+def command_of(contestant, folder, scratch, ranks, programs):
     prefix = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
     solution = os.path.join(scratch, "x.npy")
     if contestant.kind == "petsc":
@@ -50,7 +52,7 @@ def command_of(contestant, folder, scratch, ranks):
         words = [os.path.join(scratch, "case.xml")]
         with open(words[0], "w", encoding="utf-8") as file:
             file.write(case_of(contestant, folder))
-    return prefix + [os.path.join(PROGRAMS, "tunica-solvers"), *words, "--output", os.path.join(scratch, "out"), "--overwrite"]
+    return prefix + [os.path.join(programs, "tunica-solvers"), *words, "--output", os.path.join(scratch, "out"), "--overwrite"]
 
 
 class Ended:
@@ -65,7 +67,7 @@ class Ended:
         with open(os.path.join(scratch, "stdout"), "w+", encoding="utf-8") as out, \
                 open(os.path.join(scratch, "stderr"), "w+", encoding="utf-8") as err:
             process = subprocess.Popen(words, stdout=out, stderr=err, cwd=scratch, preexec_fn=limit, start_new_session=True,
-                                       env={**ENVIRONMENT, "OPENBLAS_NUM_THREADS": "1", "PYTHONPATH": os.pathsep.join(sys.path[:2])})
+                                       env={**ENVIRONMENT, "OPENBLAS_NUM_THREADS": "1", "PYTHONPATH": PATHS})
             timer = threading.Timer(WALL_FACTOR * seconds, lambda: os.killpg(process.pid, signal.SIGKILL))
             timer.start()
             _, status, usage = os.wait4(process.pid, 0)
@@ -116,10 +118,10 @@ def figures_of_python(scratch, ended, seconds):
         return None, {"setup": 0.0, "solve": 0.0, "iterations": 0, "message": ended.failure(seconds)}
 
 
-def result_of(contestant, system, folder, size, ranks):
+def result_of(contestant, system, folder, size, ranks, programs):
     """Runs a pair and judges what it leaves."""
     with tempfile.TemporaryDirectory(prefix="arena-") as scratch:
-        ended = Ended(command_of(contestant, folder, scratch, ranks), scratch, SECONDS[size], GIGABYTES[size])
+        ended = Ended(command_of(contestant, folder, scratch, ranks, programs), scratch, SECONDS[size], GIGABYTES[size])
         read = figures_of_tunica if contestant.kind == "tunica" else figures_of_python
         x, figures = read(scratch, ended, SECONDS[size])
     figures.update(memory=ended.memory, processor=ended.processor, is_solved=False)
@@ -139,8 +141,12 @@ class Book:
 
     def __init__(self, path):
         self.path, self.lock = path, threading.Lock()
-        self.rows = page.read_results(path)
-        self.done = {page.key_of(row) for row in self.rows}
+        self.done = {page.key_of(row) for row in page.read_results(path)}
+        with open(path, "a+b") as file:  # a kill may have cut the last line
+            if file.tell() > 0:
+                file.seek(-1, os.SEEK_END)
+                if file.read() != b"\n":
+                    file.write(b"\n")
 
     def add(self, row):
         with self.lock, open(self.path, "a", encoding="utf-8") as file:
@@ -148,10 +154,13 @@ class Book:
 
 
 def wanted_pairs(wanted):
+    is_there = {"tunica": True, "scipy": True, "petsc": importlib.util.find_spec("petsc4py") is not None}
+    if not is_there["petsc"]:
+        print("without PETSc: the Debian package python3-petsc4py is missing", file=sys.stderr)
     for size in wanted.sizes:
         for ranks in wanted.ranks:
             for contestant in CONTESTANTS:
-                if wanted.only and contestant.name not in wanted.only or ranks not in contestant.ranks + (8,):
+                if not is_there[contestant.kind] or wanted.only and contestant.name not in wanted.only or ranks not in contestant.ranks + (8,):
                     continue
                 for name in catalogue.CATALOGUE:
                     if not wanted.on or name in wanted.on:
@@ -167,7 +176,7 @@ def run_pair(wanted, book, size, ranks, contestant, name):
     system = systems.read(folder)
     if contestant.needs == "schur" and system.schur is None:
         return
-    figures = result_of(contestant, system, folder, size, ranks)
+    figures = result_of(contestant, system, folder, size, ranks, wanted.programs)
     book.add({**key, "unknowns": system.n, **figures, "commit": wanted.commit, "when": time.strftime("%Y-%m-%d %H:%M")})
     print(f"{size} {ranks} {contestant.name} on {name}: {'solved' if figures['is_solved'] else figures['message']}, "
           f"{figures['iterations']} iterations, {figures['setup'] + figures['solve']:.2f} s", flush=True)
@@ -181,6 +190,7 @@ def arguments():
     parser.add_argument("--only", type=split, help="names of contestants")
     parser.add_argument("--on", type=split, help="names of systems")
     parser.add_argument("--jobs", type=int, default=1, help="pairs at a time")
+    parser.add_argument("--programs", default=PROGRAMS, help="folder of tunica-solvers")
     parser.add_argument("--output", default=results_of("arena"))
     parser.add_argument("--report", action="store_true", help="the page alone")
     parser.add_argument("--page", default=None, help="folder of the page; without it beside the results")
@@ -189,6 +199,8 @@ def arguments():
     for name in wanted.only or []:
         if name not in BY_NAME:
             parser.error(f"no contestant {name}; there are {', '.join(BY_NAME)}")
+    wanted.programs = catalogue.fsi.PROGRAMS = os.path.abspath(wanted.programs)
+    wanted.output = os.path.abspath(wanted.output)
     wanted.systems = os.path.join(wanted.output, "systems")
     wanted.commit, wanted.making = commit(), threading.Lock()
     return wanted

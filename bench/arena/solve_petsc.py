@@ -88,6 +88,7 @@ def set_up(PETSc, held, system, is_given):
             cut = portions(system.schur.shape[0], PETSc.COMM_WORLD.size)[held.rank:held.rank + 2]
             pc.setFieldSplitSchurPreType(PETSc.PC.SchurPreType.USER, matrix(PETSc, sparse.csr_matrix(-system.schur), *cut))
     solver.setUp()
+    solver.setUpOnBlocks()
     return solver
 
 
