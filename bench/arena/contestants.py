@@ -23,7 +23,7 @@ class Contestant:
     group: str  # "ours", "Trilinos", "PETSc", "SciPy"
     source: str  # of the settings
     settings: object = None  # an element "ParameterList" or a text of options; none: the default
-    ranks: tuple = (1, 2, 4)
+    ranks: tuple = ()  # it is limited to
     needs: str = ""  # "schur": systems of which an approximation of the Schur complement is known
 
 
@@ -87,7 +87,7 @@ CONTESTANTS = [
     Contestant("node ILU", "tunica", "ours", "xml/paper/amg-fluid.xml",
                listed("amg-fluid.xml", "nodal ILU(0) 1+1, GCR", **{SWEEPS + "sweeps": 2})),
     Contestant("Vanka", "tunica", "ours", "xml/paper/muelu-fluid.xml", listed("muelu-fluid.xml", "Vanka 2+2, GCR")),
-    Contestant("Vanka, additive", "tunica", "ours", "the same, `combine` = `additive`",
+    Contestant("additive Vanka", "tunica", "ours", "the same, `combine` = `additive`",
                listed("muelu-fluid.xml", "Vanka 2+2, GCR", **{SWEEPS + "combine": "additive"})),
     Contestant("Braess–Sarazin", "tunica", "ours", "xml/paper/muelu-fluid.xml",
                listed("muelu-fluid.xml", "Braess-Sarazin 2+2, GCR", **{SWEEPS + "schur sweeps": 4})),
@@ -100,24 +100,24 @@ CONTESTANTS = [
                listed("muelu-fluid.xml", "MueLu indefinite diagonal 2+2")),
     Contestant("MueLu block Gauss–Seidel", "tunica", "Trilinos", "the same",
                listed("muelu-fluid.xml", "MueLu block Gauss-Seidel 2+2")),
-    Contestant("Teko SIMPLE, MueLu", "tunica", "Trilinos", TEKO + ", SIMPLE",
+    Contestant("Teko SIMPLE + MueLu", "tunica", "Trilinos", TEKO + ", SIMPLE",
                teko("NS SIMPLE", **{"Inverse Velocity Type": "Velocity", "Inverse Pressure Type": "Pressure",
                                     "Explicit Velocity Inverse Type": "AbsRowSum", "Alpha": 0.9})),
-    Contestant("Teko LSC, MueLu", "tunica", "Trilinos", TEKO + ", LSC",
+    Contestant("Teko LSC + MueLu", "tunica", "Trilinos", TEKO + ", LSC",
                teko("NS LSC", **{"Strategy Name": "Basic Inverse", "Strategy Settings/Inverse Velocity Type": "Velocity",
                                  "Strategy Settings/Inverse Pressure Type": "Pressure",
                                  "Strategy Settings/Ignore Boundary Rows": False, "Strategy Settings/Use LDU": False}), (1,)),
     Contestant("Ifpack2 ILU(1)", "tunica", "Trilinos", "https://trilinos.github.io/pdfs/ifpack2guide.pdf, RILUK and Schwarz",
                made(**{"method": "gmres", "preconditioner": "ilu", "fill level": 1})),
-    Contestant("Ifpack2 ILU(2), overlap 1", "tunica", "Trilinos", "the same",
+    Contestant("Ifpack2 ILU(2) overlap 1", "tunica", "Trilinos", "the same",
                made(**{"method": "gmres", "preconditioner": "ilu", "fill level": 2, "overlap": 1})),
-    Contestant("PETSc Schur selfp, GAMG", "petsc", "PETSc", PETSC + ", Solving Block Matrices, and " + PAGES + "PCFieldSplitSetSchurPre",
+    Contestant("PETSc Schur selfp + GAMG", "petsc", "PETSc", PETSC + ", Solving Block Matrices, and " + PAGES + "PCFieldSplitSetSchurPre",
                SCHUR + "-pc_fieldsplit_schur_precondition selfp -fieldsplit_0_pc_type gamg -fieldsplit_1_pc_type gamg"),
-    Contestant("PETSc Schur selfp, BoomerAMG", "petsc", "PETSc", "the same",
+    Contestant("PETSc Schur selfp + BoomerAMG", "petsc", "PETSc", "the same",
                SCHUR + "-pc_fieldsplit_schur_precondition selfp -fieldsplit_0_pc_type hypre -fieldsplit_1_pc_type hypre"),
-    Contestant("PETSc Schur mass, GAMG", "petsc", "PETSc", "the same, and https://petsc.org/release/src/ksp/ksp/tutorials/ex70.c.html",
+    Contestant("PETSc Schur mass + GAMG", "petsc", "PETSc", "the same, and https://petsc.org/release/src/ksp/ksp/tutorials/ex70.c.html",
                SCHUR + "-arena_schur_given -fieldsplit_0_pc_type gamg -fieldsplit_1_pc_type bjacobi", needs="schur"),
-    Contestant("PETSc Schur LSC, GAMG", "petsc", "PETSc", PAGES + "PCLSC",
+    Contestant("PETSc Schur LSC + GAMG", "petsc", "PETSc", PAGES + "PCLSC",
                SCHUR + "-pc_fieldsplit_schur_precondition self -fieldsplit_0_pc_type gamg -fieldsplit_1_pc_type lsc "
                "-fieldsplit_1_lsc_pc_type gamg"),
     Contestant("PETSc ILU(1)", "petsc", "PETSc", PETSC + ", Block Jacobi and Overlapping Additive Schwarz Preconditioners",
@@ -131,7 +131,6 @@ CONTESTANTS = [
     Contestant("SciPy SuperLU", "scipy", "SciPy",
                "https://docs.scipy.org/doc/scipy/reference/generated/scipy.sparse.linalg.splu.html", ranks=(1,)),
 ]
-BY_NAME = {contestant.name: contestant for contestant in CONTESTANTS}
 
 
 def case_of(contestant, folder):

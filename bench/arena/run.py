@@ -3,7 +3,7 @@
 
   bench/arena/run.py                              small and medium systems on one rank, then the page
   bench/arena/run.py --sizes small --ranks 1,2,4  other sizes and ranks
-  bench/arena/run.py --only NAME,NAME --on NAME,NAME
+  bench/arena/run.py --only NAME,NAME --on NAME,NAME     some contestants, or groups of them, on some systems
   bench/arena/run.py --report                     the page alone, from the results that there are
 
 A result is a line in results.jsonl of the folder of results. Pairs that have one are not run again, so that a run that is
@@ -29,7 +29,7 @@ sys.path.insert(0, HERE)
 import catalogue  # noqa: E402
 import page  # noqa: E402
 import system as systems  # noqa: E402
-from contestants import BY_NAME, CONTESTANTS, case_of  # noqa: E402
+from contestants import CONTESTANTS, case_of  # noqa: E402
 from pages import ENVIRONMENT, PROGRAMS, commit, results_of, rows_of  # noqa: E402
 
 SECONDS = {"small": 20, "medium": 60, "large": 600}
@@ -160,7 +160,8 @@ def wanted_pairs(wanted):
     for size in wanted.sizes:
         for ranks in wanted.ranks:
             for contestant in CONTESTANTS:
-                if not is_there[contestant.kind] or wanted.only and contestant.name not in wanted.only or ranks not in contestant.ranks + (8,):
+                is_wanted = not wanted.only or {contestant.name, contestant.group} & set(wanted.only)
+                if not (is_there[contestant.kind] and is_wanted) or (ranks > 1 and contestant.ranks == (1,)):
                     continue
                 for name in catalogue.CATALOGUE:
                     if not wanted.on or name in wanted.on:
@@ -187,7 +188,7 @@ def arguments():
     split = lambda text: text.split(",")  # noqa: E731
     parser.add_argument("--sizes", type=split, default=["small", "medium"])
     parser.add_argument("--ranks", type=lambda text: [int(r) for r in split(text)], default=[1])
-    parser.add_argument("--only", type=split, help="names of contestants")
+    parser.add_argument("--only", type=split, help="names of contestants or of their groups")
     parser.add_argument("--on", type=split, help="names of systems")
     parser.add_argument("--jobs", type=int, default=1, help="pairs at a time")
     parser.add_argument("--programs", default=PROGRAMS, help="folder of tunica-solvers")
@@ -197,8 +198,8 @@ def arguments():
     parser.add_argument("--overwrite", action="store_true", help="forget the results that there are")
     wanted = parser.parse_args()
     for name in wanted.only or []:
-        if name not in BY_NAME:
-            parser.error(f"no contestant {name}; there are {', '.join(BY_NAME)}")
+        if name not in [word for contestant in CONTESTANTS for word in (contestant.name, contestant.group)]:
+            parser.error(f"no contestant {name}; there are {', '.join(contestant.name for contestant in CONTESTANTS)}")
     wanted.programs = catalogue.fsi.PROGRAMS = os.path.abspath(wanted.programs)
     wanted.output = os.path.abspath(wanted.output)
     wanted.systems = os.path.join(wanted.output, "systems")
