@@ -23,8 +23,8 @@ written by `bench/arena/catalogue.py write FOLDER NAME SIZE`, as K.mtx and b.mtx
 field's residual, relative to what its rows add up, and the whole, |b − Kx| / |b|, have to be at most 1e-8 (the rule of
 [docs/choosing.md](../../docs/choosing.md#measuring-solvers)). Seconds are processor seconds of all ranks together, of set-up and
 solve without reading files; with other work on the machine those of the wall clock would mean nothing. Memory is that of the
-largest process at its peak, with the files it has read. A contestant whose solution the judge would not accept may go on from it,
-as `tunica-solvers` does.
+largest process at its peak, with the files it has read. PETSc and SciPy may go on from a solution that the judge would not accept.
+`tunica-solvers` is then run again with a tolerance of 1e-10 (* in the tables): its own 1e-8 is relative to the system as prepared.
 
 **What they know.** Our default gets K.mtx and b.mtx, nothing else. Contestants of Trilinos run in `tunica-solvers`, so that they
 profit from its preparation (order of unknowns, scaling, known values). Those of PETSc and SciPy get what an expert would give
@@ -100,7 +100,11 @@ def number(value):
 def cell(row):
     if row is None:
         return ""
-    return f"{number(row['setup'] + row['solve'])} ({row['iterations']})" if row["is_solved"] else "–"
+    return f"{number(row['setup'] + row['solve'])} ({row['iterations']}{star(row)})" if row["is_solved"] else "–"
+
+
+def star(row):
+    return "*" if row["tolerance"] < 1e-8 else ""
 
 
 def table_of_systems(results):
@@ -137,7 +141,7 @@ def table_of_default(results, size):
             continue
         line = [system, f"{row['unknowns']:,}"]
         if row["is_solved"]:
-            line += [row["used"], str(row["iterations"]), number(row["setup"]), number(row["solve"]), f"{row['memory']:.0f}"]
+            line += [row["used"], f"{row['iterations']}{star(row)}", number(row["setup"]), number(row["solve"]), f"{row['memory']:.0f}"]
         else:
             line += ["fails", "", "", "", ""]
         line += [f"{found['contestant']}, {number(seconds(found))}" if found else "none" for found in (ours, peer)]

@@ -40,7 +40,7 @@ PATHS = os.pathsep.join([*sys.path[:2], os.environ.get("PYTHONPATH", "")])
 KILLED = {signal.SIGXCPU: "time limit", signal.SIGKILL: "time limit", signal.SIGABRT: "abort", signal.SIGSEGV: "segmentation fault"}
 
 
-def command_of(contestant, folder, scratch, ranks, programs):
+def command_of(contestant, folder, scratch, ranks, programs, tolerance):
     prefix = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
     solution = os.path.join(scratch, "x.npy")
     if contestant.kind == "petsc":
@@ -52,7 +52,8 @@ def command_of(contestant, folder, scratch, ranks, programs):
         words = [os.path.join(scratch, "case.xml")]
         with open(words[0], "w", encoding="utf-8") as file:
             file.write(case_of(contestant, folder))
-    return prefix + [os.path.join(programs, "tunica-solvers"), *words, "--output", os.path.join(scratch, "out"), "--overwrite"]
+    return prefix + [os.path.join(programs, "tunica-solvers"), *words, "--output", os.path.join(scratch, "out"), "--overwrite",
+                     "--set", f"Solvers/tolerance={tolerance:g}"]
 
 
 class Ended:
@@ -105,7 +106,7 @@ def figures_of_tunica(scratch, ended, seconds):
     path = os.path.join(scratch, "out", "solution.mtx")
     x = systems.read_vector(path) if os.path.exists(path) else None
     is_good = bool(rows) and rows[-1]["verdict"] == "converged"
-    return x, {**sums, "iterations": int(rows[-1]["iterations"]) if rows else 0, "used": rows[-1]["setting"] if rows else "",
+    return x, {**sums, "is_content": is_good, "iterations": int(rows[-1]["iterations"]) if rows else 0, "used": rows[-1]["setting"] if rows else "",
                "message": "" if is_good and len(rows) == 1 else "; ".join(verdicts)[:300] or ended.failure(seconds)}
 
 
@@ -118,21 +119,32 @@ def figures_of_python(scratch, ended, seconds):
         return None, {"setup": 0.0, "solve": 0.0, "iterations": 0, "message": ended.failure(seconds)}
 
 
-def result_of(contestant, system, folder, size, ranks, programs):
+def tried(contestant, system, folder, size, ranks, programs, tolerance):
     """Runs a pair and judges what it leaves."""
     with tempfile.TemporaryDirectory(prefix="arena-") as scratch:
-        ended = Ended(command_of(contestant, folder, scratch, ranks, programs), scratch, SECONDS[size], GIGABYTES[size])
+        ended = Ended(command_of(contestant, folder, scratch, ranks, programs, tolerance), scratch, SECONDS[size], GIGABYTES[size])
         read = figures_of_tunica if contestant.kind == "tunica" else figures_of_python
         x, figures = read(scratch, ended, SECONDS[size])
-    figures.update(memory=ended.memory, processor=ended.processor, is_solved=False)
+    figures.update(memory=ended.memory, processor=ended.processor, is_solved=False, tolerance=tolerance)
     if x is not None and len(x) == system.n:
         whole, fields, backward = systems.residuals(system.K, system.b, x, system.fields)
         figures.update(residual=whole, fields=fields, backward=backward,
                        is_solved=bool(systems.is_solved(system.K, system.b, x, system.fields)))
+    return figures
+
+
+def result_of(contestant, system, folder, size, ranks, programs):
+    """Whoever takes for solved what the judge does not is asked once more, for a smaller residual; the figures are those of the
+    last run."""
+    for tolerance in (1e-8, 1e-10):
+        figures = tried(contestant, system, folder, size, ranks, programs, tolerance)
+        if figures["is_solved"] or not figures.pop("is_content", False):
+            break
     if figures["is_solved"]:
         figures["message"] = figures["message"] if contestant.name == "default" else ""
     elif not figures["message"]:
-        figures["message"] = "not within the tolerance"
+        figures["message"] = f"|b - Kx| = {figures.get('residual', float('nan')):.1e} |b|"
+    figures.pop("is_content", None)
     return figures
 
 
