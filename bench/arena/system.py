@@ -34,7 +34,8 @@ class System:
 
 
 def without_rounding(K, fields):
-    """Without entries below the rounding of the largest in their row and in their column of their block."""
+    """Without entries below the rounding of the largest in their row or in their column of their block; else the pattern would
+    depend on the machine, and rows of B that add up to nothing would hold noise."""
     K = sparse.coo_matrix(sparse.csr_matrix(K))
     n, of = K.shape[0], numpy.zeros(K.shape[0], int)
     for number, rows in enumerate(fields.values()):
@@ -44,7 +45,7 @@ def without_rounding(K, fields):
     at, along = K.row * len(fields) + of[K.col], K.col * len(fields) + of[K.row]
     numpy.maximum.at(row, at, size)
     numpy.maximum.at(column, along, size)
-    is_kept = size > ROUNDING * numpy.minimum(row[at], column[along])
+    is_kept = (size > ROUNDING * numpy.minimum(row[at], column[along])) & (size > ROUNDING / 10 * numpy.maximum(row[at], column[along]))
     kept = sparse.csr_matrix((K.data[is_kept], (K.row[is_kept], K.col[is_kept])), shape=K.shape)
     kept.sort_indices()
     return kept
