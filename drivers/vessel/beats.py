@@ -97,7 +97,7 @@ def shear_at(path, steps):
 def shear_change(path, table, number, period):
     """As change(), of the wall shear stress: its root mean square over the wall, as a part of the largest one in the beat. None
     where there are no fields at the same times of both beats."""
-    time = {int(step): at for step, at in zip(table["step"], table["time"])}
+    time = {int(step): at for step, at in zip(table["step"], table["time"]) if at > (number - 2) * period}  # both beats
     late = (number - 1) * period + settled_at(period, table["step_size"][rows_of(table, number, period)])
     try:
         fields = {time[step]: values for step, values in shear_at(path, time).items()}

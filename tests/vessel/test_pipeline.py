@@ -72,6 +72,17 @@ def makes_all(programs, folder):
     claim(status == 0 and text.count("is done") == 6, "a finished folder is left as it is", text)
 
 
+def starts_from_other_beats(programs, folder):
+    """Where the beats of "one" ended; two more show that the beat repeats itself."""
+    status, text = run(programs, ["lumen.h5", *OPTIONS, "--start-from", "one", "--beats", "2", "--to", "run", "--output", "five"], folder)
+    claim(status == 0, "beats that start from others repeat themselves at once", text)
+    here, there = beats(folder / "five"), beats(folder / "one")
+    worst = max(abs(here[-1]["measured"][name] / there[-1]["measured"][name] - 1) for name in ("systolic", "diastolic"))
+    claim(len(here) == 2 and worst < 0.005, f"with pressures that differ by {100 * worst:.2g} %")
+    status, text = run(programs, ["lumen.h5", *OPTIONS, "--heart-rate", "60", "--start-from", "one", "--output", "six"], folder)
+    claim(status == 1 and "--start-from: one has the outlets outlet and a beat of 800 ms" in text, "another beat is refused", text)
+
+
 def survives_kills(programs, folder):
     """The same case, killed a few times on the way."""
     words = ["lumen.h5", *OPTIONS, "--output", "two"]
@@ -109,6 +120,7 @@ def main():
     make_lumen(programs, folder)
     makes_all(programs, folder)
     refuses(programs, folder)
+    starts_from_other_beats(programs, folder)
     survives_kills(programs, folder)
     print(f"{time.time() - start:.0f} s, {os.times().children_user:.0f} s of CPU")
 
