@@ -5,6 +5,7 @@ import numpy as np
 from report import beat as beats
 from report import case_tables
 from report.tables import Table
+from vessel.beats import settled_at
 from vessel.units import L_PER_MIN, MMHG_S_PER_ML, ML_PER_MMHG, mmhg
 
 MICROJOULES = 1000.0  # kPa mm^3 = 1 microjoule; tables are in millijoules
@@ -181,11 +182,12 @@ def periodicity(beat, wss_change):
             values = next((v for c in columns if (v := beat.of(c.format(name), whole=True)) is not None), None)
             if values is None:
                 continue
-            now = beat.times[beat.times > beat.start + 0.05 * beat.period]
+            now = beat.times[beat.times > beat.start + settled_at(beat.period, np.diff(beat.times))]
             change = np.abs(np.interp(now, times, values) - np.interp(now - beat.period, times, values)).max() / size
             rows.append([f"{what} at {name}", f"{100 * change:.2g} %"])
     if wss_change is not None:
         rows.append(["wall shear stress", f"{100 * wss_change:.2g} %"])
-    return Table("Does the beat repeat itself?", "Largest change since the beat before, after its first twentieth: of pressures in parts "
-                 "of the pulse at the inlet, of flows in parts of the mean inflow; of wall shear stress as a root mean square.",
+    return Table("Does the beat repeat itself?", "Largest change since the beat before, after its first twentieth and two steps: of pressures in parts "
+                 "of the pulse at the inlet, of flows in parts of the mean inflow; of wall shear stress its root mean square, in parts of "
+                 "the largest one.",
                  ["quantity", "change"], rows)

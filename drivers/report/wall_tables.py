@@ -5,6 +5,8 @@
   velocity of pulse waves c = 1 / sqrt(rho D)            Bramwell and Hill
   strain 1 - lengths of the lumen's triangles in the direction in which they are greatest, since the end of diastole
 """
+import os
+
 import numpy as np
 
 from report.case_tables import integral
@@ -12,6 +14,7 @@ from report.parts import area_where, moved_vectors
 from report.surfaces import area_vectors
 from report.tables import Table
 from report.wall_stress import quantile
+from vessel.beats import shear_change
 from vessel.units import MMHG
 
 LOW_WSS, HIGH_OSI = 0.4, 0.2  # Pa, 1
@@ -27,7 +30,7 @@ class BeatFields:
     def __init__(self, run, beat, parts, density):
         self.run, self.beat, self.parts, self.density = run, beat, parts, density
         self.outputs = [o for o in run.outputs if beat.start - 1e-6 * beat.period <= o[0] <= beat.end * (1 + 1e-9)]
-        lumen = parts.surfaces.lumen
+        lumen = parts.lumen
         self.nodes, self.triangles = lumen.nodes, lumen.triangles
         self.areas = np.linalg.norm(area_vectors(lumen.points, lumen.triangles), axis=1)
 
@@ -98,18 +101,11 @@ def peaks(fields):
 
 
 def wss_change(fields):
-    """Of the vectors between the last beat and the one before, root mean square in parts of that of the last; None where no
-    two outputs are a period apart."""
-    weights, period = fields.weights(np.ones(len(fields.triangles), dtype=bool))[:, None], fields.beat.period
-    change = size = 0.0
-    for time, group in fields.outputs:
-        before = [g for t, g in fields.run.outputs if abs(t - (time - period)) < 1e-6 * period and t > 0]
-        pair = [fields.on_lumen(g, "wall_shear_stress") for g in (group, *before[:1])]
-        if len(pair) < 2 or pair[0] is None or pair[1] is None:
-            continue
-        change += (weights * (pair[0] - pair[1]) ** 2).sum()
-        size += (weights * pair[0] ** 2).sum()
-    return float(np.sqrt(change / size)) if size > 0 else None
+    """Since the beat before, as tunica-vessel has it; None where no two outputs are a period apart."""
+    run, beat = fields.run, fields.beat
+    table = {name: np.array(run.steps[name]) for name in ("step", "time")}
+    table["step_size"] = np.diff(table["time"], prepend=0.0)
+    return shear_change(os.path.join(run.folder, "fields.h5"), table, beat.end / beat.period, beat.period)
 
 
 def kinetic_inflow(fields):
@@ -185,9 +181,9 @@ def distensibility(fields, volumes):
         if pulse <= 0 or change <= 0:
             continue
         d = change / pulse
-        rows.append([branch.name, f"{branch.length:.1f}", f"{pulse / MMHG:.1f}", f"{100 * change:.2f} %", f"{1000 * d * MMHG:.3g}", f"{d:.3g}",
+        rows.append([branch.name, f"{pulse / MMHG:.1f}", f"{100 * change:.2f} %", f"{1000 * d * MMHG:.3g}", f"{d:.3g}",
                      f"{1 / np.sqrt(fields.density * d):.3g}"])
     return Table("Distensibility, and pulse wave velocity from it", "Of the middle half of each branch; the velocity is that of Bramwell "
                  f"and Hill with {fields.density:g} g/ml.",
-                 ["branch", "length, mm", "pulse there, mmHg", "change of the lumen", "distensibility, 1/1000 mmHg", "1/kPa",
+                 ["branch", "pulse there, mmHg", "change of the lumen", "distensibility, 1/1000 mmHg", "1/kPa",
                   "velocity, m/s"], rows) if rows else None

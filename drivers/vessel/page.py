@@ -13,17 +13,18 @@ RESULTS = tuple(os.path.join(run.RESULTS_FOLDER, "report", name) for name in ("i
 
 
 def beats_table(done, goal, minutes):
-    rows = []
+    rows, part = [], lambda value: "" if value is None else f"{100 * value:.2g} %"
     for number, beat in enumerate(done, 1):
         m = beat["measured"]
         worst = max(abs(share - goal.splits[name]) for name, share in m["splits"].items())
         rows.append([number, f"{mmhg(m['systolic']):.1f}", f"{mmhg(m['diastolic']):.1f}", f"{100 * worst:.1f} %",
-                     "" if beat["change"] is None else f"{100 * beat['change']:.2g} %", "yes" if beat["corrected"] else "no",
+                     part(beat["change"]), part(beat.get("shear change")), "yes" if beat["corrected"] else "no",
                      f"{minutes[number - 1]:.3g}"])
-    return {"note": f"A beat repeats itself when no pressure changes by {100 * run.PERIODIC:g} % of the pulse, after the first "
-                    f"{100 * beats.SETTLING:g} % of the beat, in which a correction is still felt.",
+    return {"note": f"A beat repeats itself when no pressure changes by {100 * run.PERIODIC:g} % of the pulse, nor the wall shear stress "
+                    f"by as much of its largest one, after the first {100 * beats.SETTLING:g} % of the beat and {beats.REMEMBERED} steps, "
+                    "in which a correction is still felt.",
             "heading": ["beat", "systole, mmHg", "diastole, mmHg", "worst share", "change since the beat before, of the pulse",
-                        "Windkessels corrected after it", "minutes"], "rows": rows}
+                        "of the wall shear stress", "Windkessels corrected after it", "minutes"], "rows": rows}
 
 
 def assumptions(options, tuned, wall):

@@ -14,7 +14,7 @@ from .network import Windkessel
 from .programs import last_line
 from .units import mmhg
 
-TABLE, TUNED, RESULTS_FOLDER, LOG = "beats.json", "case-tuned.xml", "results", "run.log"
+TABLE, TUNED, RESULTS_FOLDER, LOG = tune.BEATS, "case-tuned.xml", "results", "run.log"
 READS = (case_file.CASE, walls.MESH, lumen.TABLE, walls.TABLE, tune.TABLE, tune.INFLOW)
 RESULTS = (TABLE, TUNED)
 FIRST, RISE = "inflow-first.txt", 0.1  # part of the first beat in which its inflow rises from rest
@@ -107,6 +107,13 @@ def rising(count):
     return 0.5 * (1.0 - np.cos(np.pi * part))
 
 
+def first_state(folder, options, tuned):
+    """What sets where the first beat begins: where other beats ended, or at rest."""
+    if options.start_from:
+        return ["--set", f"Time/initial state={os.path.abspath(os.path.join(options.start_from, RESULTS_FOLDER))}"]
+    return first_inflow(folder, tuned)
+
+
 def first_inflow(folder, tuned):
     """The run begins from rest, where a carotid has half of its mean flow at all times: its inflow rises to the curve in the
     first part of the first beat. Returns what sets that, and nothing where the case has another inlet."""
@@ -134,7 +141,7 @@ def advance(folder, options, programs, number, tuned, windkessels):
     """Computes until the end of the beat of this number. Steps that were halved count, so that more may be needed."""
     period = tuned["period"]
     step, results = time_step(folder, period), folder.file(RESULTS_FOLDER)
-    words = settings(number, period, windkessels) + (first_inflow(folder, tuned) if number == 1 else [])
+    words = settings(number, period, windkessels) + (first_state(folder, options, tuned) if number == 1 else [])
     steps, before = round(number * period / step), -1.0
     while True:
         has_state = checkpoint.newest(results) or os.path.exists(os.path.join(results, "prestress.h5"))
@@ -224,9 +231,11 @@ def make(folder, options, programs):
     while not (record["beats"] and is_done(record["beats"][-1], goal, options)) and len(record["beats"]) < options.beats:
         beat = run_beat(folder, options, programs, tuned, record)
         as_run = dict(beat, windkessels=from_dicts(beat["windkessels"]))
-        is_first = not record["beats"]
+        is_first = not record["beats"] and not options.start_from
         start = correction.Start(tuned["goal"]["diastolic"], rising(len(problem.inflow))) if is_first else None
-        chosen = correction.choose(problem, goal, tuned["proximal share"], as_run, 0.5 * options.tolerance, start)
+        # A first beat that starts from another mesh is off by what the time scheme and the other mesh leave, too.
+        permitted = options.tolerance * (1.0 if options.start_from and not record["beats"] else 0.5)
+        chosen = correction.choose(problem, goal, tuned["proximal share"], as_run, permitted, start)
         record["beats"].append(beat)
         record["next"] = {"windkessels": as_dicts(chosen.windkessels), "circuits": chosen.circuits}
         beat["expected"], beat["corrected"] = chosen.expected, chosen.is_changed

@@ -215,7 +215,8 @@ def write_beat_fields(path):
     with h5py.File(path, "w") as file:
         for grid, (points, tets) in meshes.items():
             file[f"{grid}/points"], file[f"{grid}/tets"] = points, oriented(points, tets)
-        for number, time in enumerate(np.arange(0.0, 2 * PERIOD + 1, OUTPUT)):
+        for time in np.arange(0.0, 2 * PERIOD + 1, OUTPUT):
+            number = int(round(time / STEP))
             step = file.create_group(f"step_{number:06d}")
             step.attrs["step"], step.attrs["time"] = number, time
             for grid, (points, _) in meshes.items():
