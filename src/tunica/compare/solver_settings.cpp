@@ -44,16 +44,8 @@ double norm_of_difference(const Vector& x, const Vector& y) {
   return difference.norm2();
 }
 
-}  // namespace
-
-double SolverRow::convergence_factor() const {
-  if (solve.iterations == 0) return std::numeric_limits<double>::quiet_NaN();
-  return std::pow(solve.true_residual, 1.0 / solve.iterations);
-}
-
-SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, double tolerance,
-                      algebra::BlockVector& x) {
-  const Comm& comm = *system.K->comm();
+/// What is known of a row before the setting is tried.
+SolverRow untried(const SolverSetting& setting, const LinearSystem& system) {
   SolverRow row;
   row.field = system.field;
   row.newton_step = system.newton_step;
@@ -65,24 +57,45 @@ SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, 
   for (int b = 0; b < system.K->n_blocks(); ++b) row.fields.push_back((*system.K->space())[b].name);
   row.solve.true_residual = row.solve.recurrence_residual =
       std::numeric_limits<double>::quiet_NaN();
+  return row;
+}
+
+}  // namespace
+
+double SolverRow::convergence_factor() const {
+  if (solve.iterations == 0) return std::numeric_limits<double>::quiet_NaN();
+  return std::pow(solve.true_residual, 1.0 / solve.iterations);
+}
+
+SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, double tolerance,
+                      algebra::BlockVector& x) {
+  const Comm& comm = *system.K->comm();
+  SolverRow row = untried(setting, system);
   Teuchos::ParameterList alone(setting.list);
   alone.set("fallbacks", Teuchos::Array<std::string>());  // it shows what it does itself
   comm.barrier();
   const Stopwatch watch;
   const double heap_before = heap_bytes();
   double held = 0.0, setup_seconds = 0.0;
+  const ProcessorWatch setting_up;
   const Outcome outcome = attempt(comm, "trying \"" + setting.name + "\"", [&] {
     const auto solver = linear::make_linear_solver(alone, *system.K, *system.operators);
     solver->prepare();
     setup_seconds = watch.seconds();
+    row.setup_processor_seconds = setting_up.seconds();
     solver->prepare();
     row.refresh_seconds = watch.seconds() - setup_seconds;
+    const ProcessorWatch solving;
     row.solve = solve_and_judge(*solver, system, tolerance, x, row.residuals);
+    row.solve_processor_seconds = solving.seconds();
     held = heap_bytes() - heap_before;
   });
   row.solve.setup_seconds = global_max(comm, setup_seconds);
   row.refresh_seconds = global_max(comm, row.refresh_seconds);
   row.solve.solve_seconds = global_max(comm, row.solve.solve_seconds);
+  if (outcome.is_failure()) row.setup_processor_seconds = setting_up.seconds();
+  row.setup_processor_seconds = global_sum(comm, row.setup_processor_seconds);
+  row.solve_processor_seconds = global_sum(comm, row.solve_processor_seconds);
   row.memory_megabytes = global_sum(comm, held) / 1e6;
   row.verdict =
       outcome.is_success() ? verdict_of(setting, row.solve) : exception_summary(outcome.reason());

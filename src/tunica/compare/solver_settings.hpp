@@ -24,7 +24,9 @@ struct SolverRow {
   std::vector<std::string> fields{};  ///< names of the blocks, in the order of residuals
   bool is_at_rounding = false;        ///< converged as nearly as double precision allows
   double refresh_seconds = 0.0;       ///< to set up once more, as for new values on the same graphs
-  double memory_megabytes = 0.0;      ///< what the solver holds after the solve, on all ranks
+  /// Seconds of processors for the set-up and for the solve with its checks, of all ranks together.
+  double setup_processor_seconds = 0.0, solve_processor_seconds = 0.0;
+  double memory_megabytes = 0.0;  ///< what the solver holds after the solve, on all ranks
   double difference = std::numeric_limits<double>::quiet_NaN();  ///< see SolverTable
   /// "converged"; "cap" on the iterations; "stagnated" before it; "drifted": small by the
   /// recurrence, not in truth; "diverged"; "breakdown"; or what an exception said.

@@ -40,7 +40,9 @@ std::vector<std::string> columns() {
           "refresh_seconds",
           "memory_megabytes",
           "field_residuals",
-          "backward_error"};
+          "backward_error",
+          "setup_processor_seconds",
+          "solve_processor_seconds"};
 }
 
 /// `vector 2.1e-09 scalar 4.0e-10`
@@ -81,7 +83,9 @@ std::vector<io::Cell> cells(const SolverRow& row) {
           row.refresh_seconds,
           row.memory_megabytes,
           field_residuals(row),
-          row.residuals.backward_error};
+          row.residuals.backward_error,
+          row.setup_processor_seconds,
+          row.solve_processor_seconds};
 }
 
 std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,
