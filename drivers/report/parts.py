@@ -4,6 +4,7 @@ import numpy as np
 from report.surfaces import Surface, VesselSurfaces, area_vectors, boundary, pieces, weighted_centre
 from vessel import branches as tree
 
+SMOOTHING = 20  # passes over a way along edges of the mesh
 MIDDLE = 0.5  # part of a branch, in its middle, that stands for it
 
 
@@ -80,12 +81,43 @@ def without_caps(run, boundary_of_all):
             [Surface(run.mesh("fluid")[0], faces[~is_wall][piece == k]) for k in range(piece.max() + 1)])
 
 
-class Branch:
-    """Name, its tetrahedra, those in its middle, and length [mm]."""
+def way_lengths(points, tets, lumen, centres):
+    """From the first of the named centres to the others, along the edges that keep away from the wall, smoothed [mm]."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import dijkstra
+    from scipy.spatial import cKDTree
+    a, b = np.unique(np.sort(np.vstack([tets[:, [i, j]] for i in range(4) for j in range(i)]), axis=1), axis=0).T
+    clearance = cKDTree(lumen.points).query(points)[0]
+    step = np.linalg.norm(points[a] - points[b], axis=1)
+    cost = step / (0.5 * (clearance[a] + clearance[b]) + 0.05 * clearance.max()) ** 2  # narrow ways are dear, as for blood
+    graph = coo_matrix((cost, (a, b)), shape=(len(points), len(points))).tocsr()
+    used = np.unique(tets)
+    nearest = [used[np.linalg.norm(points[used] - place, axis=1).argmin()] for place in centres.values()]
+    before = dijkstra(graph, directed=False, indices=nearest[0], return_predecessors=True)[1]
+    start, found = next(iter(centres)), {}
+    for name, node in list(zip(centres, nearest))[1:]:
+        way = [node]
+        while before[way[-1]] >= 0:
+            way.append(before[way[-1]])
+        found[name] = _length(smoothed(np.vstack([centres[start], points[way[-2:0:-1]], centres[name]])))
+    return found
 
-    def __init__(self, start, end, tets, middle, length):
-        self.start, self.end, self.tets, self.middle, self.length = start, end, tets, middle, length
-        self.name = f"{start} to {end}"
+
+def smoothed(line):
+    """Points at even steps as short as those of the line are in the mean, each moved to the middle of its neighbours many times."""
+    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+    at = np.linspace(0.0, along[-1], max(len(line), 5))
+    line = np.stack([np.interp(at, along, line[:, k]) for k in range(3)], axis=1)
+    for _ in range(SMOOTHING):
+        line[1:-1] = 0.25 * line[:-2] + 0.5 * line[1:-1] + 0.25 * line[2:]
+    return line
+
+
+class Branch:
+    """Name, its tetrahedra, and those in its middle."""
+
+    def __init__(self, start, end, tets, middle):
+        self.name, self.tets, self.middle = f"{start} to {end}", tets, middle
 
 
 class Parts:
@@ -123,14 +155,11 @@ class Parts:
             if of_piece[piece] < 0 and slabs.parent[piece] >= 0:
                 of_piece[piece] = of_piece[slabs.parent[piece]]
         of_tet = of_piece[slabs.of_tet]
-        centre = {name: weighted_centre(end.points, end.triangles)[0][None] for name, end in self.ends.items()}
-        at = lambda name: centre.get(name, np.zeros((0, 3)))  # noqa: E731
         for k, (start, end, chosen) in enumerate(chains):
             inner = np.array(chosen)[_inner(len(chosen))]
-            line = np.vstack([at(start), slabs.centre[chosen][bool(len(at(start))):len(chosen) - bool(len(at(end)))], at(end)])
-            self.branches.append(Branch(start, end, np.flatnonzero(of_tet == k), np.flatnonzero(np.isin(slabs.of_tet, inner)),
-                                        _length(line)))
-        self.ways = {name: _length(np.vstack([at(beat.inlet), slabs.centre[way[1:-1]], at(name)])) for name, way in ways.items()}
+            self.branches.append(Branch(start, end, np.flatnonzero(of_tet == k), np.flatnonzero(np.isin(slabs.of_tet, inner))))
+        places = {name: weighted_centre(self.ends[name].points, self.ends[name].triangles)[0] for name in beat.openings()}
+        self.ways = way_lengths(self.points, self.tets, self.lumen, places)
 
     def branch_at(self, place):
         """Name of the branch whose lumen is nearest to a point, empty without branches."""
@@ -147,7 +176,7 @@ def _inner(count):
 
 
 def _length(points):
-    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()) if len(points) > 1 else 0.0
+    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
 
 
 def area_where(areas, corners, level, above):

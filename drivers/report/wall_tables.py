@@ -181,9 +181,9 @@ def distensibility(fields, volumes):
         if pulse <= 0 or change <= 0:
             continue
         d = change / pulse
-        rows.append([branch.name, f"{branch.length:.1f}", f"{pulse / MMHG:.1f}", f"{100 * change:.2f} %", f"{1000 * d * MMHG:.3g}", f"{d:.3g}",
+        rows.append([branch.name, f"{pulse / MMHG:.1f}", f"{100 * change:.2f} %", f"{1000 * d * MMHG:.3g}", f"{d:.3g}",
                      f"{1 / np.sqrt(fields.density * d):.3g}"])
     return Table("Distensibility, and pulse wave velocity from it", "Of the middle half of each branch; the velocity is that of Bramwell "
                  f"and Hill with {fields.density:g} g/ml.",
-                 ["branch", "length, mm", "pulse there, mmHg", "change of the lumen", "distensibility, 1/1000 mmHg", "1/kPa",
+                 ["branch", "pulse there, mmHg", "change of the lumen", "distensibility, 1/1000 mmHg", "1/kPa",
                   "velocity, m/s"], rows) if rows else None
