@@ -34,6 +34,12 @@ double residual(const Stokes& stokes, const MultiVector& x) {
   return of_r[0] / of_b[0];
 }
 
+void scale(const Stokes& stokes, double factor) {
+  stokes.K->resumeFill();
+  stokes.K->scale(factor);
+  stokes.K->fillComplete();
+}
+
 // The list says all; a second solve with new values refreshes the cycle.
 double by_stratimikos(const Stokes& stokes, const Teuchos::RCP<Teuchos::ParameterList>& list) {
   Stratimikos::DefaultLinearSolverBuilder builder;
@@ -50,13 +56,13 @@ double by_stratimikos(const Stokes& stokes, const Teuchos::RCP<Teuchos::Paramete
   const auto solver = factory->createOp();
   double largest = 0.0;
   for (const double factor : {1.0, 2.0}) {
-    stokes.K->scale(factor);
+    scale(stokes, factor);
     Thyra::initializeOp<double>(*factory, K, solver.ptr());
     x->putScalar(0.0);
     Thyra::solve<double>(*solver, Thyra::NOTRANS, *b, wrapped_x.ptr());
     largest = std::max(largest, residual(stokes, *x));
   }
-  stokes.K->scale(0.5);
+  scale(stokes, 0.5);
   return largest;
 }
 

@@ -39,8 +39,8 @@ struct SolverRow {
 
 /// Sets a solver up anew and solves from zero to the tolerance; times are those of the slowest
 /// rank. A system of another program, which is solved once and for all, is judged field by field
-/// as its program gives it, and refined where a method takes for solved what is not. Exceptions of the
-/// solver become a verdict; system errors are passed on. Collective.
+/// as its program gives it, and refined where a method takes for solved what is not. Exceptions of
+/// the solver become a verdict; system errors are passed on. Collective.
 SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, double tolerance,
                       algebra::BlockVector& x);
 

@@ -121,7 +121,8 @@ void Problem::set_up(const double* values) {
 std::string Problem::refresh(const double* values) {
   const Stopwatch watch;
   throw_if_any<Error>(*comm_, fault_of_numbers(values, pattern_.columns.size(), "values"));
-  const std::string reason = new_values_->take(values, *system_);
+  const std::string reason =
+      solver_ ? new_values_->take(values, *system_) : "the last set-up has failed";
   if (reason.empty())
     solver_->refresh();
   else
@@ -131,6 +132,7 @@ std::string Problem::refresh(const double* values) {
 }
 
 Answer Problem::solve(const double* b, double* x) {
+  TUNICA_CHECK(solver_ != nullptr, "the last set-up has failed: refresh with other values first");
   const Stopwatch watch;
   const std::size_t n = pattern_.n_local_rows();
   throw_if_any<Error>(*comm_, fault_of_numbers(b, n, "b"));

@@ -379,7 +379,9 @@ TEUCHOS_UNIT_TEST(node_ilu, a_singular_node_of_one_rank_is_told_on_all) {
   const std::string text = test::complaint([&] { factors->refresh(); });
   GlobalOrdinal node = wall.K()->getRowMap()->getGlobalElement(0) / 4;
   Teuchos::broadcast<int, GlobalOrdinal>(comm, comm.getSize() - 1, &node);
-  TEST_INEQUALITY(text.find("node " + std::to_string(node) + " cannot"), std::string::npos);
+  const std::string expected = "node " + std::to_string(node) + " of " +
+                               std::to_string(wall.K()->getGlobalNumRows()) + " unknowns cannot";
+  TEST_INEQUALITY(text.find(expected), std::string::npos);
 }
 
 }  // namespace
