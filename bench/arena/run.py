@@ -37,7 +37,8 @@ GIGABYTES = {"small": 4, "medium": 6, "large": 12}
 WALL_FACTOR = 40  # a machine may give us this part of a processor
 PYTHON = "/usr/bin/python3"
 PATHS = os.pathsep.join([*sys.path[:2], os.environ.get("PYTHONPATH", "")])
-KILLED = {signal.SIGXCPU: "time limit", signal.SIGKILL: "time limit", signal.SIGABRT: "abort", signal.SIGSEGV: "segmentation fault"}
+KILLED = {signal.SIGXCPU: "time limit", signal.SIGKILL: "time limit", signal.SIGABRT: "abort",
+          signal.SIGSEGV: "segmentation fault"}
 
 
 def command_of(contestant, folder, scratch, ranks, programs, tolerance):
@@ -94,8 +95,8 @@ class Ended:
         for word in ("MemoryError", "bad_alloc", "Cannot allocate", "out of memory", "Out of memory"):
             if word in text:
                 return "memory limit"
-        lines = [line.strip() for line in self.err.splitlines() if line.strip() and not set(line.strip()) <= set("-=^~")]
-        lines = [line for line in lines if not line.startswith("warning:")]
+        lines = [line.strip() for line in self.err.splitlines()]
+        lines = [line for line in lines if not set(line) <= set("-=^~") and not line.startswith("warning:")]
         return (lines[-1] if lines else f"status {self.status}")[:160]
 
 
