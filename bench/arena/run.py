@@ -107,7 +107,8 @@ def figures_of_tunica(scratch, ended, seconds):
     path = os.path.join(scratch, "out", "solution.mtx")
     x = systems.read_vector(path) if os.path.exists(path) else None
     is_good = bool(rows) and rows[-1]["verdict"] == "converged"
-    return x, {**sums, "is_content": is_good, "iterations": int(rows[-1]["iterations"]) if rows else 0, "used": rows[-1]["setting"] if rows else "",
+    last = rows[-1] if rows else {"iterations": 0, "setting": ""}
+    return x, {**sums, "is_content": is_good, "iterations": int(last["iterations"]), "used": last["setting"],
                "message": "" if is_good and len(rows) == 1 else "; ".join(verdicts)[:300] or ended.failure(seconds)}
 
 
