@@ -9,7 +9,8 @@
 #include "tunica/base/heap.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
-#include "tunica/compare/refined_solve.hpp"
+#include "tunica/foreign/refined_solve.hpp"
+#include "tunica/foreign/told_rows.hpp"
 
 namespace tunica::compare {
 
@@ -29,9 +30,11 @@ std::string verdict_of(const SolverSetting& setting, const linear::SolveReport& 
 linear::SolveReport solve_and_judge(linear::LinearSolver& solver, const LinearSystem& system,
                                     double tolerance, algebra::BlockVector& x,
                                     Residuals& residuals) {
-  if (system.mesh == nullptr) return refined_solve(solver, system, tolerance, x, residuals);
+  if (system.of_files != nullptr)
+    return foreign::refined_solve(solver, *system.b, foreign::judge_of(*system.of_files), tolerance,
+                                  x, residuals);
   const linear::SolveReport report = solver.solve(*system.b, x, tolerance);
-  residuals = residuals_of(*system.K, *system.b, x);
+  residuals = foreign::residuals_of(*system.K, *system.b, x);
   return report;
 }
 
@@ -96,9 +99,11 @@ SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, 
   row.memory_megabytes = global_sum(comm, held) / 1e6;
   row.verdict =
       outcome.is_success() ? verdict_of(setting, row.solve) : exception_summary(outcome.reason());
+  if (outcome.is_failure() && system.of_files != nullptr)
+    row.verdict = foreign::with_rows_of_files(*system.of_files, row.verdict);
   row.solve.is_converged = row.verdict == "converged";
   row.is_at_rounding =
-      row.solve.is_converged && system.mesh == nullptr && row.residuals.are_rounding(tolerance);
+      row.solve.is_converged && system.of_files != nullptr && row.residuals.are_rounding(tolerance);
   return row;
 }
 

@@ -8,6 +8,7 @@
 
 #include "tunica/algebra/components.hpp"
 #include "tunica/assembly/scalar_matrix.hpp"
+#include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/kernels/elastic_p1.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
@@ -16,7 +17,11 @@ namespace tunica::discretisation {
 
 namespace {
 
-/// Volumes, areas or lengths of what the rank counts.
+/// What a face and an edge have in place of a volume: a mesh of one size has one γ in all extents.
+double volume_of_area(double A) { return std::pow(A, 1.5); }
+double volume_of_length(double h) { return std::pow(h, 3.0); }
+
+/// Volumes, or what faces or edges have for them, of what the rank counts.
 std::vector<double> sizes_of_owned(const fields::FieldMesh& mesh, Extent extent) {
   std::vector<double> sizes;
   if (extent == Extent::volume) {
@@ -29,14 +34,14 @@ std::vector<double> sizes_of_owned(const fields::FieldMesh& mesh, Extent extent)
     if (!face.is_owned) continue;
     const std::array<Vec3, 3> x = assembly::gather(mesh.x, face.nodes);
     if (extent == Extent::surfaces)
-      sizes.push_back(norm(kernels::area_normal(x)));
+      sizes.push_back(volume_of_area(norm(kernels::area_normal(x))));
     else
-      for (int k = 0; k < 3; ++k) sizes.push_back(norm(x[(k + 1) % 3] - x[k]));
+      for (int k = 0; k < 3; ++k) sizes.push_back(volume_of_length(norm(x[(k + 1) % 3] - x[k])));
   }
   return sizes;
 }
 
-/// γ of an element of this volume, area or length.
+/// γ of an element of this volume.
 class Stiffness {
 public:
   /// Collective.
@@ -47,8 +52,8 @@ public:
     const double count = global_sum(*mesh.comm, static_cast<double>(mine.size()));
     mean_ = global_sum(*mesh.comm, std::accumulate(mine.begin(), mine.end(), 0.0)) / count;
   }
-  double operator()(double size) const {
-    return exponent_ == 0.0 ? 1.0 : std::pow(mean_ / size, exponent_);
+  double operator()(double volume) const {
+    return exponent_ == 0.0 ? 1.0 : std::pow(mean_ / volume, exponent_);
   }
 
 private:
@@ -99,7 +104,7 @@ private:
   void add_triangle(const fields::Face& face) {
     const Corners x = assembly::gather(mesh_->x, face.nodes);
     const auto L = kernels::laplace_p1(x);
-    const double gamma = stiffness_(norm(kernels::area_normal(x)));
+    const double gamma = stiffness_(volume_of_area(norm(kernels::area_normal(x))));
     assembly::ScalarElement& K = sides_[face.tet];
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) K[place(face, a)][place(face, b)] += gamma * L[a][b];
@@ -108,7 +113,7 @@ private:
   // K += γ/h [1 −1; −1 1], a linear element along the edge
   void add_edge(const fields::Face& face, int k, int l) {
     const double h = norm(mesh_->x[face.nodes[l]] - mesh_->x[face.nodes[k]]);
-    const double stiffness = stiffness_(h) / h;
+    const double stiffness = stiffness_(volume_of_length(h)) / h;
     assembly::ScalarElement& K = sides_[face.tet];
     const int a = place(face, k), b = place(face, l);
     K[a][a] += stiffness;
@@ -166,31 +171,42 @@ void HarmonicExtension::residual(const MultiVector& phi, MultiVector& F) const {
   drop_given(F);
 }
 
-// K_ab = ∫ γ σ(N_b e_j):ε(N_a e_i) dV in rows 3a + i of owned nodes and columns 3b + j. An element
-// between ranks is on both, and each sums the rows of its own nodes.
+// K_ab = ∫ γ σ(N_b e_j):ε(N_a e_i) dV in rows 3a + i of owned nodes and columns 3b + j
 ElasticExtension::ElasticExtension(const fields::FieldMesh& mesh, std::vector<char> is_given,
-                                   double poisson, double stiffening)
-    : Extension(mesh, is_given), harmonic_(mesh, std::move(is_given), Extent::volume, stiffening),
+                                   Extent extent, double poisson, double stiffening)
+    : Extension(mesh, is_given), harmonic_(mesh, std::move(is_given), extent, stiffening),
       matrix_(fields::make_matrix(fields::make_node_graph(mesh), mesh, 3, 3)) {
-  const Stiffness stiffness(mesh, Extent::volume, stiffening);
+  TUNICA_ASSERT(extent != Extent::lines, "lines have no elastic law");
+  const Stiffness stiffness(mesh, extent, stiffening);
   matrix_->resumeFill();
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
-    const auto& nodes = mesh.tets[e];
-    const kernels::Tet4 T = kernels::make_tet4(assembly::gather(mesh.x, nodes));
-    const kernels::ElasticElement K = kernels::elastic_p1(T, stiffness(T.volume), poisson);
-    for (int a = 0; a < 4; ++a) {
-      if (nodes[a] >= mesh.n_owned) continue;
-      for (int i = 0; i < 3; ++i) {
-        std::array<int, 12> columns;
-        for (int b = 0; b < 4; ++b)
-          for (int j = 0; j < 3; ++j) columns[3 * b + j] = 3 * nodes[b] + j;
-        matrix_->sumIntoLocalValues(3 * nodes[a] + i,
-                                    Teuchos::arrayView(columns.data(), columns.size()),
-                                    Teuchos::arrayView(K[3 * a + i].data(), columns.size()));
-      }
+  if (extent == Extent::volume)
+    for (const auto& nodes : mesh.tets) {
+      const kernels::Tet4 T = kernels::make_tet4(assembly::gather(mesh.x, nodes));
+      add(nodes, kernels::elastic_p1(T, stiffness(T.volume), poisson));
     }
-  }
+  else
+    for (const fields::Face& face : mesh.faces) {
+      const auto x = assembly::gather(mesh.x, face.nodes);
+      const double gamma = stiffness(volume_of_area(norm(kernels::area_normal(x))));
+      add(face.nodes, kernels::elastic_p1(x, gamma, poisson));
+    }
   matrix_->fillComplete(mesh.vector_map, mesh.vector_map);
+}
+
+// An element between ranks is on both, and each sums the rows of its own nodes.
+template <std::size_t n>
+void ElasticExtension::add(const std::array<int, n>& nodes,
+                           const std::array<std::array<double, 3 * n>, 3 * n>& element) {
+  std::array<int, 3 * n> columns;
+  for (std::size_t b = 0; b < n; ++b)
+    for (int j = 0; j < 3; ++j) columns[3 * b + j] = 3 * nodes[b] + j;
+  for (std::size_t a = 0; a < n; ++a) {
+    if (nodes[a] >= mesh_->n_owned) continue;
+    for (int i = 0; i < 3; ++i)
+      matrix_->sumIntoLocalValues(3 * nodes[a] + i,
+                                  Teuchos::arrayView(columns.data(), columns.size()),
+                                  Teuchos::arrayView(element[3 * a + i].data(), columns.size()));
+  }
 }
 
 void ElasticExtension::residual(const MultiVector& phi, MultiVector& F) const {

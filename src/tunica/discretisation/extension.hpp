@@ -19,8 +19,8 @@ Edges edges_of_lines(const fields::FieldMesh& mesh);
 
 /// Functions on the undeformed mesh of a field that are given at some nodes and solve a linear
 /// equation at the others, with no flux through the rest of the boundary. γ = (V̄/V)^χ of an element
-/// of volume V (area, length), V̄ the mean of all: with χ > 0, the stiffening, small elements are
-/// stiffer than large ones.
+/// of volume V, or of a face of area A with A^3/2 for it, or of an edge of length h with h³; V̄ is
+/// the mean of all. With χ > 0, the stiffening, small elements are stiffer than large ones.
 class Extension {
 public:
   virtual ~Extension() = default;
@@ -59,12 +59,14 @@ private:
 ///
 ///   −∇·(γ σ) = 0,  σ = 2 μ ε(d) + λ (∇·d) I,  μ = 1/(2(1 + ν)),  λ = ν/((1 + ν)(1 − 2ν))
 ///
-/// φ has three columns, the components of d [mm].
+/// φ has three columns, the components of d [mm]. In surfaces ε and ∇ are those within them, and
+/// displacements across them are harmonic, −∇·(γ μ ∇d_n) = 0, where they are plane.
 class ElasticExtension final : public Extension {
 public:
+  /// is_given: of surfaces, all other nodes are given too; extent: not lines, which do not shear;
   /// poisson: ν, below 0.5. Collective.
-  ElasticExtension(const fields::FieldMesh& mesh, std::vector<char> is_given, double poisson,
-                   double stiffening);
+  ElasticExtension(const fields::FieldMesh& mesh, std::vector<char> is_given, Extent extent,
+                   double poisson, double stiffening);
 
   void residual(const MultiVector& phi, MultiVector& F) const override;
   /// L on the three unknowns of each node, without conditions.
@@ -74,6 +76,10 @@ public:
   const HarmonicExtension& harmonic() const { return harmonic_; }
 
 private:
+  template <std::size_t n>
+  void add(const std::array<int, n>& nodes,
+           const std::array<std::array<double, 3 * n>, 3 * n>& element);
+
   HarmonicExtension harmonic_;
   Teuchos::RCP<CrsMatrix> matrix_;
 };

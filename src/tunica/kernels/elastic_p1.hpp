@@ -15,4 +15,11 @@ using ElasticElement = std::array<std::array<double, 12>, 12>;
 /// with μ = E/(2(1 + ν)) and λ = E ν/((1 + ν)(1 − 2ν)), Hooke's law [kPa mm].
 ElasticElement elastic_p1(const Tet4& T, double young, double poisson);
 
+using ElasticTriangle = std::array<std::array<double, 9>, 9>;
+
+/// The same of a triangle x of unit thickness, with its area for V and g_a within its plane: plane
+/// strain of displacements in the plane, which those across it do not see. These are harmonic,
+/// K[a][b] = A μ g_a·g_b [kPa].
+ElasticTriangle elastic_p1(const std::array<Vec3, 3>& x, double young, double poisson);
+
 }  // namespace tunica::kernels

@@ -94,4 +94,20 @@ void ExtensionProblem::start_from(const MultiVector& values) {
   algebra::pick_rows(free_, values, solution_);
 }
 
+// −∇·(γ σ(d)) = 0 of the three components together, or −∇·(γ ∇d_i) = 0 of each with one matrix
+LawExtension::LawExtension(const MeshMotionSettings& settings, const fields::FieldMesh& mesh,
+                           const std::vector<char>& is_given, discretisation::Extent extent) {
+  if (settings.poisson_ratio && extent != discretisation::Extent::lines) {
+    auto elastic = std::make_unique<discretisation::ElasticExtension>(
+        mesh, is_given, extent, *settings.poisson_ratio, settings.stiffening);
+    problem_ = std::make_unique<ExtensionProblem>(settings.linear_solver, *elastic);
+    extension_ = std::move(elastic);
+    return;
+  }
+  auto harmonic = std::make_unique<discretisation::HarmonicExtension>(mesh, is_given, extent,
+                                                                      settings.stiffening);
+  problem_ = std::make_unique<ExtensionProblem>(settings.linear_solver, *harmonic, 3);
+  extension_ = std::move(harmonic);
+}
+
 }  // namespace tunica::problems

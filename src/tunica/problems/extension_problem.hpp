@@ -6,6 +6,7 @@
 #include "tunica/base/outcome.hpp"
 #include "tunica/discretisation/extension.hpp"
 #include "tunica/linear/scalar_solver.hpp"
+#include "tunica/problems/mesh_motion_settings.hpp"
 
 namespace tunica::problems {
 
@@ -44,6 +45,21 @@ private:
   std::vector<int> free_;                         ///< owned nodes
   std::unique_ptr<linear::ScalarSolver> solver_;  ///< null where no rank has free nodes
   MultiVector solution_;                          ///< at the free nodes
+};
+
+/// The extension of a displacement by the law of a mesh's motion, and the problem that solves for
+/// it.
+class LawExtension {
+public:
+  /// Arguments and what they mean: see discretisation::Extension. Lines, which cannot shear, are
+  /// always harmonic. mesh must outlive the object. Collective.
+  LawExtension(const MeshMotionSettings& settings, const fields::FieldMesh& mesh,
+               const std::vector<char>& is_given, discretisation::Extent extent);
+  ExtensionProblem& problem() { return *problem_; }
+
+private:
+  std::unique_ptr<discretisation::Extension> extension_;
+  std::unique_ptr<ExtensionProblem> problem_;
 };
 
 }  // namespace tunica::problems

@@ -60,11 +60,11 @@ std::vector<char> given_nodes(const fields::FieldMesh& mesh, const std::vector<c
 
 // A node on one surface, which follows, is free in it; on two that do, along their line. One that
 // is on a third surface, on one that stays or on the interface is given.
-FollowingSurfaces::FollowingSurfaces(const Teuchos::ParameterList& solver,
-                                     const fields::FieldMesh& mesh,
+FollowingSurfaces::FollowingSurfaces(MeshMotionSettings settings, const fields::FieldMesh& mesh,
                                      const std::vector<int>& interface,
                                      const std::vector<int>& staying)
-    : solver_(solver), mesh_(&mesh), on_surface_(mesh.n_nodes(), 0), on_line_(mesh.n_nodes(), 0) {
+    : settings_(std::move(settings)), mesh_(&mesh), on_surface_(mesh.n_nodes(), 0),
+      on_line_(mesh.n_nodes(), 0) {
   std::vector<char> follows(mesh.surfaces.size(), 1);
   for (const std::vector<int>* others : {&interface, &staying})
     for (const int s : *others) follows[s] = 0;
@@ -98,15 +98,15 @@ bool FollowingSurfaces::moves_rim(const MultiVector& values) const {
   return sums[0] > still * still * sums[1];
 }
 
-// −Δ_l d = 0 along lines with their ends given, −Δ_S d = 0 in surfaces with their edges given
-const FollowingSurfaces::Stages& FollowingSurfaces::stages() {
+// −(γ d')' = 0 along lines with their ends given, then the law in surfaces with their edges given
+FollowingSurfaces::Stages& FollowingSurfaces::stages() {
   if (!stages_.empty()) return stages_;
   const std::vector<char> on_lines =
       given_nodes(*mesh_, on_line_, discretisation::edges_of_lines(*mesh_));
   const std::vector<char> on_surfaces = given_nodes(*mesh_, on_surface_, edges_of_faces(*mesh_));
   Stages both;
-  both.push_back(std::make_unique<Stage>(solver_, *mesh_, on_lines, Extent::lines));
-  both.push_back(std::make_unique<Stage>(solver_, *mesh_, on_surfaces, Extent::surfaces));
+  both.emplace_back(settings_, *mesh_, on_lines, Extent::lines);
+  both.emplace_back(settings_, *mesh_, on_surfaces, Extent::surfaces);
   stages_ = std::move(both);
   return stages_;
 }
@@ -114,24 +114,24 @@ const FollowingSurfaces::Stages& FollowingSurfaces::stages() {
 // Lines first, which are edges of the surfaces.
 Outcome FollowingSurfaces::extend(MultiVector& values, const ExtensionAccuracy& accuracy) {
   if (!moves_rim(values)) {
-    for (const auto& stage : stages_) stage->problem.start_from(values);  // zero there
+    for (auto& stage : stages_) stage.problem().start_from(values);  // zero there
     return Outcome::success();
   }
-  for (const auto& stage : stages())
-    if (const Outcome outcome = stage->problem.extend(values, accuracy); outcome.is_failure())
+  for (auto& stage : stages())
+    if (const Outcome outcome = stage.problem().extend(values, accuracy); outcome.is_failure())
       return outcome;
   return Outcome::success();
 }
 
 void FollowingSurfaces::extend_roughly(double tolerance, MultiVector& values) {
   if (!moves_rim(values)) return;
-  for (const auto& stage : stages()) stage->problem.extend_roughly(tolerance, values);
+  for (auto& stage : stages()) stage.problem().extend_roughly(tolerance, values);
 }
 
 // The start of iterative solvers is that of a run which has not been interrupted.
 void FollowingSurfaces::start_from(const MultiVector& values) {
   if (moves_rim(values)) stages();
-  for (const auto& stage : stages_) stage->problem.start_from(values);
+  for (auto& stage : stages_) stage.problem().start_from(values);
 }
 
 }  // namespace tunica::problems

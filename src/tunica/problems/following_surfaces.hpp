@@ -8,14 +8,14 @@ namespace tunica::problems {
 
 /// Surfaces of the fluid that stretch with their rims where these lie on the interface: openings
 /// whose rims widen, planes of symmetry. First the lines in which two surfaces meet are extended
-/// harmonically from their ends, then the surfaces from their edges, so that what is plane and
-/// whose rim moves in the plane stays in it. Corners of three such surfaces stay, and so does what
-/// no edge ties to a rim. Nothing is set up before a rim moves.
+/// from their ends, then the surfaces from their edges, by the law of the mesh's motion, so that
+/// what is plane and whose rim moves in the plane stays in it. Corners of three such surfaces stay,
+/// and so does what no edge ties to a rim. Nothing is set up before a rim moves.
 class FollowingSurfaces {
 public:
-  /// solver: a resolved list of linear::scalar_solver_table(); interface: indices of its surfaces;
-  /// staying: of those that never move. mesh must outlive the object.
-  FollowingSurfaces(const Teuchos::ParameterList& solver, const fields::FieldMesh& mesh,
+  /// interface: indices of its surfaces; staying: of those that never move. mesh must outlive the
+  /// object.
+  FollowingSurfaces(MeshMotionSettings settings, const fields::FieldMesh& mesh,
                     const std::vector<int>& interface, const std::vector<int>& staying);
 
   /// values: on entry those of the interface's nodes, zero elsewhere; on return those of the
@@ -26,20 +26,12 @@ public:
   void start_from(const MultiVector& values);
 
 private:
-  struct Stage {
-    Stage(const Teuchos::ParameterList& solver, const fields::FieldMesh& mesh,
-          std::vector<char> is_given, discretisation::Extent extent)
-        : extension(mesh, std::move(is_given), extent), problem(solver, extension, 3) {}
-
-    discretisation::HarmonicExtension extension;
-    ExtensionProblem problem;
-  };
-  using Stages = std::vector<std::unique_ptr<Stage>>;
+  using Stages = std::vector<LawExtension>;
 
   bool moves_rim(const MultiVector& values) const;
-  const Stages& stages();
+  Stages& stages();
 
-  Teuchos::ParameterList solver_;
+  MeshMotionSettings settings_;
   const fields::FieldMesh* mesh_;
   std::vector<char> on_surface_, on_line_;  ///< per local node: that is where it follows
   std::vector<int> interface_;              ///< its owned nodes

@@ -27,24 +27,11 @@ MeshMotionSettings::MeshMotionSettings(const Teuchos::ParameterList& list)
 MeshMotion::MeshMotion(const MeshMotionSettings& settings, const fields::FieldMesh& mesh,
                        const std::vector<int>& interface, const std::vector<int>& staying,
                        const stepping::TimeScheme& scheme)
-    : mesh_(&mesh), is_interface_(mesh.n_owned, 0),
-      surfaces_(settings.linear_solver, mesh, interface, staying),
-      volume_(volume_problem(settings)), scheme_(&scheme),
-      timeline_(fields::Places::nodes(mesh), 3, scheme.remembers()), d_(mesh.n_nodes()) {
+    : mesh_(&mesh), is_interface_(mesh.n_owned, 0), surfaces_(settings, mesh, interface, staying),
+      volume_(settings, mesh, nodes_of_surfaces(mesh), discretisation::Extent::volume),
+      scheme_(&scheme), timeline_(fields::Places::nodes(mesh), 3, scheme.remembers()),
+      d_(mesh.n_nodes()) {
   for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, interface);
-}
-
-// −∇·(γ σ(d)) = 0 of the three components together, or −∇·(γ ∇d_i) = 0 of each with one matrix
-ExtensionProblem MeshMotion::volume_problem(const MeshMotionSettings& settings) {
-  const std::vector<char> given = nodes_of_surfaces(*mesh_);
-  if (settings.poisson_ratio) {
-    elastic_ = std::make_unique<discretisation::ElasticExtension>(
-        *mesh_, given, *settings.poisson_ratio, settings.stiffening);
-    return {settings.linear_solver, *elastic_};
-  }
-  harmonic_ = std::make_unique<discretisation::HarmonicExtension>(
-      *mesh_, given, discretisation::Extent::volume, settings.stiffening);
-  return {settings.linear_solver, *harmonic_, 3};
 }
 
 // d_f = E d: d on the interface and zero on what stays, then lines, surfaces and volume in turn,
@@ -64,7 +51,8 @@ Outcome MeshMotion::extend(const std::vector<Vec3>& interface_displacement,
   fault_point("mesh motion");
   if (const Outcome outcome = surfaces_.extend(total, accuracy); outcome.is_failure())
     return outcome;
-  if (const Outcome outcome = volume_.extend(total, accuracy); outcome.is_failure()) return outcome;
+  if (const Outcome outcome = volume_.problem().extend(total, accuracy); outcome.is_failure())
+    return outcome;
   // Elements between ranks need d_f at ghosts as well.
   MultiVector ghosted(mesh_->ghosted_map, 3);
   ghosted.doImport(total, *mesh_->import, insert);
@@ -92,7 +80,7 @@ void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vec
       for (int i = 0; i < 3; ++i) to(a, i) = is_interface_[a] ? from(3 * a + i, 0) : 0.0;
   }
   surfaces_.extend_roughly(tolerance, total);
-  volume_.extend_roughly(tolerance, total);
+  volume_.problem().extend_roughly(tolerance, total);
   algebra::from_columns(total, d);
 }
 
@@ -116,7 +104,7 @@ std::string MeshMotion::restore(const fields::State& state) {
   }
   // d_f is where iterative solvers begin: with it a restarted run makes the same iterations.
   surfaces_.start_from(last);
-  volume_.start_from(last);
+  volume_.problem().start_from(last);
   return "";
 }
 

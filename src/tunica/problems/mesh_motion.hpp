@@ -1,10 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "tunica/discretisation/extension.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/problems/following_surfaces.hpp"
-#include "tunica/problems/mesh_motion_settings.hpp"
 #include "tunica/stepping/time_scheme.hpp"
 
 namespace tunica::problems {
@@ -48,14 +46,10 @@ public:
   std::string restore(const fields::State& state) override;
 
 private:
-  ExtensionProblem volume_problem(const MeshMotionSettings& settings);
-
   const fields::FieldMesh* mesh_;
   std::vector<char> is_interface_;  ///< per owned node
   FollowingSurfaces surfaces_;
-  std::unique_ptr<discretisation::HarmonicExtension> harmonic_;  ///< null where it is elastic
-  std::unique_ptr<discretisation::ElasticExtension> elastic_;    ///< null where it is harmonic
-  ExtensionProblem volume_;
+  LawExtension volume_;
   const stepping::TimeScheme* scheme_;
   stepping::Timeline timeline_;
   std::vector<Vec3> d_;

@@ -27,6 +27,14 @@ bool has_nearly_incompressible_layers(const problems::SolidSettings& wall) {
   });
 }
 
+/// What may still be set of the mesh's motion to keep elements in shape, "" if nothing.
+std::string unused_cures(const problems::MeshMotionSettings& motion) {
+  std::string cures;
+  if (motion.stiffening == 0.0) cures = "stiffening = 1";
+  if (!motion.poisson_ratio) cures += (cures.empty() ? "" : " and ") + std::string("law = elastic");
+  return cures.empty() ? "" : "Mesh Motion / " + cures + ", or ";
+}
+
 const double* find(const discretisation::Observables& all, const std::string& name) {
   for (const auto& o : all)
     if (o.name == name) return &o.value;
@@ -57,6 +65,7 @@ Watch::Watch(const setup::Case& the_case) {
       if (!c.list.isParameter("backflow stabilisation") ||
           c.list.get<double>("backflow stabilisation") > 0.0)
         guarded_.insert(c.surface);
+  if (the_case.motion) mesh_cures_ = unused_cures(*the_case.motion);
   if (!the_case.coupling) return;
   most_newton_ = the_case.coupling->most_newton;
   most_iterations_ = the_case.coupling->most_iterations;
@@ -99,19 +108,19 @@ void Watch::look_at_outlets(const discretisation::Observables& observables, doub
 }
 
 void Watch::look_at_iterations(const StepSummary& step) {
-  const auto near_cap = [&](int made, int most, const char* what, const char* cure) {
+  const auto near_cap = [&](int made, int most, const char* what, const std::string& cure) {
     if (most < 10 || made < 0.8 * most) return;
     say("iterations", formatted("the step took %d %s, where an attempt ends at %d; usual is a "
                                 "third of that or less. Use shorter steps (Time / cuts = 4 halves "
                                 "those that fail), a load that rises more slowly, or %s.",
-                                made, what, most, cure));
+                                made, what, most, cure.c_str()));
   };
   near_cap(step.coupling_iterations, most_iterations_, "coupling iterations",
            "a higher \"Coupling / max iterations\"");
   int newton = 0;
   for (const StepSummary::Solves& field : step.fields) newton = std::max(newton, field.newton);
   near_cap(newton, most_newton_, "Newton steps",
-           "\"Mesh Motion / stiffening\" or larger elements where walls move far");
+           mesh_cures_ + "larger elements where walls move far");
 }
 
 void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>& d) {
@@ -120,9 +129,8 @@ void Watch::look_at_mesh(const fields::FieldMesh& mesh, const std::vector<Vec3>&
   say("mesh",
       formatted("an element of the fluid's mesh has %.2g of the quality that it had, one %.2g of "
                 "its volume, the worst is of quality %.2g; usual are 0.5 or more. It will soon be "
-                "inverted: Mesh Motion / stiffening = 1 and law = elastic keep elements in shape, "
-                "or mesh with larger ones beside the interface, where it moves far.",
-                worst.part_of_quality, worst.part_of_volume, worst.quality));
+                "inverted. Use %slarger elements beside the interface, where it moves far.",
+                worst.part_of_quality, worst.part_of_volume, worst.quality, mesh_cures_.c_str()));
 }
 
 std::vector<std::string> Watch::look(const StepSummary& step, double step_size,

@@ -54,6 +54,7 @@ private:
   std::set<std::string> guarded_;  ///< surfaces with backflow stabilisation, or no outlets
   double largest_flow_ = 0.0;
   int most_iterations_ = 0, most_newton_ = 0;  ///< 0: there is none
+  std::string mesh_cures_;                     ///< settings not made that keep the mesh in shape
   std::set<std::string> said_;
   std::vector<std::string> lines_;
 };

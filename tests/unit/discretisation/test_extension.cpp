@@ -45,7 +45,9 @@ TEUCHOS_UNIT_TEST(Extension, a_linear_displacement_is_harmonic_and_in_equilibriu
   MultiVector F(block.field.node_map, 3);
   discretisation::HarmonicExtension(block.field, block.is_given).residual(phi, F);
   TEST_COMPARE(largest(F), <, 1e-14);
-  discretisation::ElasticExtension(block.field, block.is_given, 0.3, 0.0).residual(phi, F);
+  discretisation::ElasticExtension(block.field, block.is_given, discretisation::Extent::volume, 0.3,
+                                   0.0)
+      .residual(phi, F);
   TEST_COMPARE(largest(F), <, 1e-13);
 }
 

@@ -236,7 +236,8 @@ TEUCHOS_UNIT_TEST(mesh_motion, an_elastic_mesh_contracts_by_poissons_ratio) {
   std::vector<char> given(mesh.n_nodes());
   for (int a = 0; a < mesh.n_nodes(); ++a)
     given[a] = mesh.is_on_any(a, {block.surface("z_low"), block.surface("z_high")});
-  const discretisation::ElasticExtension extension(mesh, given, poisson, 0.0);
+  const discretisation::ElasticExtension extension(mesh, given, discretisation::Extent::volume,
+                                                   poisson, 0.0);
   for (const std::string method : {"cg", "direct"}) {
     problems::ExtensionProblem problem(solved_by(method).sublist("Linear Solver"), extension);
     MultiVector d(mesh.node_map, 3);
@@ -325,7 +326,8 @@ TEUCHOS_UNIT_TEST(mesh_motion, solves_the_equation_of_its_law) {
   for (int a = 0; a < tube.fluid.n_nodes(); ++a) is_given.push_back(tube.fluid.is_on_boundary(a));
   const discretisation::HarmonicExtension harmonic(tube.fluid, is_given,
                                                    discretisation::Extent::volume, 0.5);
-  const discretisation::ElasticExtension elastic(tube.fluid, is_given, 0.1, 0.5);
+  const discretisation::ElasticExtension elastic(tube.fluid, is_given,
+                                                 discretisation::Extent::volume, 0.1, 0.5);
   for (const std::string law : {"harmonic", "elastic"}) {
     Teuchos::ParameterList list;
     list.set("law", law).set("stiffening", 0.5);

@@ -201,4 +201,22 @@ TEUCHOS_UNIT_TEST(watch, deformation_is_that_of_a_stretch_on_any_number_of_ranks
   TEST_COMPARE_ARRAYS(found, (Counts{0, 1, 0}));
 }
 
+TEUCHOS_UNIT_TEST(watch, advises_no_mesh_motion_that_is_set) {
+  const test::SmallTube tube;
+  std::vector<Vec3> d;
+  for (const Vec3& x : tube.fluid.x) d.push_back({0.0, 0.0, -0.95 * x[2]});
+  for (const std::string law : {"harmonic", "elastic"})
+    for (const double stiffening : {0.0, 1.0}) {
+      Teuchos::ParameterList list = TubeCase().resolved();
+      list.sublist("Mesh Motion").set("law", law).set("stiffening", stiffening);
+      if (law == "elastic") list.sublist("Mesh Motion").set("poisson ratio", 0.3);
+      const auto lines = run::Watch(list).look(after(1), 1.0, {}, &tube.fluid, d);
+      TEST_EQUALITY(lines.size(), 1);
+      const auto has = [&](const char* text) { return lines[0].find(text) != std::string::npos; };
+      TEST_EQUALITY(has("law = elastic"), law == "harmonic");
+      TEST_EQUALITY(has("stiffening = 1"), stiffening == 0.0);
+      TEST_ASSERT(has("larger elements"));
+    }
+}
+
 }  // namespace
