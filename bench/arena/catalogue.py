@@ -92,7 +92,8 @@ def record(chosen, sizes):
             with open(CHECKSUMS, "w", newline="", encoding="utf-8") as file:
                 writer = csv.DictWriter(file, columns, lineterminator="\n")
                 writer.writeheader()
-                writer.writerows(known[key] for key in sorted(known, key=lambda k: (list(CATALOGUE).index(k[0]), SIZES.index(k[1]))))
+                places = {name: k for k, name in enumerate(CATALOGUE)}
+                writer.writerows(known[key] for key in sorted(known, key=lambda key: (places[key[0]], SIZES.index(key[1]))))
 
 
 if __name__ == "__main__":

@@ -115,7 +115,8 @@ CONTESTANTS = [
                SCHUR + "-pc_fieldsplit_schur_precondition selfp -fieldsplit_0_pc_type gamg -fieldsplit_1_pc_type gamg"),
     Contestant("PETSc Schur selfp + BoomerAMG", "petsc", "PETSc", "the same",
                SCHUR + "-pc_fieldsplit_schur_precondition selfp -fieldsplit_0_pc_type hypre -fieldsplit_1_pc_type hypre"),
-    Contestant("PETSc Schur mass + GAMG", "petsc", "PETSc", "the same, and https://petsc.org/release/src/ksp/ksp/tutorials/ex70.c.html",
+    Contestant("PETSc Schur mass + GAMG", "petsc", "PETSc",
+               "the same, and https://petsc.org/release/src/ksp/ksp/tutorials/ex70.c.html",
                SCHUR + "-arena_schur_given -fieldsplit_0_pc_type gamg -fieldsplit_1_pc_type bjacobi", needs="schur"),
     Contestant("PETSc Schur LSC + GAMG", "petsc", "PETSc", PAGES + "PCLSC",
                SCHUR + "-pc_fieldsplit_schur_precondition self -fieldsplit_0_pc_type gamg -fieldsplit_1_pc_type lsc "

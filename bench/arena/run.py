@@ -37,7 +37,8 @@ GIGABYTES = {"small": 4, "medium": 6, "large": 12}
 WALL_FACTOR = 40  # a machine may give us this part of a processor
 PYTHON = "/usr/bin/python3"
 PATHS = os.pathsep.join([*sys.path[:2], os.environ.get("PYTHONPATH", "")])
-KILLED = {signal.SIGXCPU: "time limit", signal.SIGKILL: "time limit", signal.SIGABRT: "abort", signal.SIGSEGV: "segmentation fault"}
+KILLED = {signal.SIGXCPU: "time limit", signal.SIGKILL: "time limit", signal.SIGABRT: "abort",
+          signal.SIGSEGV: "segmentation fault"}
 
 
 def command_of(contestant, folder, scratch, ranks, programs, tolerance):
@@ -94,8 +95,8 @@ class Ended:
         for word in ("MemoryError", "bad_alloc", "Cannot allocate", "out of memory", "Out of memory"):
             if word in text:
                 return "memory limit"
-        lines = [line.strip() for line in self.err.splitlines() if line.strip() and not set(line.strip()) <= set("-=^~")]
-        lines = [line for line in lines if not line.startswith("warning:")]
+        lines = [line.strip() for line in self.err.splitlines()]
+        lines = [line for line in lines if not set(line) <= set("-=^~") and not line.startswith("warning:")]
         return (lines[-1] if lines else f"status {self.status}")[:160]
 
 
@@ -106,7 +107,8 @@ def figures_of_tunica(scratch, ended, seconds):
     path = os.path.join(scratch, "out", "solution.mtx")
     x = systems.read_vector(path) if os.path.exists(path) else None
     is_good = bool(rows) and rows[-1]["verdict"] == "converged"
-    return x, {**sums, "is_content": is_good, "iterations": int(rows[-1]["iterations"]) if rows else 0, "used": rows[-1]["setting"] if rows else "",
+    last = rows[-1] if rows else {"iterations": 0, "setting": ""}
+    return x, {**sums, "is_content": is_good, "iterations": int(last["iterations"]), "used": last["setting"],
                "message": "" if is_good and len(rows) == 1 else "; ".join(verdicts)[:300] or ended.failure(seconds)}
 
 

@@ -45,7 +45,8 @@ def without_rounding(K, fields):
     at, along = K.row * len(fields) + of[K.col], K.col * len(fields) + of[K.row]
     numpy.maximum.at(row, at, size)
     numpy.maximum.at(column, along, size)
-    is_kept = (size > ROUNDING * numpy.minimum(row[at], column[along])) & (size > ROUNDING / 10 * numpy.maximum(row[at], column[along]))
+    least, most = numpy.minimum(row[at], column[along]), numpy.maximum(row[at], column[along])
+    is_kept = size > ROUNDING * numpy.maximum(least, most / 10)
     kept = sparse.csr_matrix((K.data[is_kept], (K.row[is_kept], K.col[is_kept])), shape=K.shape)
     kept.sort_indices()
     return kept
