@@ -140,12 +140,18 @@ void sweep_of_kind(benchmark::State& state, const Wall& wall, const std::string&
   state.counters["MB kept"] = smoother->bytes() / 1e6;
 }
 
-void ilu_sweep(benchmark::State& state, const Wall& wall, int fill, bool is_single) {
-  const auto factors = smoothers::make_node_ilu(*wall.K(), {}, {fill, is_single});
+std::string word_of(smoothers::Precision precision) {
+  if (precision == smoothers::Precision::half) return "half";
+  return precision == smoothers::Precision::single ? "single" : "double";
+}
+
+void ilu_sweep(benchmark::State& state, const Wall& wall, int fill,
+               smoothers::Precision precision) {
+  const auto factors = smoothers::make_node_ilu(*wall.K(), {}, {fill, precision});
   factors->refresh();
   Vector r(wall.K()->getRowMap()), x(r.getMap());
   r.randomize();
-  const std::string name = (is_single ? "single ILU(" : "double ILU(") + std::to_string(fill) + ")";
+  const std::string name = word_of(precision) + " ILU(" + std::to_string(fill) + ")";
   const double seconds = measure(state, name, [&] { factors->smooth(1.0, r, x); });
   state.counters["MB kept"] = factors->bytes() / 1e6;
   state.counters["share"] = factors->bytes() / seconds / best()["bandwidth"];
@@ -239,9 +245,10 @@ int main(int argc, char** argv) {
   for (const std::string patch : {"diagonal", "node pair"})
     add(("forward sweep, " + patch).c_str(), sweep_of_kind, patch);
   add("forward sweep, Ifpack2", ifpack2_sweep);
-  add("ILU(0) sweep, double", ilu_sweep, 0, false);
-  add("ILU(0) sweep, single", ilu_sweep, 0, true);
-  add("ILU(1) sweep, single", ilu_sweep, 1, true);
+  add("ILU(0) sweep, double", ilu_sweep, 0, smoothers::Precision::full);
+  add("ILU(0) sweep, single", ilu_sweep, 0, smoothers::Precision::single);
+  add("ILU(0) sweep, half", ilu_sweep, 0, smoothers::Precision::half);
+  add("ILU(1) sweep, half", ilu_sweep, 1, smoothers::Precision::half);
   add("set-up, ILU(0)", ilu_set_up, 0);
   add("set-up, ILU(1)", ilu_set_up, 1);
   add("set-up, double", set_up, "full", false);

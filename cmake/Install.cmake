@@ -1,4 +1,5 @@
-# The parts that can be installed alone, each with those before it: smoothers, multigrid, fsi.
+# The parts that can be installed alone, each with those before it: smoothers, multigrid, fsi; and c,
+# the shared library of the C interface.
 # cmake/check_includes holds the folders of the first two to what they may include.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -7,6 +8,8 @@ if(NOT Trilinos_DIR MATCHES "^/usr/(lib|share)/")  # programs find one that is n
 endif()
 set(TUNICA_SMOOTHERS_FOLDERS base algebra smoothers)
 set(TUNICA_MULTIGRID_FOLDERS params multigrid)
+# What the shared library of the C interface is made of.
+set(TUNICA_C_FOLDERS base params io algebra smoothers multigrid linear systems foreign)
 set(TUNICA_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Tunica)
 set(TUNICA_SHARE_DIR ${CMAKE_INSTALL_DATADIR}/tunica)
 
@@ -45,20 +48,28 @@ function(tunica_install_package)
   target_link_libraries(tunica_all INTERFACE ${libraries})
   set_target_properties(tunica_all PROPERTIES EXPORT_NAME fsi)
   install(TARGETS tunica_all EXPORT Tunica-fsi)
-  foreach(part smoothers multigrid fsi)
+  set(parts smoothers multigrid fsi)
+  if(TUNICA_C)
+    list(APPEND parts c)
+  endif()
+  foreach(part IN LISTS parts)
     install(EXPORT Tunica-${part} NAMESPACE Tunica:: DESTINATION ${TUNICA_PACKAGE_DIR}
       COMPONENT ${part})
   endforeach()
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/TunicaConfig.cmake.in TunicaConfig.cmake
     INSTALL_DESTINATION ${TUNICA_PACKAGE_DIR} NO_CHECK_REQUIRED_COMPONENTS_MACRO)
   write_basic_package_version_file(TunicaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-  install(FILES ${PROJECT_SOURCE_DIR}/cmake/TunicaDependencies.cmake
-    ${PROJECT_BINARY_DIR}/TunicaConfig.cmake ${PROJECT_BINARY_DIR}/TunicaConfigVersion.cmake
-    DESTINATION ${TUNICA_PACKAGE_DIR} COMPONENT smoothers)
-  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright
-    COMPONENT smoothers)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}
-    COMPONENT multigrid)
+  foreach(first smoothers c)  # what nothing comes before
+    install(FILES ${PROJECT_SOURCE_DIR}/cmake/TunicaDependencies.cmake
+      ${PROJECT_BINARY_DIR}/TunicaConfig.cmake ${PROJECT_BINARY_DIR}/TunicaConfigVersion.cmake
+      DESTINATION ${TUNICA_PACKAGE_DIR} COMPONENT ${first})
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}
+      RENAME copyright COMPONENT ${first})
+  endforeach()
+  foreach(part multigrid c)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}
+      COMPONENT ${part} PATTERN __pycache__ EXCLUDE)
+  endforeach()
   tunica_install_before(multigrid smoothers)
   tunica_install_before(fsi multigrid)
 endfunction()

@@ -24,6 +24,11 @@ function(tunica_library name)
     set(scope PUBLIC)
     target_compile_options(tunica_${name} PRIVATE
       $<TARGET_PROPERTY:tunica_options,INTERFACE_COMPILE_OPTIONS>)
+    if(TUNICA_C AND name IN_LIST TUNICA_C_FOLDERS)
+      # What a shared library could replace at run time would not be inlined.
+      set_target_properties(tunica_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+      target_compile_options(tunica_${name} PRIVATE -fno-semantic-interposition)
+    endif()
   else()
     add_library(tunica_${name} INTERFACE)
     set(scope INTERFACE)

@@ -139,6 +139,7 @@ std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList
     linear.K = &system->K;
     linear.b = &system->b;
     linear.operators = &linear::no_operators();
+    linear.of_files = system.get();
     const auto best = table.run(linear);
     table.print();
     if (!best) return Outcome::failure("no setting came nearer to the solution than zero");

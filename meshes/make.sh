@@ -24,7 +24,7 @@ rm "$plain"
 
 # Planes and lumens by Gmsh, slabs and walls by tunica-mesh. Another version of Gmsh makes other elements.
 if ! python3 -c "import gmsh" 2>/dev/null; then
-  echo "make.sh: without python3-gmsh turek-hron.h5, bend.h5, bulge.h5, bifurcation.h5, arch.h5 and carotid.h5 stay as they are"
+  echo "make.sh: without python3-gmsh turek-hron.h5 and the meshes of vessels stay as they are"
   exit 0
 fi
 lumen=$(mktemp --suffix .msh)
@@ -41,3 +41,15 @@ python3 "$folder/make_vessel.py" arch "$lumen" --size 4
 "$tool" wall "$lumen" "$folder/arch.h5" --layers media=0.66:1,adventitia=0.34:1 --thickness-fraction 0.15 --overwrite on
 python3 "$folder/make_vessel.py" carotid "$lumen" --size 1.5
 "$tool" wall "$lumen" "$folder/carotid.h5" --layers media=0.66:1,adventitia=0.34:1 --thickness-fraction 0.2 --overwrite on
+
+# Of a surface with the steps of its voxels, with a thin layer of elements in the lumen, as tunica-vessel has it.
+surface=$(mktemp --suffix .stl)
+openings=$(mktemp --suffix .csv)
+layered=$(mktemp --suffix .h5)
+trap 'rm -f "$lumen" "$surface" "$openings" "$layered" "${layered%.h5}.json" "${layered%.h5}.png"' EXIT
+python3 "$folder/make_vessel.py" arch "$surface" --raw on
+printf '%s\n' inlet,-25,3.9,10.4 outlet_descending,18.2,12.8,-30.8 outlet_brachiocephalic,-28.3,-7.1,89.5 \
+  outlet_subclavian,29.7,12.4,88.3 outlet_carotid,-1.2,-5.8,97.9 > "$openings"
+"$tool" lumen "$surface" "$layered" --across 4 --layers 1 --first 0.2 --names "$openings" --overwrite
+"$tool" wall "$layered" "$folder/aorta.h5" --surfaces lumen_wall --layers media=0.666667:1,adventitia=0.333333:1 \
+  --thickness-fraction 0.15 --overwrite on

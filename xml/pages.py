@@ -131,3 +131,11 @@ def differences(one, other):
 def table_text(head, rows):
     text = "| " + " | ".join(head) + " |\n|" + "---|" * len(head) + "\n"
     return text + "".join("| " + " | ".join(row) + " |\n" for row in rows)
+
+
+def shrink(source, target):
+    """Half as wide and high: a page need not be heavy."""
+    from matplotlib import image
+    pixels = image.imread(source)[..., :3]
+    height, width = (size // 2 * 2 for size in pixels.shape[:2])
+    image.imsave(target, pixels[:height, :width].reshape(height // 2, 2, width // 2, 2, 3).mean(axis=(1, 3)))

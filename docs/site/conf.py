@@ -21,7 +21,7 @@ NORMALIZE = pathlib.Path("/usr/share/javascript/normalize.css/normalize.css")  #
 
 project = html_title = "Tunica"
 include_patterns = ["*.md", "docs/*.md", "examples/*/README.md", "meshes/README.md", "src/REFERENCES.md",
-                    "xml/PARAMETERS.md", "xml/**/RESULTS.md", "api/*.rst"]
+                    "xml/PARAMETERS.md", "bench/**/RESULTS.md", "xml/**/RESULTS.md", "api/*.rst"]
 extensions = ["myst_parser", "breathe"]
 myst_heading_anchors = 6  # headings have the names that GitHub gives them
 myst_ref_domains = ["std"]  # a link leads to a page or a heading, not to a class of the same name

@@ -79,25 +79,31 @@ def check_corners(path, triangles):
 def read(folder, region_array=None, surface_array=None):
     """The volume; a surface for each file of mesh-surfaces, with the file's name."""
     path = volume_file(folder)
-    faces = sorted(glob.glob(os.path.join(os.path.dirname(path), "mesh-surfaces", "*.vtp")))
+    files = sorted(glob.glob(os.path.join(os.path.dirname(path), "mesh-surfaces", "*.vtp")))
     if surface_array:
         raise BadMesh(f"{folder}: --surface-array does not fit a SimVascular folder, whose files name the surfaces")
-    if not faces:
+    if not files:
         raise BadMesh(f"{os.path.dirname(path)}: no mesh-surfaces/*.vtp, {EXPECTED}")
+    raw = read_files(path, [(os.path.splitext(os.path.basename(file))[0], file) for file in files], region_array)
+    raw.path = folder
+    return raw
+
+
+def read_files(path, faces, region_array=None):
+    """The volume; a surface for each of the faces, (name, file)."""
     raw, grid = vtk_files.read_volume(path, region_array)
     volume = Volume(raw.points, node_numbers(grid))
-    triangles = []
-    for face in faces:
-        data, own = vtk_files.read_surface(face)
-        at = volume.at(face, node_numbers(data), vtk_files.points_of(data, face))
+    triangles = [np.zeros((0, 3), dtype=np.int64)]
+    for _, file in faces:
+        data, own = vtk_files.read_surface(file)
+        at = volume.at(file, node_numbers(data), vtk_files.points_of(data, file))
         triangles.append(at[own])
-        check_corners(face, triangles[-1])
+        check_corners(file, triangles[-1])
     if volume.by_place:
         raw.note("the points of " + ", ".join(name for name, _ in volume.by_place) + " were found by their places: "
                  f"the file has {volume.by_place[0][1]}")
-    names = [os.path.splitext(os.path.basename(face))[0] for face in faces]
     raw.triangles = np.concatenate(triangles)
-    raw.surface = Tags(np.repeat(np.arange(len(faces)), [len(t) for t in triangles]),
-                       list(range(1, len(faces) + 1)), names)
-    raw.path, raw.program = folder, "SimVascular"
+    raw.surface = Tags(np.repeat(np.arange(len(faces)), [len(t) for t in triangles[1:]]),
+                       list(range(1, len(faces) + 1)), [name for name, _ in faces])
+    raw.program = "SimVascular"
     return raw

@@ -10,6 +10,8 @@ ROUND = 0.4       # 4 pi area / perimeter squared, small where rims are ragged
 LONG = 2.0        # the long axis of a disc over the short one
 PARALLEL = 0.3    # mean of the cosine between a cap and the surface around it
 RADIAL = 0.6      # mean of the cosine between the wall behind a cap and the way from its axis
+BESIDE = 2.0      # radii between a cap and plateaus of voxels on the wall behind it
+LESS = 0.85       # of the cosine behind a cap: that behind such a plateau
 ENOUGH = 0.4      # area of that wall over a cylinder's
 STARTS = 400      # so many regions are looked at
 PLANES = 30       # in each
@@ -18,20 +20,28 @@ LEAST = 6.0       # area of a cap, in squares of short sides
 
 def taken_off(surface, say):
     """The wall alone, and the names of caps by their centres, where the file has them."""
-    caps = by_numbers(surface)
-    if caps is None:
-        caps = by_shape(surface)
+    numbered = by_numbers(surface)
+    caps = by_shape(surface) if numbered is None else numbered
     is_wall = np.ones(len(surface.triangles), dtype=bool)
     names = []
     for chosen in caps:
         is_wall[chosen] = False
         corners = surface.points[surface.triangles[chosen]]
-        if surface.face is not None and int(surface.face[chosen[0]]) in surface.names:
-            names.append((surface.names[int(surface.face[chosen[0]])], corners.mean(axis=(0, 1))))
+        name = name_of(surface, chosen, numbered is not None)
+        if name:
+            names.append((name, corners.mean(axis=(0, 1))))
     if caps:
         say(f"{len(caps)} flat caps found, the first about "
             f"{show(surface.points[surface.triangles[caps[0]]].mean(axis=(0, 1)))}")
     return surface.take(is_wall), names
+
+
+def name_of(surface, chosen, has_number):
+    """Of a cap; one that is a face of the file without a name is called after its number, as tunica-import does."""
+    if surface.face is None:
+        return None
+    number = int(surface.face[chosen[0]])
+    return surface.names.get(number) or (f"surface-{number}" if has_number else None)
 
 
 def by_numbers(surface):
@@ -55,11 +65,28 @@ def by_shape(surface):
     tree = cKDTree(points[triangles].mean(axis=1))
     is_taken = np.zeros(len(triangles), dtype=bool)
     for size, chosen in flat_regions(points, triangles, edges, normal, area):
-        if not is_taken[chosen].any() and is_disc(surface, edges, chosen, FLAT) \
-                and ends_tube(surface, tree, normal, area * ~is_taken, chosen):
+        if is_taken[chosen].any() or not is_disc(surface, edges, chosen, FLAT):
+            continue
+        outward = behind(surface, tree, normal, area * ~is_taken, chosen)
+        if outward > RADIAL:
             is_taken[chosen] = True
-            found.append(chosen)
-    return found
+            found.append((outward, chosen))
+    return without_plateaus(points[triangles].mean(axis=1), normal, area, found)
+
+
+def without_plateaus(middle, normal, area, found):
+    """Flat pieces of wall beside a cap, which look across it, have a tube of a kind behind them too, where a branch is two voxels
+    wide. found: pairs of behind() and triangles."""
+    whole = [area[chosen].sum() for _, chosen in found]
+    centre = [(area[chosen, None] * middle[chosen]).sum(axis=0) / size for (_, chosen), size in zip(found, whole)]
+    vector = [unit((area[chosen, None] * normal[chosen]).sum(axis=0)) for _, chosen in found]
+
+    def is_beside(i, j):
+        reach = BESIDE * np.sqrt(max(whole[i], whole[j]) / np.pi)
+        return np.linalg.norm(centre[i] - centre[j]) < reach and abs(vector[i] @ vector[j]) < 0.5
+
+    every = range(len(found))
+    return [found[i][1] for i in every if not any(found[i][0] < LESS * found[j][0] and is_beside(i, j) for j in every)]
 
 
 def flat_regions(points, triangles, edges, normal, area):
@@ -120,10 +147,11 @@ def is_disc(surface, edges, chosen, tolerance):
     return bool(np.abs(height).max() < tolerance * np.sqrt(area / np.pi) and axes[2] < LONG ** 2 * axes[1])
 
 
-def ends_tube(surface, tree, normal, area, chosen):
-    """Behind a cap stands a tube as wide as it is: wall all around, which looks away from its axis.
+def behind(surface, tree, normal, area, chosen):
+    """Behind a cap stands a tube as wide as it is: wall all around, which looks away from its axis, by the cosine returned.
 
-    Behind a plateau of voxels there is nothing, or walls that go on aside. area: zero for other caps, which may be near.
+    Zero where there is none: behind a plateau of voxels there is nothing, or walls that go on aside. area: zero for other
+    caps, which may be near.
     """
     points, triangles = surface.points, surface.triangles
     vector = unit((area[chosen, None] * normal[chosen]).sum(axis=0))
@@ -132,14 +160,14 @@ def ends_tube(surface, tree, normal, area, chosen):
     near = np.setdiff1d(np.array(tree.query_ball_point(centre, 1.8 * radius), dtype=np.int64), chosen)
     offset = points[triangles[near]].mean(axis=1) - centre
     if (area[near] * (normal[near] @ vector)).sum() > PARALLEL * area[near].sum():
-        return False
+        return 0.0
     depth = -(offset @ vector)
     aside = offset + np.outer(depth, vector)
     chosen = (depth > 0.05 * radius) & (depth < 1.2 * radius) & (np.linalg.norm(aside, axis=1) < 1.6 * radius)
     near, aside = near[chosen], unit(aside[chosen])
     if len(near) < 8 or area[near].sum() < ENOUGH * 2.0 * np.pi * 1.15 * radius ** 2:
-        return False
+        return 0.0
     outward = (area[near] * base.dot(normal[near], aside)).sum() / area[near].sum()
     across = np.cross(vector, aside[0])
     sector = np.floor(np.arctan2(aside @ across, aside @ np.cross(across, vector)) * 4.0 / np.pi).astype(int) % 8
-    return bool(outward > RADIAL and len(np.unique(sector)) == 8)
+    return float(outward) if len(np.unique(sector)) == 8 else 0.0

@@ -8,7 +8,8 @@ from .faults import BadSurface
 from .surface import show
 
 STEP = 0.25      # radii between the points of a branch
-APART = 0.8      # radii by which two lines differ where a branch begins
+APART = 0.8      # radii by which two lines differ that have parted
+TOGETHER = 0.3   # the same where the branch begins
 PASSES = 12      # of smoothing
 NEAR = 3         # points: branches that begin so near to one another begin at one junction
 
@@ -102,11 +103,18 @@ def tree(lines, rims):
         found.append(Branch(line[:, :3], line[:, 3], name, junction))
         for group in groups:
             for member in group:  # all go on from where the trunk ends
-                lines[member][ends[member], :3] = line[-1, :3]
+                begin_at(line[-1, :3], lines[member][ends[member]:])
             grow(group, ends, junction)
 
     grow(list(range(len(lines))), {k: 0 for k in range(len(lines))}, rims[0].name)
     return found
+
+
+def begin_at(place, line):
+    """Moves the first point of a line; the points that follow within three of its radii go with it, less and less."""
+    along = arc_length(line)
+    part = np.minimum(along / min(3.0 * line[0, 3], along[-1]), 1.0)
+    line[:, :3] += 0.5 * (1.0 + np.cos(np.pi * part))[:, None] * (place - line[0, :3])
 
 
 def parting(lines, members, start):
@@ -116,9 +124,11 @@ def parting(lines, members, start):
     for other in members[1:]:
         leaves[other] = leaving(lines[reference][start[reference]:], lines[other][start[other]:])
     earliest = min(leaves.values())
-    cut = start[reference] + min(max(earliest, 1), len(lines[reference]) - start[reference] - 2)
     stay = [reference] + [k for k in members[1:] if leaves[k] > earliest + NEAR]
     leave = [k for k in members[1:] if leaves[k] <= earliest + NEAR]
+    ways = [lines[k][start[k]:] for k in (reference, *leave)]
+    begin = min(last_together(ways[0][:earliest + 1], way) for way in ways[1:])
+    cut = start[reference] + min(max(begin, 1), len(ways[0]) - 2)
     ends = {reference: cut}
     for k in members[1:]:
         offset = np.linalg.norm(lines[k][start[k]:, :3] - lines[reference][cut, :3], axis=1)
@@ -141,6 +151,17 @@ def together(lines, leave, ends):
 
 def leaving(a, b):
     """The point of the first line from which on the second is apart from it, by a part of its radius."""
-    distance = np.array([np.linalg.norm(b[:, :3] - p[:3], axis=1).min() for p in a])
-    apart = distance > APART * np.minimum(a[:, 3], np.median(b[:, 3]))
+    apart = distance_of(a, b) > APART
     return int(apart.argmax()) if apart.any() else len(a) - 2
+
+
+def last_together(a, b):
+    """The last point of the first line that the second is still near."""
+    near = np.flatnonzero(distance_of(a, b) < TOGETHER)
+    return int(near[-1]) if len(near) else len(a) - 1
+
+
+def distance_of(a, b):
+    """Of each point of the first line from the points of the second, in radii of the thinner vessel."""
+    distance = np.array([np.linalg.norm(b[:, :3] - p[:3], axis=1).min() for p in a])
+    return distance / np.minimum(a[:, 3], np.median(b[:, 3]))

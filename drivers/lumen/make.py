@@ -19,9 +19,9 @@ SMALL, LARGE = 0.05, 40.0   # mm, radii of vessels beyond which the unit is doub
 def lumen(options, progress):
     path = options.surface
     core.gmsh_module()  # missed now rather than at the end
-    wishes = names.read(options.names, options.scale) if options.names else None
+    wishes, of_faces = names.wanted(options.names, options.scale)
     progress.stage(f"reading {path}")                                          # 1. read, mend, open
-    raw, rims, given = opened(path, options, progress)
+    raw, rims, given = opened(path, options, of_faces, progress)
     doubt_unit(rims, options, progress)
     voxel = smooth.voxel_of(raw)
     raw, rims = subdivided(raw, rims)
@@ -48,9 +48,9 @@ def lumen(options, progress):
           f"{progress.seconds():.0f} s")
 
 
-def opened(path, options, progress):
+def opened(path, options, of_faces, progress):
     """The wall without caps, its openings, and names of caps with their places."""
-    surface = surface_files.read(path)
+    surface = surface_files.read(path, of_faces)
     surface.points = surface.points * options.scale
     progress.say(f"{len(surface.triangles):,} triangles, {len(surface.points):,} points")
     surface, given = subdivide.evened(repair.mended(surface, path, progress.note)), []

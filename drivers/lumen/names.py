@@ -5,6 +5,7 @@ import numpy as np
 
 from importer.raw import BadMesh
 
+from . import face_names
 from .surface import show
 
 FAR = 3.0  # radii from an opening's centre: the point belongs to none
@@ -16,6 +17,7 @@ def settle(rims, given, path, scale, wishes=None):
     rims = sorted(rims, key=lambda rim: -rim.radius)
     for number, rim in enumerate(rims, 1):
         rim.name = f"opening-{number}"
+    path = None if wishes is None else path
     wishes = given if wishes is None else wishes
     taken = {}
     for name, point in wishes:
@@ -38,6 +40,13 @@ def check(rims, path):
     for name in names:
         if names.count(name) > 1 or name == "lumen_wall":
             raise BadMesh(f'{path or "the surface"}: the name "{name}" stands for two surfaces, expected one for each')
+
+
+def wanted(path, scale):
+    """(names with points, or None; names of faces by their numbers, or None) of the file of --names."""
+    if path and face_names.is_file_of_them(path):
+        return None, face_names.read(path)
+    return read(path, scale) if path else None, None
 
 
 def read(path, scale):

@@ -41,7 +41,9 @@ def make_parser():
         help="thickness of the layer at the wall, as a part of the local size of elements; default 0.1")
     add("--growth", type=float, default=1.3, metavar="F", help="thickness of each layer over the one before; default 1.3")
     add("--extend", type=float, default=0.0, metavar="R", help="lengthens the ends by so many radii; default 0")
-    add("--names", metavar="FILE", help='names of openings: lines "name,x,y,z" with a point near each, in the units of SURFACE')
+    add("--names", metavar="FILE",
+        help='names of openings: lines "name,x,y,z" with a point near each, in the units of SURFACE; or the .mdl or .facenames of '
+             "SimVascular, for faces with numbers")
     add("--no-smoothing", action="store_true", help="leaves the surface as it is, but for its ends")
     add("--overwrite", action="store_true", help="replaces OUT, OUT.json and OUT.png")
     return parser

@@ -1,6 +1,7 @@
 """Pictures by matplotlib: the mesh with sections, and the place of a fault."""
 import numpy as np
 
+from . import labels
 from . import surface as base
 from .surface import unit
 
@@ -91,7 +92,7 @@ def mesh(mesh_, rims, branches, path):
     figure = plt.figure(figsize=(15, 10), dpi=100)
     grid = figure.add_gridspec(2, 3)
     whole = figure.add_subplot(grid[:, :2] if len(places(rims, branches)) < 3 else grid[0, :2])
-    draw_surface(whole, mesh_, rims, branches)
+    frame = draw_surface(whole, mesh_, branches)
     slots = [grid[0, 2], grid[1, 2], grid[1, :2]]
     for slot, (title, point, direction, radius, along) in zip(slots, places(rims, branches)):
         axis = figure.add_subplot(slot)
@@ -104,24 +105,26 @@ def mesh(mesh_, rims, branches, path):
         axis.set_ylim(-0.45 * reach if along else -0.8 * reach, 0.45 * reach if along else 0.8 * reach)
         axis.set_title(f"section {title}, mm", fontsize=10)
     figure.tight_layout()
+    labels.draw(whole, [rim.name for rim in rims], [(frame @ rim.centre)[:2] for rim in rims])
     figure.savefig(path)
     plt.close(figure)
 
 
-def draw_surface(axis, mesh_, rims, branches):
+def draw_surface(axis, mesh_, branches):
+    """Returns the directions in which it is seen."""
     frame = axes_of(mesh_.points[np.unique(mesh_.wall)])
     if np.ptp(mesh_.points @ frame[1]) > np.ptp(mesh_.points @ frame[0]):  # lying, as the place for it does
         frame = np.array([frame[1], -frame[0], frame[2]])
     triangles = np.concatenate([mesh_.wall] + mesh_.caps)
     colours = np.repeat(np.array([WALL, CORE]), [len(mesh_.wall), len(triangles) - len(mesh_.wall)], axis=0)
     paint(axis, mesh_.points, triangles, frame, colours, 0.25 if len(triangles) < MOST else 0.0)
-    for rim in rims:
-        x, y, _ = frame @ (rim.centre + 0.8 * rim.radius * rim.normal)
-        axis.annotate(rim.name, (x, y), fontsize=9, ha="center", bbox={"fc": "white", "ec": "none", "alpha": 0.7, "pad": 1})
+    axis.margins(0.12)  # for the names
+    axis.autoscale_view()
     for branch in branches:
         x, y, _ = frame @ branch.points.T
         axis.plot(x, y, "k-", lw=0.8, alpha=0.6)
     axis.set_title(f"{len(mesh_.wall):,} triangles on the wall, {len(mesh_.tets):,} tetrahedra; mm", fontsize=10)
+    return frame
 
 
 def frame_towards(points, triangles, place):

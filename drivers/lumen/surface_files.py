@@ -7,16 +7,17 @@ from importer import arrays
 from importer.raw import BadMesh
 from importer.vtk_files import data_of, legend_of, points_of, to_numpy, updated, vtk
 
+from . import face_names
 from .surface import Surface
 
 READERS = {".stl": ("vtkIOGeometry", "vtkSTLReader"), ".obj": ("vtkIOGeometry", "vtkOBJReader"),
            ".ply": ("vtkIOPLY", "vtkPLYReader"), ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader"),
            ".vtk": ("vtkIOLegacy", "vtkPolyDataReader")}
-OF_FACES = ("ModelFaceID", "surface", "CellEntityIds")
+OF_FACES = ("ModelFaceID", "surface", "CellEntityIds", "CapID")
 
 
-def read(path):
-    """Points of the file, triangles of its polygons."""
+def read(path, of_faces=None):
+    """Points of the file, triangles of its polygons. of_faces: names of its faces by their numbers, if not those of the file."""
     kind = os.path.splitext(path)[1].lower()
     if os.path.isdir(path) or not os.path.exists(path):
         raise BadMesh(f"{path}: there is no such file" + near_file(path))
@@ -32,6 +33,10 @@ def read(path):
         raise BadMesh(f"{path}: holds no triangles or other polygons, expected the surface of a lumen")
     triangles, owner = triangulated(cells, sizes)
     face, names = faces_of(data, path, owner)
+    if of_faces and face is None:
+        raise BadMesh(f"{path}: its faces have no numbers, expected a cell array {', '.join(OF_FACES[:-1])} or {OF_FACES[-1]}, to "
+                      "which the names of --names belong")
+    names = of_faces or names
     points = points_of(data, path)
     if not np.isfinite(points).all():
         first = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
@@ -58,15 +63,15 @@ def triangulated(cells, sizes):
 
 
 def faces_of(data, path, owner):
-    """The number of the face at each triangle, and the names that a file of Tunica has for them."""
+    """The number of the face at each triangle, and the names that the file, or another beside it, has for them."""
     values = data_of(data.GetCellData())
     name = next((n for n in OF_FACES if n in values and arrays.is_number(values[n])), None)
     if name is None:
         return None, {}
     before = data.GetNumberOfVerts() + data.GetNumberOfLines()  # cells of a polydata: these come first
     face = np.asarray(values[name]).reshape(-1)[before + owner].astype(np.int64)
-    names = names_in(data, name) or (legend_of(path)["surface"] if path.endswith(".vtp") else {})
-    return face, names
+    in_file = names_in(data, name) or (legend_of(path)["surface"] if path.endswith(".vtp") else {})
+    return face, in_file or (face_names.beside(path) if name == "ModelFaceID" else {})
 
 
 def names_in(data, name):

@@ -8,20 +8,21 @@ from report.space_figures import SpacePictures
 from report.surfaces import VesselSurfaces
 
 
-def draw_all(run, folder, outputs, step, magnify, wanted_plane):
-    """Draws what the run permits. wanted_plane: normal and level (or None) of what cuts the vessel, None: chosen
-    here. Returns the figures, and the page with the vessel to be turned, or None."""
-    jobs, page = [], None
+def draw_all(run, clinic, folder, outputs, step, look):
+    """Draws what the run permits. clinic: of a vessel with a beat, or None; look: magnification, and normal and level
+    of what cuts the vessel, each None where it is chosen here. Returns the figures, and the page with the vessel to be
+    turned, or None."""
+    jobs, page, (magnify, wanted_plane) = clinic.figures() if clinic else [], None, look
     if outputs:
-        surfaces = VesselSurfaces(run)
+        surfaces = clinic.parts.surfaces if clinic and clinic.parts else VesselSurfaces(run)
         line = line_of(run, surfaces)
         plane = plane_of(run, line, wanted_plane)
         factor = magnify if magnify is not None else default_magnification(run, outputs, plane)
-        page = viewer.write(run, surfaces, folder, factor, plane)
+        page = viewer.write(run, clinic, surfaces, folder, (factor, plane))
         jobs += SpacePictures(run, surfaces, outputs, factor, plane).jobs()
         shown = ("velocity", "pressure") if "fluid" in run.grids() else ("wall",)
         jobs += [lambda q=q: section(run, outputs, q, factor, plane) for q in shown]
         jobs.append(lambda: bulge(run, outputs, line))
     jobs += [lambda: curves(run), lambda: coupling_history(run, step), lambda: counts(run),
              lambda: newton_history(run, step), lambda: observables(run)]
-    return save(jobs, folder), page
+    return save(jobs, folder) + (clinic.pictures(folder) if clinic else []), page

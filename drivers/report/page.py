@@ -8,6 +8,7 @@ from report import wall_stress
 from report.canvas import readable
 from report.case_tables import changes_per_cycle, openings, parameters, period, read_case
 from report.run_data import rows_where
+from report.tables import as_html, as_markdown, html_table
 
 _STYLE = """
 body { font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 68rem; margin: 2rem auto; padding: 0 1rem; }
@@ -16,27 +17,17 @@ img { max-width: 100%; height: auto; } p.note { color: #666; margin: .2rem 0 .6r
 table { border-collapse: collapse; font-size: .9rem; margin: .6rem 1.5rem .6rem 0; display: inline-block; vertical-align: top; }
 td, th { padding: .15rem .7rem; text-align: right; border-bottom: 1px solid #e4e4e4; }
 td:first-child, th:first-child { text-align: left; } th { color: #555; font-weight: 600; }
+h3 { font-size: 1rem; margin: 1.4rem 0 0; } .beat { overflow-x: auto; }
+.beat td { white-space: nowrap; } iframe { width: 100%; height: 34rem; border: 1px solid #ccc; }
 .remark { background: #fff7e6; border-left: 4px solid #d9a406; padding: .4rem .8rem; }
 .scroll { max-height: 24rem; overflow: auto; } summary { cursor: pointer; }
 .done { color: #1a7f37; } .bad { color: #b42318; } .running { color: #9a6700; }
 """
 
 
-def _cell(value):
-    if isinstance(value, float):
-        return f"{value:.4g}" if np.isfinite(value) else "–"
-    return html.escape(str(value))
-
-
-def _table(heading, rows):
-    head = "".join(f"<th>{_cell(h)}</th>" for h in heading)
-    body = "".join("<tr>" + "".join(f"<td>{_cell(v)}</td>" for v in row) + "</tr>\n" for row in rows)
-    return f"<table>\n<tr>{head}</tr>\n{body}</table>\n"
-
-
 def _sections(record):
     """One table per object of run.json."""
-    return "".join(_table([name, ""], [(k, "–" if v is None else v) for k, v in entries.items()])
+    return "".join(html_table([name, ""], [(k, "–" if v is None else v) for k, v in entries.items()])
                    for name, entries in record.items() if isinstance(entries, dict) and entries)
 
 
@@ -57,7 +48,7 @@ def _exponents(run, step):
     rows = [row + [""] * (width - len(row)) for row in rows[:12]]
     return ("<h2>Exponents of convergence of Newton's method</h2>\n"
             f"<p class=\"note\">Step {step}, first coupling iterations; 2 is quadratic convergence.</p>\n"
-            + _table(["coupling iteration", "field"] + [f"step {i}" for i in range(1, width - 1)], rows))
+            + html_table(["coupling iteration", "field"] + [f"step {i}" for i in range(1, width - 1)], rows))
 
 
 def _exponent(value):
@@ -77,7 +68,7 @@ def linear_solvers(run):
         rows.append([*kind, len(one["step"]), float(np.mean(one["iterations"])),
                      float(np.max(one["iterations"])), float(np.sum(one["setup_seconds"])),
                      float(np.sum(one["solve_seconds"])), failed])
-    return "<h2>Linear solvers</h2>\n" + _table(
+    return "<h2>Linear solvers</h2>\n" + html_table(
         [*keys, "solves", "mean iterations", "most", "set-up [s]", "solve [s]", "not converged"], rows)
 
 
@@ -111,23 +102,23 @@ def _summary(run):
 
 
 def _case(case):
-    tables = "".join(_table([heading, ""], rows) for heading, rows in parameters(case))
+    tables = "".join(html_table([heading, ""], rows) for heading, rows in parameters(case))
     return f"<h2>The case</h2>\n<details open><summary>parameters</summary>\n{tables}</details>\n" if tables else ""
 
 
 def _wall_stress(run):
     """What each layer of the wall bears."""
-    peaks, errors = wall_stress.tables(run)
+    peaks, errors = wall_stress.tables(run, run.outputs)
     if not peaks:
         return ""
     note = ("At the vertices, recovered from the elements around, each layer for itself, at the output in which the quantile "
             "is greatest. 99 % of the layer bear less than the quantile; the greatest value of all may be that of a corner, "
             "where it grows with each refinement. In elements: the greatest value of them.")
-    table = _table(wall_stress.HEADING, peaks)
+    table = html_table(wall_stress.HEADING, peaks)
     if errors:
         note += (" Estimated error: how far the stress of the elements is from that at the vertices, root mean square in parts "
                  "of the stress, at the last output.")
-        table += _table(["layer", "estimated error"], errors)
+        table += html_table(["layer", "estimated error"], errors)
     return f"<h2>Stress in the wall</h2>\n<p class=\"note\">{note}</p>\n{table}"
 
 
@@ -143,7 +134,7 @@ def _flow_split(run, case):
     width = max(len(row) for row in rows)
     return ("<h2>Flow split</h2>\n<p class=\"note\">From "
             f"{begin:g} to {run.steps['time'][-1]:g} ms, through the surfaces of steps.csv.</p>\n"
-            + _table(heading[:width], [row + [""] * (width - len(row)) for row in rows]))
+            + html_table(heading[:width], [row + [""] * (width - len(row)) for row in rows]))
 
 
 def _periodicity(run, case):
@@ -158,7 +149,7 @@ def _periodicity(run, case):
         text = (f"Relative L2 difference of the last cycle of {length:g} ms and the one before, greatest first; "
                 "below 0.01 a quantity hardly changes any more.")
         rows = sorted(rows, key=lambda row: -np.nan_to_num(row[1]))
-        table = _table(["quantity", "change"], [(readable(c), float(v)) for c, v in rows])
+        table = html_table(["quantity", "change"], [(readable(c), float(v)) for c, v in rows])
     return f"<h2>Has it become periodic?</h2>\n<p class=\"note\">{text}</p>\n{table}"
 
 
@@ -171,7 +162,7 @@ def _effort(run):
         return ""
     heading = [{"time": "time [ms]", "seconds": "seconds"}.get(c, c.replace("_", " ")) for c in columns]
     rows = zip(*[run.steps[c] for c in columns])
-    return (f"<details><summary>iterations of each step</summary><div class=\"scroll\">\n{_table(heading, rows)}"
+    return (f"<details><summary>iterations of each step</summary><div class=\"scroll\">\n{html_table(heading, rows)}"
             "</div></details>\n")
 
 
@@ -188,13 +179,35 @@ def _save(folder, title, body):
                    f"<h1>{html.escape(title)}</h1>\n{body}</body>\n</html>\n")
 
 
-def write(run, folder, figures, step, viewer=None):
-    """viewer: the page with the vessel to be turned."""
-    case = read_case(run.folder)
-    title = f"{run.record.get('program', 'tunica')}: {os.path.basename(os.path.abspath(run.folder))}"
-    link = f"<p><a href=\"{viewer}\">The vessel to be turned, over time</a></p>\n" if viewer else ""
-    _save(folder, title, f"{_summary(run)}{link}{_images(figures)}{_wall_stress(run)}{_flow_split(run, case)}{_periodicity(run, case)}{_effort(run)}"
-                         f"{_exponents(run, step)}{linear_solvers(run)}{_case(case)}<h2>The run</h2>\n{_sections(run.record)}")
+SUMMARY = "summary.md"
+
+
+def _clinical(clinic):
+    """The tables of a vessel with a beat."""
+    return "<h2>The beat, in the units of the clinic</h2>\n" + "".join(map(as_html, clinic.tables))
+
+
+def write(run, folder, drawn, step, clinic):
+    """drawn: figures, and the page with the vessel to be turned or None; clinic: None where there is no beat."""
+    case, (figures, viewer) = read_case(run.folder), drawn
+    title = title_of(run)
+    in_motion = (f"<h2>The vessel in motion</h2>\n<p><a href=\"{viewer}\">alone, in the whole window</a></p>\n"
+                 f"<iframe src=\"{viewer}\" title=\"the vessel in motion\"></iframe>\n") if viewer else ""
+    if clinic:
+        results = _clinical(clinic)
+        with open(os.path.join(folder, SUMMARY), "w", encoding="utf-8") as file:
+            file.write("\n".join([f"# {title}", "", *(line for table in clinic.tables for line in as_markdown(table))]))
+    else:
+        results = f"{_wall_stress(run)}{_flow_split(run, case)}{_periodicity(run, case)}"
+    _save(folder, title, f"{_summary(run)}{results if clinic else ''}{in_motion}{_images(figures)}{'' if clinic else results}"
+                         f"{_effort(run)}{_exponents(run, step)}{linear_solvers(run)}{_case(case)}<h2>The run</h2>\n"
+                         f"{_sections(run.record)}")
+
+
+def title_of(run):
+    """Of a run in a folder "results" that of the folder around it."""
+    above, name = os.path.split(os.path.abspath(run.folder))
+    return f"{run.record.get('program', 'tunica')}: {os.path.basename(above) if name == 'results' else name}"
 
 
 def write_compared(compared, folder, figures):
@@ -204,10 +217,10 @@ def write_compared(compared, folder, figures):
     heading, rows = compared.table()
     note = (f"Apart: the largest distance from {compared.names[0]} while all runs last, in parts of the range of "
             "its curve; between the steps of a run a straight line.")
-    body += f"{_images(figures)}<h2>At the end</h2>\n<p class=\"note\">{html.escape(note)}</p>\n{_table(heading, rows)}"
+    body += f"{_images(figures)}<h2>At the end</h2>\n<p class=\"note\">{html.escape(note)}</p>\n{html_table(heading, rows)}"
     others = compared.other_parameters()
     body += "<h2>Parameters that differ</h2>\n"
-    body += _table(["", *compared.names], others) if others else "<p>None of those shown on the page of a run.</p>\n"
+    body += html_table(["", *compared.names], others) if others else "<p>None of those shown on the page of a run.</p>\n"
     _save(folder, "compared: " + ", ".join(compared.names), body)
 
 
@@ -230,7 +243,7 @@ def _comparison(run, field):
     heading = ["iterations at Newton step"] + [f"{k:g}" for k in newton_steps] + ["set-up [s]", "solve [s]"]
     return (f"<h2>{field}: {run.unknowns(field):,} unknowns, {_ranks(run.record)}</h2>\n"
             f"<p class=\"note\">{html.escape(run.folder)}: residuals reduced by "
-            f"{run.choice['tolerance']:g}; seconds of all Newton steps.</p>\n{_table(heading, rows)}")
+            f"{run.choice['tolerance']:g}; seconds of all Newton steps.</p>\n{html_table(heading, rows)}")
 
 
 def write_solvers(runs, folder, figures):

@@ -2,6 +2,7 @@
 import numpy as np
 
 from report.run_data import region_names, spread
+from report.tables import Table
 
 QUANTITIES = (("largest_principal_stress", "largest principal stress"), ("von_mises", "von Mises stress"),
               ("fibre_stress", "stress along the fibres"))
@@ -60,13 +61,26 @@ class Layers:
         return float(np.sqrt((v * error.reshape(-1)[cells] ** 2).sum() / size)) if size > 0 else float("nan")
 
 
-def tables(run):
+def of_beat(run, outputs, begin, branch_at):
+    """The same of the outputs of a beat, with the branch of each place and times from its begin; None without stress at the
+    vertices."""
+    peaks, errors = tables(run, outputs)
+    if not peaks:
+        return None
+    note = ("At the vertices, each layer for itself, at the output in which the quantile is greatest."
+            + " Estimated error: " * bool(errors) + ", ".join(f"{layer} {error}" for layer, error in errors) + "." * bool(errors))
+    rows = [[*row[:5], branch_at(np.array(row[4].split(", "), dtype=float)), row[5], row[6] - begin]
+            for row in peaks]
+    return Table("Stress in the wall", note, [*HEADING[:5], "branch", HEADING[5], "at, ms"], rows)
+
+
+def tables(run, outputs):
     """Rows of HEADING, each of the output in which the quantile is greatest; rows of layer and estimated error; empty
     where the run has no stress at the vertices."""
     if run.fields is None or "wall" not in run.grids():
         return [], []
     layers, peaks, errors = Layers(run), [], []
-    outputs = spread(run.outputs, MOST_OUTPUTS)
+    outputs = spread(outputs, MOST_OUTPUTS) if outputs else []
     for layer, cells in layers.of.items():
         for name, words in QUANTITIES:
             found = [(layers.peak(cells, name, group), time) for time, group in outputs]

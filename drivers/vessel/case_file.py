@@ -1,8 +1,10 @@
 """Stage case: an ordinary case, with comments that say where each number came from."""
 import math
 import os
-import re
-from xml.sax.saxutils import escape
+
+import numpy as np
+
+from importer.case_writer import Writer
 
 from . import lumen, tune, walls
 from .errors import BadInput
@@ -14,6 +16,10 @@ READS = (lumen.TABLE, walls.MESH, walls.TABLE, tune.TABLE, tune.INFLOW)
 RESULTS = (CASE,)
 FIELDS = 20  # outputs of the fields in a beat
 CHECKPOINTS = 8  # in a beat: what a run that is killed has to repeat at most
+PROFILES = {"womersley": "that of a pulsating flow in a round tube, Womersley, J. Physiol. 127 (1955)",
+            "parabolic": "that of a steady flow in a round tube", "flat": "the same velocity everywhere"}
+LEAST_HOLD = 0.5  # of what openings with perpendicular normals hold
+BACKFLOW = 0.2  # safe, and with no effect where nothing flows back
 
 
 def steps_of(period, longest):
@@ -21,42 +27,16 @@ def steps_of(period, longest):
     return FIELDS * math.ceil(period / longest / FIELDS - 1e-9)
 
 
-def comment(text):
-    """XML permits no two hyphens in a comment."""
-    return "<!-- " + re.sub("--+", "", text) + " -->"
+def source_of(wall, key):
+    """Where a number of wall.json comes from, as it stands there."""
+    return wall.get("sources", {}).get(key, "of " + walls.TABLE)
 
 
-class Writer:
-    """Lines of parameters, indented, with comments behind them."""
-
-    def __init__(self, head):
-        self.lines, self.depth = [comment(head)], 0
-        self.begin("Case")
-
-    def begin(self, name):
-        self.lines.append("  " * self.depth + f'<ParameterList name="{escape(name)}">')
-        self.depth += 1
-
-    def end(self):
-        self.depth -= 1
-        self.lines.append("  " * self.depth + "</ParameterList>")
-
-    def put(self, name, value, why=""):
-        kind = {int: "int", float: "double", str: "string", bool: "bool"}.get(type(value), "Array(string)")
-        text = f"{value:.10g}" if kind == "double" else "{" + ", ".join(value) + "}" if kind == "Array(string)" else str(value)
-        self.lines.append("  " * self.depth + f'<Parameter name="{name}" type="{kind}" value="{escape(text)}"/>'
-                          + ("  " + comment(why) if why else ""))
-
-    def text(self):
-        while self.depth:
-            self.end()
-        return "\n".join(self.lines) + "\n"
-
-
-def write_time(out, tuned, options):
+def write_time(out, wall, tuned, options):
     steps = steps_of(tuned["period"], options.step)
     out.begin("Mesh")
-    out.put("file", walls.MESH)
+    out.put("file", walls.MESH, f"of the stages mesh and wall; wall of {wall['thickness']:g} of the local radius, "
+            + source_of(wall, "thickness"))
     out.end()
     out.begin("Time")
     out.put("step size", tuned["period"] / steps,
@@ -70,12 +50,12 @@ def write_inlet(out, tuned, options):
     out.begin(tuned["inlet"])
     out.put("condition", "flow rate")
     out.put("flow rate", 1.0, f"ml/s, times the curve: {tuned['inflow']}; mean {tuned['mean flow'] / L_PER_MIN:.3g} l/min")
-    out.put("profile", options.profile)
-    out.begin("Amplitude")
+    out.put("profile", options.profile, f"option profile: {PROFILES[options.profile]}")
+    out.begin("Amplitude", "of the stage tune, begins at the end of diastole")
     out.put("kind", "file")
     out.put("file", tune.INFLOW)
     out.put("interpolation", "spline")
-    out.put("period", tuned["period"], "ms")
+    out.put("period", tuned["period"], "ms, of the curve or option heart-rate")
     out.end()
     out.end()
 
@@ -90,9 +70,11 @@ def write_outlet(out, name, outlet):
     out.put("proximal resistance", outlet["proximal resistance"], why)
     out.put("capacitance", outlet["capacitance"], "mm^3/kPa; tuned, shared like the flow")
     out.put("distal resistance", outlet["distal resistance"], f"tuned for {100 * outlet['split']:.3g} % of the mean flow")
-    out.put("distal pressure", outlet["distal pressure"])
+    out.put("distal pressure", outlet["distal pressure"],
+            f"kPa, behind the small vessels; {'assumed' if outlet['distal pressure'] == 0 else 'of ' + tune.TABLE}")
     out.put("initial pressure", outlet["initial pressure"], "kPa; of the network in a beat that repeats itself, at its beginning")
-    out.put("backflow stabilisation", 0.2)
+    out.put("backflow stabilisation", BACKFLOW, "so that blood that flows back brings in no energy: Esmaily Moghadam and others, "
+            "Comput. Mech. 48 (2011)")
     out.end()
 
 
@@ -120,13 +102,13 @@ def write_wall(out, table, wall, tuned, options):
     out.end()
     if any(layer["keys"]["law"] == "holzapfel" for layer in wall["layers"].values()):
         out.begin("Fibre Frame")
-        out.put("kind", "laplace")
+        out.put("kind", "laplace", "fibres turn about the way from the inlet to the outlets")
         out.put("start surfaces", ["wall_" + tuned["inlet"]])
         out.put("end surfaces", ["wall_" + name for name in names if name != tuned["inlet"]])
         out.end()
     out.begin("Layers")
     for name, layer in wall["layers"].items():
-        out.begin(name)
+        out.begin(name, f"{100 * layer['share']:.3g} % of the thickness; {layer.get('source', 'of ' + walls.TABLE)}")
         for key, value in layer["keys"].items():
             out.put(key, value)
         out.end()
@@ -141,9 +123,9 @@ def write_wall_surfaces(out, names, wall, options):
         out.begin("wall_" + name)
         if options.ends == "slide":
             out.put("condition", "held")
-            out.put("components", ["normal"], "the end slides in its plane")
+            out.put("components", ["normal"], "option ends: the end slides in its plane")
         else:
-            out.put("condition", "clamped")
+            out.put("condition", "clamped", "option ends: held as imaged; assumed")
         out.end()
     out.begin("interface")
     out.put("condition", "interface")
@@ -151,8 +133,8 @@ def write_wall_surfaces(out, names, wall, options):
     if wall["tissue"] or wall["damping"]:
         out.begin("outer")
         out.put("condition", "support")
-        out.put("stiffness", float(wall["tissue"]), "kPa/mm; tissue around the wall, option tissue")
-        out.put("damping", float(wall["damping"]), "kPa ms/mm")
+        out.put("stiffness", float(wall["tissue"]), f"kPa/mm; tissue around the wall, {source_of(wall, 'tissue')}")
+        out.put("damping", float(wall["damping"]), f"kPa ms/mm; {source_of(wall, 'damping')}")
         out.put("direction", "all", "also along the vessel, which would otherwise be free to turn")
         out.end()
     out.end()
@@ -171,7 +153,7 @@ def text_of(folder, options):
     table, wall, tuned = read_json(folder.file(lumen.TABLE)), walls.read(folder), tune.read(folder)
     out = Writer("Made by tunica-vessel. Change what you like and give the same command again: it goes on with the changed file. "
                  f"Wall: {os.path.basename(options.wall)}.")
-    write_time(out, tuned, options)
+    write_time(out, wall, tuned, options)
     write_fluid(out, tuned, options)
     write_wall(out, table, wall, tuned, options)
     out.begin("Mesh Motion")
@@ -179,6 +161,16 @@ def text_of(folder, options):
     out.end()
     write_output(out, tuned, options)
     return out.text()
+
+
+def slide_lines(table):
+    """Ends that slide hold the wall along their normals n alone, against a shift v by sum (n.v)^2. The pressure of the prestress
+    pushes the wall also where that is next to nothing, and only its bending bears it."""
+    hold = np.linalg.svd(np.array([opening["normal"] for opening in table["openings"]]))[1]
+    if len(hold) == 3 and hold[-1] > LEAST_HOLD:
+        return []
+    return ["warning: --ends slide: all openings face nearly one plane or direction, and nothing holds the wall across it. Its "
+            "prestress takes many steps there, or is not found; --ends clamped holds it"]
 
 
 def make(folder, options, programs):
@@ -192,4 +184,5 @@ def make(folder, options, programs):
     if status != 0:
         raise BadInput(f"{draft}: tunica-check refuses it: {[line for line in told if line.strip()][-1]}")
     os.replace(draft, folder.file(CASE))
-    return [f"case: {folder.file(CASE)} is valid"] + ["  " + line for line in told if line.startswith(("warning", "CFL", "memory"))]
+    slide = slide_lines(read_json(folder.file(lumen.TABLE))) if options.ends == "slide" else []
+    return [f"case: {folder.file(CASE)} is valid", *slide] + ["  " + line for line in told if line.startswith(("warning", "CFL", "memory"))]

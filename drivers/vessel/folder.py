@@ -9,6 +9,7 @@ from .errors import BadInput
 from .options import FREE, STAGE_OF, STAGES
 
 RECORD, LOCK, FORMAT = "stages.json", ".tunica-vessel-lock", "tunica-vessel 1"
+LOG, REFUSED = "programs.log", "refused.png"  # all that a surface that was refused leaves
 FILE_OPTIONS = ("lumen", "wall", "flow")  # of which the contents count, not the name
 
 
@@ -81,7 +82,7 @@ class Folder:
             self.record = read_json(self.file(RECORD))
             if not isinstance(self.record, dict) or self.record.get("format") != FORMAT:
                 raise BadInput(f"{self.file(RECORD)}: its format is not \"{FORMAT}\"; was it made by another version?")
-        elif os.path.isdir(path) and set(os.listdir(path)) - {LOCK, RECORD + ".tmp"}:
+        elif os.path.isdir(path) and set(os.listdir(path)) - {LOCK, RECORD + ".tmp", LOG, REFUSED}:
             raise BadInput(f"{path}: holds files but no {RECORD}, so that it was not made by tunica-vessel. Name another folder")
 
     def file(self, *names):
@@ -121,6 +122,17 @@ class Folder:
         if self.lock:
             self.lock.close()
             self.lock = None
+
+    def abandon(self):
+        """A folder in which no stage was ever done is not one of a case: neither the record nor the lock remains."""
+        if not set(os.listdir(self.path)) <= {RECORD, LOCK, LOG, REFUSED}:
+            return
+        for name in (RECORD, LOCK):
+            if os.path.exists(self.file(name)):
+                os.remove(self.file(name))
+        self.close()
+        if not os.listdir(self.path):
+            os.rmdir(self.path)
 
     def save(self):
         write_json(self.file(RECORD), self.record)

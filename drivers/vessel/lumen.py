@@ -6,21 +6,29 @@ import numpy as np
 
 from . import branches
 from .errors import BadInput, nearest
-from .folder import read_json, write_json
+from .folder import LOG, REFUSED, read_json, write_json
 from .mesh_file import Mesh, opening_of
+from .units import L_PER_MIN
 
-MESH, TABLE, LOG = "lumen.h5", "lumen.json", "programs.log"
+MESH, TABLE = "lumen.h5", "lumen.json"
 MESHES = (".h5", ".msh", ".vol")
 RESULTS = (MESH, TABLE)
+FASTEST = 4.0  # m/s: no mean over an opening and a beat is so large
 
 
 def make(folder, options, programs):
-    """Both files appear complete: they are made under other names, and renamed. A failure leaves no draft."""
+    """Both files appear complete: they are made under other names, and renamed. A failure leaves no draft, but for a picture
+    of the place of the fault."""
     draft = folder.file("draft-" + MESH)
     table_draft, picture = (os.path.splitext(draft)[0] + ending for ending in (".json", ".png"))
-    remove(draft, table_draft, picture)
+    remove(draft, table_draft, picture, folder.file(REFUSED))
     try:
         return fill(folder, options, programs, draft, table_draft, picture)
+    except BadInput as error:
+        if os.path.exists(draft) or not os.path.exists(picture):
+            raise
+        os.replace(picture, folder.file(REFUSED))
+        raise BadInput(f"{error}. The place is shown in {folder.file(REFUSED)}") from None
     finally:
         remove(draft, table_draft, picture)
 
@@ -28,6 +36,8 @@ def make(folder, options, programs):
 def fill(folder, options, programs, draft, table_draft, picture):
     log = folder.file(LOG)
     if os.path.splitext(options.lumen)[1].lower() in MESHES:
+        if options.scale not in (None, 1.0):
+            raise BadInput(f"{options.lumen}: --scale converts surfaces; tunica-import --scale {options.scale:g} converts a mesh")
         take_mesh(options.lumen, draft, programs, log)
     else:
         fill_surface(options, draft, programs, log)
@@ -79,6 +89,7 @@ def table_of(draft, table_draft, options):
         raise BadInput(f"{table_draft}: names the openings {', '.join(known)}, but the mesh has {', '.join(names)}")
     if options.inlet and options.inlet not in known:
         raise BadInput(f"--inlet {options.inlet}: there is no such opening. {nearest(options.inlet, known)}")
+    check_speed(next(o for o in openings if o["name"] == (options.inlet or known[0])), options)
     table["openings"] = openings
     ends = {branch[end] for branch in table.get("branches") or () for end in ("start", "end")}
     if not set(known) <= ends:
@@ -102,6 +113,16 @@ def check(mesh, options):
     if not 2 <= extent <= 2000:
         raise BadInput(f"{options.lumen}: is {extent:.3g} mm long. Lengths are in mm: --scale 10 converts a surface in cm, 1000 one "
                        "in m; tunica-import --scale does so with a mesh")
+
+
+def check_speed(inlet, options):
+    """A surface in cm passes for one of a small vessel in mm, but a hundred times faster."""
+    speed = options.mean_inflow / inlet["area"]
+    if options.scale is None and speed > FASTEST:
+        raise BadInput(f"{options.lumen}: the mean flow of {options.mean_inflow / L_PER_MIN:.3g} l/min would pass {inlet['name']}, of "
+                       f"radius {inlet['radius']:.3g} mm, at {speed:.2g} m/s, where blood flows at less than 1 m/s. Lengths are in mm: is "
+                       "this in cm? --scale 10 converts a surface, tunica-import --scale 10 a mesh; --scale 1 says that it is in "
+                       "mm. Or is --flow too large?")
 
 
 def report(table):

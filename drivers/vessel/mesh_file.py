@@ -62,9 +62,3 @@ def tets_at(mesh, triangles):
     is_near = np.zeros(len(mesh.vertices), dtype=bool)
     is_near[triangles] = True
     return mesh.tets[is_near[mesh.tets].any(axis=1)]
-
-
-def elements_across(mesh, opening):
-    """Edges across an opening, along its diameter."""
-    edge = mesh.mean_edge(mesh.triangles_of(opening["name"]))
-    return 2 * opening["radius"] / edge

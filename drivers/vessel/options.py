@@ -11,8 +11,8 @@ STAGES = ("mesh", "wall", "tune", "case", "run", "report")
 STAGE_OF = {"lumen": "mesh", "scale": "mesh", "across": "mesh", "size": "mesh", "layers": "mesh",
             "lumen_wall": "mesh", "inlet": "mesh", "wall": "wall", "thickness": "wall", "tissue": "wall",
             "wall_elements": "wall", "pressure": "tune", "flow": "tune", "mean_flow": "tune", "heart_rate": "tune",
-            "splits": "tune", "proximal": "tune", "profile": "case", "step": "case",
-            "ends": "case", "beats": "run", "tolerance": "run"}
+            "splits": "tune", "proximal": "tune", "start_from": "tune", "profile": "case", "step": "case",
+            "ends": "case", "beats": "run", "tolerance": "run", "pdf": "report"}
 FREE = ("beats",)  # more of them continue what there is
 
 
@@ -63,8 +63,11 @@ def add_numerics(parser):
         help="of a mesh: its surface on which the wall grows; default lumen_wall")
     add("--wall-elements", type=int, metavar="N", help="elements through the wall; default: three or more, as suits the lumen")
     add("--step", type=float, metavar="MS", default=5.0, help="largest time step; the beat has a whole number of them; default 5")
+    add("--start-from", metavar="DIR", help="begins where the beats in another folder of tunica-vessel ended, of the same vessel on "
+        "another, coarser mesh: with its Windkessels and its state")
     add("--beats", type=int, metavar="N", default=8, help="most beats to compute; default 8")
     add("--tolerance", type=float, metavar="SHARE", default=0.05, help="of pressures and splits against the goals; default 0.05")
+    add("--pdf", action="store_const", const=True, help="the report as a PDF file, too")
     add("--ranks", type=int, metavar="N", default=1, help="MPI ranks of tunica-fsi; default 1")
 
 

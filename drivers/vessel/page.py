@@ -1,82 +1,37 @@
-"""Stage report: summary.md and report.html in the units of the clinic, beside the report of the last run by tunica-report."""
-import html
+"""Stage report: tells tunica-report what this program knows of the case, in a file beside the run, and calls it."""
 import os
-import re
+import shutil
 
-from . import beat_figures, beats, case_file, correction, lumen, run, tune, walls
+from . import beats, case_file, correction, lumen, run, tune, walls
 from .errors import BadInput
-from .folder import read_json, write_atomically
-from .mesh_file import Mesh, elements_across
-from .units import L_PER_MIN, MMHG_S_PER_ML, ML_PER_MMHG, mmhg
+from .folder import read_json, write_json
+from .units import mmhg
 
-SUMMARY, PAGE = "summary.md", "report.html"
+TOLD, PICTURE = "vessel.json", "lumen.png"
 READS = (run.TABLE, tune.TABLE, walls.TABLE, lumen.TABLE, case_file.CASE)
-RESULTS = (SUMMARY, PAGE)
-FEW_ACROSS = 10  # elements across an opening
-
-
-def table_of(heading, rows):
-    lines = ["| " + " | ".join(heading) + " |", "|" + "---|" * len(heading)]
-    return lines + ["| " + " | ".join(map(str, row)) + " |" for row in rows] + [""]
-
-
-def pressures(tuned, beat, goal):
-    rows = []
-    aim = (f"{mmhg(goal.systolic):.0f}/{mmhg(goal.diastolic):.0f}, pulse {mmhg(goal.systolic - goal.diastolic):.0f}")
-    for name, (high, low) in beat["measured"]["pressures"].items():
-        is_inlet = name == tuned["inlet"]
-        rows.append([name + (" (in)" if is_inlet else ""), f"{mmhg(high):.1f}", f"{mmhg(low):.1f}", f"{mmhg(high - low):.1f}",
-                     aim if is_inlet else ""])
-    return table_of(["pressure, mmHg", "systole", "diastole", "pulse", "goal"], rows)
-
-
-def flows(tuned, beat, goal):
-    rows = []
-    for name, split in goal.splits.items():
-        flow, share = beat["measured"]["mean flows"][name], beat["measured"]["splits"][name]
-        rows.append([name, f"{flow:.3g}", f"{flow / L_PER_MIN:.3g}", f"{100 * share:.1f} %", f"{100 * split:.1f} %"])
-    rows.append([tuned["inlet"] + " (in)", f"{tuned['mean flow']:.3g}", f"{tuned['mean flow'] / L_PER_MIN:.3g}", "", ""])
-    return table_of(["mean flow", "ml/s", "l/min", "share", "goal"], rows)
-
-
-def windkessels(tuned, beat):
-    rows = []
-    for name, w in beat["windkessels"].items():
-        first = tuned["outlets"][name]
-        resistance = (w["proximal"] + w["distal"]) / (first["proximal resistance"] + first["distal resistance"])
-        rows.append([name, f"{w['proximal'] / MMHG_S_PER_ML:.4g}", f"{w['distal'] / MMHG_S_PER_ML:.4g}",
-                     f"{w['capacitance'] / ML_PER_MMHG:.4g}", f"{w['distal'] * w['capacitance'] / 1000:.2g}",
-                     f"{100 * (resistance - 1):+.1f} %", f"{100 * (w['capacitance'] / first['capacitance'] - 1):+.1f} %"])
-    return table_of(["Windkessel", "proximal, mmHg s/ml", "distal, mmHg s/ml", "capacitance, ml/mmHg", "time constant, s",
-                     "resistance since the network", "capacitance since the network"], rows)
+RESULTS = tuple(os.path.join(run.RESULTS_FOLDER, "report", name) for name in ("index.html", "summary.md"))
 
 
 def beats_table(done, goal, minutes):
-    rows = []
+    rows, part = [], lambda value: "" if value is None else f"{100 * value:.2g} %"
     for number, beat in enumerate(done, 1):
         m = beat["measured"]
         worst = max(abs(share - goal.splits[name]) for name, share in m["splits"].items())
         rows.append([number, f"{mmhg(m['systolic']):.1f}", f"{mmhg(m['diastolic']):.1f}", f"{100 * worst:.1f} %",
-                     "" if beat["change"] is None else f"{100 * beat['change']:.2g} %", "yes" if beat["corrected"] else "no",
+                     part(beat["change"]), part(beat.get("shear change")), "yes" if beat["corrected"] else "no",
                      f"{minutes[number - 1]:.3g}"])
-    return table_of(["beat", "systole, mmHg", "diastole, mmHg", "worst share", "change since the beat before, of the pulse",
-                     "Windkessels corrected after it", "minutes"], rows)
-
-
-def meshes(folder, table):
-    mesh = Mesh(folder.file(lumen.MESH))
-    rows = [[o["name"], f"{o['radius']:.2f}", f"{o['area']:.1f}", f"{elements_across(mesh, o):.0f}"]
-            for o in table["openings"]]
-    return table_of(["opening", "radius, mm", "area, mm²", "elements across"], rows), rows
+    return {"note": f"A beat repeats itself when no pressure changes by {100 * run.PERIODIC:g} % of the pulse, nor the wall shear stress "
+                    f"by as much of its largest one, after the first {100 * beats.SETTLING:g} % of the beat and {beats.REMEMBERED} steps, "
+                    "in which a correction is still felt.",
+            "heading": ["beat", "systole, mmHg", "diastole, mmHg", "worst share", "change since the beat before, of the pulse",
+                        "of the wall shear stress", "Windkessels corrected after it", "minutes"], "rows": rows}
 
 
 def assumptions(options, tuned, wall):
-    """What nobody has said, and was assumed."""
-    found = [f"Inflow: {tuned['inflow']}.", f"Wall: {options.wall}, {wall['thickness']:g} of the local radius thick; "
-             f"tissue around it of {wall['tissue']:g} kPa/mm.",
-             f"The surface shows the vessel at the end of diastole, at {mmhg(tuned['goal']['diastolic']):.0f} mmHg.",
-             f"The pressures of the goal are those at {tuned['inlet']}.",
-             "Blood is Newtonian, 3.5 mPa s, 1.06 g/ml.", "The pressure behind the outlets: " + ", ".join(
+    """What nobody has said, and was assumed; tunica-report adds what the case says."""
+    found = [f"Inflow: {tuned['inflow']}.", f"Wall: {options.wall}, {wall['thickness']:g} of the local radius thick.",
+             "The surface shows the vessel at the end of diastole.", f"The pressures of the goal are those at {tuned['inlet']}.",
+             "The pressure behind the outlets: " + ", ".join(
                  f"{name} {mmhg(outlet['distal pressure']):.3g} mmHg" for name, outlet in tuned["outlets"].items()) + "."]
     given = options.given_splits
     free = [name for name in tuned["outlets"] if name not in given]
@@ -85,12 +40,9 @@ def assumptions(options, tuned, wall):
     return found
 
 
-def doubts(options, tuned, wall, across, done):
-    """Choices that a reader should look at."""
+def doubts(options, tuned, wall, done):
+    """Choices that a reader should look at; tunica-report adds what it finds in the mesh."""
     found = []
-    coarse = [row[0] for row in across if float(row[3]) < FEW_ACROSS]
-    if coarse:
-        found.append(f"Fewer than {FEW_ACROSS} elements across {', '.join(coarse)}: do not rely on the wall shear stress there.")
     capped = [name for name, o in tuned["outlets"].items() if o["proximal resistance"] < 0.999 * o["characteristic impedance"]]
     if capped:
         found.append(f"The proximal resistance of {', '.join(capped)} is below the characteristic impedance, so that waves are "
@@ -109,70 +61,27 @@ def doubts(options, tuned, wall, across, done):
     return found + wall["warnings"]
 
 
-def text_of(folder, options):
-    table, wall, tuned = read_json(folder.file(lumen.TABLE)), walls.read(folder), tune.read(folder)
-    done, goal = read_json(folder.file(run.TABLE))["beats"], run.goal_in(tuned)
-    last = done[-1]
-    mesh_lines, across = meshes(folder, table)
-    worst = max(map(abs, correction.errors(goal, last["measured"]).values()))
-    verdict = run.verdict(done, goal, options)
-    lines = [f"# {os.path.basename(os.path.abspath(folder.path))}", "", verdict[0].upper() + verdict[1:] + ".", "",
-             f"Largest distance from a goal: {100 * worst:.1f} %. Figures: [pressures](pressures.png), [flows](flows.png)"
-             + (", [mesh](lumen.png)" if os.path.exists(folder.file("lumen.png")) else "") + "; fields and stress: "
-             "[results/report/index.html](results/report/index.html).", "", "## Pressures", ""]
-    lines += pressures(tuned, last, goal) + ["## Flows", ""] + flows(tuned, last, goal)
-    lines += ["## Windkessels", ""] + windkessels(tuned, last)
-    lines += ["## Beats", "", f"A beat repeats itself when no pressure changes by {100 * run.PERIODIC:g} % of the pulse, "
-              f"after the first {100 * beats.SETTLING:g} % of the beat, in which a correction is still felt.", ""]
+def told_of(folder, options, done):
+    """What the report shows beside the numbers of the run."""
+    wall, tuned = walls.read(folder), tune.read(folder)
+    goal = run.goal_in(tuned)
+    verdict, worst = run.verdict(done, goal, options), max(map(abs, correction.errors(goal, done[-1]["measured"]).values()))
     minutes = beats.minutes(beats.read_steps(folder.file(run.RESULTS_FOLDER, "steps.csv")), len(done), tuned["period"])
-    lines += beats_table(done, goal, minutes) + ["## Mesh", ""]
-    lines += [f"{wall['mesh']['tetrahedra']} tetrahedra, about {wall['mesh']['unknowns']} unknowns.", ""]
-    lines += mesh_lines + ["## Assumed", ""] + ["- " + text for text in assumptions(options, tuned, wall)]
-    lines += ["", "## Doubtful", ""] + ["- " + text for text in doubts(options, tuned, wall, across, done) or ["Nothing."]]
-    return "\n".join(lines) + "\n"
-
-
-def html_of(text):
-    """The few forms that text_of() uses, as HTML."""
-    body, in_table = [], False
-    for line in text.split("\n"):
-        line = re.sub(r"\[([^\]]+)\]\(([^)]+)\)", r'<a href="\2">\1</a>', html.escape(line, quote=False))
-        if in_table and not line.startswith("|"):
-            body.append("</table>")
-            in_table = False
-        if line.startswith("|---"):
-            continue
-        if line.startswith("|"):
-            cell = "td" if in_table else "th"
-            body += [] if in_table else ["<table>"]
-            in_table = True
-            body.append("<tr>" + "".join(f"<{cell}>{word.strip()}</{cell}>" for word in line.strip("|").split("|")) + "</tr>")
-        elif line.startswith("#"):
-            level = len(line) - len(line.lstrip("#"))
-            body.append(f"<h{level}>{line.lstrip('# ')}</h{level}>")
-        elif line.startswith("- "):
-            body.append(f"<p>• {line[2:]}</p>")
-        elif line:
-            body.append(f"<p>{line}</p>")
-        if line == "## Flows":
-            body.append('<img src="pressures.png" alt="pressures"><img src="flows.png" alt="flows">')
-    return ('<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>tunica-vessel</title><style>'
-            "body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em}table{border-collapse:collapse}"
-            "td,th{border:1px solid #bbb;padding:.25em .6em;text-align:right}td:first-child,th:first-child{text-align:left}"
-            "img{max-width:49%}</style>\n" + "\n".join(body) + "</html>\n")
+    return {"verdict": f"{verdict[0].upper()}{verdict[1:]}. Largest distance from a goal: {100 * worst:.1f} %.",
+            "period": tuned["period"], "goal": tuned["goal"], "splits": goal.splits, "network": run.as_dicts(tuned["windkessels"]),
+            "beats": beats_table(done, goal, minutes), "assumed": assumptions(options, tuned, wall),
+            "doubtful": doubts(options, tuned, wall, done)}
 
 
 def make(folder, options, programs):
     record = read_json(folder.file(run.TABLE))
     if not record["beats"]:
         raise BadInput(f"{folder.file(run.TABLE)}: no beat is complete; there is nothing to report")
-    tuned = tune.read(folder)
-    beat_figures.draw(folder, tuned, record["beats"])
-    lines = []
-    status = programs.run(["tunica-report", folder.file(run.RESULTS_FOLDER)], folder.file(lumen.LOG))
-    if status != 0:  # the numbers remain
-        lines.append(f"warning: tunica-report ended with status {status}, see {folder.file(lumen.LOG)}")
-    text = text_of(folder, options)
-    write_atomically(folder.file(SUMMARY), text)
-    write_atomically(folder.file(PAGE), html_of(text))
-    return lines + [f"report: {folder.file(PAGE)}, {folder.file(SUMMARY)}"]
+    results = folder.file(run.RESULTS_FOLDER)
+    write_json(os.path.join(results, TOLD), told_of(folder, options, record["beats"]))
+    if os.path.exists(folder.file(PICTURE)):
+        shutil.copyfile(folder.file(PICTURE), os.path.join(results, PICTURE))
+    programs.must(["tunica-report", results, *(["--pdf"] if options.pdf else [])], folder.file(lumen.LOG))
+    if not os.path.exists(folder.file(RESULTS[1])):
+        raise BadInput(f"{folder.file(RESULTS[0])} has no tables of the beat; it says why")
+    return [f"report: {folder.file(RESULTS[0])}, {folder.file(RESULTS[1])}"]

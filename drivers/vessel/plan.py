@@ -4,26 +4,34 @@ import os
 from . import case_file, flow_shapes, lumen, run, tune, walls
 from .errors import BadInput
 from .folder import read_json
+from .mesh_file import Mesh
 
-SECONDS_A_STEP = 6e-5  # of each unknown and rank, measured on an arch of 43,000 unknowns; within a factor of 3
+# The cost of tunica-check, src/tunica/judge/cost.cpp, which has the runs that they are from. A test compares them.
+MB_OF_PROGRAM, MB_A_TETRAHEDRON, SECONDS_A_TETRAHEDRON = 114.0, 1.9e-3, 2.2e-5
 USUAL_BEATS = 4
-MB_AN_UNKNOWN = 5e-3
+USUAL_ELEMENTS, USUAL_LAYERS = 3, 3  # through the wall, and thin ones at it
+OF_PRISM = 3  # tetrahedra
 
 
 def size_of(folder, options):
-    """Unknowns and how they are known, or None."""
+    """Tetrahedra and how they are known, or None."""
     if os.path.exists(folder.file(walls.TABLE)):
-        return walls.read(folder)["mesh"]["unknowns"], "of its mesh"
+        return walls.read(folder)["mesh"]["tetrahedra"], "of its mesh"
+    through = OF_PRISM * (options.wall_elements or USUAL_ELEMENTS)
     if os.path.exists(folder.file(lumen.TABLE)):
-        return 9 * read_json(folder.file(lumen.TABLE))["vertices"], "from the mesh of the lumen"
+        mesh = Mesh(folder.file(lumen.MESH))
+        return len(mesh.tets) + through * len(mesh.triangles_of(options.lumen_wall)), "from the mesh of the lumen"
     if options.size and options.lumen.lower().endswith(".stl"):
-        # A mesh has a vertex for each 0.7 cubes of its edge, with a wall of three elements twice as many.
-        return int(9 * volume_of(options.lumen) * (options.scale or 1.0) ** 3 / (0.7 * options.size ** 3)), "from the volume of the surface and --size"
+        # Equal sides: a triangle has 0.43 of their square. There are some 6 tetrahedra to the cube of a side: those of Gmsh are a little wider.
+        volume, area = measures_of(options.lumen)
+        side = options.size / (options.scale or 1.0)
+        at_wall = through + OF_PRISM * (USUAL_LAYERS if options.layers is None else options.layers)
+        return int(6 * volume / side ** 3 + at_wall * area / (0.43 * side ** 2)), "from the surface and --size"
     return None
 
 
-def volume_of(path):
-    """Volume [mm^3] that a closed surface includes, and nearly that of one with open ends."""
+def measures_of(path):
+    """Volume that a closed surface includes, and nearly that of one with open ends, and its area, in its unit."""
     from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
     from vtkmodules.vtkIOGeometry import vtkSTLReader
@@ -38,7 +46,7 @@ def volume_of(path):
     volume = mass.GetVolume()
     if not 0 < volume < float("inf"):
         raise BadInput(f"{path}: includes a volume of {volume:.3g} mm^3, expected the surface of a lumen as an STL file")
-    return volume
+    return volume, mass.GetSurfaceArea()
 
 
 def period_of(folder, options):
@@ -59,10 +67,12 @@ def lines(folder, options):
     size = size_of(folder, options)
     if size is None:
         return found + ["size: known after the stage mesh: give the same command with --to wall, and then --dry-run again"]
-    unknowns, how = size
-    seconds = SECONDS_A_STEP * unknowns / min(options.ranks, 2 if unknowns < 1e5 else 8)
+    tetrahedra, how = size
+    share = tetrahedra / options.ranks
+    seconds = SECONDS_A_TETRAHEDRON * share
+    memory = MB_OF_PROGRAM * options.ranks + MB_A_TETRAHEDRON * tetrahedra
     done = len(read_json(folder.file(run.TABLE))["beats"]) if os.path.exists(folder.file(run.TABLE)) else 0
     left = max(1, USUAL_BEATS - done)
-    return found + [f"size: about {unknowns} unknowns ({how}), {MB_AN_UNKNOWN * unknowns / 1000 + 0.1:.1f} GB",
-                    f"time: about {seconds:.1f} s a step with {options.ranks} rank(s), {minutes_text(seconds * steps)} a beat, "
-                    f"{minutes_text(seconds * steps * left)} for {left} beat(s); within a factor of 3"]
+    return found + [f"size: about {tetrahedra} tetrahedra ({how}), {memory / 1000:.1f} GB",
+                    f"time: about {seconds:.2g} s a step with {options.ranks} rank(s), {minutes_text(seconds * steps)} a beat, "
+                    f"{minutes_text(seconds * steps * left)} for {left} beat(s); within a factor of 2 with a core for each rank"]

@@ -3,7 +3,7 @@ import os
 import time
 
 from . import case_file, flow_shapes, lumen, page, plan, run, tune, walls
-from .errors import NotConverged
+from .errors import BadInput, NotConverged
 from .folder import Folder, words_of
 from .options import STAGES
 from .programs import Programs
@@ -35,7 +35,7 @@ def open_folder(options):
 
 def check_files(options):
     """Files of the user that later stages read are read once before the long work."""
-    flow_shapes.inflow(options, walls.read_wall(options))
+    options.mean_inflow = float(flow_shapes.inflow(options, walls.read_wall(options))[0].mean())  # ml/s
 
 
 def tell_plan(options):
@@ -54,8 +54,12 @@ def make_all(options):
     folder.begin()
     for stage in [name for name in STAGES if is_forced(name, options)]:
         forget(folder, stage)
-    for stage in wanted_stages(options):
-        make_one(folder, stage, options, programs)
+    try:
+        for stage in wanted_stages(options):
+            make_one(folder, stage, options, programs)
+    except BadInput:
+        folder.abandon()
+        raise
     if os.path.exists(folder.file(run.TABLE)) and options.last in (None, "run", "report") and not run.is_converged(folder, options):
         raise NotConverged(run.verdict(run.read_json(folder.file(run.TABLE))["beats"], run.goal_in(run.tune.read(folder)), options))
 

@@ -10,6 +10,7 @@ from .network import Windkessel, beat_of
 from .units import L_PER_MIN, MMHG, MMHG_S_PER_ML, ML_PER_MMHG, mmhg
 
 TABLE, INFLOW = "windkessels.json", "inflow.txt"
+BEATS = "beats.json"  # of the stage run, where --start-from begins
 READS = (lumen.TABLE, walls.TABLE)
 RESULTS = (TABLE, INFLOW)
 WITHIN = 0.02  # what the network has to reach
@@ -57,14 +58,32 @@ def inflow_text(samples, period, told):
     return "\n".join(lines) + "\n"
 
 
+def started_from(path, names, period):
+    """Windkessels at the end of the beats of another folder, the pressures stored in them, and their proximal share."""
+    table, beats = (read_json(os.path.join(path, name)) for name in (TABLE, BEATS))
+    if not beats.get("beats"):
+        raise BadInput(f"--start-from: {os.path.join(path, BEATS)} has no beats")
+    last = beats["beats"][-1]
+    if sorted(last["windkessels"]) != sorted(names) or abs(table["period"] - period) > 1e-6 * period:
+        raise BadInput(f"--start-from: {path} has the outlets {', '.join(last['windkessels'])} and a beat of {table['period']:g} ms, "
+                       f"here there are {', '.join(names)} and {period:g} ms")
+    return ({name: Windkessel(**entry) for name, entry in last["windkessels"].items()}, last["measured"]["circuits end"],
+            table["proximal share"])
+
+
 def make(folder, options, _programs):
     table, wall = read_json(folder.file(lumen.TABLE)), walls.read(folder)
     samples, period, told = flow_shapes.inflow(options, wall)
     goal = goal_of(table, options)
     problem = problem_of(table, wall, options, samples, period)
-    windkessels, share = tuning.tune(problem, goal)
-    beat = beat_of(*tuning.solve(problem, windkessels))
-    check(beat, goal)
+    if options.start_from:
+        windkessels, circuits, share = started_from(options.start_from, list(goal.splits), period)
+        beat = beat_of(*tuning.solve(problem, windkessels))
+        beat.circuits.update(circuits)
+    else:
+        windkessels, share = tuning.tune(problem, goal)
+        beat = beat_of(*tuning.solve(problem, windkessels))
+        check(beat, goal)
     write_atomically(folder.file(INFLOW), inflow_text(samples, period, told))
     write_json(folder.file(TABLE), {
         "units": "kPa, mm^3/ms (ml/s), ms", "inflow": told, "period": period, "mean flow": float(samples.mean()),

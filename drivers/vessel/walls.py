@@ -15,6 +15,7 @@ MESH, TABLE = "vessel.h5", "wall.json"
 READS = (lumen.MESH, lumen.TABLE)
 RESULTS = (MESH, TABLE)
 KEYS = {"thickness": float, "tissue": float, "damping": float, "flow": float, "shape": str}
+SOURCED = ("thickness", "tissue", "damping")  # with a note in wall.json on where they come from
 LARGEST = {"thickness": 1.0, "tissue": 1e4, "damping": 1e5, "flow": 50.0}
 LAWS = ("mooney-rivlin", "neo-hookean", "holzapfel", "st-venant-kirchhoff")
 OF_LAYER = ("share", "law", "c10", "c01", "k1", "k2", "fibre angle", "dispersion", "bulk modulus", "young modulus",
@@ -22,14 +23,15 @@ OF_LAYER = ("share", "law", "c10", "c01", "k1", "k2", "fibre angle", "dispersion
 
 
 def read_wall(options):
-    """Thickness, layers, tissue, damping, flow and shape of --wall, with what the options override."""
+    """Thickness, layers, tissue, damping, flow and shape of --wall, with what the options override, and where they come from."""
     if options.wall in PRESETS:
         wall = {key: value for key, value in PRESETS[options.wall].items() if key != "radius"}
+        wall["sources"] = dict.fromkeys(SOURCED, f"assumed for {options.wall}")
     else:
         wall = read_file(options.wall)
     for key in ("thickness", "tissue"):
         if getattr(options, key) is not None:
-            wall[key] = getattr(options, key)
+            wall[key], wall["sources"][key] = getattr(options, key), f"option {key}"
     return wall
 
 
@@ -39,13 +41,14 @@ def read_file(path):
         root = ElementTree.parse(path).getroot()
     except ElementTree.ParseError as error:
         raise BadInput(f"{path}: is no valid XML: {error}") from None
-    wall = {"thickness": 0.15, "tissue": 1.0, "damping": 10.0, "flow": 5.0, "shape": "aorta", "layers": {}}
+    wall = {"thickness": 0.15, "tissue": 1.0, "damping": 10.0, "flow": 5.0, "shape": "aorta", "layers": {},
+            "sources": dict.fromkeys(SOURCED, "assumed")}
     for entry in root:
         name = entry.get("name")
         if entry.tag == "ParameterList" and name == "Layers":
             wall["layers"] = {layer.get("name"): read_layer(path, layer) for layer in entry}
         elif name in KEYS:
-            wall[name] = value_of(path, entry, KEYS[name])
+            wall[name], wall["sources"][name] = value_of(path, entry, KEYS[name]), f"of {os.path.basename(path)}"
         else:
             raise BadInput(f"{path}: unknown key \"{name}\". {nearest(str(name), [*KEYS, 'Layers'])}")
     if not wall["layers"]:
@@ -73,7 +76,7 @@ def read_layer(path, layer):
     share = keys.pop("share", 1.0)
     if share <= 0:
         raise BadInput(f"{path}: Layers / {layer.get('name')}: \"share\" is {share:g}, expected a positive number")
-    return {"share": share, "keys": keys}
+    return {"share": share, "keys": keys, "source": f"of {os.path.basename(path)}"}
 
 
 def value_of(path, entry, kind):

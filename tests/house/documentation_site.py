@@ -55,7 +55,8 @@ def wrong_links(site):
 
 def missing_pages(root, site):
     shown = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "xml/PARAMETERS.md", "src/REFERENCES.md"]
-    shown += [str(path.relative_to(root)) for path in (*root.glob("docs/*.md"), *root.glob("xml/**/RESULTS.md"))]
+    shown += [str(path.relative_to(root)) for path in (*root.glob("docs/*.md"), *root.glob("bench/**/RESULTS.md"),
+                                                        *root.glob("xml/**/RESULTS.md"))]
     return [f"{name} is not on the site" for name in shown if not (site / name).with_suffix(".html").exists()]
 
 

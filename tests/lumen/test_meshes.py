@@ -5,6 +5,7 @@ import subprocess
 import numpy as np
 
 import cases
+import named_faces
 import shapes
 from cases import LumenTest, tunica
 from lumen import surface_files
@@ -59,30 +60,13 @@ class Meshes(LumenTest):
         self.assertIn("--overwrite replaces it", again.stderr)
 
     def test_tube_of_few_triangles_with_named_faces(self):
-        """As drawn by CAD: triangles as long as the vessel, faces with numbers and names."""
-        from vtkmodules.util.numpy_support import numpy_to_vtk
-        from vtkmodules.vtkCommonCore import vtkStringArray
-        from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-        n = 24
-        ring = np.stack([3.0 * np.cos(2 * np.pi * np.arange(n) / n), 3.0 * np.sin(2 * np.pi * np.arange(n) / n), np.zeros(n)], 1)
-        points = np.vstack([ring, ring + [0, 0, 30.0], [[0, 0, 0], [0, 0, 30.0]]])
-        i, j = np.arange(n), (np.arange(n) + 1) % n
-        parts = [(i, j, i + n), (j, j + n, i + n), (j, i, 0 * i + 2 * n), (i + n, j + n, 0 * i + 2 * n + 1)]
-        data = polydata(points, np.concatenate([np.stack(part, axis=1) for part in parts]))
-        number = numpy_to_vtk(np.repeat([1, 1, 2, 3], n), deep=True)
-        number.SetName("ModelFaceID")
-        data.GetCellData().AddArray(number)
-        texts = vtkStringArray()
-        texts.SetName("ModelFaceNames")
-        for text in ("wall", "upstream", "downstream"):
-            texts.InsertNextValue(text)
-        data.GetFieldData().AddArray(texts)
-        writer = vtkXMLPolyDataWriter()
-        writer.SetInputData(data)
-        writer.SetFileName(self.path("in.vtp"))
-        writer.Write()
-        beside = self.meshed(self.path("in.vtp"), "--across", 5, openings=2)
-        self.assertEqual(sorted(o["name"] for o in beside["openings"]), ["downstream", "upstream"])
+        """As drawn by CAD: triangles as long as the vessel, faces with numbers, their names in a file."""
+        named_faces.write(self.path("in.vtp"))
+        model = named_faces.write_model(self.path("model.mdl"), {1: "wall", 2: "upstream", 3: "downstream"})
+        beside = self.meshed(self.path("in.vtp"), "--across", 5, "--names", model, openings=2)
+        place = {o["name"]: o["centre"][2] for o in beside["openings"]}
+        self.assertEqual(sorted(place), ["downstream", "upstream"])
+        self.assertLess(abs(place["upstream"]) + abs(place["downstream"] - 30.0), 3.0)  # ends are cut a little shorter
 
 
 class Refused(LumenTest):

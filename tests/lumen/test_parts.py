@@ -7,8 +7,8 @@ import numpy as np
 import cases
 import shapes
 from importer.raw import BadMesh
-from lumen import (caps, centreline, crossings, edits, ends, handles, layers, medial, names, quality, repair, rims, smooth,
-                   unfold)
+from lumen import (caps, centreline, crossings, edits, ends, handles, labels, layers, medial, names, quality, repair, rims,
+                   smooth, unfold)
 from lumen import surface as base
 from lumen.faults import BadSurface
 from lumen.surface import Surface
@@ -106,12 +106,20 @@ class Openings(unittest.TestCase):
         self.assertLess(np.linalg.norm(caught.exception.place - [0.85, 0, 6]), 0.2)
 
     def test_flat_caps_of_voxels_are_found_and_plateaus_left(self):
-        found = shapes.surface(shapes.fork(), 0.5, closed=True).GetOutput()
+        self.assertEqual(self.ends_of(shapes.fork(), 0.5), 3)
+
+    def test_plateaus_beside_the_end_of_a_branch_of_two_voxels_are_no_caps(self):
+        lines = shapes.of_seed(108)
+        self.assertEqual(self.ends_of(lines, lines[0][1][0] / 4), 5)
+
+    def ends_of(self, lines, voxel):
+        """How many openings are left of a closed surface."""
         from vtkmodules.util.numpy_support import vtk_to_numpy
+        found = shapes.surface(lines, voxel, closed=True).GetOutput()
         surface = Surface(vtk_to_numpy(found.GetPoints().GetData()).astype(float),
                           vtk_to_numpy(found.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(np.int64))
-        wall, _ = caps.taken_off(repair.mended(surface, "fork", silent), silent)
-        self.assertEqual(len(openings(wall)), 3)
+        wall, _ = caps.taken_off(repair.mended(surface, "voxels", silent), silent)
+        return len(openings(wall))
 
     def test_oblique_ends_are_cut_square(self):
         tilted = pipe(32, 48, 1.0, 8.0)
@@ -146,6 +154,32 @@ class Sizes(unittest.TestCase):
         (branch,) = centreline.branches(balls, found, "tube")
         self.assertEqual((branch.start, branch.end), ("opening-1", "opening-2"))
         self.assertLess(np.abs(branch.points[:, :2]).max(), 0.1)
+
+    def test_branch_leaves_its_trunk_without_a_kink(self):
+        x = np.arange(0.0, 12.0, 0.2)
+        trunk = np.column_stack([x, 0 * x, 0 * x, 1.0 + 0 * x])
+        leaving = np.column_stack([x, 0.6 * np.maximum(x - 3.0, 0), 0 * x, 0.8 + 0 * x])  # 31 degrees
+        rim = lambda name: type("Rim", (), {"name": name})  # noqa: E731
+        found = centreline.tree([trunk, leaving], [rim("in"), rim("ahead"), rim("aside")])
+        self.assertEqual([(b.start, b.end) for b in found], [("in", "junction-1"), ("junction-1", "ahead"), ("junction-1", "aside")])
+        self.assertLess(np.abs(found[2].points[0] - found[0].points[-1]).max(), 1e-12)
+        self.assertAlmostEqual(found[0].points[-1, 0], 3.4, delta=0.3)  # a little behind where the lines part
+        for points, most in ((found[2].points, 5.0), (np.vstack([found[0].points, found[2].points[1:]]), 35.0)):
+            ways = np.diff(points, axis=0)
+            ways /= np.linalg.norm(ways, axis=1)[:, None]
+            turn = np.degrees(np.arccos(np.clip((ways[1:] * ways[:-1]).sum(axis=1), -1, 1)))
+            self.assertLess(turn.max(), most)
+        self.assertLess(np.abs(found[2].points[-1] - leaving[-1, :3]).max(), 1e-12)
+
+    def test_labels_do_not_overlap(self):
+        random = np.random.default_rng(3)
+        anchors = (random.normal(0, 15, (10, 2)) + (300, 200)).tolist()
+        boxes = labels.places(anchors, [(60, 14)] * 10, (600, 400))
+        for k, (x, y, w, h) in enumerate(boxes):
+            self.assertTrue(0 <= x and x + w <= 600 and 0 <= y and y + h <= 400)
+            for u, v, a, b in boxes[:k]:
+                self.assertTrue(x + w <= u or u + a <= x or y + h <= v or v + b <= y)
+        self.assertIsNone(labels.places([(5, 5)], [(60, 14)], (50, 50))[0])
 
     def test_edits_keep_a_surface_whole(self):
         tube = pipe(32, 60, 2.0, 16.0)

@@ -182,3 +182,94 @@ def write_solver_run(folder, unknowns=9072, fields=("fluid", "wall"), growth=1, 
                 NEWTON_COLUMNS,
                 newton_rows(1, 2, fields))
     return folder
+
+
+# --- two beats of a tube --------------------------------------------------------------------
+
+PERIOD, STEP, OUTPUT = 800.0, 5.0, 40.0  # ms
+DIASTOLIC, PULSE = 80 * 0.133322, 40 * 0.133322  # kPa
+MEAN_FLOW, SWING = 5e6 / 6e4, 0.8  # 5 l/min in mm^3/ms; the flow swings by this part of it
+WIDENING = 0.02  # of the radius in systole
+DELAY = 10.0  # ms from the inlet to the outlet
+CROSS_SECTION = 0.5 * AROUND * INNER**2 * np.sin(2 * np.pi / AROUND)  # of the polygon, without load
+
+
+def rise(time):
+    """From 0 in diastole to 1 in systole."""
+    return 0.5 - 0.5 * np.cos(2 * np.pi * time / PERIOD)
+
+
+def beat_flow(time):
+    return MEAN_FLOW * (1 - SWING * np.cos(2 * np.pi * time / PERIOD))
+
+
+def oriented(points, tets):
+    """All of positive volume, so that caps are seen from outside."""
+    x = points[tets]
+    return np.where((np.linalg.det(x[:, 1:] - x[:, :1]) < 0)[:, None], tets[:, [0, 2, 1, 3]], tets)
+
+
+def write_beat_fields(path):
+    """Radial widening by a factor, pressure uniform in space, plug flow; shear stress, its averages and OSI linear along z."""
+    meshes = {"fluid": tube([1.7, 3.4, INNER], True), "wall": tube([INNER, 5.6, OUTER], False)}
+    with h5py.File(path, "w") as file:
+        for grid, (points, tets) in meshes.items():
+            file[f"{grid}/points"], file[f"{grid}/tets"] = points, oriented(points, tets)
+        for time in np.arange(0.0, 2 * PERIOD + 1, OUTPUT):
+            number = int(round(time / STEP))
+            step = file.create_group(f"step_{number:06d}")
+            step.attrs["step"], step.attrs["time"] = number, time
+            for grid, (points, _) in meshes.items():
+                step[f"{grid}/displacement"] = WIDENING * rise(time) * points * (1, 1, 0)
+            z = meshes["fluid"][0][:, 2] / LENGTH
+            area = CROSS_SECTION * (1 + WIDENING * rise(time)) ** 2
+            step["fluid/velocity"] = np.outer(np.ones(len(z)), [0, 0, beat_flow(time) / area])
+            step["fluid/pressure"] = np.full(len(z), DIASTOLIC + PULSE * rise(time))
+            step["fluid/wall_shear_stress"] = np.outer(2e-3 * z * rise(time) * (0.9 if time < PERIOD else 1.0), [0, 0, 1])
+            step["fluid/time_averaged_wss"], step["fluid/oscillatory_shear_index"] = 1e-3 * z, 0.5 * z
+            step["fluid/relative_residence_time"] = 1e3 * (1 + z)
+
+
+def write_beat_steps(path):
+    """The outlet has the pressure of the inlet later, and what flows in less what the vessel takes up."""
+    time = np.arange(STEP, 2 * PERIOD + 1, STEP)
+    volume = CROSS_SECTION * LENGTH * (1 + WIDENING * rise(time)) ** 2
+    speed = np.pi / PERIOD * np.sin(2 * np.pi * time / PERIOD)  # of rise()
+    taken = CROSS_SECTION * LENGTH * 2 * (1 + WIDENING * rise(time)) * WIDENING * speed
+    area = volume / LENGTH
+    columns = {"step": np.arange(1, len(time) + 1), "time": time, "converged": 1 + 0 * time, "seconds": 0.1 + 0 * time,
+               "inflow_inlet_mm3_per_ms": beat_flow(time), "inflow_outlet_mm3_per_ms": taken - beat_flow(time),
+               "area_inlet_mm2": area, "area_outlet_mm2": area, "fluid_volume_mm3": volume,
+               "mean_pressure_inlet_kPa": DIASTOLIC + PULSE * rise(time),
+               "mean_pressure_outlet_kPa": DIASTOLIC + PULSE * rise(time - DELAY),
+               "pressure_outlet_kPa": DIASTOLIC + PULSE * rise(time - DELAY)}
+    write_table(path, ",".join(columns), zip(*columns.values()))
+
+
+def write_beat_case(path):
+    """A Windkessel of 1 and 9 mmHg s/ml and 0.1 ml/mmHg."""
+    windkessel = {"proximal resistance": 0.133322, "distal resistance": 9 * 0.133322, "capacitance": 100 / 0.133322}
+    numbers = "".join(f'<Parameter name="{name}" type="double" value="{value!r}"/>' for name, value in windkessel.items())
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f"""<ParameterList name="Case"><ParameterList name="Fluid">
+  <Parameter name="density" type="double" value="1.06"/> <Parameter name="viscosity" type="double" value="3.5e-3"/>
+  <ParameterList name="Surfaces"><ParameterList name="inlet"><Parameter name="condition" type="string" value="flow rate"/>
+    <ParameterList name="Amplitude"><Parameter name="period" type="double" value="{PERIOD}"/></ParameterList></ParameterList>
+  <ParameterList name="outlet"><Parameter name="condition" type="string" value="windkessel"/>{numbers}</ParameterList>
+  </ParameterList></ParameterList>
+  <ParameterList name="Wall"><ParameterList name="Prestress"><Parameter name="pressure" type="double" value="{DIASTOLIC}"/>
+  </ParameterList><ParameterList name="Layers"><ParameterList name="media"><Parameter name="law" type="string" value="holzapfel"/>
+  </ParameterList></ParameterList></ParameterList></ParameterList>""")
+
+
+def write_beats(folder):
+    """Two beats of a tube that widens as a whole."""
+    os.makedirs(folder)
+    with open(os.path.join(folder, "run.json"), "w", encoding="utf-8") as file:
+        json.dump({"program": "tunica-fsi", "status": "done", "ranks": 1}, file)
+    write_table(os.path.join(folder, "newton.csv"), NEWTON_COLUMNS, [])
+    write_table(os.path.join(folder, "linear.csv"), "step,field", [])
+    write_beat_steps(os.path.join(folder, "steps.csv"))
+    write_beat_case(os.path.join(folder, "case.xml"))
+    write_beat_fields(os.path.join(folder, "fields.h5"))
+    return folder

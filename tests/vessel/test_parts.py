@@ -1,5 +1,7 @@
 """The parts of tunica-vessel that need no other program: test_parts.py ROOT FOLDER_OF_PROGRAMS SCRATCH"""
+import argparse
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -7,9 +9,10 @@ import unittest
 import h5py
 import numpy as np
 
-from vessel import branches, case_file, checkpoint, flow_shapes, folder, options, walls
-from vessel.errors import BadInput
-from vessel.mesh_file import Mesh, elements_across, opening_of
+from lumens import lumen_of
+from vessel import beats, branches, case_file, checkpoint, flow_shapes, folder, lumen, options, plan, run, tune, walls
+from vessel.errors import BadInput, NotConverged
+from vessel.mesh_file import Mesh, opening_of
 
 ROOT = sys.argv[1]
 
@@ -104,6 +107,42 @@ class Steps(unittest.TestCase):
             self.assertLess(period / steps, 1.01 * longest) if longest == 40.0 else None
 
 
+class Ends(unittest.TestCase):
+    def test_ends_that_hold_nothing_across_a_plane_are_warned_of(self):
+        def told(*normals):
+            return case_file.slide_lines({"openings": [{"normal": normal} for normal in normals]})
+        self.assertEqual(told([1, 0, 0], [0, 1, 0], [0, 0, 1]), [])
+        self.assertIn("--ends clamped", told([0, 0, -1], [-0.57, 0, 0.82], [0.57, 0, 0.82])[0])
+        self.assertIn("--ends clamped", told([0, 0, -1], [0, 0, 1])[0])
+
+    def test_prestress_that_is_not_found_names_the_ends(self):
+        with tempfile.TemporaryDirectory() as where:
+            one = folder.Folder(where, {})
+            folder.write_atomically(one.file(run.LOG), "tunica-fsi: the prestress, at 10 of 10.7 kPa: steps do not get shorter\n")
+            for ends, reason in (("slide", "--ends clamped --from case"), ("clamped", "continues from the last checkpoint")):
+                with self.assertRaisesRegex(NotConverged, reason):
+                    run.check_status(2, one, argparse.Namespace(ends=ends))
+
+
+class Repetition(unittest.TestCase):
+    def test_change_of_the_shear_stress_is_that_of_fields_at_the_same_times(self):
+        table = {"step": np.arange(1, 25), "time": 100.0 * np.arange(1, 25), "step_size": np.full(24, 100.0)}
+        with tempfile.TemporaryDirectory() as where:
+            path = os.path.join(where, "fields.h5")
+            with h5py.File(path, "w") as file:
+                for step, size in zip((8, 9, 10, 12, 14, 16, 18, 20, 22, 24), (0, 7, 0, 2, 4, 2, 1, 2, 4.2, 2)):
+                    file[f"step_{step:06d}/fluid/wall_shear_stress"] = size * np.ones((5, 3))
+            self.assertAlmostEqual(beats.shear_change(path, table, 3, 800.0), 0.2 / 4.2)  # the first steps jump
+            table["time"][16:] += 7.0  # other times: nothing is compared
+            self.assertIsNone(beats.shear_change(path, table, 3, 800.0))
+            self.assertIsNone(beats.shear_change(path + "-none", table, 3, 800.0))
+
+    def test_beat_repeats_itself_by_pressure_and_shear(self):
+        for change, shear, expected in ((None, None, False), (0.005, None, True), (0.005, 0.02, False), (0.02, 0.005, False),
+                                        (0.005, 0.005, True)):
+            self.assertEqual(run.is_periodic({"change": change, "shear change": shear}), expected)
+
+
 class Folders(unittest.TestCase):
     def setUp(self):
         self.where = tempfile.TemporaryDirectory()
@@ -162,6 +201,41 @@ class Folders(unittest.TestCase):
             self.opened()
 
 
+    def test_refused_surface_leaves_its_picture_and_no_record(self):
+        def refuse(_words, _log):
+            folder.write_atomically(os.path.join(self.path, "draft-lumen.png"), "picture")
+            raise BadInput("two.stl: 2 pieces")
+        one = self.opened()
+        programs = argparse.Namespace(has_command=lambda *_: True, must=refuse)
+        wanted = argparse.Namespace(lumen="two.stl", scale=None, size=None, across=None, layers=None)
+        with self.assertRaisesRegex(BadInput, "2 pieces. The place is shown in .*refused.png"):
+            lumen.make(one, wanted, programs)
+        one.abandon()
+        self.assertEqual(os.listdir(self.path), ["refused.png"])
+        self.finish(self.opened(), "mesh", "lumen.h5", "")  # another surface may follow
+        self.last.abandon()
+        self.assertIn("stages.json", os.listdir(self.path))
+
+
+class Units(unittest.TestCase):
+    def check(self, radius, scale=None):
+        lumen.check_speed({"name": "in", "radius": radius, "area": np.pi * radius ** 2},
+                          argparse.Namespace(lumen="arch.stl", scale=scale, mean_inflow=83.3))
+
+    def test_surface_in_cm_is_refused_unless_its_unit_is_given(self):
+        self.check(12.5)
+        self.check(1.25, 1.0)
+        with self.assertRaisesRegex(BadInput, "at 17 m/s.*--scale 10 converts"):
+            self.check(1.25)
+
+    def test_cost_is_that_of_tunica_check(self):
+        with open(os.path.join(ROOT, "src", "tunica", "judge", "cost.cpp"), encoding="utf-8") as file:
+            theirs = dict(re.findall(r"constexpr double (\w+) = ([-+.e0-9]+);", file.read()))
+        self.assertEqual({name: float(value) for name, value in theirs.items()},
+                         {"program": plan.MB_OF_PROGRAM, "per_tetrahedron": plan.MB_A_TETRAHEDRON,
+                          "seconds_per_tetrahedron": plan.SECONDS_A_TETRAHEDRON})
+
+
 class Branches(unittest.TestCase):
     def test_fork_has_three_branches_of_its_radii(self):
         with tempfile.TemporaryDirectory() as where:
@@ -170,37 +244,12 @@ class Branches(unittest.TestCase):
             mesh = Mesh(path)
         openings = [opening_of(mesh, name) for name in ("inlet", "outlet_left", "outlet_right")]
         self.assertLess(max(np.dot(openings[0]["normal"], o["normal"]) for o in openings[1:]), 0)  # all point outward
-        self.assertGreater(elements_across(mesh, openings[0]), 3)
         found = {(b["start"], b["end"]): b for b in branches.find(mesh, openings, "inlet")}
         self.assertEqual(set(found), {("inlet", "junction-1"), ("junction-1", "outlet_left"), ("junction-1", "outlet_right")})
         for (start, end), branch in found.items():
             by_name = {o["name"]: o["radius"] for o in openings}
             tip = by_name.get(end, by_name.get(start))
             self.assertAlmostEqual(np.median(branch["radii"]) / tip, 1.0, delta=0.15, msg=end)
-
-
-def lumen_of(source, target):
-    """The region fluid of a mesh with a wall, on its own."""
-    with h5py.File(source) as file:
-        regions, surfaces = ([name.decode() for name in file[key][:]] for key in ("region_names", "surface_names"))
-        tets = file["tets"][:][file["tet_region"][:] == regions.index("fluid")]
-        kept = [name for name in surfaces if name in ("inlet", "interface") or name.startswith("outlet")]
-        triangles = file["triangles"][:]
-        of = file["triangle_surface"][:]
-        vertices = file["vertices"][:]
-    used = np.unique(tets)
-    number = np.full(len(vertices), -1)
-    number[used] = np.arange(len(used))
-    chosen = np.isin(of, [surfaces.index(name) for name in kept])
-    with h5py.File(target, "w") as out:
-        out.attrs["format"] = np.bytes_("tunica-mesh 1")
-        out["vertices"], out["tets"] = vertices[used], number[tets].astype("i4")
-        out["tet_region"] = np.zeros(len(tets), dtype="i4")
-        out["triangles"] = number[triangles[chosen]].astype("i4")
-        out["triangle_surface"] = np.array([kept.index(surfaces[k]) for k in of[chosen]], dtype="i4")
-        for kind, names in (("region", ["fluid"]), ("surface", ["lumen_wall" if name == "interface" else name for name in kept])):
-            out[kind + "_ids"] = np.arange(1, len(names) + 1, dtype="i4")
-            out[kind + "_names"] = np.array(names, dtype="S32")
 
 
 class Checkpoints(unittest.TestCase):
@@ -228,6 +277,24 @@ class Checkpoints(unittest.TestCase):
 
 
 class Comments(unittest.TestCase):
+    def test_every_number_of_a_case_says_where_it_came_from(self):
+        outlet = {"split": 1.0, "proximal resistance": 0.1, "capacitance": 500.0, "distal resistance": 1.0, "distal pressure": 0.0,
+                  "initial pressure": 10.0, "characteristic impedance": 0.2}
+        for kind, more in (("aorta", ["--ends", "slide", "--tissue", "3"]), ("cerebral", [])):
+            with tempfile.TemporaryDirectory() as where:
+                wanted = options.read("about", [__file__, "--output", where, "--wall", kind, *more])
+                one = folder.Folder(where, {})
+                folder.write_json(one.file(walls.TABLE), walls.read_wall(wanted))
+                folder.write_json(one.file(lumen.TABLE), {"openings": [{"name": "in"}, {"name": "out"}]})
+                folder.write_json(one.file(tune.TABLE), {"period": 800.0, "inlet": "in", "inflow": "drawn", "mean flow": 80.0,
+                                                         "goal": {"systolic": 16.0, "diastolic": 10.7}, "outlets": {"out": outlet}})
+                text = case_file.text_of(one, wanted)
+            body = re.sub(r'<ParameterList name="\w+">  <!--.*?</ParameterList>', "", text, flags=re.S)  # said of a list
+            bare = [line for line in body.split("\n") if re.search('type="double"|"profile"|"clamped"', line) and "<!--" not in line]
+            self.assertEqual(bare, [])
+            self.assertEqual(text.count("Olufsen"), 2 if more else 1)
+            self.assertEqual(text.count("option tissue"), 1 if more else 0)
+
     def test_comments_of_a_case_have_no_two_hyphens(self):
         out = case_file.Writer("by --flow")
         out.put("x", 1.5, "see --flow my--curve.csv")

@@ -1,42 +1,42 @@
 #pragma once
+#include <Tpetra_Export.hpp>
+#include <optional>
 #include <vector>
 
-#include "tunica/base/types.hpp"
+#include "tunica/algebra/triple_kernel.hpp"
 
 namespace tunica::algebra {
 
-/// Neighbouring rows that are worked on together, those of a node.
-struct Groups {
-  static constexpr int most = 4;  ///< rows of a group
-  std::vector<int> start;         ///< the first row of each, and the number of rows
-  std::vector<int> of;            ///< by row
-  int size() const { return static_cast<int>(start.size()) - 1; }
-};
-
-/// C = Pᵀ A P, and again for new values of A and P on the same graphs, without the product of two
-/// between: for matrices that lie on one rank. Rows that stand side by side with the same columns,
-/// those of a node, are worked on together. Entries of the graphs that are zero count as any
-/// others.
+/// C = Pᵀ A P, and again for new values of A on the same graph, without the product of two between.
+/// Each rank sums over its rows of A: what belongs to rows of C on other ranks is sent to them, and
+/// the rows of P that columns of A need have been fetched from them. Entries of the graphs that are
+/// zero count as any others.
 class TripleProduct {
 public:
-  /// The matrices lie on one rank and number rows and columns alike.
+  /// Rows and columns of A have the same numbers, among the columns of a rank are all its rows, and
+  /// the rows of P are on the ranks of those of A. Collective.
   static bool serves(const CrsMatrix& A, const CrsMatrix& P);
   /// The graph alone: values come with refresh(). The matrices must outlive the object. Throws
-  /// std::invalid_argument where they are not served.
+  /// std::invalid_argument where they are not served. Collective.
   TripleProduct(const CrsMatrix& A, const CrsMatrix& P);
 
   const Teuchos::RCP<CrsMatrix>& matrix() const { return product_; }
-  /// Numeric work only.
+  /// Numeric work only. Collective.
   void refresh();
 
 private:
-  class Chunk;
+  void fetch_rows();
+  void join_ranks();
 
-  const CrsMatrix *A_, *P_;
+  const CrsMatrix *A_, *P_;  ///< P: with a row for each column of A
+  Teuchos::RCP<CrsMatrix> fetched_;
+  std::optional<TripleKernel> kernel_;
   Teuchos::RCP<CrsMatrix> product_;
-  Groups fine_, coarse_;
-  std::vector<std::size_t> parent_start_{0};  ///< by group of rows of A
-  std::vector<int> parents_;                  ///< groups of columns in which P has these rows
+  // Where ranks have to exchange rows: the sums of this rank, for its own rows and those of others
+  Teuchos::RCP<CrsMatrix> own_, others_;
+  std::vector<int> own_offsets_;  ///< of the values of own_ in the product
+  Teuchos::RCP<const Tpetra::Export<LocalOrdinal, GlobalOrdinal, Node>> to_owners_;
+  std::vector<int> own_rows_, other_rows_;  ///< of the kernel
 };
 
 }  // namespace tunica::algebra

@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <ctime>
 
 namespace tunica {
 
@@ -12,6 +13,18 @@ public:
 
 private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Seconds that processors have worked for this rank since its construction: those of the wall
+/// clock also count the work of others.
+class ProcessorWatch {
+public:
+  double seconds() const {
+    return static_cast<double>(std::clock() - start_) / static_cast<double>(CLOCKS_PER_SEC);
+  }
+
+private:
+  std::clock_t start_ = std::clock();
 };
 
 /// Number and duration of an operation on this rank.

@@ -4,6 +4,7 @@
 #include "tunica/algebra/block_matrix.hpp"
 #include "tunica/fields/field_mesh.hpp"
 #include "tunica/linear/named_operators.hpp"
+#include "tunica/systems/read_system.hpp"
 
 namespace tunica::compare {
 
@@ -18,6 +19,8 @@ struct LinearSystem {
   const algebra::BlockVector* b = nullptr;
   const linear::NamedOperators* operators = nullptr;
   const fields::FieldMesh* mesh = nullptr;  ///< none for one of another program
+  /// Of another program, K and b are those of this; null for one of a run.
+  const systems::System* of_files = nullptr;
 
   /// "fluid-newton-1", "system"
   std::string name() const {

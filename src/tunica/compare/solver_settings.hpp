@@ -3,16 +3,14 @@
 #include <vector>
 
 #include "tunica/compare/linear_system.hpp"
-#include "tunica/compare/residuals.hpp"
+#include "tunica/foreign/default_settings.hpp"
+#include "tunica/foreign/residuals.hpp"
 #include "tunica/linear/linear_solver.hpp"
 
 namespace tunica::compare {
 
-/// One entry of the list of settings.
-struct SolverSetting {
-  std::string name;
-  Teuchos::ParameterList list;  ///< a resolved "Linear Solver" list
-};
+using foreign::Residuals;
+using foreign::SolverSetting;
 
 /// Result of a setting on a system.
 struct SolverRow {
@@ -26,7 +24,9 @@ struct SolverRow {
   std::vector<std::string> fields{};  ///< names of the blocks, in the order of residuals
   bool is_at_rounding = false;        ///< converged as nearly as double precision allows
   double refresh_seconds = 0.0;       ///< to set up once more, as for new values on the same graphs
-  double memory_megabytes = 0.0;      ///< what the solver holds after the solve, on all ranks
+  /// Seconds of processors for the set-up and for the solve with its checks, of all ranks together.
+  double setup_processor_seconds = 0.0, solve_processor_seconds = 0.0;
+  double memory_megabytes = 0.0;  ///< what the solver holds after the solve, on all ranks
   double difference = std::numeric_limits<double>::quiet_NaN();  ///< see SolverTable
   /// "converged"; "cap" on the iterations; "stagnated" before it; "drifted": small by the
   /// recurrence, not in truth; "diverged"; "breakdown"; or what an exception said.
@@ -39,7 +39,7 @@ struct SolverRow {
 
 /// Sets a solver up anew and solves from zero to the tolerance; times are those of the slowest
 /// rank. A system of another program, which is solved once and for all, is judged field by field
-/// and refined where a method takes for solved what is not (refined_solve.hpp). Exceptions of the
+/// as its program gives it, and refined where a method takes for solved what is not. Exceptions of the
 /// solver become a verdict; system errors are passed on. Collective.
 SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, double tolerance,
                       algebra::BlockVector& x);

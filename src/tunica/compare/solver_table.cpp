@@ -6,7 +6,6 @@
 
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/timer.hpp"
-#include "tunica/compare/default_settings.hpp"
 #include "tunica/coupling/coupling_settings.hpp"
 #include "tunica/coupling/monolithic.hpp"
 #include "tunica/io/atomic_file.hpp"
@@ -41,7 +40,9 @@ std::vector<std::string> columns() {
           "refresh_seconds",
           "memory_megabytes",
           "field_residuals",
-          "backward_error"};
+          "backward_error",
+          "setup_processor_seconds",
+          "solve_processor_seconds"};
 }
 
 /// `vector 2.1e-09 scalar 4.0e-10`
@@ -82,7 +83,9 @@ std::vector<io::Cell> cells(const SolverRow& row) {
           row.refresh_seconds,
           row.memory_megabytes,
           field_residuals(row),
-          row.residuals.backward_error};
+          row.residuals.backward_error,
+          row.setup_processor_seconds,
+          row.solve_processor_seconds};
 }
 
 std::vector<SolverSetting> settings_of(const Teuchos::ParameterList& list,
@@ -111,33 +114,15 @@ std::map<std::string, int> place_of(const Teuchos::ParameterList& solvers) {
   return place;
 }
 
-void add_tolerance(params::Table& table) {
-  table.number("tolerance", 1e-8, params::Range{0.0, 1.0, true, true}, "1",
-               "reduction of the residual that every setting has to reach");
-}
-
-constexpr const char* settings_sentence =
-    "settings to compare, each like a \"Linear Solver\" list; the first is the reference for the "
-    "others";
-
 }  // namespace
 
-void add_system_setting_keys(params::Table& table) {
-  add_tolerance(table);
-  table
-      .integer("direct unknowns", 3000, params::between(0, 1e9),
-               "without settings: largest system that is solved by sparse LU at first; larger ones "
-               "are where all else fails")
-      .entries("Settings", foreign_solver_table(),
-               std::string(settings_sentence) + "; none: chosen by the matrix");
-}
-
 void add_setting_keys(params::Table& table) {
-  add_tolerance(table);
-  table.entries("Fluid", problems::fluid_solver_table(), settings_sentence)
-      .entries("Wall", problems::solid_solver_table(), settings_sentence)
+  foreign::add_tolerance_key(table);
+  const std::string sentence = foreign::settings_sentence;
+  table.entries("Fluid", problems::fluid_solver_table(), sentence)
+      .entries("Wall", problems::solid_solver_table(), sentence)
       .entries("System", coupling::monolithic_solver_table(),
-               std::string("for a monolithic scheme: ") + settings_sentence);
+               "for a monolithic scheme: " + sentence);
 }
 
 namespace {
@@ -169,7 +154,7 @@ SolverTable::SolverTable(const Teuchos::ParameterList& list, const output::RunFo
 
 std::vector<SolverSetting> SolverTable::settings_for(const LinearSystem& system) const {
   if (!is_chosen_) return settings_.at(system.field);
-  const DefaultChoice choice = default_settings(*system.K, direct_unknowns_);
+  const foreign::DefaultChoice choice = foreign::default_settings(*system.K, direct_unknowns_);
   if (is_root_)
     io::print_line("settings: \"" + choice.settings.front().name + "\" first (" + choice.reason +
                    ")");

@@ -12,8 +12,6 @@ namespace tunica::compare {
 
 /// Adds the settings of both fields and the tolerance.
 void add_setting_keys(params::Table& table);
-/// Adds the keys of settings for systems of other programs.
-void add_system_setting_keys(params::Table& table);
 
 /// The most accurate solution that a list of settings found for a system.
 struct BestSolution {

@@ -139,7 +139,7 @@ Belos::ReturnType Gcr::solve() {
   const MultiVector& b = *problem_->getRHS();
   MultiVector r(b, Teuchos::Copy);
   if (!(norm(x) == 0.0)) {
-    problem_->applyOp(x, r);
+    problem_->getOperator()->apply(x, r);
     r.update(1.0, b, -1.0);  // r = b − A x
   }
   const double scale = norm(b);
@@ -186,7 +186,7 @@ bool Gcr::iterate(Directions& basis, MultiVector& r, MultiVector& x, double scal
       z->assign(r);
     else
       problem_->getRightPrec()->apply(r, *z);  // z = P⁻¹ r
-    problem_->applyOp(*z, *q);                 // q = A z
+    problem_->getOperator()->apply(*z, *q);    // q = A z
   }
   if (!basis.add(z, q)) return false;
   // x ← x + (qᵀr) z, r ← r − (qᵀr) q

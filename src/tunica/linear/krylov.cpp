@@ -82,7 +82,8 @@ KrylovResult solve_krylov(const KrylovOptions& options, const Teuchos::RCP<const
   const auto problem = Teuchos::rcp(
       new Belos::LinearProblem<Scalar, MultiVector, Operator>(K, x, Teuchos::rcpFromRef(B)));
   if (!preconditioner.is_null()) problem->setRightPrec(preconditioner);
-  problem->setProblem();
+  // Belos would multiply a start of zeros by A. GCR needs no more than what the problem holds.
+  if (options.method != "GCR") problem->setProblem();
   const auto solver = make_solver(options.method, belos_list(options, tolerance));
   solver->setProblem(problem);
   fault_point("krylov solve");

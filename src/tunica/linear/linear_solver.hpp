@@ -20,7 +20,8 @@ struct SolveReport {
   int operator_applications = 0;     ///< products with K on the way
   double tolerance = 0.0;            ///< asked for: |b − Kx| ≤ tolerance |b|
   double recurrence_residual = 0.0;  ///< relative, as the Krylov method believes
-  double true_residual = 0.0;        ///< relative, |b − Kx| / |b| computed anew
+  /// Relative, |b − Kx| / |b|: computed anew, or that of GCR where it had no time to drift
+  double true_residual = 0.0;
   double setup_seconds = 0.0;
   double solve_seconds = 0.0;
   /// Reports of all preconditioners if more than one was tried, the last one last. The numbers of

@@ -6,6 +6,7 @@
 #include "tunica/compare/solver_table.hpp"
 #include "tunica/compare/system_capture.hpp"
 #include "tunica/compare/system_export.hpp"
+#include "tunica/foreign/default_settings.hpp"
 #include "tunica/coupling/registry.hpp"
 #include "tunica/observe/field_kinds.hpp"
 #include "tunica/observe/probes.hpp"
@@ -107,7 +108,7 @@ params::Table solvers_table() {
 
 params::Table system_solvers_table() {
   params::Table solvers("Settings that tunica-solvers compares.");
-  compare::add_system_setting_keys(solvers);
+  foreign::add_settings_keys(solvers);
   params::Table output("What a run leaves behind.");
   output.text("folder", "results", "folder of the results; --output overrides it");
   params::Table table(

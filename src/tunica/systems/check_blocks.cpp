@@ -8,6 +8,7 @@
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/rows.hpp"
+#include "tunica/systems/preparation.hpp"
 
 namespace tunica::systems {
 
@@ -28,26 +29,17 @@ std::size_t diagonal(const MatrixRows& block, std::size_t row) {
   return k;
 }
 
-/// Rows of a field without an entry in K; a unit row where b is zero there.
-std::string fill_rows(Blocks& blocks, int field, OfUnknowns& is_known,
-                      const OfUnknowns* rounding_of_b) {
+/// Unit rows in the place of those of a field without an entry in K.
+std::string fill_rows(Blocks& blocks, int field, OfUnknowns& known_in) {
   MatrixRows& square = blocks(field, field);
   const MatrixRows& other = blocks(field, 1 - field);
-  std::vector<double>& b = blocks.b[field];
-  std::vector<std::size_t> filled, senseless;
+  std::vector<std::size_t> filled;
   for (std::size_t i = 0; i < square.n_local_rows(); ++i) {
     if (!is_empty(square, i) || !is_empty(other, i)) continue;
-    if (rounding_of_b != nullptr && std::abs(b[i]) <= (*rounding_of_b)[field][i]) b[i] = 0.0;
-    (b[i] == 0.0 ? filled : senseless).push_back(i);
-    is_known[field][i] = 1.0;
+    filled.push_back(i);
+    known_in[field][i] = undetermined;
     square.values[diagonal(square, i)] = field == 0 ? 1.0 : -1.0;
   }
-  const std::string wrong = text_of_rows(blocks, field, senseless);
-  on_root(blocks.comm(), [&] {
-    TUNICA_CHECK(wrong.empty(), "System: " + wrong +
-                                    " have no entries, but the right-hand side is not zero there: "
-                                    "no solution fulfils these equations.");
-  });
   const std::string all = text_of_rows(blocks, field, filled);
   return all.empty() ? ""
                      : all + (all.find("rows") == 0 ? " have" : " has") +
@@ -59,19 +51,25 @@ std::string fill_rows(Blocks& blocks, int field, OfUnknowns& is_known,
 std::string text_of_rows(const Blocks& blocks, int field, const std::vector<std::size_t>& rows) {
   std::vector<long long> mine;
   for (const std::size_t row : rows) mine.push_back(blocks.file_rows[field][row]);
-  const std::vector<long long> all = gather_rows(blocks.comm(), mine);
+  return text_of_rows(blocks.comm(), mine, blocks.files[field]);
+}
+
+std::string text_of_rows(const Comm& comm, const std::vector<long long>& rows,
+                         const std::string& files) {
+  std::vector<long long> all = gather_rows(comm, rows);
   if (all.empty()) return "";
+  std::sort(all.begin(), all.end());
   constexpr std::size_t most = 6;
   std::vector<std::string> names;
   for (std::size_t k = 0; k < std::min(all.size(), most); ++k)
     names.push_back(std::to_string(all[k] + 1));
   if (all.size() > most) names.push_back(std::to_string(all.size() - most) + " more");
-  return (all.size() > 1 ? "rows " : "row ") + listed(names) + " of " + blocks.files[field];
+  return (all.size() > 1 ? "rows " : "row ") + listed(names) + " of " + files;
 }
 
-std::string fill_empty_rows(Blocks& blocks, OfUnknowns& is_known, const OfUnknowns* rounding_of_b) {
-  const std::string vectors = fill_rows(blocks, 0, is_known, rounding_of_b);
-  const std::string scalars = fill_rows(blocks, 1, is_known, rounding_of_b);
+std::string fill_empty_rows(Blocks& blocks, OfUnknowns& known_in) {
+  const std::string vectors = fill_rows(blocks, 0, known_in);
+  const std::string scalars = fill_rows(blocks, 1, known_in);
   return vectors.empty() || scalars.empty() ? vectors + scalars : vectors + "; " + scalars;
 }
 

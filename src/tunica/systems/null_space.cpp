@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/base/trilinos.hpp"
+#include "tunica/systems/entry_sums.hpp"
 
 namespace tunica::systems {
 
@@ -12,100 +15,64 @@ namespace {
 
 constexpr double nothing = 1e-8;  ///< files of eight digits leave 1e-9
 
-/// |A n| / ||A||n||, squared, of the rows or columns of a block.
-struct Share {
-  double sum = 0.0, all = 0.0;
-  void add(double one, double magnitude) {
-    sum += one * one;
-    all += magnitude * magnitude;
-  }
-  /// -1 where the block has no entries for n.
-  double ratio(const Comm& comm) const {
-    const double of_all = global_sum(comm, all), of_sum = global_sum(comm, sum);
-    return of_all > 0.0 ? std::sqrt(of_sum / of_all) : -1.0;
-  }
-};
-
-/// 1 in the unit of the files for the free unknowns of the mode; scale: diagonal of C or R.
-std::vector<double> constant(const ConstantMode& mode, const NodeTable& table,
-                             const Preparation& preparation, const OfUnknowns& scale) {
-  std::vector<double> n;
-  for (std::size_t k = 0; k < scale[mode.field].size(); ++k) {
-    const bool is_in = preparation.is_known[mode.field][k] == 0.0 &&
-                       (mode.field == 1 || table.component[k] == mode.component);
-    n.push_back(is_in ? 1.0 / scale[mode.field][k] : 0.0);
-  }
+/// Of the free unknowns of a mode, 1 in the unit of the files; scale: diagonal of C or R.
+Teuchos::RCP<Vector> constant(const ConstantMode& mode, const System& system,
+                              const algebra::BlockVector& scale) {
+  const auto n = Teuchos::rcp(new Vector(scale[mode.field].getMap()));
+  const auto numbers = global_numbers(*n->getMap());
+  const int components = (*system.K.space())[mode.field].components;
+  const auto known_in = system.known_in[mode.field].getLocalViewHost(read_only);
+  const auto factor = scale[mode.field].getLocalViewHost(read_only);
+  const auto values = n->getLocalViewHost(read_write);
+  for (std::size_t k = 0; k < values.extent(0); ++k)
+    if (known_in(k, 0) == 0.0 && numbers[k] % components == mode.component)
+      values(k, 0) = 1.0 / factor(k, 0);
   return n;
 }
 
-/// Of K n: the largest of its two blocks, so that a small C is not taken for none. 1 for none.
-double right_share(const Blocks& blocks, int field, const std::vector<double>& n) {
+/// |K n| / ||K||n||, the larger one of both fields, so that a small C is not taken for none; 1
+/// where K has no entries for n.
+double right_share(const algebra::BlockMatrix& K, int field, const Vector& n) {
   double largest = -1.0;
-  for (const int i : {0, 1}) {
-    const MatrixRows& A = blocks(i, field);
-    const Fetched<double> of_column(*A.comm, columns_of(A), n, A.n_columns);
-    Share share;
-    for (std::size_t row = 0; row < A.n_local_rows(); ++row) {
-      double sum = 0.0, all = 0.0;
-      for (std::size_t k = A.start[row]; k < A.start[row + 1]; ++k) {
-        sum += A.values[k] * of_column(A.columns[k]);
-        all += std::abs(A.values[k] * of_column(A.columns[k]));
-      }
-      share.add(sum, all);
-    }
-    largest = std::max(largest, share.ratio(*A.comm));
+  for (int i = 0; i < K.n_blocks(); ++i) {
+    Vector product(K(i, field)->getRangeMap()), size(product.getMap());
+    K(i, field)->apply(n, product);
+    add_magnitudes(*K(i, field), n, size);
+    if (const double all = size.norm2(); all > 0.0)
+      largest = std::max(largest, product.norm2() / all);
   }
   return largest < 0.0 ? 1.0 : largest;
 }
 
-/// Of nᵀ K.
-double left_share(const Blocks& blocks, int field, const std::vector<double>& n) {
+/// The same of nᵀ K.
+double left_share(const algebra::BlockMatrix& K, int field, const Vector& n) {
   double largest = -1.0;
-  const auto plus = [](double a, double b) { return a + b; };
-  for (const int j : {0, 1}) {
-    const MatrixRows& A = blocks(field, j);
-    const auto product = [&](std::size_t row, std::size_t k) { return n[row] * A.values[k]; };
-    const auto size = [&](std::size_t row, std::size_t k) { return std::abs(product(row, k)); };
-    const std::vector<double> sums = over_columns(A, product, plus),
-                              all = over_columns(A, size, plus);
-    Share share;
-    for (std::size_t k = 0; k < sums.size(); ++k) share.add(sums[k], all[k]);
-    largest = std::max(largest, share.ratio(*A.comm));
+  for (int j = 0; j < K.n_blocks(); ++j) {
+    Vector product(K(field, j)->getDomainMap()), size(product.getMap());
+    K(field, j)->apply(n, product, Teuchos::TRANS);
+    add_column_magnitudes(*K(field, j), n, size);
+    if (const double all = size.norm2(); all > 0.0)
+      largest = std::max(largest, product.norm2() / all);
   }
   return largest < 0.0 ? 1.0 : largest;
 }
 
-/// b ← b − n (nᵀb)/(nᵀn). |nᵀb| / (|n| |b|) before.
-double project(const Comm& comm, const std::vector<double>& n, std::vector<double>& b,
-               double size_of_b) {
-  double nb = 0.0, nn = 0.0;
-  for (std::size_t k = 0; k < n.size(); ++k) {
-    nb += n[k] * b[k];
-    nn += n[k] * n[k];
-  }
-  nb = global_sum(comm, nb);
-  nn = global_sum(comm, nn);
-  for (std::size_t k = 0; k < n.size(); ++k) b[k] -= n[k] * nb / nn;
-  return size_of_b > 0.0 ? std::abs(nb) / (std::sqrt(nn) * size_of_b) : 0.0;
-}
-
-double norm_of_b(const Blocks& blocks) {
-  double sum = 0.0;
-  for (const auto& part : blocks.b)
-    for (const double value : part) sum += value * value;
-  return std::sqrt(global_sum(blocks.comm(), sum));
-}
-
-/// σ at the first unknown of the mode, on the rank that has it.
-void hold(Blocks& blocks, const ConstantMode& mode, const std::vector<double>& n) {
-  MatrixRows& A = blocks(mode.field, mode.field);
-  const auto here = std::find_if(n.begin(), n.end(), [](double value) { return value != 0.0; });
-  const auto row = static_cast<std::size_t>(here - n.begin());
-  const long long number = A.first_row() + static_cast<long long>(row);
-  const double mine = here == n.end() ? -1e300 : -static_cast<double>(number);
-  if (global_max(*A.comm, mine) > mine || here == n.end()) return;
-  for (std::size_t k = A.start[row]; k < A.start[row + 1]; ++k)
-    if (A.columns[k] == number) A.values[k] += mode.field == 1 ? -1.0 : A.values[k];
+/// σ at the unknown of the smallest number, on the rank that has it.
+void hold(const System& system, const ConstantMode& mode) {
+  const Teuchos::RCP<Vector> n = constant(mode, system, system.scale);
+  const auto values = n->getLocalViewHost(read_only);
+  const auto numbers = global_numbers(*n->getMap());
+  constexpr GlobalOrdinal none = std::numeric_limits<GlobalOrdinal>::max();
+  GlobalOrdinal mine = none, first = none;
+  for (std::size_t k = 0; k < values.extent(0); ++k)
+    if (values(k, 0) != 0.0) mine = std::min(mine, numbers[k]);
+  Teuchos::reduceAll(*system.K.comm(), Teuchos::REDUCE_MIN, 1, &mine, &first);
+  if (mine != first || first == none) return;
+  const CrsMatrix& A = *system.K(mode.field, mode.field);
+  const auto row = A.getLocalMatrixHost().row(A.getRowMap()->getLocalElement(first));
+  const LocalOrdinal column = A.getColMap()->getLocalElement(first);
+  for (int k = 0; k < row.length; ++k)
+    if (row.colidx(k) == column) row.value(k) += mode.field == 1 ? -1.0 : row.value(k);
 }
 
 std::string name_of(const ConstantMode& mode, int components) {
@@ -114,36 +81,53 @@ std::string name_of(const ConstantMode& mode, int components) {
                          : formatted("constant vectors of component %d", mode.component);
 }
 
+int components_of(const System& system) { return (*system.K.space())[0].components; }
+
+double norm_of(const algebra::BlockVector& b) {
+  double sum = 0.0;
+  for (int i = 0; i < b.n_blocks(); ++i) sum += b[i].norm2() * b[i].norm2();
+  return std::sqrt(sum);
+}
+
 }  // namespace
 
-std::vector<ConstantMode> hold_constants(Blocks& blocks, const NodeTable& table,
-                                         Preparation& preparation) {
-  const Comm& comm = blocks.comm();
+std::vector<ConstantMode> find_constants(const System& system) {
   std::vector<ConstantMode> modes;
-  if (blocks.n_rows(1) > 0) modes.push_back({1, 0});
-  for (int c = 0; c < table.components; ++c) modes.push_back({0, c});
+  if (system.K.n_blocks() > 1) modes.push_back({1, 0, {}, {}});
+  for (int c = 0; c < components_of(system); ++c) modes.push_back({0, c, {}, {}});
   std::vector<ConstantMode> found;
-  for (const ConstantMode& mode : modes) {
-    const std::vector<double> n = constant(mode, table, preparation, preparation.scale);
-    const double share = right_share(blocks, mode.field, n);
+  for (ConstantMode& mode : modes) {
+    const double share = right_share(system.K, mode.field, *constant(mode, system, system.scale));
     if (share > nothing) continue;
-    preparation.notes.push_back(
-        "K has " + name_of(mode, table.components) + " in its null space " +
-        formatted("(|K 1| = %.0e): the solution of zero mean is taken", share));
-    const std::vector<double> left = constant(mode, table, preparation, preparation.row_scale);
-    if (left_share(blocks, mode.field, left) <= nothing) {
-      const double part = project(comm, left, blocks.b[mode.field], norm_of_b(blocks));
-      if (part > nothing)
-        preparation.remarks.push_back(
-            formatted(
-                "a part of %.1e of what remains of the right-hand side lies in the null space of ",
-                part) +
-            name_of(mode, table.components) + ": no solution gives it, and it is left out");
-    }
-    hold(blocks, mode, n);
+    mode.note = "K has " + name_of(mode, components_of(system)) + " in its null space " +
+                formatted("(|K 1| = %.0e): the solution of zero mean is taken", share);
+    const Teuchos::RCP<Vector> left = constant(mode, system, system.row_scale);
+    if (left_share(system.K, mode.field, *left) <= nothing) mode.left = left;
     found.push_back(mode);
   }
   return found;
+}
+
+void hold_constants(System& system) {
+  for (const ConstantMode& mode : system.constants) hold(system, mode);
+}
+
+std::vector<std::string> leave_out_constants(const System& system, algebra::BlockVector& b) {
+  std::vector<std::string> remarks;
+  const double size_of_b = norm_of(b);
+  for (const ConstantMode& mode : system.constants) {
+    if (mode.left.is_null()) continue;
+    const double nb = mode.left->dot(b[mode.field]), size = mode.left->norm2();
+    b[mode.field].update(-nb / (size * size), *mode.left, 1.0);
+    const double part = size_of_b > 0.0 ? std::abs(nb) / (size * size_of_b) : 0.0;
+    if (part > nothing)
+      remarks.push_back(
+          formatted(
+              "a part of %.1e of what remains of the right-hand side lies in the null space of ",
+              part) +
+          name_of(mode, components_of(system)) + ": no solution gives it, and it is left out");
+  }
+  return remarks;
 }
 
 }  // namespace tunica::systems

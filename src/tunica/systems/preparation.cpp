@@ -66,7 +66,7 @@ int typical_exponent(const Comm& comm, const std::vector<double>& numbers) {
 
 int half_of(int exponent) { return static_cast<int>(std::floor(0.5 * exponent)); }
 
-/// K ← R K C, b ← R b for exponents of two of each row and column.
+/// K ← R K C for exponents of two of each row and column.
 void scale(Blocks& blocks, const OfUnknowns& rows, const OfUnknowns& columns,
            Preparation& preparation) {
   for (const int j : fields)
@@ -81,7 +81,6 @@ void scale(Blocks& blocks, const OfUnknowns& rows, const OfUnknowns& columns,
   for (const int i : fields)
     for (std::size_t row = 0; row < blocks.n_local(i); ++row) {
       const int r = static_cast<int>(rows[i][row]), c = static_cast<int>(columns[i][row]);
-      blocks.b[i][row] = std::ldexp(blocks.b[i][row], r);
       preparation.row_scale[i][row] = std::ldexp(preparation.row_scale[i][row], r);
       preparation.scale[i][row] = std::ldexp(preparation.scale[i][row], c);
     }
@@ -100,8 +99,7 @@ std::vector<double> coupled_diagonals(const Blocks& blocks, int i) {
 
 Preparation::Preparation(const Blocks& blocks) {
   for (const int i : fields) {
-    known[i].assign(blocks.n_local(i), 0.0);
-    is_known[i] = known[i];
+    known_in[i].assign(blocks.n_local(i), 0.0);
     scale[i].assign(blocks.n_local(i), 1.0);
     row_scale[i] = scale[i];
   }
@@ -152,7 +150,7 @@ namespace {
 
 constexpr double penalty = 1e12, beside_penalty = 1e-12;
 
-/// Marks what is known by its row and not known yet, with its value. The number of all ranks.
+/// Marks what is known by its row and not known yet. The number of all ranks.
 long long find_known(const Blocks& blocks, Preparation& preparation,
                      std::array<std::vector<std::size_t>, 2>& found) {
   long long count = 0;
@@ -160,16 +158,14 @@ long long find_known(const Blocks& blocks, Preparation& preparation,
     const std::vector<double> d = diagonal(blocks(i, i));
     const double typical = std::ldexp(1.0, typical_exponent(blocks.comm(), d));
     for (std::size_t row = 0; row < d.size(); ++row) {
-      if (preparation.is_known[i][row] != 0.0 || d[row] == 0.0) continue;
+      if (preparation.known_in[i][row] != 0.0 || d[row] == 0.0) continue;
       double beside = 0.0;
       for (const int j : fields)
         for (std::size_t k = blocks(i, j).start[row]; k < blocks(i, j).start[row + 1]; ++k)
           if (!is_diagonal(blocks, i, j, row, k)) beside += std::abs(blocks(i, j).values[k]);
       const bool is_penalty = std::abs(d[row]) > penalty * std::max(typical, 1.0);
       if (beside > (is_penalty ? beside_penalty * std::abs(d[row]) : 0.0)) continue;
-      preparation.is_known[i][row] = 1.0;
-      // x = C b/d: rows of K are divided already
-      preparation.known[i][row] = preparation.scale[i][row] * blocks.b[i][row] / d[row];
+      preparation.known_in[i][row] = preparation.rounds + 1;
       found[i].push_back(row);
       ++count;
     }
@@ -177,23 +173,15 @@ long long find_known(const Blocks& blocks, Preparation& preparation,
   return global_sum(blocks.comm(), count);
 }
 
-/// b ← b − K x_k of what was found, whose columns and rows keep the diagonal. moved: what b has
-/// been changed by, in sum.
-void move_known(Blocks& blocks, const OfUnknowns& values, const OfUnknowns& is_known,
-                OfUnknowns& moved) {
+/// Columns and rows of what is known keep the diagonal.
+void take_out(Blocks& blocks, const OfUnknowns& known_in) {
   for (const int i : fields)
     for (const int j : fields) {
       MatrixRows& A = blocks(i, j);
-      const Fetched<double> value(*A.comm, columns_of(A), values[j], A.n_columns);
-      const Fetched<double> is_gone(*A.comm, columns_of(A), is_known[j], A.n_columns);
+      const Fetched<double> of_column(*A.comm, columns_of(A), known_in[j], A.n_columns);
       keep_entries(A, [&](std::size_t row, std::size_t k) {
-        if (is_diagonal(blocks, i, j, row, k)) return true;
-        if (is_known[i][row] != 0.0) return false;
-        if (is_gone(A.columns[k]) == 0.0) return true;
-        const double product = A.values[k] * value(A.columns[k]);
-        blocks.b[i][row] -= product;
-        moved[i][row] += std::abs(product);
-        return false;
+        return is_diagonal(blocks, i, j, row, k) ||
+               (known_in[i][row] == 0.0 && of_column(A.columns[k]) == 0.0);
       });
     }
 }
@@ -202,32 +190,23 @@ void move_known(Blocks& blocks, const OfUnknowns& values, const OfUnknowns& is_k
 void make_unit_rows(Blocks& blocks, const std::array<std::vector<std::size_t>, 2>& found) {
   for (const int i : fields) {
     MatrixRows& A = blocks(i, i);
-    for (const std::size_t row : found[i]) {
-      blocks.b[i][row] = 0.0;
+    for (const std::size_t row : found[i])
       for (std::size_t k = A.start[row]; k < A.start[row + 1]; ++k)
         if (is_diagonal(blocks, i, i, row, k)) A.values[k] = i == 0 ? 1.0 : -1.0;
-    }
   }
 }
 
 }  // namespace
 
 void take_out_known(Blocks& blocks, Preparation& preparation) {
-  OfUnknowns moved;
-  for (const int i : fields) moved[i].assign(blocks.n_local(i), 0.0);
   std::array<std::vector<std::size_t>, 2> all;
-  // Once for rows that were empty; what is moved may leave rows that hold only their diagonal.
+  // Once for rows that were empty; what goes may leave rows that hold only their diagonal.
   for (bool is_over = false; !is_over;) {
     std::array<std::vector<std::size_t>, 2> found;
     is_over = find_known(blocks, preparation, found) == 0;
-    OfUnknowns values;
-    for (const int i : fields) {
-      values[i].assign(blocks.n_local(i), 0.0);
-      for (const std::size_t row : found[i])
-        values[i][row] = preparation.known[i][row] / preparation.scale[i][row];
-      all[i].insert(all[i].end(), found[i].begin(), found[i].end());
-    }
-    move_known(blocks, values, preparation.is_known, moved);
+    if (!is_over) ++preparation.rounds;
+    for (const int i : fields) all[i].insert(all[i].end(), found[i].begin(), found[i].end());
+    take_out(blocks, preparation.known_in);
     make_unit_rows(blocks, found);
   }
   for (const int i : fields) {
@@ -237,10 +216,9 @@ void take_out_known(Blocks& blocks, Preparation& preparation) {
       preparation.notes.push_back(rows +
                                   " give the values of their unknowns, which are taken "
                                   "out of the system");
-    for (double& sum : moved[i]) sum *= 1e-10;  // what rounding leaves of it
   }
-  const std::string undetermined = fill_empty_rows(blocks, preparation.is_known, &moved);
-  if (!undetermined.empty()) preparation.remarks.push_back(undetermined);
+  const std::string empty = fill_empty_rows(blocks, preparation.known_in);
+  if (!empty.empty()) preparation.remarks.push_back(empty);
 }
 
 namespace {

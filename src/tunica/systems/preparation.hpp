@@ -3,7 +3,11 @@
 
 namespace tunica::systems {
 
-/// What is made of a system K x = b of another program before it is solved, and the way back.
+/// An unknown that no equation determines, in Preparation::known_in.
+constexpr double undetermined = -1.0;
+
+/// What is made of a matrix K of another program before it is solved with, and the way back.
+/// right_side.hpp has b' and x_k.
 ///
 ///   R K' C y = R b',   x = x_k + C y
 ///
@@ -19,8 +23,10 @@ namespace tunica::systems {
 struct Preparation {
   explicit Preparation(const Blocks& blocks);
 
-  OfUnknowns known;                             ///< x_k
-  OfUnknowns is_known;                          ///< 1 of known unknowns, 0 elsewhere
+  /// Of known unknowns the round, from 1, in which the values of those before give theirs;
+  /// undetermined; 0 of all others.
+  OfUnknowns known_in;
+  int rounds = 0;
   OfUnknowns row_scale, scale;                  ///< diagonals of R and C
   std::vector<std::string> remarks{}, notes{};  ///< as those of System
 };
@@ -36,7 +42,8 @@ void drop_negligible(Blocks& blocks, double part, Preparation& preparation);
 void scale_fields(Blocks& blocks, Preparation& preparation);
 
 /// Unknowns whose row holds only the diagonal d, or beside it nothing that counts (penalties, of
-/// 1e12 times the typical diagonal and more), are b/d. Collective. Repeats until there are none.
+/// 1e12 times the typical diagonal and more), are known by b/d. Their columns go; rows that then
+/// hold only the diagonal are those of the next round. Collective.
 void take_out_known(Blocks& blocks, Preparation& preparation);
 
 /// Rows whose entries beside the diagonal differ by a factor of 10⁴ and more from those of their

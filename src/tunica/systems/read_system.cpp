@@ -4,17 +4,9 @@
 #include <string>
 
 #include "tunica/base/error.hpp"
-#include "tunica/base/map_of.hpp"
-#include "tunica/base/reduce.hpp"
-#include "tunica/base/trilinos.hpp"
-#include "tunica/systems/check_blocks.hpp"
-#include "tunica/systems/dealt_rows.hpp"
 #include "tunica/systems/matrix_files.hpp"
-#include "tunica/systems/node_graph.hpp"
-#include "tunica/systems/node_partition.hpp"
-#include "tunica/systems/null_space.hpp"
-#include "tunica/systems/preparation.hpp"
-#include "tunica/systems/unknown_order.hpp"
+#include "tunica/systems/prepared_system.hpp"
+#include "tunica/systems/right_side.hpp"
 #include "tunica/systems/whole_matrix.hpp"
 
 namespace tunica::systems {
@@ -31,25 +23,15 @@ void check_size(const std::string& name, const SparseRows& block, long long n_ro
                    size(n_rows, n_columns) + ".");
 }
 
-/// Rows of b to the portions of a block whose rows begin there. Collective.
-std::vector<double> rows_of_block(const ColumnRows& b, long long begin, long long count,
-                                  const Comm& comm) {
-  const Portion mine = portion_of(b.n_rows, comm);
-  const auto place = [&](long long row) {
-    return b.values.begin() + (std::clamp(row, mine.first, mine.first + mine.count) - mine.first);
-  };
-  return spread(comm, std::vector<double>(place(begin), place(begin + count)),
-                std::max(mine.first - begin, 0LL), count);
-}
-
 void number_rows(Blocks& blocks) {
   for (const int i : {0, 1})
     for (std::size_t k = 0; k < blocks.n_local(i); ++k)
       blocks.file_rows[i].push_back(blocks(i, i).first_row() + static_cast<long long>(k));
+  blocks.first_row = {0, blocks.n_rows(0)};
 }
 
 Blocks read_blocks(const Teuchos::ParameterList& options, const CommPtr& comm,
-                   std::size_t lines_at_once) {
+                   std::size_t lines_at_once, ColumnRows& b) {
   const auto path = [&](const char* key) { return options.get<std::string>(key); };
   const auto read = [&](const char* key) { return read_matrix(path(key), comm, lines_at_once); };
   Blocks blocks;
@@ -65,68 +47,12 @@ Blocks read_blocks(const Teuchos::ParameterList& options, const CommPtr& comm,
   check_size("C", C, m, m);
   blocks.mC = with_diagonal(C);
   for (double& value : blocks.mC.values) value *= -options.get<double>("C factor");
-  const ColumnRows b = read_column(path("rhs"), comm, lines_at_once);
+  b = read_column(path("rhs"), comm, lines_at_once);
   TUNICA_CHECK(b.n_rows == n + m, "System: rhs has " + std::to_string(b.n_rows) +
                                       " rows, expected " + std::to_string(n + m) +
                                       ": those of A, then those of B2.");
-  blocks.b = {rows_of_block(b, 0, n, *comm), rows_of_block(b, n, m, *comm)};
   number_rows(blocks);
   return blocks;
-}
-
-/// Where the unknowns of the files go.
-struct Places {
-  Deal vectors, scalars;
-  algebra::Nodes at_vectors, at_scalars;
-  int components;
-  bool has_scalars;
-
-  algebra::BlockSpacePtr space(bool is_dealt) const {
-    const auto map = [&](const Deal& deal) { return is_dealt ? deal.dealt : deal.portions; };
-    std::vector<algebra::Block> blocks{{"vector", map(vectors), components, at_vectors}};
-    if (has_scalars) blocks.push_back({"scalar", map(scalars), 1, at_scalars});
-    return std::make_shared<const algebra::BlockSpace>(blocks);
-  }
-  const Deal& deal(int field) const { return field == 0 ? vectors : scalars; }
-};
-
-Places places_of(const Blocks& blocks, const NodeTable& table) {
-  const CommPtr comm = blocks.A.comm;
-  const NodeGraph graph = vector_graph(blocks, table);
-  const NodePartition parts = partition_nodes(graph, blocks.B2, table);
-  const bool has_scalars = blocks.n_rows(1) > 0;
-  std::vector<GlobalOrdinal> numbers;
-  for (std::size_t k = 0; k < table.vector_node.size(); ++k)
-    numbers.push_back(table.components * table.vector_node[k] + table.component[k]);
-  const algebra::Nodes at_vectors = dealt(graph, parts.vector_nodes);
-  return {Deal(numbers, parts.vectors, comm),
-          Deal(table.scalar_node, parts.scalars, comm),
-          at_vectors,
-          table.is_shared || !has_scalars ? at_vectors
-                                          : dealt(scalar_graph(blocks, table), parts.scalar_nodes),
-          table.components,
-          has_scalars};
-}
-
-System deal_out(Blocks blocks, const Preparation& preparation, const Places& places) {
-  System system;
-  const algebra::BlockSpacePtr space = places.space(true);
-  const int fields = space->n_blocks();
-  const auto vector = [&](const OfUnknowns& values) {
-    std::vector<Teuchos::RCP<Vector>> parts;
-    for (int i = 0; i < fields; ++i) parts.push_back(dealt(values[i], places.deal(i)));
-    return algebra::BlockVector(space, parts);
-  };
-  system.b = vector(blocks.b);
-  system.known = vector(preparation.known);
-  system.is_known = vector(preparation.is_known);
-  system.scale = vector(preparation.scale);
-  system.K = algebra::BlockMatrix(space);
-  for (int i = 0; i < fields; ++i)
-    for (int j = 0; j < fields; ++j)
-      system.K.set(i, j, dealt(std::move(blocks(i, j)), places.deal(i), places.deal(j)));
-  system.file_space = places.space(false);
-  return system;
 }
 
 void check_files(const Teuchos::ParameterList& list, const std::string& path) {
@@ -142,16 +68,6 @@ void check_files(const Teuchos::ParameterList& list, const std::string& path) {
                      "\" is missing, expected a file; one matrix with all unknowns is \"K\".");
 }
 
-/// In the order in which each needs what is before it.
-void prepare(Blocks& blocks, const Teuchos::ParameterList& options, Preparation& preparation) {
-  const double negligible = options.get<double>("negligible");
-  if (negligible > 0.0) drop_negligible(blocks, negligible, preparation);
-  const bool is_scaled = options.get<std::string>("scaling") == "fields";
-  if (is_scaled) scale_fields(blocks, preparation);
-  if (options.get<bool>("known values")) take_out_known(blocks, preparation);
-  if (is_scaled) scale_outlying_rows(blocks, preparation);
-}
-
 }  // namespace
 
 params::Table system_table() {
@@ -161,11 +77,6 @@ params::Table system_table() {
       .file("K", "",
             "one matrix with all unknowns, of vectors and scalars or of one kind, in place of "
             "blocks")
-      .choice("scalars", "automatic",
-              {"automatic", "none", "first", "last", "first in node", "last in node"},
-              "where the scalar unknowns stand in K; automatic: found from its signs")
-      .integer("scalar unknowns", 0, params::between(0, 1e9),
-               "number of scalars that stand first or last; 0: one for each node")
       .file("A", "", "the square block of the vector unknowns")
       .file("B1T", "", "the block right of A; the transpose of B2 if there is no file")
       .file("B2", "", "the block below A")
@@ -174,7 +85,19 @@ params::Table system_table() {
               "K has -(C factor) C; -1 if the file contains the block as it is in K")
       .file("rhs", "",
             "right-hand side: one column, the rows of A, then those of B2, or those of K; without "
-            "a file, with K alone, that of the solution sin(i) in row i")
+            "a file, with K alone, that of the solution sin(i) in row i");
+  add_matrix_keys(table);
+  table.check(check_files);
+  return table;
+}
+
+void add_matrix_keys(params::Table& table) {
+  table
+      .choice("scalars", "automatic",
+              {"automatic", "none", "first", "last", "first in node", "last in node"},
+              "where the scalar unknowns stand in K; automatic: found from its signs")
+      .integer("scalar unknowns", 0, params::between(0, 1e9),
+               "number of scalars that stand first or last; 0: one for each node")
       .integer("components", 0, params::between(0, 16),
                "vector unknowns of a node; 0: found from the pattern of A")
       .choice("order", "automatic", {"automatic", "by node", "by component"},
@@ -195,88 +118,29 @@ params::Table system_table() {
               "rows that are much larger or smaller than others; none: as in the files")
       .flag("null space", true,
             "find scalars, or a component of the vectors, that are determined but for a constant, "
-            "and take those of zero mean")
-      .check(check_files);
-  return table;
+            "and take those of zero mean");
 }
 
 System read_system(const Teuchos::ParameterList& options, const CommPtr& comm,
                    std::size_t lines_at_once) {
-  const bool is_whole = !options.get<std::string>("K").empty();
-  std::string order;
-  Blocks blocks = is_whole ? read_whole(options, comm, lines_at_once, order)
-                           : read_blocks(options, comm, lines_at_once);
-  Preparation preparation(blocks);
-  for (const std::string& remark :
-       {doubt_sign_of_C(blocks), fill_empty_rows(blocks, preparation.is_known)})
-    if (!remark.empty()) preparation.remarks.push_back(remark);
-  prepare(blocks, options, preparation);
-  const VectorOrder vectors = find_components(blocks.A, blocks.n_rows(1), options);
-  Teuchos::ParameterList with_order(options);
-  with_order.set("components", vectors.components)
-      .set<std::string>("order", vectors.is_by_node ? "by node" : "by component");
-  const NodeTable table =
-      make_node_table(with_order, blocks.n_rows(0), blocks.n_rows(1), comm, lines_at_once);
-  std::vector<ConstantMode> constants;
-  if (options.get<bool>("null space")) constants = hold_constants(blocks, table, preparation);
-  const Places places = places_of(blocks, table);
-  const auto file_rows = blocks.file_rows;
-  System system = deal_out(std::move(blocks), preparation, places);
-  system.remarks = std::move(preparation.remarks);
-  system.notes = std::move(preparation.notes);
-  system.constants = std::move(constants);
-  system.order = vectors.text + (order.empty() ? "" : ", " + order);
-  system.found.set("components", vectors.components)
-      .set<std::string>("order", vectors.is_by_node ? "by node" : "by component");
-  if (is_whole) system.file_rows = file_rows;
+  ColumnRows b;
+  System system;
+  if (options.get<std::string>("K").empty()) {
+    system =
+        prepared_system(read_blocks(options, comm, lines_at_once, b), options, "", lines_at_once);
+  } else {
+    std::string order;
+    Blocks blocks = read_whole(options, comm, lines_at_once, order, b);
+    system = prepared_system(std::move(blocks), options, order, lines_at_once);
+  }
+  Vector column(Teuchos::rcp(new Map(b.n_rows, b.values.size(), 0, comm)));
+  {
+    const auto values = column.getLocalViewHost(overwrite_all);
+    for (std::size_t k = 0; k < b.values.size(); ++k) values(k, 0) = b.values[k];
+  }
+  for (const std::string& remark : take_right_side(system, column))
+    system.remarks.push_back(remark);
   return system;
-}
-
-algebra::BlockVector in_units_of_files(const System& system, const algebra::BlockVector& y) {
-  algebra::BlockVector x = system.K.zero();
-  // x = x_k + C y
-  for (int i = 0; i < y.n_blocks(); ++i) {
-    x[i].elementWiseMultiply(1.0, system.scale[i], y[i], 0.0);
-    x[i].update(1.0, system.known[i], 1.0);
-  }
-  for (const ConstantMode& mode : system.constants) {
-    const auto values = x[mode.field].getLocalViewHost(read_write);
-    const auto is_known = system.is_known[mode.field].getLocalViewHost(read_only);
-    const auto numbers = global_numbers(*x[mode.field].getMap());
-    const int components = (*system.K.space())[mode.field].components;
-    const auto is_in = [&](std::size_t k) {
-      return is_known(k, 0) == 0.0 && numbers[k] % components == mode.component;
-    };
-    double sum = 0.0, count = 0.0;
-    for (std::size_t k = 0; k < values.extent(0); ++k)
-      if (is_in(k)) sum += values(k, 0), ++count;
-    const double mean = global_sum(*system.K.comm(), sum) / global_sum(*system.K.comm(), count);
-    for (std::size_t k = 0; k < values.extent(0); ++k)
-      if (is_in(k)) values(k, 0) -= mean;
-  }
-  return x;
-}
-
-Vector in_file_order(const System& system, const algebra::BlockVector& x) {
-  const CommPtr comm = system.K.comm();
-  const GlobalOrdinal n = system.K.n_unknowns();
-  const auto on_root = [&](GlobalOrdinal count) {
-    return static_cast<std::size_t>(comm->getRank() == 0 ? count : 0);
-  };
-  Vector in_order(Teuchos::rcp(new Map(n, on_root(n), 0, comm)));
-  const auto to = in_order.getLocalViewHost(overwrite_all);
-  for (int b = 0, first = 0; b < x.n_blocks(); ++b) {
-    const auto numbers = global_numbers(*(*system.file_space)[b].map);
-    const auto all = gather_rows(*comm, std::vector<GlobalOrdinal>(numbers.begin(), numbers.end()));
-    Vector block(map_of(all, comm));
-    block.doImport(x[b], Import(x[b].getMap(), block.getMap()), insert);
-    const auto from = block.getLocalViewHost(read_only);
-    const std::vector<long long> rows = gather_rows(*comm, system.file_rows[b]);
-    for (std::size_t k = 0; k < all.size(); ++k)
-      to(rows.empty() ? first + k : static_cast<std::size_t>(rows[k]), 0) = from(k, 0);
-    first += static_cast<int>(all.size());
-  }
-  return in_order;
 }
 
 }  // namespace tunica::systems

@@ -57,26 +57,6 @@ public:
     return collector.take();
   }
 
-  std::vector<double> column(int i, const ColumnRows& b) const {
-    struct Value {
-      long long row;
-      double value;
-    };
-    std::vector<Value> mine;
-    std::vector<int> ranks;
-    for (std::size_t k = 0; k < b.values.size(); ++k) {
-      const long long in_file = K_.first_row() + static_cast<long long>(k);
-      if (field(in_file) != i) continue;
-      mine.push_back({number_[in_file], sign(i) * b.values[k]});
-      ranks.push_back(rank_of_row(number_[in_file], size_[i], *K_.comm));
-    }
-    const Portion portion = portion_of(size_[i], *K_.comm);
-    std::vector<double> values(static_cast<std::size_t>(portion.count));
-    for (const Value& one : exchange_to(*K_.comm, mine, ranks).items)
-      values[one.row - portion.first] = one.value;
-    return values;
-  }
-
   /// Of the rank's portion of a field. Not collective.
   std::vector<long long> rows_in_file(int i) const {
     const Portion portion = portion_of(size_[i], *K_.comm);
@@ -100,17 +80,10 @@ private:
 
 }  // namespace
 
-Blocks read_whole(const Teuchos::ParameterList& options, const CommPtr& comm,
-                  std::size_t lines_at_once, std::string& order) {
-  const MatrixRows K = read_matrix(options.get<std::string>("K"), comm, lines_at_once);
+Blocks split_whole(const MatrixRows& K, const Teuchos::ParameterList& options, std::string& order) {
   TUNICA_CHECK(K.n_rows == K.n_columns, "System: K is " + std::to_string(K.n_rows) + " x " +
                                             std::to_string(K.n_columns) +
                                             ", expected a square matrix.");
-  const auto& rhs = options.get<std::string>("rhs");
-  const ColumnRows b = rhs.empty() ? made_column(K) : read_column(rhs, comm, lines_at_once);
-  TUNICA_CHECK(b.n_rows == K.n_rows, "System: rhs has " + std::to_string(b.n_rows) +
-                                         " rows, expected " + std::to_string(K.n_rows) +
-                                         ", as many as K.");
   const ScalarRows scalars = find_scalars(K, options);
   order = scalars.text;
   const Splitter split(K, scalars);
@@ -119,10 +92,22 @@ Blocks read_whole(const Teuchos::ParameterList& options, const CommPtr& comm,
   blocks.B1T = split.block(0, 1);
   blocks.B2 = split.block(1, 0);
   blocks.mC = with_diagonal(split.block(1, 1));
-  blocks.b = {split.column(0, b), split.column(1, b)};
+  blocks.signs = {scalars.vector_sign, scalars.scalar_sign};
   blocks.files = {"K", "K"};
   blocks.file_rows = {split.rows_in_file(0), split.rows_in_file(1)};
   TUNICA_CHECK(blocks.n_rows(0) > 0, "System: all rows of K would be scalar unknowns.");
+  return blocks;
+}
+
+Blocks read_whole(const Teuchos::ParameterList& options, const CommPtr& comm,
+                  std::size_t lines_at_once, std::string& order, ColumnRows& b) {
+  const MatrixRows K = read_matrix(options.get<std::string>("K"), comm, lines_at_once);
+  const auto& rhs = options.get<std::string>("rhs");
+  Blocks blocks = split_whole(K, options, order);
+  b = rhs.empty() ? made_column(K) : read_column(rhs, comm, lines_at_once);
+  TUNICA_CHECK(b.n_rows == K.n_rows, "System: rhs has " + std::to_string(b.n_rows) +
+                                         " rows, expected " + std::to_string(K.n_rows) +
+                                         ", as many as K.");
   return blocks;
 }
 

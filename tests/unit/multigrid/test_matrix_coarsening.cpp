@@ -107,7 +107,8 @@ TEUCHOS_UNIT_TEST(cycle_of_a_matrix, is_what_muelu_makes_with_our_factories) {
   XVector to(Teuchos::rcpFromRef(expected));
   hierarchy->Iterate(from, to, 1, true);
   TEST_COMPARE(hierarchy->GetNumLevels(), >, 1);
-  TEST_EQUALITY(test::largest_distance(x, expected), 0.0);
+  // A cycle's residuals come from the smoother's copy of the matrix, in single precision.
+  TEST_COMPARE(test::largest_distance(x, expected), <, 1e-6);
 }
 
 }  // namespace

@@ -1,25 +1,25 @@
 #include "tunica/multigrid/galerkin/galerkin_product.hpp"
 
-#include <vector>
+#include <cmath>
+
+#include "tunica/base/trilinos.hpp"
 
 namespace tunica::multigrid {
 
 namespace {
 
-/// R = Pᵀ, entry by entry. Both on one rank.
+/// R = Pᵀ, by products with a vector without pattern. Collective.
 bool is_transpose(const CrsMatrix& R, const CrsMatrix& P) {
-  const auto rows = R.getLocalMatrixHost(), columns = P.getLocalMatrixHost();
-  if (rows.nnz() != columns.nnz() || rows.numRows() != columns.numCols()) return false;
-  std::vector<int> next(rows.numRows(), 0);  // entries of each row of R that have been met
-  for (int i = 0; i < columns.numRows(); ++i) {
-    const auto of_P = columns.rowConst(i);
-    for (int k = 0; k < of_P.length; ++k) {
-      const auto of_R = rows.rowConst(of_P.colidx(k));
-      const int n = next[of_P.colidx(k)]++;
-      if (n >= of_R.length || of_R.colidx(n) != i || of_R.value(n) != of_P.value(k)) return false;
-    }
-  }
-  return true;
+  if (!R.getDomainMap()->isSameAs(*P.getRangeMap()) ||
+      !R.getRangeMap()->isSameAs(*P.getDomainMap()))
+    return false;
+  Vector x(R.getDomainMap()), Rx(R.getRangeMap()), Ptx(R.getRangeMap());
+  for (const GlobalOrdinal i : global_numbers(*x.getMap()))
+    x.replaceGlobalValue(i, std::sin(78.233 * static_cast<double>(i) + 1.0));
+  R.apply(x, Rx);
+  P.apply(x, Ptx, Teuchos::TRANS);
+  Rx.update(-1.0, Ptx, 1.0);
+  return Rx.normInf() <= 1e-12 * Ptx.normInf();
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ GalerkinProduct::GalerkinProduct(const Teuchos::RCP<const CrsMatrix>& R,
   refresh();
 }
 
-// R A P, on one rank with R = Pᵀ without the product between
+// R A P, with R = Pᵀ without the product between
 void GalerkinProduct::refresh() {
   if (triple_) {
     triple_->refresh();

@@ -26,7 +26,7 @@ private:
   Teuchos::RCP<const CrsMatrix> R_, A_, P_;
   algebra::DofLayout numbering_;
   double stabilisation_factor_;
-  std::optional<algebra::TripleProduct> triple_;    ///< where R = Pᵀ on one rank
+  std::optional<algebra::TripleProduct> triple_;    ///< where R = Pᵀ
   std::optional<algebra::SparseProduct> AP_, RAP_;  ///< elsewhere
 };
 

@@ -104,7 +104,7 @@ void Cycle::set_up() {
     if (is_blocked_)
       set_blocks(*hierarchy.GetLevel(0), *A_, coarsening_->numbering());
     else
-      hierarchy.GetLevel(0)->Set("A", wrapped(A_));
+      hierarchy.GetLevel(0)->Set<Teuchos::RCP<XMatrix>>("A", Teuchos::rcp(new LevelMatrix(A_)));
     interpreter.SetupHierarchy(hierarchy);
     hierarchy.IsPreconditioner(true);
     // MueLu factors the coarsest matrix when it is first needed: a singular one must fail here.

@@ -39,7 +39,7 @@ void GalerkinFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   // The product stays on the level, so that new values of A need no graphs.
   coarse.Set(kept_as, Teuchos::rcp_implicit_cast<algebra::Refreshable>(product),
              MueLu::NoFactory::get());
-  Set(coarse, "A", wrapped(product->matrix()));
+  Set<Teuchos::RCP<XMatrix>>(coarse, "A", Teuchos::rcp(new LevelMatrix(product->matrix())));
 }
 
 Teuchos::RCP<algebra::Refreshable> galerkin_product(MueLu::Level& level) {

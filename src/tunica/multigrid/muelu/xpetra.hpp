@@ -3,6 +3,7 @@
 #include <Xpetra_Matrix.hpp>
 #include <Xpetra_TpetraCrsMatrix.hpp>
 #include <Xpetra_TpetraMultiVector.hpp>
+#include <functional>
 
 #include "tunica/base/types.hpp"
 
@@ -17,6 +18,25 @@ inline Teuchos::RCP<XMatrix> wrapped(const Teuchos::RCP<CrsMatrix>& matrix) {
       Teuchos::rcp(new Xpetra::TpetraCrsMatrix<Scalar, LocalOrdinal, GlobalOrdinal, Node>(matrix));
   return Teuchos::rcp(new Xpetra::CrsMatrixWrap<Scalar, LocalOrdinal, GlobalOrdinal, Node>(crs));
 }
+
+/// A matrix of a level as MueLu sees it, which asks it for residuals. A smoother that has a smaller
+/// copy of the matrix can offer to compute them.
+class LevelMatrix : public Xpetra::CrsMatrixWrap<Scalar, LocalOrdinal, GlobalOrdinal, Node> {
+public:
+  using XVector = Xpetra::MultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  using Residual = std::function<void(const XVector& b, const XVector& x, XVector& r)>;
+
+  explicit LevelMatrix(const Teuchos::RCP<::tunica::CrsMatrix>& matrix)
+      : CrsMatrixWrap(Teuchos::rcp_dynamic_cast<CrsMatrixWrap>(wrapped(matrix))->getCrsMatrix()) {}
+  void compute_residuals_by(const Residual& residual) { residual_ = residual; }
+  void residual(const XVector& x, const XVector& b, XVector& r) const override {
+    if (residual_) return residual_(b, x, r);
+    CrsMatrixWrap::residual(x, b, r);
+  }
+
+private:
+  Residual residual_;
+};
 
 /// The matrix that such a wrapper holds. Throws Teuchos::m_bad_cast for any other.
 inline Teuchos::RCP<CrsMatrix> unwrapped(const Teuchos::RCP<XMatrix>& matrix) {

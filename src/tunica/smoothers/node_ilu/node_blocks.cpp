@@ -89,7 +89,6 @@ void NodeBlocks::number_ghosts() {
     if (own_.places[c] >= 0) continue;
     numbers.push_back(K_->getColMap()->getGlobalElement(static_cast<int>(c)));
     own_.places[c] = place(numbers.back());
-    ghost_columns_.push_back(static_cast<int>(c));
     ghost_places_.push_back(own_.places[c]);
   }
   fetch_ghosts(numbers);
@@ -187,7 +186,7 @@ double NodeBlocks::bytes() const {
   const double ghosts =
       ghosts_.is_null() ? 0.0 : 12.0 * static_cast<double>(n_local_entries(*ghosts_));
   const auto n_numbers = graph_.columns.size() + own_.places.size() + other_.places.size() +
-                         place_of_row_.size() + 2 * ghost_columns_.size() + block_of_node_.size();
+                         place_of_row_.size() + ghost_places_.size() + block_of_node_.size();
   return ghosts +
          static_cast<double>(sizeof(int) * n_numbers +
                              sizeof(std::size_t) * (graph_.start.size() + numbers_.size()) +

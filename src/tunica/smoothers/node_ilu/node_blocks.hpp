@@ -42,9 +42,10 @@ public:
 
   /// Places, width*node + i, of the unknowns that K has as rows, in their order.
   const std::vector<int>& place_of_row() const { return place_of_row_; }
-  /// Local columns of K that are other ranks' unknowns among the nodes, and their places.
-  const std::vector<int>& ghost_columns() const { return ghost_columns_; }
+  /// Places of other ranks' unknowns among the nodes, and what brings the values of their rows in
+  /// this order; null where the rank is alone.
   const std::vector<int>& ghost_places() const { return ghost_places_; }
+  const Teuchos::RCP<const Import>& ghost_import() const { return import_; }
   /// Bytes beside those of K on this rank.
   double bytes() const;
 
@@ -81,7 +82,7 @@ private:
   std::unordered_map<GlobalOrdinal, std::vector<GlobalOrdinal>> followers_;  ///< of hosts, so long
   std::vector<int> group_;              ///< of each node: the first that stands where it does
   std::vector<GlobalOrdinal> numbers_;  ///< of the nodes
-  std::vector<int> place_of_row_, ghost_columns_, ghost_places_;
+  std::vector<int> place_of_row_, ghost_places_;
   Teuchos::RCP<CrsMatrix> ghosts_;  ///< rows of other ranks; null where it is alone
   Teuchos::RCP<const Import> import_;
   Source own_, other_;

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "tunica/algebra/columns.hpp"
-#include "tunica/algebra/independent_set.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/smoothers/dense/dense.hpp"
 #include "tunica/smoothers/node_ilu/node_blocks.hpp"
@@ -17,6 +16,12 @@
 namespace tunica::smoothers {
 
 namespace {
+
+double number(double value) { return value; }
+double number(Half value) { return widened(value); }
+void keep_number(double value, double& kept) { kept = value; }
+void keep_number(double value, float& kept) { kept = static_cast<float>(value); }
+void keep_number(double value, Half& kept) { kept = rounded(static_cast<float>(value)); }
 
 /// Blocks of width² values, as they are eliminated, and their parts that are kept: the rows and
 /// columns of unknowns that the nodes have, see BlockPattern. Column by column, both.
@@ -29,19 +34,20 @@ public:
     return static_cast<std::size_t>(unknowns_[row]) * unknowns_[column];
   }
   /// Copies what is kept of a block; returns where the next one is.
-  template <class Real>
-  Real* keep(int row, int column, const double* block, Real* kept) const {
+  template <class Stored>
+  Stored* keep(int row, int column, const double* block, Stored* kept) const {
     for (int c = width_ - unknowns_[column]; c < width_; ++c)
       for (int i = width_ - unknowns_[row]; i < width_; ++i)
-        *kept++ = static_cast<Real>(block[width_ * c + i]);
+        keep_number(block[width_ * c + i], *kept++);
     return kept;
   }
   /// Makes a block of what is kept of it, and zeros; returns where the next one is.
-  template <class Real>
-  const Real* fill_in(int row, int column, const Real* kept, double* block) const {
+  template <class Stored>
+  const Stored* fill_in(int row, int column, const Stored* kept, double* block) const {
     std::fill_n(block, width_ * width_, 0.0);
     for (int c = width_ - unknowns_[column]; c < width_; ++c)
-      for (int i = width_ - unknowns_[row]; i < width_; ++i) block[width_ * c + i] = *kept++;
+      for (int i = width_ - unknowns_[row]; i < width_; ++i)
+        block[width_ * c + i] = number(*kept++);
     return kept;
   }
 
@@ -50,7 +56,8 @@ private:
   const std::uint8_t* unknowns_;
 };
 
-template <class Real>
+/// Stored: of the blocks of L and U beside the diagonal. Real: of all others, and of vectors.
+template <class Stored, class Real>
 class Factors final : public NodeIlu {
 public:
   Factors(const CrsMatrix& K, const algebra::DofLayout& numbering, const NodeIluOptions& options)
@@ -61,45 +68,56 @@ public:
     unfilled_.resize(size() * longest_row(blocks_.graph()));
     row_.resize(size() * longest_row(graph()));
     x_.resize(static_cast<std::size_t>(blocks_.width()) * blocks_.n_nodes());
+    b_.resize(x_.size());
     r_.resize(x_.size());
+    if (!has_ghosts()) return;
+    own_ = Teuchos::rcp(new Vector(blocks_.ghost_import()->getSourceMap()));
+    ghosts_ = Teuchos::rcp(new Vector(blocks_.ghost_import()->getTargetMap()));
   }
 
   void refresh(double shift) override {
     shift_ = shift;
     blocks_.refresh();
+    next_lower_ = lower_values_.data();
+    next_kept_ = matrix_.data();
     int singular = -1;
     for (int node = 0; node < blocks_.n_nodes(); ++node)
       if (!eliminate(node) && singular < 0) singular = node;
     std::string message;
     if (singular >= 0)
       message = "NodalIluSmoother: the block of node " + std::to_string(blocks_.number(singular)) +
-                " cannot be inverted in the order of the nodes; systems without stabilisation need "
+                " of " + std::to_string(K_->getGlobalNumRows()) +
+                " unknowns cannot be inverted in the order of the nodes; systems without "
+                "stabilisation need "
                 "another smoother.";
     // On all ranks if on one: the set-up is collective.
     throw_if_any<std::runtime_error>(*K_->getComm(), message);
   }
 
-  void smooth(double damping, const MultiVector& b, MultiVector& x) override {
-    algebra::for_each_column("NodeIlu", b, x,
-                             [&](const auto& b_c, auto& x_c) { smooth_column(damping, b_c, x_c); });
-  }
-
-  void smooth_from_zero(double damping, const MultiVector& b, MultiVector& x) override {
+  void sweep(const std::vector<double>& dampings, Start start, const MultiVector& b,
+             MultiVector& x) override {
     algebra::for_each_column("NodeIlu", b, x, [&](const auto& b_c, auto& x_c) {
-      // r = b: the first product is saved.
-      gather(b_c, r_);
-      fetch_ghosts(b_c, r_);
-      x_c.putScalar(0.0);
-      add_solution(damping, x_c);
+      sweep_column(dampings, start, b_c, x_c);
     });
   }
 
+  void residual(const MultiVector& b, const MultiVector& x, MultiVector& r) override {
+    algebra::check_columns("NodeIlu", b, x);
+    for (std::size_t c = 0; c < b.getNumVectors(); ++c) {
+      gather(*b.getVector(c), r_);
+      gather(*x.getVector(c), x_);
+      fetch_ghosts(x_);
+      subtract_product_with_x();
+      scatter(r_, *r.getVectorNonConst(c));
+    }
+  }
+
   double bytes() const override {
-    const auto n_values = lower_values_.size() + upper_values_.size() + matrix_.size();
-    const auto n_places = diagonal_.size() + lower_start_.size() + upper_start_.size() +
-                          matrix_start_.size() + (filled_ ? filled_->start.size() : 0);
-    return static_cast<double>(sizeof(Real) * n_values + 2 * sizeof(double) * x_.size() +
-                               sizeof(std::size_t) * n_places +
+    const auto n_values = inverses_.size() + matrix_.size() + 3 * x_.size();
+    const auto n_places =
+        diagonal_.size() + upper_start_.size() + (filled_ ? filled_->start.size() : 0);
+    return static_cast<double>(sizeof(Stored) * (lower_values_.size() + upper_values_.size()) +
+                               sizeof(Real) * n_values + sizeof(std::size_t) * n_places +
                                sizeof(int) * (filled_ ? filled_->columns.size() : 0)) +
            blocks_.bytes();
   }
@@ -115,48 +133,65 @@ private:
             graph.columns.data()};
   }
 
-  void smooth_column(double damping, const MultiVector& b, MultiVector& x) {
-    gather(b, r_);
-    gather(x, x_);
-    fetch_ghosts(x, x_);
-    // r = b − K x
-    subtract_product(NodeMatrix<Real>{pattern(blocks_.graph(), blocks_.n_own_nodes()),
-                                      matrix_start_.data(), matrix_.data()},
-                     x_.data(), r_.data());
-    // Rows of ghosts are not whole here: their owners' residuals take the place of what is missing.
-    if (has_ghosts()) {
-      MultiVector r(b.getMap(), 1);
-      const auto& places = blocks_.place_of_row();
-      const auto to = r.getLocalViewHost(overwrite_all);
-      for (std::size_t i = 0; i < places.size(); ++i) to(i, 0) = r_[places[i]];
-      fetch_ghosts(r, r_);
+  // x ← x + ω (L U)⁻¹ (b − K x), sweep after sweep
+  void sweep_column(const std::vector<double>& dampings, Start start, const MultiVector& b,
+                    MultiVector& x) {
+    gather(b, b_);
+    bool is_zero = start == Start::zero;  // r = b: the first product is saved
+    if (is_zero)
+      std::fill(x_.begin(), x_.end(), Real(0));
+    else
+      gather(x, x_);
+    for (const double damping : dampings) {
+      r_ = b_;
+      if (!is_zero) {
+        fetch_ghosts(x_);
+        subtract_product_with_x();
+      }
+      // Rows of ghosts are not whole here: their owners' residuals take their place.
+      fetch_ghosts(r_);
+      solve_factors(factors(), r_.data());
+      const auto n_own = static_cast<std::size_t>(blocks_.width()) * blocks_.n_own_nodes();
+      const auto factor = static_cast<Real>(damping);
+      for (std::size_t i = 0; i < n_own; ++i) x_[i] += factor * r_[i];
+      is_zero = false;
     }
-    add_solution(damping, x);
+    scatter(x_, x);
   }
 
-  // Rows of L end before the diagonal, rows of U begin with it, and K has a copy of the own rows.
-  // Blocks of nodes with one unknown take one row or column each.
+  /// r ← r − K x
+  void subtract_product_with_x() {
+    subtract_product(
+        NodeMatrix<Real>{pattern(blocks_.graph(), blocks_.n_own_nodes()), matrix_.data()},
+        x_.data(), r_.data());
+  }
+
+  NodeFactors<Stored, Real> factors() const {
+    return {pattern(graph(), blocks_.n_nodes()), diagonal_.data(), lower_values_.data(),
+            upper_values_.data(), inverses_.data()};
+  }
+
+  // Rows of L end before the diagonal, rows of U begin behind it, the last one first, and K has a
+  // copy of the own rows. Blocks of nodes with one unknown take one row or column each.
   void make_room() {
     std::size_t lower = 0, upper = 0, matrix = 0;
-    for (auto* places : {&diagonal_, &lower_start_, &upper_start_})
-      places->reserve(blocks_.n_nodes());
-    matrix_start_.reserve(blocks_.n_own_nodes());
-    for (int node = 0; node < blocks_.n_nodes(); ++node) {
+    upper_start_.resize(blocks_.n_nodes());
+    diagonal_.resize(blocks_.n_nodes());
+    for (int node = blocks_.n_nodes() - 1; node >= 0; --node) {
       const int* const first = graph().columns.data() + graph().start[node];
       const int* const last = graph().columns.data() + graph().start[node + 1];
       const int* const own = std::lower_bound(first, last, node);
-      diagonal_.push_back(static_cast<std::size_t>(own - graph().columns.data()));
-      lower_start_.push_back(lower);
-      upper_start_.push_back(upper);
+      diagonal_[node] = static_cast<std::size_t>(own - graph().columns.data());
+      upper_start_[node] = upper;
       for (const int* column = first; column != own; ++column) lower += parts_.size(node, *column);
-      for (const int* column = own; column != last; ++column) upper += parts_.size(node, *column);
+      for (const int* column = own + 1; column != last; ++column)
+        upper += parts_.size(node, *column);
     }
-    for (int node = 0; node < blocks_.n_own_nodes(); ++node) {
-      matrix_start_.push_back(matrix);
+    for (int node = 0; node < blocks_.n_own_nodes(); ++node)
       for_columns(blocks_.graph(), node, [&](int column) { matrix += parts_.size(node, column); });
-    }
     lower_values_.resize(lower);
     upper_values_.resize(upper);
+    inverses_.resize(size() * blocks_.n_nodes());
     matrix_.resize(matrix);
   }
 
@@ -180,15 +215,18 @@ private:
     const std::size_t first = graph().start[node], own = diagonal_[node],
                       last = graph().start[node + 1];
     // K_i· ← K_i· − L_ik U_k· for the nodes k before i, then D_i⁻¹
-    Real* lower = lower_values_.data() + lower_start_[node];
-    for (std::size_t k = first; k < own; ++k) lower = subtract_row(node, columns[k], lower);
-    const bool is_regular =
-        invert_dense(blocks_.width(), row_.data() + size() * (own - first), scratch_);
-    Real* const upper = upper_values_.data() + upper_start_[node];
-    Real* next = upper;
-    for (std::size_t k = own; k < last; ++k)
+    for (std::size_t k = first; k < own; ++k) subtract_row(node, columns[k]);
+    double* const block = row_.data() + size() * (own - first);
+    const bool is_regular = invert_dense(blocks_.width(), block, scratch_);
+    Real* const inverse = inverses_.data() + size() * node;
+    const Real* const end = parts_.keep(node, node, block, inverse);
+    Stored* const upper = upper_values_.data() + upper_start_[node];
+    Stored* next = upper;
+    for (std::size_t k = own + 1; k < last; ++k)
       next = parts_.keep(node, columns[k], row_.data() + size() * (k - first), next);
-    return is_regular && std::all_of(upper, next, [](Real value) { return std::isfinite(value); });
+    const auto is_finite = [](auto value) { return std::isfinite(number(value)); };
+    return is_regular && std::all_of(inverse, const_cast<Real*>(end), is_finite) &&
+           std::all_of(upper, next, is_finite);
   }
 
   /// The blocks of a node into its row in work, which has room for fill.
@@ -202,9 +240,9 @@ private:
     std::fill_n(row_.begin(), size() * row_nodes_.size(), 0.0);
     blocks_.read(node, unfilled_.data());
     const double* block = unfilled_.data();
-    Real* kept = node < blocks_.n_own_nodes() ? matrix_.data() + matrix_start_[node] : nullptr;
+    const bool is_own = node < blocks_.n_own_nodes();
     for_columns(blocks_.graph(), node, [&](int column) {
-      if (kept != nullptr) kept = parts_.keep(node, column, block, kept);
+      if (is_own) next_kept_ = parts_.keep(node, column, block, next_kept_);
       double* const to = row_.data() + size() * slot_of_node_[column];
       std::copy_n(block, size(), to);
       // D_i ← (1 + s) D_i before the elimination; K itself keeps its values for r = b − K x.
@@ -215,55 +253,44 @@ private:
   }
 
   /// Eliminates the column of a node from the row of another in work: L = block · D⁻¹ of that node.
-  /// Returns where the next block of L is kept.
-  Real* subtract_row(int node, int pivot, Real* lower) {
+  void subtract_row(int node, int pivot) {
     // L_ik = K_ik D_k⁻¹,   K_i· ← K_i· − L_ik U_k· in the columns that the row has
-    double inverse[16], factor[16] = {}, other[16];
-    const Real* upper =
-        parts_.fill_in(pivot, pivot, upper_values_.data() + upper_start_[pivot], inverse);
+    double inverse[16], factor[16] = {};
+    parts_.fill_in(pivot, pivot, inverses_.data() + size() * pivot, inverse);
     subtract_product(blocks_.width(), row_.data() + size() * slot_of_node_[pivot], inverse, factor);
     for (std::size_t i = 0; i < size(); ++i) factor[i] = -factor[i];
-    lower = parts_.keep(node, pivot, factor, lower);
-    for (std::size_t k = diagonal_[pivot] + 1; k < graph().start[pivot + 1]; ++k) {
-      const int column = graph().columns[k], slot = slot_of_node_[column];
-      if (slot < 0) {
-        upper += parts_.size(pivot, column);
-        continue;
-      }
-      upper = parts_.fill_in(pivot, column, upper, other);
-      subtract_product(blocks_.width(), factor, other, row_.data() + size() * slot);
-    }
-    return lower;
-  }
-
-  /// x += ω U⁻¹ D⁻¹ L⁻¹ r.
-  void add_solution(double damping, MultiVector& x) {
-    solve_factors(NodeFactors<Real>{pattern(graph(), blocks_.n_nodes()), diagonal_.data(),
-                                    lower_start_.data(), upper_start_.data(), lower_values_.data(),
-                                    upper_values_.data()},
-                  r_.data());
-    const auto& places = blocks_.place_of_row();
-    const auto to = x.getLocalViewHost(read_write);
-    for (std::size_t i = 0; i < places.size(); ++i) to(i, 0) += damping * r_[places[i]];
+    next_lower_ = parts_.keep(node, pivot, factor, next_lower_);
+    subtract_upper(pattern(graph(), blocks_.n_nodes()),
+                   UpperRow<Stored>{pivot, diagonal_[pivot] + 1, graph().start[pivot + 1],
+                                    upper_values_.data() + upper_start_[pivot]},
+                   factor, slot_of_node_.data(), row_.data());
   }
 
   bool has_ghosts() const { return K_->getComm()->getSize() > 1; }
 
-  void gather(const MultiVector& rows, std::vector<double>& values) const {
+  void gather(const MultiVector& rows, std::vector<Real>& values) const {
     const auto& places = blocks_.place_of_row();
     const auto from = rows.getLocalViewHost(read_only);
-    std::fill(values.begin(), values.end(), 0.0);
-    for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = from(i, 0);
+    std::fill(values.begin(), values.end(), Real(0));
+    for (std::size_t i = 0; i < places.size(); ++i)
+      values[places[i]] = static_cast<Real>(from(i, 0));
   }
 
-  void fetch_ghosts(const MultiVector& rows, std::vector<double>& values) const {
+  void scatter(const std::vector<Real>& values, MultiVector& rows) const {
+    const auto& places = blocks_.place_of_row();
+    const auto to = rows.getLocalViewHost(overwrite_all);
+    for (std::size_t i = 0; i < places.size(); ++i) to(i, 0) = values[places[i]];
+  }
+
+  /// Values of other ranks' nodes, from their owners.
+  void fetch_ghosts(std::vector<Real>& values) {
     if (!has_ghosts()) return;
-    MultiVector all(K_->getColMap(), 1);
-    algebra::fetch_columns(*K_, rows, all);
-    const auto from = all.getLocalViewHost(read_only);
-    const auto& columns = blocks_.ghost_columns();
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      values[blocks_.ghost_places()[i]] = from(columns[i], 0);
+    scatter(values, *own_);
+    ghosts_->doImport(*own_, *blocks_.ghost_import(), insert);
+    const auto from = ghosts_->getLocalViewHost(read_only);
+    const auto& places = blocks_.ghost_places();
+    for (std::size_t i = 0; i < places.size(); ++i)
+      values[places[i]] = static_cast<Real>(from(i, 0));
   }
 
   const CrsMatrix* K_;
@@ -271,11 +298,15 @@ private:
   Parts parts_;
   double shift_ = 0.0;
   std::optional<RowGraph> filled_;
-  std::vector<std::size_t> diagonal_, lower_start_, upper_start_, matrix_start_;
-  std::vector<Real> lower_values_, upper_values_;
-  std::vector<Real> matrix_;   ///< of the own nodes
-  std::vector<double> x_, r_;  ///< of smooth(): by places
+  std::vector<std::size_t> diagonal_, upper_start_;
+  std::vector<Stored> lower_values_, upper_values_;
+  std::vector<Real> inverses_;         ///< of the diagonal blocks
+  std::vector<Real> matrix_;           ///< of the own nodes
+  std::vector<Real> x_, b_, r_;        ///< by places
+  Teuchos::RCP<Vector> own_, ghosts_;  ///< what travels; null on one rank
   // of eliminate():
+  Stored* next_lower_ = nullptr;
+  Real* next_kept_ = nullptr;
   std::vector<int> row_nodes_, slot_of_node_;
   std::vector<double> unfilled_, row_;
   DenseScratch scratch_;
@@ -287,8 +318,11 @@ std::unique_ptr<NodeIlu> make_node_ilu(const CrsMatrix& K, const algebra::DofLay
                                        const NodeIluOptions& options) {
   if (numbering.dofs() < 2 || numbering.dofs() > 4)
     throw std::invalid_argument("NodalIluSmoother: vectors of one to three components only.");
-  if (options.is_single) return std::make_unique<Factors<float>>(K, numbering, options);
-  return std::make_unique<Factors<double>>(K, numbering, options);
+  if (options.precision == Precision::half)
+    return std::make_unique<Factors<Half, float>>(K, numbering, options);
+  if (options.precision == Precision::single)
+    return std::make_unique<Factors<float, float>>(K, numbering, options);
+  return std::make_unique<Factors<double, double>>(K, numbering, options);
 }
 
 }  // namespace tunica::smoothers

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "tunica/algebra/dof_layout.hpp"
 
@@ -16,19 +17,32 @@ public:
   /// growing along chains of nodes [Sa03, 10.3.5]. Throws std::runtime_error on all ranks where one
   /// has a block that cannot be inverted. Collective.
   virtual void refresh(double shift = 0.0) = 0;
-  /// x += ω (L U)⁻¹ (b − K x); factors include the rows of other ranks that own ones reach, and
-  /// each rank moves its own unknowns. Column by column. Throws std::invalid_argument for unlike
-  /// numbers of columns. Collective.
-  virtual void smooth(double damping, const MultiVector& b, MultiVector& x) = 0;
-  /// As smooth(), starting from x = 0 whatever x contains. Throws as smooth(). Collective.
-  virtual void smooth_from_zero(double damping, const MultiVector& b, MultiVector& x) = 0;
+  enum class Start { given, zero };  ///< zero: whatever x contains
+  /// x += ω (L U)⁻¹ (b − K x) for one damping ω after the other; factors include the rows of other
+  /// ranks that own ones reach, and each rank moves its own unknowns. Column by column. Throws
+  /// std::invalid_argument for unlike numbers of columns. Collective.
+  virtual void sweep(const std::vector<double>& dampings, Start start, const MultiVector& b,
+                     MultiVector& x) = 0;
+  /// One sweep. Throws as sweep(). Collective.
+  void smooth(double damping, const MultiVector& b, MultiVector& x) {
+    sweep({damping}, Start::given, b, x);
+  }
+  void smooth_from_zero(double damping, const MultiVector& b, MultiVector& x) {
+    sweep({damping}, Start::zero, b, x);
+  }
+  /// r ← b − K x by the copy of the matrix. Throws as sweep(). Collective.
+  virtual void residual(const MultiVector& b, const MultiVector& x, MultiVector& r) = 0;
   /// Bytes of the factors and a copy of the matrix on this rank.
   virtual double bytes() const = 0;
 };
 
+/// Of the copy of the matrix, of vectors, and of the factors, which have 16 bits with half and
+/// single precision for the rest: incomplete as they are, eight binary digits are enough for them.
+enum class Precision { half, single, full };
+
 struct NodeIluOptions {
-  int fill = 0;           ///< k
-  bool is_single = true;  ///< keep the factors and the matrix in single precision
+  int fill = 0;  ///< k
+  Precision precision = Precision::half;
   /// Hosts of nodes that coincide with others, such as further pressures of a vertex: the number of
   /// the other node, by node; -1 or their own number for single nodes. Null: all nodes are single.
   Teuchos::RCP<const Vector> hosts{};

@@ -1,101 +1,188 @@
 #include "tunica/smoothers/node_ilu/node_ilu_sweeps.hpp"
 
+#include <type_traits>
+
 #include "tunica/base/clones.hpp"
 
 namespace tunica::smoothers {
 
 namespace {
 
-/// y −= M x. Inlined, so that each caller has it for its own processors.
-template <int rows, int columns, class Real>
-[[gnu::always_inline]] inline void subtract(const Real* __restrict__ M,
-                                            const double* __restrict__ x, double* __restrict__ y) {
-  for (int c = 0; c < columns; ++c)
-    for (int i = 0; i < rows; ++i) y[i] -= M[rows * c + i] * x[c];
+// All of it is inlined, so that each function for certain processors has its own.
+
+/// Four numbers in a register.
+template <class Real>
+struct Registers;
+template <>
+struct Registers<float> {
+  using Four = float __attribute__((vector_size(16)));
+};
+template <>
+struct Registers<double> {
+  using Four = double __attribute__((vector_size(32)));
+};
+
+template <class Real>
+using Four = typename Registers<Real>::Four;
+
+template <class Real>
+[[gnu::always_inline]] inline void load(const Real* from, Four<Real>& to) {
+  std::memcpy(&to, from, sizeof(to));
+}
+/// Columns of four numbers, one after the other.
+template <int columns, class Real>
+[[gnu::always_inline]] inline void load_columns(const Real* from, Four<Real> (&to)[columns]) {
+  for (int c = 0; c < columns; ++c) load(from + 4 * c, to[c]);
+}
+/// Two columns at a time: zeros that are put in between make floats of halves.
+template <int columns>
+[[gnu::always_inline]] inline void load_columns(const Half* from, Four<float> (&to)[columns]) {
+  using Eight = std::uint16_t __attribute__((vector_size(16)));
+  const Eight zeros{};
+  for (int c = 0; c < columns; c += 2) {
+    Eight halves{};
+    std::memcpy(&halves, from + 4 * c, c + 1 < columns ? 16 : 8);
+    const Eight first = __builtin_shufflevector(zeros, halves, 0, 8, 1, 9, 2, 10, 3, 11);
+    std::memcpy(&to[c], &first, sizeof(first));
+    if (c + 1 == columns) return;
+    const Eight second = __builtin_shufflevector(zeros, halves, 4, 12, 5, 13, 6, 14, 7, 15);
+    std::memcpy(&to[c + 1], &second, sizeof(second));
+  }
 }
 
-/// y_i −= Σ_k M_ik x_k for the blocks of a row from and up to these columns; y_i has so many
-/// values.
+[[gnu::always_inline]] inline double one(const double* from) { return *from; }
+[[gnu::always_inline]] inline float one(const float* from) { return *from; }
+[[gnu::always_inline]] inline float one(const Half* from) { return widened(*from); }
+
+/// The y of one row of blocks: y −= M x for one of its blocks after the other.
 template <int width, int rows, class Real>
-[[gnu::always_inline]] inline void subtract_row(const BlockPattern& pattern, std::size_t first,
-                                                std::size_t last, const Real* M, const double* x,
-                                                double* y_i) {
-  double y[rows];
-  for (int i = 0; i < rows; ++i) y[i] = y_i[i];
+struct RowSum {
+  Real y[rows];
+
+  [[gnu::always_inline]] void begin(const Real* from) {
+    for (int i = 0; i < rows; ++i) y[i] = from[i];
+  }
+  template <int columns, class Stored>
+  [[gnu::always_inline]] void subtract(const Stored* M, const Real* x) {
+    for (int c = 0; c < columns; ++c)
+      for (int i = 0; i < rows; ++i) y[i] -= one(M + rows * c + i) * x[c];
+  }
+  [[gnu::always_inline]] void end(Real* to) const {
+    for (int i = 0; i < rows; ++i) to[i] = y[i];
+  }
+};
+
+/// Four rows: a sum for each column, so that no step has to wait for the one before.
+template <class Real>
+struct RowSum<4, 4, Real> {
+  Four<Real> y[4];
+
+  [[gnu::always_inline]] void begin(const Real* from) {
+    load(from, y[0]);
+    for (int c = 1; c < 4; ++c) y[c] = Four<Real>{};
+  }
+  template <int columns, class Stored>
+  [[gnu::always_inline]] void subtract(const Stored* M, const Real* x) {
+    Four<Real> block[columns];
+    load_columns(M, block);
+    for (int c = 0; c < columns; ++c) y[c] -= block[c] * x[c];
+  }
+  [[gnu::always_inline]] void end(Real* to) const {
+    const Four<Real> sum = (y[0] + y[1]) + (y[2] + y[3]);
+    std::memcpy(to, &sum, sizeof(sum));
+  }
+};
+
+/// y_i −= Σ_k M_ik x_k for the blocks of a row from and up to these columns. Returns where the
+/// next row's blocks are.
+template <int width, int rows, class Stored, class Real>
+[[gnu::always_inline]] inline const Stored* subtract_row(const BlockPattern& pattern,
+                                                         std::size_t first, std::size_t last,
+                                                         const Stored* M, const Real* x,
+                                                         Real* y_i) {
+  RowSum<width, rows, Real> sum;
+  sum.begin(y_i);
   for (std::size_t k = first; k < last; ++k) {
     const int node = pattern.columns[k];
-    const double* const x_k = x + static_cast<std::size_t>(width) * node;
+    const Real* const x_k = x + static_cast<std::size_t>(width) * node;
     // Widths are constants of the compiler: blocks of 4, 3 or 2, or the scalar alone.
     if (pattern.unknowns[node] == width) {
-      subtract<rows, width>(M, x_k, y);
+      sum.template subtract<width>(M, x_k);
       M += rows * width;
     } else {
-      subtract<rows, 1>(M, x_k + width - 1, y);
+      sum.template subtract<1>(M, x_k + width - 1);
       M += rows;
     }
   }
-  for (int i = 0; i < rows; ++i) y_i[i] = y[i];
+  sum.end(y_i);
+  return M;
 }
 
 /// The same for a row of either kind; y has values of all nodes.
-template <int width, class Real>
-[[gnu::always_inline]] inline void subtract_row(const BlockPattern& pattern, int node,
-                                                std::size_t first, std::size_t last, const Real* M,
-                                                const double* x, double* y) {
-  double* const y_i = y + static_cast<std::size_t>(width) * node;
+template <int width, class Stored, class Real>
+[[gnu::always_inline]] inline const Stored* subtract_row(const BlockPattern& pattern, int node,
+                                                         std::size_t first, std::size_t last,
+                                                         const Stored* M, const Real* x, Real* y) {
+  Real* const y_i = y + static_cast<std::size_t>(width) * node;
   if (pattern.unknowns[node] == width)
-    subtract_row<width, width>(pattern, first, last, M, x, y_i);
-  else
-    subtract_row<width, 1>(pattern, first, last, M, x, y_i + width - 1);
+    return subtract_row<width, width>(pattern, first, last, M, x, y_i);
+  return subtract_row<width, 1>(pattern, first, last, M, x, y_i + width - 1);
 }
 
 /// y ← M y.
-template <int rows, class Real>
-[[gnu::always_inline]] inline void multiply(const Real* M, double* y) {
-  double z[rows] = {};
-  subtract<rows, rows>(M, y, z);
-  for (int i = 0; i < rows; ++i) y[i] = -z[i];
+template <int width, int rows, class Real>
+[[gnu::always_inline]] inline void multiply(const Real* M, Real* y) {
+  Real negative[rows], x[rows];
+  for (int i = 0; i < rows; ++i) {
+    negative[i] = Real(0);
+    x[i] = y[i];
+  }
+  RowSum<width, rows, Real> sum;
+  sum.begin(negative);
+  sum.template subtract<rows>(M, x);
+  sum.end(negative);
+  for (int i = 0; i < rows; ++i) y[i] = -negative[i];
 }
 
-template <int width, class Real>
-[[gnu::always_inline]] inline void solve(const NodeFactors<Real>& f, double* x) {
+template <int width, class Stored, class Real>
+[[gnu::always_inline]] inline void solve(const NodeFactors<Stored, Real>& f, Real* x) {
   const BlockPattern& pattern = f.pattern;
   // y_i = x_i − Σ_k<i L_ik y_k
+  const Stored* lower = f.lower;
   for (int node = 0; node < pattern.n_nodes; ++node)
-    subtract_row<width>(pattern, node, pattern.start[node], f.diagonal[node],
-                        f.lower + f.lower_start[node], x, x);
+    lower = subtract_row<width>(pattern, node, pattern.start[node], f.diagonal[node], lower, x, x);
   // x_i = D_i⁻¹ (y_i − Σ_k>i U_ik x_k)
+  const Stored* upper = f.upper;
   for (int node = pattern.n_nodes - 1; node >= 0; --node) {
-    const int n = pattern.unknowns[node];
-    const Real* const inverse = f.upper + f.upper_start[node];
-    subtract_row<width>(pattern, node, f.diagonal[node] + 1, pattern.start[node + 1],
-                        inverse + n * n, x, x);
-    double* const x_i = x + static_cast<std::size_t>(width) * node;
-    if (n == width)
-      multiply<width>(inverse, x_i);
+    upper = subtract_row<width>(pattern, node, f.diagonal[node] + 1, pattern.start[node + 1], upper,
+                                x, x);
+    const Real* const inverse = f.inverses + static_cast<std::size_t>(width) * width * node;
+    Real* const x_i = x + static_cast<std::size_t>(width) * node;
+    if (pattern.unknowns[node] == width)
+      multiply<width, width>(inverse, x_i);
     else
-      multiply<1>(inverse, x_i + width - 1);
+      x_i[width - 1] *= *inverse;
   }
 }
 
-template <class Real>
-[[gnu::always_inline]] inline void solve_any(const NodeFactors<Real>& f, double* x) {
+template <class Stored, class Real>
+[[gnu::always_inline]] inline void solve_any(const NodeFactors<Stored, Real>& f, Real* x) {
   if (f.pattern.width == 4) return solve<4>(f, x);
   if (f.pattern.width == 3) return solve<3>(f, x);
   solve<2>(f, x);
 }
 
 template <int width, class Real>
-[[gnu::always_inline]] inline void subtract_rows(const NodeMatrix<Real>& K, const double* x,
-                                                 double* r) {
+[[gnu::always_inline]] inline void subtract_rows(const NodeMatrix<Real>& K, const Real* x,
+                                                 Real* r) {
+  const Real* values = K.values;
   for (int node = 0; node < K.pattern.n_nodes; ++node)
-    subtract_row<width>(K.pattern, node, K.pattern.start[node], K.pattern.start[node + 1],
-                        K.values + K.value_start[node], x, r);
+    values = subtract_row<width>(K.pattern, node, K.pattern.start[node], K.pattern.start[node + 1],
+                                 values, x, r);
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void subtract_any(const NodeMatrix<Real>& K, const double* x,
-                                                double* r) {
+[[gnu::always_inline]] inline void subtract_any(const NodeMatrix<Real>& K, const Real* x, Real* r) {
   if (K.pattern.width == 4) return subtract_rows<4>(K, x, r);
   if (K.pattern.width == 3) return subtract_rows<3>(K, x, r);
   subtract_rows<2>(K, x, r);
@@ -103,19 +190,108 @@ template <class Real>
 
 template <int width>
 [[gnu::always_inline]] inline void subtract_blocks(const double* A, const double* B, double* C) {
-  for (int c = 0; c < width; ++c) subtract<width, width>(A, B + width * c, C + width * c);
+  for (int c = 0; c < width; ++c) {
+    RowSum<width, width, double> sum;
+    sum.begin(C + width * c);
+    sum.template subtract<width>(A, B + width * c);
+    sum.end(C + width * c);
+  }
+}
+
+[[gnu::always_inline]] inline void as_doubles(const Four<float>& from, Four<double>& to) {
+  to = __builtin_convertvector(from, Four<double>);
+}
+[[gnu::always_inline]] inline void as_doubles(const Four<double>& from, Four<double>& to) {
+  to = from;
+}
+template <class Stored>
+[[gnu::always_inline]] inline void subtract_whole_block(const double* F, const Stored* B,
+                                                        double* C) {
+  std::conditional_t<std::is_same_v<Stored, double>, Four<double>, Four<float>> columns[4];
+  load_columns(B, columns);
+  Four<double> f[4];
+  load_columns(F, f);
+  for (int c = 0; c < 4; ++c) {
+    Four<double> b, C_c;
+    as_doubles(columns[c], b);
+    load(C + 4 * c, C_c);
+    C_c -= (f[0] * b[0] + f[1] * b[1]) + (f[2] * b[2] + f[3] * b[3]);
+    std::memcpy(C + 4 * c, &C_c, sizeof(C_c));
+  }
+}
+
+/// C −= F B for a block B of so many rows and columns, the last ones of C's and F's.
+template <int width, int rows, int columns, class Stored>
+[[gnu::always_inline]] inline void subtract_block(const double* F, const Stored* B, double* C) {
+  if constexpr (rows == 4 && columns == 4) return subtract_whole_block(F, B, C);
+  for (int c = 0; c < columns; ++c) {
+    double* const C_c = C + width * (width - columns + c);
+    for (int r = 0; r < rows; ++r) {
+      const double b = one(B + rows * c + r);
+      for (int i = 0; i < width; ++i) C_c[i] -= F[width * (width - rows + r) + i] * b;
+    }
+  }
+}
+
+template <int width, class Stored>
+[[gnu::always_inline]] inline void subtract_upper_row(const BlockPattern& pattern,
+                                                      const UpperRow<Stored>& U, const double* F,
+                                                      const int* slots, double* row) {
+  const Stored* B = U.values;
+  const bool is_whole = pattern.unknowns[U.node] == width;
+  for (std::size_t k = U.first; k < U.last; ++k) {
+    const int column = pattern.columns[k], slot = slots[column];
+    const bool has_whole_column = pattern.unknowns[column] == width;
+    if (slot >= 0) {
+      double* const C = row + static_cast<std::size_t>(width) * width * slot;
+      if (is_whole && has_whole_column)
+        subtract_block<width, width, width>(F, B, C);
+      else if (is_whole)
+        subtract_block<width, width, 1>(F, B, C);
+      else if (has_whole_column)
+        subtract_block<width, 1, width>(F, B, C);
+      else
+        subtract_block<width, 1, 1>(F, B, C);
+    }
+    B += pattern.unknowns[U.node] * pattern.unknowns[column];
+  }
+}
+
+template <class Stored>
+[[gnu::always_inline]] inline void subtract_upper_any(const BlockPattern& pattern,
+                                                      const UpperRow<Stored>& U, const double* F,
+                                                      const int* slots, double* row) {
+  if (pattern.width == 4) return subtract_upper_row<4>(pattern, U, F, slots, row);
+  if (pattern.width == 3) return subtract_upper_row<3>(pattern, U, F, slots, row);
+  subtract_upper_row<2>(pattern, U, F, slots, row);
 }
 
 }  // namespace
 
-TUNICA_CLONES void solve_factors(const NodeFactors<float>& factors, double* x) {
+TUNICA_CLONES void subtract_upper(const BlockPattern& pattern, const UpperRow<Half>& U,
+                                  const double* F, const int* slots, double* row) {
+  subtract_upper_any(pattern, U, F, slots, row);
+}
+TUNICA_CLONES void subtract_upper(const BlockPattern& pattern, const UpperRow<float>& U,
+                                  const double* F, const int* slots, double* row) {
+  subtract_upper_any(pattern, U, F, slots, row);
+}
+TUNICA_CLONES void subtract_upper(const BlockPattern& pattern, const UpperRow<double>& U,
+                                  const double* F, const int* slots, double* row) {
+  subtract_upper_any(pattern, U, F, slots, row);
+}
+
+TUNICA_CLONES void solve_factors(const NodeFactors<Half, float>& factors, float* x) {
   solve_any(factors, x);
 }
-TUNICA_CLONES void solve_factors(const NodeFactors<double>& factors, double* x) {
+TUNICA_CLONES void solve_factors(const NodeFactors<float, float>& factors, float* x) {
+  solve_any(factors, x);
+}
+TUNICA_CLONES void solve_factors(const NodeFactors<double, double>& factors, double* x) {
   solve_any(factors, x);
 }
 
-TUNICA_CLONES void subtract_product(const NodeMatrix<float>& K, const double* x, double* r) {
+TUNICA_CLONES void subtract_product(const NodeMatrix<float>& K, const float* x, float* r) {
   subtract_any(K, x, r);
 }
 TUNICA_CLONES void subtract_product(const NodeMatrix<double>& K, const double* x, double* r) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace tunica::smoothers {
 
@@ -14,30 +15,66 @@ struct BlockPattern {
   const int* columns;            ///< nodes, ascending
 };
 
-/// The blocks of a matrix row by row, each column by column.
+/// The blocks of a matrix, row behind row, each block column by column.
 template <class Real>
 struct NodeMatrix {
   BlockPattern pattern;
-  const std::size_t* value_start;  ///< of each row's values
   const Real* values;
 };
 
-/// Triangular factors in such blocks. In each row of U the inverse of its diagonal block is first.
-template <class Real>
+/// The upper half of a float: its range, and eight binary digits.
+struct Half {
+  std::uint16_t bits;
+};
+inline float widened(Half half) {
+  const std::uint32_t bits = static_cast<std::uint32_t>(half.bits) << 16;
+  float value;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+/// To the nearest.
+inline Half rounded(float value) {
+  if (!(value == value)) return {0x7fc0};  // no number, whose digits might all be cut off
+  std::uint32_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return {static_cast<std::uint16_t>((bits + 0x7fff + (bits >> 16 & 1)) >> 16)};
+}
+
+/// Triangular factors in such blocks, stored as solve_factors() walks over them.
+template <class Stored, class Real>
 struct NodeFactors {
-  BlockPattern pattern;                          ///< of both together, the diagonal among them
-  const std::size_t* diagonal;                   ///< place of each node in the columns of its row
-  const std::size_t *lower_start, *upper_start;  ///< of each row's values
-  const Real *lower, *upper;
+  BlockPattern pattern;         ///< of both together, the diagonal among them
+  const std::size_t* diagonal;  ///< place of each node in the columns of its row
+  const Stored* lower;          ///< row behind row
+  const Stored* upper;          ///< the last row first, without the diagonal
+  const Real* inverses;         ///< of the diagonal blocks, width² values for each node
 };
 
 /// x ← (L U)⁻¹ x.
-void solve_factors(const NodeFactors<float>& factors, double* x);
-void solve_factors(const NodeFactors<double>& factors, double* x);
+void solve_factors(const NodeFactors<Half, float>& factors, float* x);
+void solve_factors(const NodeFactors<float, float>& factors, float* x);
+void solve_factors(const NodeFactors<double, double>& factors, double* x);
 
 /// r −= K x; x has values of all columns' nodes.
-void subtract_product(const NodeMatrix<float>& K, const double* x, double* r);
+void subtract_product(const NodeMatrix<float>& K, const float* x, float* r);
 void subtract_product(const NodeMatrix<double>& K, const double* x, double* r);
+
+/// The blocks of a row of U behind the diagonal, in these columns of the pattern.
+template <class Stored>
+struct UpperRow {
+  int node;
+  std::size_t first, last;
+  const Stored* values;
+};
+
+/// K_i· ← K_i· − F U_k· in a row of K whose blocks have width² values each: that of a node's column
+/// is the slot-th, -1 where the row lacks it.
+void subtract_upper(const BlockPattern& pattern, const UpperRow<Half>& U, const double* F,
+                    const int* slots, double* row);
+void subtract_upper(const BlockPattern& pattern, const UpperRow<float>& U, const double* F,
+                    const int* slots, double* row);
+void subtract_upper(const BlockPattern& pattern, const UpperRow<double>& U, const double* F,
+                    const int* slots, double* row);
 
 /// C −= A B for blocks of width² values.
 void subtract_product(int width, const double* A, const double* B, double* C);

@@ -101,7 +101,8 @@ private:
   }
 
   std::string name(int row) const {
-    return " row " + std::to_string(K_->getRowMap()->getGlobalElement(row));
+    return " row " + std::to_string(K_->getRowMap()->getGlobalElement(row)) + " of " +
+           std::to_string(K_->getGlobalNumRows()) + " unknowns";
   }
 
   /// One without diagonal, or -1.

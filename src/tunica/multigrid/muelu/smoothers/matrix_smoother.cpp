@@ -16,8 +16,10 @@ void MatrixSmoother::SetParameterList(const Teuchos::ParameterList& list) {
 void MatrixSmoother::DeclareInput(MueLu::Level& level) const { this->Input(level, "A"); }
 
 void MatrixSmoother::Setup(MueLu::Level& level) {
-  K_ = unwrapped(this->Get<Teuchos::RCP<XMatrix>>(level, "A"));
+  const auto A = this->Get<Teuchos::RCP<XMatrix>>(level, "A");
+  K_ = unwrapped(A);
   set_up(level.GetLevelID(), K_);
+  if (auto* const matrix = dynamic_cast<LevelMatrix*>(A.get())) offer_residuals(*matrix);
   this->IsSetup(true);
 }
 

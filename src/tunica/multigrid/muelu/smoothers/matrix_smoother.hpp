@@ -25,6 +25,8 @@ protected:
   virtual void check(const Teuchos::ParameterList& list) const = 0;
   /// Both, graphs and values.
   virtual void set_up(int level, const Teuchos::RCP<::tunica::CrsMatrix>& K) = 0;
+  /// Where it computes residuals faster than the matrix of the level, with which it lives.
+  virtual void offer_residuals(LevelMatrix&) const {}
   virtual void smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const = 0;
   /// Whatever x holds.
   virtual void smooth_from_zero(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const;

@@ -54,7 +54,7 @@ Teuchos::RCP<const Teuchos::ParameterList> NodalIluSmoother::GetValidParameterLi
   list->set<std::string>("polynomial", "power");
   list->set("damping", 1.0);
   list->set("fill", 0);
-  list->set<std::string>("precision", "single");
+  list->set<std::string>("precision", "half");
   list->set("most fill", 2);
   list->set("spectral bound", 1.6);
   list->set("flat bound", 1.3);
@@ -62,7 +62,7 @@ Teuchos::RCP<const Teuchos::ParameterList> NodalIluSmoother::GetValidParameterLi
 }
 
 void NodalIluSmoother::check(const Teuchos::ParameterList& list) const {
-  validated_choice("NodalIluSmoother", list, "precision", {"single", "double"});
+  validated_choice("NodalIluSmoother", list, "precision", {"half", "single", "double"});
   validated_choice("NodalIluSmoother", list, "polynomial", {"power", "chebyshev"});
   if (list.get<int>("sweeps") < 1 || !(list.get<double>("damping") > 0.0))
     throw std::invalid_argument("NodalIluSmoother: \"sweeps\" and \"damping\" must be positive.");
@@ -87,6 +87,10 @@ void NodalIluSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLa
   const int sweeps = list.get<int>("sweeps");
   weights_.assign(sweeps, 1.0);
   if (list.get<std::string>("polynomial") == "chebyshev") weights_ = chebyshev_weights(sweeps);
+  const auto& precision = list.get<std::string>("precision");
+  precision_ = precision == "half"     ? smoothers::Precision::half
+               : precision == "single" ? smoothers::Precision::single
+                                       : smoothers::Precision::full;
   factors_ = nullptr;
   direction_ = nullptr;
   refresh();
@@ -98,8 +102,7 @@ void NodalIluSmoother::factorise(int attempt) {
   // Another fill has another graph; another shift does with new values.
   if (!factors_ || fill != state_.fill) {
     factors_ = nullptr;  // first: both together would not fit where one does
-    factors_ = smoothers::make_node_ilu(
-        *K_, numbering_, {fill, list.get<std::string>("precision") == "single", hosts()});
+    factors_ = smoothers::make_node_ilu(*K_, numbering_, {fill, precision_, hosts()});
   }
   // The largest eigenvalue of other factors may lie in another direction.
   if (attempt != attempt_) direction_ = nullptr;
@@ -198,16 +201,27 @@ double NodalIluSmoother::power_iteration() {
   return size;
 }
 
+void NodalIluSmoother::offer_residuals(LevelMatrix& matrix) const {
+  matrix.compute_residuals_by(
+      [this](const XMultiVector& b, const XMultiVector& x, XMultiVector& r) {
+        factors_->residual(*unwrapped(b), *unwrapped(x), *unwrapped(r));
+      });
+}
+
+std::vector<double> NodalIluSmoother::dampings() const {
+  std::vector<double> all(weights_);
+  for (double& damping : all) damping *= state_.damping;
+  return all;
+}
+
 // e ← Π_k (1 − ω w_k (L U)⁻¹ K) e
 void NodalIluSmoother::smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const {
-  for (const double weight : weights_) factors_->smooth(state_.damping * weight, b, x);
+  factors_->sweep(dampings(), smoothers::NodeIlu::Start::given, b, x);
 }
 
 void NodalIluSmoother::smooth_from_zero(const ::tunica::MultiVector& b,
                                         ::tunica::MultiVector& x) const {
-  factors_->smooth_from_zero(state_.damping * weights_.front(), b, x);
-  for (std::size_t k = 1; k < weights_.size(); ++k)
-    factors_->smooth(state_.damping * weights_[k], b, x);
+  factors_->sweep(dampings(), smoothers::NodeIlu::Start::zero, b, x);
 }
 
 Teuchos::RCP<MueLu::SmootherPrototype<Scalar, LocalOrdinal, GlobalOrdinal, Node>>

@@ -11,7 +11,7 @@ namespace tunica::multigrid {
 /// "NodalIluSmoother" of a MueLu list, for mixed matrices: x += ω w_k (L U)⁻¹ (b − K x) in sweep k,
 /// with the factors of NodeIlu. Its keys: "sweeps" (1), "polynomial" ("power", "chebyshev"),
 /// "damping" (1.0), "fill" (0), "most fill" (2), "spectral bound" (1.6), "flat bound" (1.3),
-/// "precision" ("single", "double").
+/// "precision" ("half", "single", "double").
 ///
 /// n sweeps take e to Π_k (1 − ω w_k (L U)⁻¹ K) e. With "power" all w_k are 1. With "chebyshev"
 /// they are the reciprocals of the zeros of Chebyshev's polynomial of degree n on [0.55, 1.25],
@@ -38,6 +38,7 @@ public:
 private:
   void check(const Teuchos::ParameterList& list) const override;
   void set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout& numbering) override;
+  void offer_residuals(LevelMatrix& matrix) const override;
   void smooth(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const override;
   /// Without a product with K in the first sweep.
   void smooth_from_zero(const ::tunica::MultiVector& b, ::tunica::MultiVector& x) const override;
@@ -49,6 +50,7 @@ private:
   /// ρ, from the direction where the last measurement ended.
   void measure();
   double power_iteration();
+  std::vector<double> dampings() const;  ///< ω w_k
   std::shared_ptr<::tunica::MultiVector> make_start() const;
 
   const ::tunica::CrsMatrix* K_ = nullptr;
@@ -61,6 +63,7 @@ private:
   std::shared_ptr<::tunica::MultiVector> direction_;  ///< of the largest eigenvalue
   SmootherState state_;
   std::vector<double> weights_;  ///< w_k
+  smoothers::Precision precision_ = smoothers::Precision::half;
 };
 
 }  // namespace tunica::multigrid

@@ -2,7 +2,7 @@
 #include <Tpetra_Core.hpp>
 
 #include "tunica/base/trilinos.hpp"
-#include "tunica/compare/refined_solve.hpp"
+#include "tunica/foreign/refined_solve.hpp"
 
 namespace {
 
@@ -27,13 +27,6 @@ struct System {
     b = K.zero();
     x = K.zero();
   }
-  compare::LinearSystem linear() const {
-    compare::LinearSystem system;
-    system.field = "system";
-    system.K = &K;
-    system.b = &b;
-    return system;
-  }
   algebra::BlockMatrix K;
   algebra::BlockVector b, x;
 };
@@ -44,7 +37,7 @@ TEUCHOS_UNIT_TEST(residuals, a_field_of_small_rows_is_judged_by_itself) {
   system.b[1].putScalar(1e-6);
   system.x[0].putScalar(1.0);
   system.x[1].putScalar(2.0);  // the solution is 1
-  const auto found = compare::residuals_of(system.K, system.b, system.x);
+  const auto found = foreign::residuals_of(system.K, system.b, system.x);
   TEST_COMPARE(found.relative, <, 2e-12);
   TEST_COMPARE(found.backward_error, <, 2e-12);
   TEST_COMPARE(found.of_fields[0], <, 1e-15);
@@ -59,7 +52,7 @@ TEUCHOS_UNIT_TEST(residuals, what_rounding_leaves_is_solved) {
   system.b[1].putScalar(1.0);
   system.x[0].putScalar(1e12 + 1.0 + 1e-4);
   system.x[1].putScalar(-1e12);
-  const auto found = compare::residuals_of(system.K, system.b, system.x);
+  const auto found = foreign::residuals_of(system.K, system.b, system.x);
   TEST_COMPARE(found.relative, >, 1e-5);
   TEST_COMPARE(found.backward_error, <, 1e-15);
   TEST_ASSERT(found.are_within(1e-8) && found.are_rounding(1e-8));
@@ -96,8 +89,9 @@ TEUCHOS_UNIT_TEST(refined_solve, solves_for_what_a_method_has_left) {
   system.b[0].putScalar(1.0);
   system.b[1].putScalar(1.0);
   Careless solver(system, 1e-3);
-  compare::Residuals residuals;
-  const auto report = compare::refined_solve(solver, system.linear(), 1e-8, system.x, residuals);
+  foreign::Residuals residuals;
+  const auto report = foreign::refined_solve(
+      solver, system.b, foreign::judge_of(system.K, system.b), 1e-8, system.x, residuals);
   // 10⁻³, 10⁻⁶, 10⁻⁹
   TEST_ASSERT(report.is_converged && residuals.are_within(1e-8));
   TEST_EQUALITY(report.iterations, 21);
@@ -109,11 +103,12 @@ TEUCHOS_UNIT_TEST(refined_solve, steps_that_do_not_help_are_taken_back) {
   system.b[0].putScalar(1.0);
   system.b[1].putScalar(1.0);
   Careless solver(system, 0.7);
-  compare::Residuals residuals;
-  const auto report = compare::refined_solve(solver, system.linear(), 1e-8, system.x, residuals);
+  foreign::Residuals residuals;
+  const auto report = foreign::refined_solve(
+      solver, system.b, foreign::judge_of(system.K, system.b), 1e-8, system.x, residuals);
   TEST_ASSERT(!report.is_converged);
   TEST_FLOATING_EQUALITY(residuals.relative, 0.7, 1e-12);
-  TEST_FLOATING_EQUALITY(compare::residuals_of(system.K, system.b, system.x).relative, 0.7, 1e-12);
+  TEST_FLOATING_EQUALITY(foreign::residuals_of(system.K, system.b, system.x).relative, 0.7, 1e-12);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "tunica/compare/refined_solve.hpp"
+#include "tunica/foreign/refined_solve.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace tunica::compare {
+namespace tunica::foreign {
 
 namespace {
 
@@ -28,22 +28,22 @@ bool believes_to_be_done(const linear::SolveReport& report) {
 
 }  // namespace
 
-linear::SolveReport refined_solve(linear::LinearSolver& solver, const LinearSystem& system,
-                                  double tolerance, algebra::BlockVector& x, Residuals& residuals) {
-  linear::SolveReport report = solver.solve(*system.b, x, tolerance);
-  residuals = residuals_of(*system.K, *system.b, x);
-  algebra::BlockVector r = system.K->zero(), dx = system.K->zero(), before = system.K->zero();
+linear::SolveReport refined_solve(linear::LinearSolver& solver, const algebra::BlockVector& b,
+                                  const Judge& judge, double tolerance, algebra::BlockVector& x,
+                                  Residuals& residuals) {
+  linear::SolveReport report = solver.solve(b, x, tolerance);
+  algebra::BlockVector r(b.space()), dx(b.space()), before(b.space());
+  residuals = judge(x, r);
   for (int pass = 0; pass < most_refinements; ++pass) {
     const double left = excess(residuals, tolerance);
     if (residuals.are_within(tolerance) || !std::isfinite(left) || !believes_to_be_done(report))
       break;
-    residual(*system.K, *system.b, x, r);
     // K dx = b − K x to a tenth of what the worst field permits
     const double goal = std::clamp(0.1 / left, 1e-10, 0.1);
     add_costs(solver.solve(r, dx, goal), report);
     before.assign(x);
     for (int i = 0; i < x.n_blocks(); ++i) x[i].update(1.0, dx[i], 1.0);
-    const Residuals next = residuals_of(*system.K, *system.b, x);
+    const Residuals next = judge(x, r);
     const bool is_nearer = excess(next, tolerance) < 0.5 * left;
     if (is_nearer)
       residuals = next;
@@ -56,4 +56,4 @@ linear::SolveReport refined_solve(linear::LinearSolver& solver, const LinearSyst
   return report;
 }
 
-}  // namespace tunica::compare
+}  // namespace tunica::foreign

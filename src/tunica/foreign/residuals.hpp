@@ -1,10 +1,11 @@
 #pragma once
-#include <string>
+#include <functional>
 #include <vector>
 
 #include "tunica/algebra/block_matrix.hpp"
+#include "tunica/systems/read_system.hpp"
 
-namespace tunica::compare {
+namespace tunica::foreign {
 
 /// How far x is from a solution of K x = b. A norm over all unknowns hides a field whose rows are
 /// small beside those of another; each field is therefore judged by what its own rows add up.
@@ -30,11 +31,17 @@ struct Residuals {
 Residuals residuals_of(const algebra::BlockMatrix& K, const algebra::BlockVector& b,
                        const algebra::BlockVector& x);
 
-/// r ← b − K x. Collective.
-void residual(const algebra::BlockMatrix& K, const algebra::BlockVector& b,
-              const algebra::BlockVector& x, algebra::BlockVector& r);
+/// Judges x, and leaves the residual b − K x of what is judged. Collective.
+using Judge = std::function<Residuals(const algebra::BlockVector& x, algebra::BlockVector& r)>;
+
+/// Of K x = b as it is solved; both must outlive it.
+Judge judge_of(const algebra::BlockMatrix& K, const algebra::BlockVector& b);
+/// Of the system as another program gives it, in the rows of unknowns that are not known, each
+/// divided as Preparation says: with entries that were left out as rounding, and without what makes
+/// K regular. The system must outlive it.
+Judge judge_of(const systems::System& system);
 
 /// |x| over all blocks. Collective.
 double norm(const algebra::BlockVector& x);
 
-}  // namespace tunica::compare
+}  // namespace tunica::foreign

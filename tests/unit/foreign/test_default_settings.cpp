@@ -2,7 +2,7 @@
 #include <Tpetra_Core.hpp>
 
 #include "tunica/base/trilinos.hpp"
-#include "tunica/compare/default_settings.hpp"
+#include "tunica/foreign/default_settings.hpp"
 
 namespace {
 
@@ -29,7 +29,7 @@ algebra::BlockMatrix blocks(bool has_scalars, double c) {
   return K;
 }
 
-std::vector<std::string> names(const compare::DefaultChoice& choice) {
+std::vector<std::string> names(const foreign::DefaultChoice& choice) {
   std::vector<std::string> all;
   for (const auto& setting : choice.settings) all.push_back(setting.name);
   return all;
@@ -38,23 +38,23 @@ std::vector<std::string> names(const compare::DefaultChoice& choice) {
 using Names = std::vector<std::string>;
 
 TEUCHOS_UNIT_TEST(default_settings, follow_what_the_matrix_is) {
-  const auto stabilised = compare::default_settings(blocks(true, 1.0), 0);
+  const auto stabilised = foreign::default_settings(blocks(true, 1.0), 0);
   TEST_ASSERT(names(stabilised) ==
               (Names{"multigrid, incomplete factors", "multigrid, Braess-Sarazin", "field by field",
                      "ILU(1)", "direct"}));
   TEST_EQUALITY(stabilised.reason, "C stabilises");
-  const auto zero = compare::default_settings(blocks(true, 0.0), 0);
+  const auto zero = foreign::default_settings(blocks(true, 0.0), 0);
   TEST_ASSERT(names(zero) ==
               (Names{"multigrid, Braess-Sarazin", "field by field", "ILU(1)", "direct"}));
-  TEST_ASSERT(names(compare::default_settings(blocks(false, 0.0), 0)) ==
+  TEST_ASSERT(names(foreign::default_settings(blocks(false, 0.0), 0)) ==
               (Names{"multigrid, Gauss-Seidel", "ILU(1)", "direct"}));
 }
 
 TEUCHOS_UNIT_TEST(default_settings, small_systems_are_factored) {
-  const auto small = compare::default_settings(blocks(true, 1.0), 16);
+  const auto small = foreign::default_settings(blocks(true, 1.0), 16);
   TEST_EQUALITY(small.settings.front().name, "direct");
   TEST_EQUALITY(small.reason, "at most 16 unknowns");
-  TEST_EQUALITY(compare::default_settings(blocks(true, 1.0), 15).settings.back().name, "direct");
+  TEST_EQUALITY(foreign::default_settings(blocks(true, 1.0), 15).settings.back().name, "direct");
 }
 
 }  // namespace

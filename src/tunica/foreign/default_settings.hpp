@@ -2,12 +2,25 @@
 #include <string>
 #include <vector>
 
-#include "tunica/compare/solver_settings.hpp"
+#include "tunica/linear/linear_solver.hpp"
 
-namespace tunica::compare {
+namespace tunica::foreign {
+
+/// One entry of a list of settings.
+struct SolverSetting {
+  std::string name;
+  Teuchos::ParameterList list;  ///< a resolved "Linear Solver" list
+};
 
 /// The keys of a setting for systems that come without named operators.
-params::Table foreign_solver_table();
+params::Table solver_table();
+
+/// What a list of settings is.
+extern const char* const settings_sentence;
+/// Adds the tolerance of all settings.
+void add_tolerance_key(params::Table& table);
+/// Adds the keys of a list of settings: tolerance, "direct unknowns", "Settings".
+void add_settings_keys(params::Table& table);
 
 /// Settings for a system of another program of which nothing is known but the matrix, to be tried
 /// in this order until one converges.
@@ -22,4 +35,4 @@ struct DefaultChoice {
 /// For one field multigrid with Gauss-Seidel. Collective.
 DefaultChoice default_settings(const algebra::BlockMatrix& K, int direct_unknowns);
 
-}  // namespace tunica::compare
+}  // namespace tunica::foreign

@@ -1,4 +1,4 @@
-#include "tunica/compare/default_settings.hpp"
+#include "tunica/foreign/default_settings.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -6,7 +6,7 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 
-namespace tunica::compare {
+namespace tunica::foreign {
 
 namespace {
 
@@ -36,7 +36,7 @@ double stabilised_part(const algebra::BlockMatrix& K) {
 }
 
 SolverSetting resolved(const std::string& name, Teuchos::ParameterList list) {
-  foreign_solver_table().resolve(list, "", "");
+  solver_table().resolve(list, "", "");
   return {name, list};
 }
 
@@ -83,10 +83,29 @@ DefaultChoice iterative(const algebra::BlockMatrix& K) {
 
 }  // namespace
 
-params::Table foreign_solver_table() {
+params::Table solver_table() {
   linear::SolverDefaults defaults;
   defaults.block = linear::default_block_preconditioner(1, 1, "Algebraic");
   return linear::linear_solver_table(defaults);
+}
+
+const char* const settings_sentence =
+    "settings to compare, each like a \"Linear Solver\" list; the first is the reference for the "
+    "others";
+
+void add_tolerance_key(params::Table& table) {
+  table.number("tolerance", 1e-8, params::Range{0.0, 1.0, true, true}, "1",
+               "reduction of the residual that every setting has to reach");
+}
+
+void add_settings_keys(params::Table& table) {
+  add_tolerance_key(table);
+  table
+      .integer("direct unknowns", 3000, params::between(0, 1e9),
+               "without settings: largest system that is solved by sparse LU at first; larger ones "
+               "are where all else fails")
+      .entries("Settings", solver_table(),
+               std::string(settings_sentence) + "; none: chosen by the matrix");
 }
 
 DefaultChoice default_settings(const algebra::BlockMatrix& K, int direct_unknowns) {
@@ -100,4 +119,4 @@ DefaultChoice default_settings(const algebra::BlockMatrix& K, int direct_unknown
   return choice;
 }
 
-}  // namespace tunica::compare
+}  // namespace tunica::foreign

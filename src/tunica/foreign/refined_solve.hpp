@@ -1,9 +1,8 @@
 #pragma once
-#include "tunica/compare/linear_system.hpp"
-#include "tunica/compare/residuals.hpp"
+#include "tunica/foreign/residuals.hpp"
 #include "tunica/linear/linear_solver.hpp"
 
-namespace tunica::compare {
+namespace tunica::foreign {
 
 /// Solves from zero and, while the method takes for solved what is not, for what is left:
 ///
@@ -15,7 +14,8 @@ namespace tunica::compare {
 /// Factors lose digits where pivots are small, the recurrence of a Krylov method drifts, and its
 /// norm does not see a field of small rows; all three show in b − K x of the fields. Steps that do
 /// not halve what is left are taken back. The report is that of all solves. Collective.
-linear::SolveReport refined_solve(linear::LinearSolver& solver, const LinearSystem& system,
-                                  double tolerance, algebra::BlockVector& x, Residuals& residuals);
+linear::SolveReport refined_solve(linear::LinearSolver& solver, const algebra::BlockVector& b,
+                                  const Judge& judge, double tolerance, algebra::BlockVector& x,
+                                  Residuals& residuals);
 
-}  // namespace tunica::compare
+}  // namespace tunica::foreign

@@ -1,0 +1,165 @@
+"""The meshes of solver.xml as one: regions by their domains, surfaces by the names of their faces."""
+import dataclasses
+import os
+
+import numpy as np
+
+from .. import join, names, order, simvascular, vtk_files
+from ..faces import normals
+from ..raw import BadMesh, Raw, Tags, check_arrays
+
+FLAT = 0.999  # length of the mean normal of a plane face
+
+
+@dataclasses.dataclass
+class Face:
+    """What a condition needs of a surface."""
+    name: str      # in the mesh that is written
+    field: str     # fluid or wall
+    normal: list   # mean, out of its field
+    is_flat: bool
+
+
+@dataclasses.dataclass
+class Meshes:
+    raw: Raw
+    outer: object        # Faces
+    fluid_names: list
+    domains: dict        # name of the region -> number of the domain
+    faces: dict          # name in solver.xml -> Face, or None on the interface
+
+
+def read(root, equation, units, notes, tolerance):
+    """equation: that of the problem, which says what each domain is."""
+    nodes = root.all("Add_mesh")
+    parts = [read_one(node, equation, units, notes) for node in nodes]
+    fields = [field for _, field in parts]
+    refuse_others(root, nodes, fields)
+    for raw, _ in parts:
+        order.settle(raw)
+    if len(parts) == 2:
+        fluid, wall = (parts[fields.index(field)][0] for field in ("fluid", "wall"))
+        own = {"fluid": list(fluid.surface.names), "wall": list(wall.surface.names)}
+        numbers = {field: list(raw.region.ids) for field, raw in (("fluid", fluid), ("wall", wall))}
+        raw, fluid_names = join.join(fluid, wall, tolerance)
+    else:
+        raw, field = parts[0]
+        own, numbers = {field: list(raw.surface.names)}, {field: list(raw.region.ids)}
+        raw, fluid_names = alone(raw, field)
+    outer = order.finish(raw, fluid_names, None)
+    names.settle(raw.surface, "surface")
+    return Meshes(raw, outer, fluid_names, domains_of(raw, numbers), faces_of(raw, outer, own))
+
+
+def refuse_others(root, nodes, fields):
+    found = ", ".join(f'"{node.name()}" ({field})' for node, field in zip(nodes, fields)) or "none"
+    if sorted(fields) not in (["fluid"], ["wall"], ["fluid", "wall"]):
+        raise BadMesh(f"{root.file}: Add_mesh: {found}, expected one mesh of the fluid, one of the wall, or both. Join others "
+                      "before, in SimVascular")
+    seen = {}
+    for node in nodes:
+        for face in node.all("Add_face"):
+            if face.name() in seen:
+                raise BadMesh(f'{root.file}: {face.place}: the name "{face.name()}" is also that of a face of '
+                              f"{seen[face.name()]}, expected one for each")
+            seen[face.name()] = node.title
+
+
+def read_one(node, equation, units, notes):
+    """(mesh in mm, its field)"""
+    faces = [(face.name(), face.path("Face_file_path")) for face in node.all("Add_face") if face.required("Face_file_path")]
+    node.required("Mesh_file_path")
+    raw = simvascular.read_files(node.path("Mesh_file_path"), faces, None)
+    check_arrays(raw)
+    raw.points = raw.points * (units.length * node.number("Mesh_scale_factor", 1.0))
+    raw.region = Tags.of_numbers(domain_numbers(node, raw))
+    raw.region.names = [None] * len(raw.region.ids)
+    fields = {equation.field_of(number, node) for number in raw.region.ids}
+    if len(fields) > 1:
+        raise BadMesh(f"{node.file}: {node.place}: holds domains of the fluid and of the wall, expected a mesh for each")
+    directions = fibres(node, raw)
+    if directions:
+        raw.vectors = {"fibre 1": directions[0], "fibre 2": directions[1]}
+    return raw, fields.pop()
+
+
+def domain_numbers(node, raw):
+    if not node.has("Domain_file_path"):
+        return np.full(len(raw.tets), node.count("Domain", 0))
+    node.skip("Domain")
+    path = node.path("Domain_file_path")
+    if path.lower().endswith((".vtu", ".vtp", ".vtk")):
+        numbers = cell_array(path, "DOMAIN_ID")
+    else:
+        try:
+            numbers = np.loadtxt(path, dtype=float, ndmin=1).reshape(-1)
+        except ValueError as error:
+            raise BadMesh(f"{path}: cannot be read as a number for each element: {error}") from None
+    if len(numbers) != len(raw.tets):
+        raise BadMesh(f"{path}: {len(numbers):,} numbers of domains, expected one for each of the {len(raw.tets):,} tetrahedra of "
+                      f"{os.path.basename(raw.path)}")
+    return numbers
+
+
+def cell_array(path, name):
+    grid = vtk_files.read_grid(path)
+    values = vtk_files.data_of(grid.GetCellData())
+    if name not in values:
+        raise BadMesh(f'{path}: no cell array "{name}", expected a value for each element')
+    is_tet = vtk_files.cell_types(grid) == vtk_files.TETRA
+    return values[name][is_tet]
+
+
+def fibres(node, raw):
+    """Two unit vectors for each tetrahedron, or none."""
+    vectors = [np.tile(found.as_vector(), (len(raw.tets), 1)) for found in node.all("Fiber_direction")]
+    vectors += [cell_array(found.as_path(), "FIB_DIR").astype(float) for found in node.all("Fiber_direction_file_path")]
+    for values in vectors:
+        length = np.linalg.norm(values, axis=1) if values.shape == (len(raw.tets), 3) else np.zeros(1)
+        if not (length > 0.0).all():
+            raise BadMesh(f"{node.file}: {node.place}: directions of fibres, expected three numbers, not all zero, for each of "
+                          f"{len(raw.tets):,} tetrahedra")
+    return [values / np.linalg.norm(values, axis=1)[:, None] for values in vectors[:2]] if len(vectors) >= 2 else []
+
+
+def alone(raw, field):
+    join.name_regions(raw, field)
+    names.settle(raw.region, "region")
+    names.settle(raw.surface, "surface")
+    return raw, list(raw.region.names) if field == "fluid" else []
+
+
+def domains_of(raw, numbers):
+    """join.name_regions() gives one region its field's name, and several the number behind it."""
+    found = {}
+    for field, ids in numbers.items():
+        for number in ids:
+            found[field if len(ids) == 1 else f"{field}-{number}"] = number
+    return {name: found[name] for name in raw.region.names}
+
+
+def faces_of(raw, outer, own):
+    """Where both meshes have a name, join() puts the field before it; what is on the interface is gone."""
+    vectors = outward(raw, outer)
+    found = {}
+    for field, given in own.items():
+        twice = {name for other, others in own.items() if other != field for name in others}
+        for name in given:
+            new = f"{field}_{name}" if name in twice else name
+            if new in raw.surface.names:
+                mean = vectors[raw.surface.names.index(new)]
+                length = float(np.linalg.norm(mean))  # zero of a surface that closes upon itself, like a wall's outer side
+                found[name] = Face(new, field, (mean / max(length, np.finfo(float).tiny)).tolist(), length > FLAT)
+            else:
+                found[name] = None
+    return found
+
+
+def outward(raw, outer):
+    """Mean normal of each surface, its length 1 where it is plane."""
+    corners = outer.outward[outer.find(raw.triangles)]
+    vector = normals(raw.points, corners)
+    total = np.stack([np.bincount(raw.surface.of, weights=vector[:, k], minlength=len(raw.surface.names))
+                      for k in range(3)], axis=1)
+    area = np.bincount(raw.surface.of, weights=np.linalg.norm(vector, axis=1), minlength=len(raw.surface.names))
+    return total / area[:, None]

@@ -1,0 +1,135 @@
+#include "tunica/systems/prepared_system.hpp"
+
+#include "tunica/base/map_of.hpp"
+#include "tunica/systems/check_blocks.hpp"
+#include "tunica/systems/dealt_rows.hpp"
+#include "tunica/systems/node_graph.hpp"
+#include "tunica/systems/node_partition.hpp"
+#include "tunica/systems/null_space.hpp"
+#include "tunica/systems/preparation.hpp"
+#include "tunica/systems/unknown_order.hpp"
+
+namespace tunica::systems {
+
+namespace {
+
+/// Where the unknowns of the files go.
+struct Places {
+  Deal vectors, scalars;
+  algebra::Nodes at_vectors, at_scalars;
+  int components;
+  bool has_scalars;
+
+  algebra::BlockSpacePtr space() const {
+    std::vector<algebra::Block> blocks{{"vector", vectors.dealt, components, at_vectors}};
+    if (has_scalars) blocks.push_back({"scalar", scalars.dealt, 1, at_scalars});
+    return std::make_shared<const algebra::BlockSpace>(blocks);
+  }
+  const Deal& deal(int field) const { return field == 0 ? vectors : scalars; }
+};
+
+Places places_of(const Blocks& blocks, const NodeTable& table) {
+  const CommPtr comm = blocks.A.comm;
+  const NodeGraph graph = vector_graph(blocks, table);
+  const NodePartition parts = partition_nodes(graph, blocks.B2, table);
+  const bool has_scalars = blocks.n_rows(1) > 0;
+  std::vector<GlobalOrdinal> numbers;
+  for (std::size_t k = 0; k < table.vector_node.size(); ++k)
+    numbers.push_back(table.components * table.vector_node[k] + table.component[k]);
+  const algebra::Nodes at_vectors = dealt(graph, parts.vector_nodes);
+  return {Deal(numbers, parts.vectors, comm),
+          Deal(table.scalar_node, parts.scalars, comm),
+          at_vectors,
+          table.is_shared || !has_scalars ? at_vectors
+                                          : dealt(scalar_graph(blocks, table), parts.scalar_nodes),
+          table.components,
+          has_scalars};
+}
+
+algebra::BlockMatrix dealt_blocks(Blocks& blocks, const Places& places,
+                                  const algebra::BlockSpacePtr& space) {
+  algebra::BlockMatrix K(space);
+  for (int i = 0; i < space->n_blocks(); ++i)
+    for (int j = 0; j < space->n_blocks(); ++j)
+      K.set(i, j, dealt(std::move(blocks(i, j)), places.deal(i), places.deal(j)));
+  return K;
+}
+
+/// The rows of the files that the unknowns of a field have, on their ranks.
+Teuchos::RCP<const Map> dealt_file_rows(const Blocks& blocks, int field, const Deal& deal) {
+  std::vector<double> rows;
+  for (const long long row : blocks.file_rows[field])
+    rows.push_back(static_cast<double>(row + blocks.first_row[field]));
+  const Teuchos::RCP<Vector> mine = dealt(rows, deal);
+  const auto values = mine->getLocalViewHost(read_only);
+  std::vector<GlobalOrdinal> numbers;
+  for (std::size_t k = 0; k < values.extent(0); ++k)
+    numbers.push_back(static_cast<GlobalOrdinal>(values(k, 0)));
+  return map_of(numbers, blocks.A.comm);
+}
+
+System deal_out(Blocks given, Blocks blocks, const Preparation& preparation, const Places& places) {
+  System system;
+  const algebra::BlockSpacePtr space = places.space();
+  const int n_fields = space->n_blocks();
+  const auto vector = [&](const OfUnknowns& values) {
+    std::vector<Teuchos::RCP<Vector>> parts;
+    for (int i = 0; i < n_fields; ++i) parts.push_back(dealt(values[i], places.deal(i)));
+    return algebra::BlockVector(space, parts);
+  };
+  system.known_in = vector(preparation.known_in);
+  system.row_scale = vector(preparation.row_scale);
+  system.scale = vector(preparation.scale);
+  system.rounds = preparation.rounds;
+  for (int i = 0; i < n_fields; ++i)
+    system.file_rows[i] = dealt_file_rows(given, i, places.deal(i));
+  system.signs = given.signs;
+  system.files = given.files;
+  system.first_row = given.first_row;
+  system.given = dealt_blocks(given, places, space);
+  system.K = dealt_blocks(blocks, places, space);
+  return system;
+}
+
+/// In the order in which each needs what is before it.
+void prepare(Blocks& blocks, const Teuchos::ParameterList& options, Preparation& preparation) {
+  const double negligible = options.get<double>("negligible");
+  if (negligible > 0.0) drop_negligible(blocks, negligible, preparation);
+  const bool is_scaled = options.get<std::string>("scaling") == "fields";
+  if (is_scaled) scale_fields(blocks, preparation);
+  if (options.get<bool>("known values")) take_out_known(blocks, preparation);
+  if (is_scaled) scale_outlying_rows(blocks, preparation);
+}
+
+}  // namespace
+
+System prepared_system(Blocks given, const Teuchos::ParameterList& options,
+                       const std::string& order, std::size_t lines_at_once) {
+  Blocks blocks = given;
+  Preparation preparation(blocks);
+  for (const std::string& remark :
+       {doubt_sign_of_C(blocks), fill_empty_rows(blocks, preparation.known_in)})
+    if (!remark.empty()) preparation.remarks.push_back(remark);
+  prepare(blocks, options, preparation);
+  const VectorOrder vectors = find_components(blocks.A, blocks.n_rows(1), options);
+  Teuchos::ParameterList found;
+  found.set("components", vectors.components)
+      .set<std::string>("order", vectors.is_by_node ? "by node" : "by component");
+  Teuchos::ParameterList with_order(options);
+  with_order.setParameters(found);
+  const NodeTable table =
+      make_node_table(with_order, blocks.n_rows(0), blocks.n_rows(1), blocks.A.comm, lines_at_once);
+  const Places places = places_of(blocks, table);
+  System system = deal_out(std::move(given), std::move(blocks), preparation, places);
+  system.remarks = std::move(preparation.remarks);
+  system.notes = std::move(preparation.notes);
+  system.order = vectors.text + (order.empty() ? "" : ", " + order);
+  system.found = found;
+  system.is_searched_for_constants = options.get<bool>("null space");
+  if (system.is_searched_for_constants) system.constants = find_constants(system);
+  for (const ConstantMode& mode : system.constants) system.notes.push_back(mode.note);
+  hold_constants(system);
+  return system;
+}
+
+}  // namespace tunica::systems

@@ -1,0 +1,16 @@
+#pragma once
+#include "tunica/systems/read_system.hpp"
+
+namespace tunica::systems {
+
+/// Makes R b' of the system of a right-hand side b, with its rows in the order of the files on any
+/// ranks, and finds its known values, round by round:
+///
+///   x_i = (b_i − Σ_j K_ij x_j) / K_ii   j known before i
+///   b'  = b − K x_k                     in the rows of free unknowns
+///
+/// Returns what is doubtful, on all ranks. Throws Error on all ranks where an equation without
+/// unknowns is not fulfilled. Collective.
+std::vector<std::string> take_right_side(System& system, const Vector& b);
+
+}  // namespace tunica::systems
