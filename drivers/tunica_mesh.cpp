@@ -4,6 +4,7 @@
 ///   tunica-mesh tube tube.h5 --around 20 --axial 62
 ///   tunica-mesh lumen lumen.stl lumen.h5
 ///   tunica-mesh block block.h5 --patch-x 4 --patch-y 4
+///   tunica-mesh slab plane.msh slab.h5 --thickness 2
 ///   tunica-mesh wall lumen.msh vessel.h5 --surfaces lumen_wall --layers media=0.26:2
 ///   tunica-mesh info tube.h5 --interface interface
 ///   tunica-mesh COMMAND --help

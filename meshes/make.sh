@@ -22,13 +22,15 @@ python3 "$folder/make_elastic_tube.py" "$plain"
 rm "$plain"
 "$quarter" "$folder/quarter-tube.h5"
 
-# Lumens by Gmsh, walls by tunica-mesh. Another version of Gmsh makes other elements.
+# Planes and lumens by Gmsh, slabs and walls by tunica-mesh. Another version of Gmsh makes other elements.
 if ! python3 -c "import gmsh" 2>/dev/null; then
-  echo "make.sh: without python3-gmsh bend.h5, bulge.h5, bifurcation.h5, arch.h5, carotid.h5 and aorta.h5 stay as they are"
+  echo "make.sh: without python3-gmsh turek-hron.h5 and the meshes of vessels stay as they are"
   exit 0
 fi
 lumen=$(mktemp --suffix .msh)
 trap 'rm -f "$lumen"' EXIT
+python3 "$folder/make_turek_hron.py" "$lumen"
+"$tool" slab "$lumen" "$folder/turek-hron.h5" --thickness 5 --overwrite on
 python3 "$folder/make_bend.py" "$lumen"
 "$tool" wall "$lumen" "$folder/bend.h5" --layers media=0.3:2,adventitia=0.15:1 --overwrite on
 python3 "$folder/make_bulge.py" "$lumen"

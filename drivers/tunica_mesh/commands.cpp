@@ -13,6 +13,7 @@
 #include "tunica/mesh/write.hpp"
 #include "tunica_mesh/parallel_commands.hpp"
 #include "tunica_mesh/report.hpp"
+#include "tunica_mesh/slab_command.hpp"
 #include "tunica_mesh/wall_command.hpp"
 
 namespace {
@@ -116,6 +117,7 @@ const std::vector<Subcommand>& subcommands() {
       alone({"tube", {"OUT"}, "Makes a tube of lumen, media and adventitia.", tube_options()},
             make_tube),
       alone({"block", {"OUT"}, "Makes a block along the axes.", block_options()}, make_block),
+      alone(slab_command(), make_slab),
       alone(wall_command(), make_wall),
       alone({"info",
              {"MESH"},

@@ -11,5 +11,5 @@ struct Subcommand {
   std::function<void(const Arguments& arguments, const tunica::CommPtr& comm)> run;
 };
 
-/// tube, block, wall, info, refine, convert, partition.
+/// tube, block, slab, wall, info, refine, convert, partition.
 const std::vector<Subcommand>& subcommands();

@@ -17,15 +17,23 @@ namespace {
 // A triangle as it travels: per corner its vertex, its position, and whether it is on the rim.
 constexpr int corner_size = 5, triangle_size = 3 * corner_size;
 
-std::vector<double> packed_faces(const fields::FieldMesh& mesh, int surface) {
+std::vector<double> packed_faces(const fields::FieldMesh& mesh, int surface,
+                                 const std::vector<int>& planes) {
+  const fields::NodeSurfaces& on = mesh.node_surfaces;
+  const auto ends_at = [&](int a) {
+    for (int k = on.begin(a); k < on.end(a); ++k)
+      if (on.surface(k) != surface &&
+          std::find(planes.begin(), planes.end(), on.surface(k)) == planes.end())
+        return true;
+    return false;
+  };
   std::vector<double> packed;
   for (const fields::Face& face : mesh.faces) {
     if (face.surface != surface || !face.is_owned) continue;
     for (const int a : face.nodes) {
-      const int n_surfaces = mesh.node_surfaces.end(a) - mesh.node_surfaces.begin(a);
       packed.push_back(mesh.vertex[a]);
       packed.insert(packed.end(), mesh.x[a].begin(), mesh.x[a].end());
-      packed.push_back(n_surfaces > 1 ? 1.0 : 0.0);
+      packed.push_back(ends_at(a) ? 1.0 : 0.0);
     }
   }
   return packed;
@@ -130,8 +138,8 @@ int Cap::find(int vertex_number) const {
                                                           : -1;
 }
 
-Cap gather_cap(const fields::FieldMesh& mesh, int surface) {
-  const std::vector<double> all = all_of(*mesh.comm, packed_faces(mesh, surface));
+Cap gather_cap(const fields::FieldMesh& mesh, int surface, const std::vector<int>& planes) {
+  const std::vector<double> all = all_of(*mesh.comm, packed_faces(mesh, surface, planes));
   Cap cap;
   std::map<int, std::size_t> corner_of;  // of a vertex: one of its places in all
   for (std::size_t k = 0; k < all.size(); k += corner_size)

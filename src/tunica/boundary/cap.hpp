@@ -3,7 +3,7 @@
 #include <complex>
 #include <vector>
 
-#include "tunica/fields/field_mesh.hpp"
+#include "tunica/boundary/boundary_term.hpp"
 
 namespace tunica::boundary {
 
@@ -12,7 +12,7 @@ namespace tunica::boundary {
 struct Cap {
   std::vector<int> vertex;   ///< numbers in the mesh, ascending
   std::vector<Vec3> x;       ///< undeformed [mm]
-  std::vector<char> is_rim;  ///< it lies on another surface too
+  std::vector<char> is_rim;  ///< it lies on another surface too, where the section ends
   std::vector<std::array<int, 3>> triangles;
 
   int n_nodes() const { return static_cast<int>(vertex.size()); }
@@ -20,8 +20,16 @@ struct Cap {
   int find(int vertex_number) const;
 };
 
-/// Collective.
-Cap gather_cap(const fields::FieldMesh& mesh, int surface);
+/// planes: surfaces of symmetry, beyond which the section goes on: they make no rim. Collective.
+Cap gather_cap(const fields::FieldMesh& mesh, int surface, const std::vector<int>& planes = {});
+
+/// A term that makes a profile of what the mesh has of a section.
+class SectionProfile : public virtual BoundaryTerm {
+public:
+  virtual int surface() const = 0;
+  /// Comes once, before all that follows. planes: see gather_cap(). Collective.
+  virtual void make_profile(const std::vector<int>& planes) = 0;
+};
 
 /// ∫ f dA, f linear on each triangle.
 double integral(const Cap& cap, const std::vector<double>& f);
@@ -35,14 +43,14 @@ Profile flat_profile(const Cap& cap);
 
 /// The profile of steady flow along the normal in a long pipe of this section, of any shape:
 ///
-///   −Δφ = const,   φ = 0 on the rim
+///   −Δφ = const,   φ = 0 on the rim,   ∂φ/∂n = 0 on planes of symmetry
 ///
-/// A paraboloid on a disc.
+/// A paraboloid on a disc or a part of it, a parabola between parallel walls.
 Profile harmonic_profile(const Cap& cap);
 
 /// The profile of a flow that oscillates as e^{iωt}:
 ///
-///   iω φ − ν Δφ = const,   φ = 0 on the rim
+///   iω φ − ν Δφ = const,   φ = 0 on the rim,   ∂φ/∂n = 0 on planes of symmetry
 ///
 ///   ω  angular frequency, positive   1/ms     ν  kinematic viscosity   mm²/ms
 ///

@@ -33,15 +33,21 @@ std::vector<std::complex<double>> fourier(const stepping::TimeFunction& f, int K
 }  // namespace
 
 FlowRate::FlowRate(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface)
-    : surface_(surface), flow_rate_(list.get<double>("flow rate")),
-      amplitude_(list.sublist("Amplitude")),
+    : mesh_(&mesh), surface_(surface), flow_rate_(list.get<double>("flow rate")),
+      is_flat_(list.get<std::string>("profile") == "flat"), amplitude_(list.sublist("Amplitude")),
       n_harmonics_(list.isParameter("harmonics") ? list.get<int>("harmonics") : 0),
-      cap_(gather_cap(mesh, surface)), place_(mesh.n_owned) {
+      place_(mesh.n_owned) {}
+
+void FlowRate::make_profile(const std::vector<int>& planes) {
+  cap_ = gather_cap(*mesh_, surface_, planes);
   const Vec3 all = area_vector(cap_);
   normal_ = 1.0 / norm(all) * all;
-  const bool is_flat = list.get<std::string>("profile") == "flat";
-  steady_ = is_flat ? flat_profile(cap_) : harmonic_profile(cap_);
-  for (int a = 0; a < mesh.n_owned; ++a) place_[a] = cap_.find(mesh.vertex[a]);
+  try {
+    steady_ = is_flat_ ? flat_profile(cap_) : harmonic_profile(cap_);
+  } catch (const Error& error) {
+    throw Error("Fluid / Surfaces / " + mesh_->surfaces[surface_] + ": " + error.what());
+  }
+  for (int a = 0; a < mesh_->n_owned; ++a) place_[a] = cap_.find(mesh_->vertex[a]);
 }
 
 void FlowRate::find_harmonics(double nu) {
@@ -100,7 +106,8 @@ ConditionEntry flow_rate_condition() {
   params::Table table("A flow rate into the fluid, along the normal of a surface of any shape.");
   table
       .number("flow rate", std::nullopt, params::any(), "mm^3/ms",
-              "flow into the fluid, times the amplitude; 1 ml/s is 1 mm^3/ms")
+              "flow into the fluid, times the amplitude; 1 ml/s is 1 mm^3/ms. Where planes of "
+              "symmetry cut the surface, through what the mesh has of it")
       .variant("profile", "parabolic",
                {{"flat", params::Table("uniform except at the rim")},
                 {"parabolic", params::Table("that of steady flow in a long pipe of this section")},
@@ -118,11 +125,7 @@ ConditionEntry flow_rate_condition() {
       });
   return {Field::fluid, "flow rate", table,
           [](const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface) {
-            try {
-              return terms(std::make_unique<FlowRate>(list, mesh, surface));
-            } catch (const Error& error) {
-              throw Error("Fluid / Surfaces / " + mesh.surfaces[surface] + ": " + error.what());
-            }
+            return terms(std::make_unique<FlowRate>(list, mesh, surface));
           },
           [](const Teuchos::ParameterList& list) {
             return Drive{Drive::Kind::flow, list.get<double>("flow rate")};

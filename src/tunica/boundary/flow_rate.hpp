@@ -15,19 +15,22 @@ namespace tunica::boundary {
 ///   φ  the profile: flat, that of a steady flow in a long pipe of this section, or of each
 ///      harmonic k of the flow rate its own                     1/mm²
 ///
-/// φ vanishes on the rim, where conditions of other surfaces hold. As the surface grows φ shrinks,
-/// so that the flow rate of u through the present surface, along the undeformed normal, stays what
-/// is given; what the profiles miss where it grows unevenly has that of the steady flow.
-/// The remainder of Q(t) beyond K harmonics has the profile of the steady flow.
-class FlowRate final : public GivenVelocity {
+/// φ vanishes on the rim, where conditions of other surfaces hold, but for planes of symmetry:
+/// beyond these the section goes on, and Q is what flows through the part that the mesh has. As the
+/// surface grows φ shrinks, so that the flow rate of u through the present surface, along the
+/// undeformed normal, stays what is given; what the profiles miss where it grows unevenly has that
+/// of the steady flow. The remainder of Q(t) beyond K harmonics has the profile of the steady flow.
+class FlowRate final : public GivenVelocity, public SectionProfile {
 public:
-  /// list: a resolved list of flow_rate_condition(). Collective.
+  /// list: a resolved list of flow_rate_condition(). mesh must outlive the object.
   FlowRate(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface);
+  /// Throws Error where no node lies within the rim. Collective.
+  void make_profile(const std::vector<int>& planes) override;
 
   bool keeps_place() const override { return false; }  // profiles stretch with the cap
   void prepare(const Surroundings& s) override;
   Vec3 prescribed(const Surroundings& s, int node) const override;
-  bool wants_whole_section() const override { return true; }
+  int surface() const override { return surface_; }
   int precedence() const override { return 1; }
 
 private:
@@ -39,8 +42,10 @@ private:
   std::array<double, 2> flows(const Surroundings& s, const std::vector<double>& speed,
                               const std::vector<double>& other) const;
 
+  const fields::FieldMesh* mesh_;
   int surface_;
   double flow_rate_;  ///< [mm³/ms]
+  bool is_flat_;
   stepping::TimeFunction amplitude_;
   int n_harmonics_;  ///< K; zero where all have one profile
   Cap cap_;

@@ -6,9 +6,37 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/boundary/cap.hpp"
 #include "tunica/boundary/surface_geometry.hpp"
 
 namespace tunica::boundary {
+
+namespace {
+
+/// True where the flow slides along a surface, as on a plane of symmetry.
+bool is_slid_along(const SurfaceTerms& terms, int surface) {
+  const int held =
+      terms.prescribes(surface, 0) + terms.prescribes(surface, 1) + terms.prescribes(surface, 2);
+  return held == 1 || held == 2 || terms.has_held_directions(surface);
+}
+
+/// Lets profiles know where sections go on: a plane that lets pass what flows along the normal of a
+/// section has no part in its rim. Collective.
+void make_profiles(const SurfaceTerms& terms, const Terms& all, const fields::FieldMesh& mesh) {
+  for (const auto& term : all) {
+    auto* profile = dynamic_cast<SectionProfile*>(term.get());
+    if (profile == nullptr) continue;
+    const Vec3 normal = surface_geometry(mesh, profile->surface()).normal;
+    std::vector<int> planes;
+    for (int t = 0; t < static_cast<int>(mesh.surfaces.size()); ++t)
+      if (t != profile->surface() && is_slid_along(terms, t) &&
+          norm(terms.free_part(t, normal) - normal) < flat)
+        planes.push_back(t);
+    profile->make_profile(planes);
+  }
+}
+
+}  // namespace
 
 SurfaceTerms::SurfaceTerms(const std::vector<Condition>& conditions,
                            const std::vector<ConditionEntry>& registry,
@@ -27,6 +55,7 @@ SurfaceTerms::SurfaceTerms(const std::vector<Condition>& conditions,
     for (auto& term : entry->make(condition.list, mesh, surface)) take(std::move(term), surface);
   }
   check_sections();
+  make_profiles(*this, terms_, mesh);
   constrain();
 }
 
@@ -42,26 +71,22 @@ void SurfaceTerms::take(std::unique_ptr<BoundaryTerm> term, int surface) {
 }
 
 void SurfaceTerms::check_sections() const {
-  const auto is_plane = [this](int s) {
-    const int held = prescribes(s, 0) + prescribes(s, 1) + prescribes(s, 2);
-    return held == 1 || held == 2 || has_held_directions(s);
-  };
   const int n = static_cast<int>(constraints_.size());
   for (int s = 0; s < n; ++s) {
     const auto wants = [](const auto& term) { return term->wants_whole_section(); };
     if (std::none_of(constraints_[s].begin(), constraints_[s].end(), wants)) continue;
     for (int t = 0; t < n; ++t) {
-      if (!is_plane(t)) continue;
+      if (!is_slid_along(*this, t)) continue;
       double meets = 0.0;
       for (int a = 0; a < mesh_->n_owned; ++a)
         if (mesh_->is_on(a, s) && mesh_->is_on(a, t)) meets = 1.0;
-      TUNICA_CHECK(global_max(*mesh_->comm, meets) == 0.0,
-                   "Surfaces / " + mesh_->surfaces[s] + ": the condition \"" +
-                       conditions_[s].front()->kind() +
-                       "\" makes a profile of the whole section of a vessel, but \"" +
-                       mesh_->surfaces[t] +
-                       "\", a plane of symmetry, cuts it. Give a uniform velocity, a pressure, or "
-                       "\"velocity from file\".");
+      TUNICA_CHECK(
+          global_max(*mesh_->comm, meets) == 0.0,
+          "Surfaces / " + mesh_->surfaces[s] + ": the condition \"" +
+              conditions_[s].front()->kind() +
+              "\" makes a profile of the whole section of a vessel, but \"" + mesh_->surfaces[t] +
+              "\", a plane of symmetry, cuts it. Give a \"flow rate\", whose profile goes on "
+              "beyond the plane, a uniform velocity or a pressure.");
     }
   }
 }

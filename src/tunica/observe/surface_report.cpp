@@ -52,9 +52,18 @@ std::vector<std::string> named_surfaces(const std::vector<std::string>& wanted) 
   return holds(wanted, every) || holds(wanted, none) ? std::vector<std::string>{} : wanted;
 }
 
-SurfaceReport::SurfaceReport(const std::vector<std::string>& wanted,
-                             const std::vector<std::unique_ptr<Field>>& fields) {
+SurfaceReport::SurfaceReport(const std::vector<std::string>& wanted, std::vector<ForceGroup> groups,
+                             const std::vector<std::unique_ptr<Field>>& fields)
+    : groups_(std::move(groups)) {
   for (const auto& field : fields) fields_.emplace_back(field.get(), chosen(wanted, field->mesh()));
+  if (groups_.empty()) return;
+  for (const auto& [field, surfaces] : fields_) {
+    if (field->name() != "fluid") continue;
+    fluid_ = field;
+    for (const int s : chosen(surfaces_of(groups_), field->mesh()))
+      if (std::find(surfaces.begin(), surfaces.end(), s) == surfaces.end())
+        more_of_fluid_.push_back(s);
+  }
 }
 
 discretisation::Observables SurfaceReport::observe() const {
@@ -64,6 +73,12 @@ discretisation::Observables SurfaceReport::observe() const {
     for (const discretisation::Observable& o : field->observe_surfaces(surfaces))
       found.push_back(o);
   }
+  if (groups_.empty()) return found;
+  discretisation::Observables all(found);
+  if (!more_of_fluid_.empty())
+    for (const discretisation::Observable& o : fluid_->observe_surfaces(more_of_fluid_))
+      all.push_back(o);
+  for (const discretisation::Observable& o : summed_forces(groups_, all)) found.push_back(o);
   return found;
 }
 

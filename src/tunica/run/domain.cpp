@@ -32,13 +32,14 @@ namespace {
 struct MeshRequirements {
   std::vector<std::string> fluid_regions, wall_regions;
   std::vector<std::string> fluid_surfaces, wall_surfaces, frame_surfaces, reported_surfaces;
-  std::vector<std::string> prestress_surfaces;
+  std::vector<std::string> prestress_surfaces, group_surfaces;
   std::vector<std::string> interface;
 };
 
 MeshRequirements mesh_requirements_of(const setup::Case& the_case) {
   MeshRequirements requirements;
   requirements.reported_surfaces = observe::named_surfaces(the_case.output.surfaces);
+  requirements.group_surfaces = observe::surfaces_of(observe::force_groups_in(the_case.list));
   std::vector<std::string> on_fluid, on_wall;
   if (the_case.fluid) {
     requirements.fluid_regions = the_case.fluid->options.regions;
@@ -152,6 +153,7 @@ void check_case(const mesh::Share& share, const MeshRequirements& requirements,
   check(requirements.frame_surfaces, {regions.wall}, "Wall / Fibre Frame");
   check(requirements.prestress_surfaces, {regions.wall}, "Wall / Prestress");
   check(requirements.reported_surfaces, {regions.fluid, regions.wall}, "Output / surfaces");
+  check(requirements.group_surfaces, {regions.fluid}, "Output / Force Groups");
   if (!requirements.interface.empty())
     mesh::check_interface(share, requirements.fluid_regions, requirements.wall_regions,
                           requirements.interface);

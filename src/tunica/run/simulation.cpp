@@ -213,7 +213,8 @@ Outcome Simulation::begin() {
   run.fields = fields_of(problems);
   run.march.emplace(problems.the_case, run.parts(), *run.output);
   for (const auto& field : run.fields) run.march->judge(*field);
-  run.surfaces.emplace(problems.the_case.output.surfaces, run.fields);
+  run.surfaces.emplace(problems.the_case.output.surfaces,
+                       observe::force_groups_in(problems.the_case.list), run.fields);
   run.checkpoints.emplace(*run.output, *run.march, problems.the_case.time->wall_limit, run.comm);
   run.checkpoints->begin();
   run.open_files();

@@ -89,6 +89,7 @@ params::Table output_table(bool has_fluid, bool has_wall) {
   observe::add_surface_keys(table);
   if (has_wall) observe::add_wall_array_keys(table);
   if (has_fluid) observe::add_wall_shear_keys(table);
+  if (has_fluid) observe::add_force_group_keys(table);
   return table;
 }
 

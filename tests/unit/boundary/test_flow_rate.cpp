@@ -129,18 +129,65 @@ TEUCHOS_UNIT_TEST(flow_rate, womersleys_profile_wants_a_period) {
              Error);
 }
 
-TEUCHOS_UNIT_TEST(flow_rate, is_refused_where_a_plane_of_symmetry_cuts_the_section) {
+boundary::Condition sliding(const std::string& surface,
+                            const std::vector<std::string>& components) {
+  Teuchos::ParameterList list;
+  list.set("condition", "held");
+  list.set("components", Teuchos::Array<std::string>(components));
+  boundary::condition_table("", boundary::fluid_conditions()).resolve(list, surface, "");
+  return {surface, list};
+}
+
+TEUCHOS_UNIT_TEST(velocity, a_round_profile_is_refused_where_a_plane_of_symmetry_cuts_the_section) {
   const SmallTube tube;
-  Teuchos::ParameterList held;
-  held.set("condition", "held");
-  held.set("components", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("x")));
-  boundary::condition_table("", boundary::fluid_conditions()).resolve(held, "plane", "");
+  Teuchos::ParameterList list;
+  list.set("condition", "velocity").set("profile", "parabolic");
+  list.set("velocity", Teuchos::Array<double>(Teuchos::tuple(0.0, 0.0, 1.0)));
+  boundary::condition_table("", boundary::fluid_conditions()).resolve(list, "inlet", "");
   const auto registry = boundary::fluid_conditions();
   const auto make = [&](const std::string& plane) {
-    boundary::SurfaceTerms({flow_rate("parabolic"), {plane, held}}, registry, tube.fluid);
+    boundary::SurfaceTerms({{"inlet", list}, sliding(plane, {"x"})}, registry, tube.fluid);
   };
   TEST_THROW(make("interface"), Error);  // touches the inlet
   TEST_NOTHROW(make("outlet"));
+}
+
+// u = 6 Q y (H − y)/(W H³) between walls H apart, which planes of symmetry cut W wide: a parabola
+// of y that does not depend on x.
+TEUCHOS_UNIT_TEST(flow_rate, has_a_parabola_in_a_slot_between_planes_of_symmetry) {
+  constexpr double H = 0.8, W = 0.1, Q = 3.0;
+  mesh::Block shape;
+  shape.size = {W, H, 1.0};
+  shape.cells = {1, 8, 2};
+  const mesh::Mesh block = mesh::make_block(shape);
+  const auto mesh = fields::make_field_mesh(test::share_of(block, {true}), {0});
+  const std::vector<Vec3> zero(mesh.n_nodes());
+  const auto at_inlet = [&](const std::string& profile, const std::vector<std::string>& held_x,
+                            const std::function<double(double)>& expected) {
+    boundary::Condition inlet = flow_rate(profile);
+    inlet.surface = "z_low";
+    boundary::SurfaceTerms terms({inlet, sliding("x_low", held_x), sliding("x_high", {"normal"})},
+                                 boundary::fluid_conditions(), mesh);
+    boundary::Surroundings s{&mesh, &mesh.x, &mesh.x, &zero, &zero, 1.06, 100.0};
+    s.viscosity = 3.5e-3;
+    Vector u(mesh.vector_map);
+    terms.impose(s, u);
+    const auto values = fields::owned_vectors(mesh, u);
+    double worst = 0.0;
+    for (int a = 0; a < mesh.n_owned; ++a)
+      if (mesh.is_on(a, mesh::surface_index(block, "z_low")))
+        worst = std::max(worst, std::abs(values[a][2] - expected(mesh.x[a][1])));
+    return global_max(*mesh.comm, worst);
+  };
+  const auto parabola = [&](double y) { return 6.0 * Q * y * (H - y) / (W * H * H * H); };
+  // The interpolant of the parabola has (1 − 1/n²) of its flow, n = 8 cells.
+  const auto discrete = [&](double y) { return parabola(y) / (1.0 - 1.0 / 64.0); };
+  TEST_COMPARE(at_inlet("parabolic", {"x"}, discrete), <, 1e-10 * parabola(0.5 * H));
+  const auto flat = [&](double y) { return y > 0.0 && y < H ? Q / (W * H * 7.0 / 8.0) : 0.0; };
+  TEST_COMPARE(at_inlet("flat", {"x"}, flat), <, 1e-10 * parabola(0.5 * H));
+  // A surface that does not let the flow pass is a wall.
+  TEST_COMPARE(at_inlet("parabolic", {"x", "y"}, discrete), <, 1e-10 * parabola(0.5 * H));
+  TEST_ASSERT(at_inlet("parabolic", {"x", "z"}, discrete) > 0.1 * parabola(0.5 * H));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "tunica/problems/mesh_motion.hpp"
 #include "tunica/stepping/implicit_euler.hpp"
 #include "unit/problems/lists.hpp"
+#include "unit/problems/shape.hpp"
 
 namespace {
 
@@ -190,17 +191,6 @@ TEUCHOS_UNIT_TEST(mesh_motion, stiffer_elements_are_strained_less) {
   }
 }
 
-/// The least volume of an element over what it was.
-double least_part_of_volume(const fields::FieldMesh& mesh, const std::vector<Vec3>& d) {
-  std::vector<Vec3> moved(mesh.x);
-  for (int a = 0; a < mesh.n_nodes(); ++a) moved[a] += d[a];
-  const assembly::ElementGeometry before(mesh, mesh.x), after(mesh, moved);
-  double least = 1e300;
-  for (std::size_t e = 0; e < mesh.tets.size(); ++e)
-    least = std::min(least, after[e].volume / before[e].volume);
-  return global_min(*mesh.comm, least);
-}
-
 TEUCHOS_UNIT_TEST(mesh_motion, a_bump_inverts_small_elements_unless_they_are_stiffer_or_elastic) {
   const Block block({0.0, 0.05, 0.15, 0.35, 0.75, 1.55});
   const fields::FieldMesh& mesh = block.field;
@@ -216,7 +206,7 @@ TEUCHOS_UNIT_TEST(mesh_motion, a_bump_inverts_small_elements_unless_they_are_sti
     problems::MeshMotion motion(solved_by("cg", law, stiffening), mesh, {block.surface("z_low")},
                                 walls, scheme);
     TEST_ASSERT(motion.extend(bump).is_success());
-    return least_part_of_volume(mesh, motion.displacement());
+    return test::least_part_of_volume(mesh, motion.displacement());
   };
   TEST_COMPARE(least_part("harmonic", 0.0), <, 0.0);
   TEST_COMPARE(least_part("harmonic", 1.0), >, 0.2);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "tunica/mesh/formats/gmsh.hpp"
-
 namespace tunica::mesh {
 namespace {
 
@@ -12,7 +10,8 @@ constexpr int line_type = 1, triangle_type = 2, tet_type = 4, point_type = 15;
 
 }  // namespace
 
-GmshReader::GmshReader(const std::string& path, RowStream& rows) : in_(path), rows_(rows) {}
+GmshReader::GmshReader(const std::string& path, RowStream& rows, Curves* kept)
+    : in_(path), rows_(rows), curves_(kept) {}
 
 void GmshReader::read() {
   read_format();
@@ -79,6 +78,7 @@ void GmshReader::read_names() {
     const std::string name = in_.quoted("the name of a physical group");
     if (dimension == 3) rows_.region_names[id] = name;
     if (dimension == 2) rows_.surface_names[id] = name;
+    if (dimension == 1 && curves_ != nullptr) curves_->names[id] = name;
   }
 }
 
@@ -150,7 +150,10 @@ void GmshReader::read_element(long long number, int type, int physical) {
   } else if (type == triangle_type) {
     rows_.triangles.put({read_corners<3>(), physical});
   } else if (type == line_type) {
-    read_corners<2>();
+    const auto corners = read_corners<2>();
+    if (curves_ == nullptr) return;
+    curves_->lines.push_back(corners);
+    curves_->tags.push_back(physical);
   } else if (type == point_type) {
     read_corners<1>();
   } else {
@@ -183,6 +186,8 @@ void GmshReader::read_elements_22() {
   }
 }
 
-void read_gmsh(const std::string& path, RowStream& rows) { GmshReader(path, rows).read(); }
+void read_gmsh(const std::string& path, RowStream& rows, Curves* kept) {
+  GmshReader(path, rows, kept).read();
+}
 
 }  // namespace tunica::mesh

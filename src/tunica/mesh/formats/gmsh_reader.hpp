@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tunica/mesh/distributed/row_stream.hpp"
+#include "tunica/mesh/formats/gmsh.hpp"
 #include "tunica/mesh/formats/text_scanner.hpp"
 #include "tunica/mesh/number_runs.hpp"
 
@@ -14,7 +15,8 @@ namespace tunica::mesh {
 /// nodes and the elements' kinds; they differ in the order of the numbers.
 class GmshReader {
 public:
-  GmshReader(const std::string& path, RowStream& rows);
+  /// kept: null where nobody wants lines.
+  GmshReader(const std::string& path, RowStream& rows, Curves* kept);
   void read();
 
 private:
@@ -41,13 +43,14 @@ private:
 
   void add_node(long long number, const Vec3& x);
   Vec3 read_point();
-  /// Reads the nodes of an element and keeps tetrahedra and triangles.
+  /// Reads the nodes of an element and keeps tetrahedra, triangles and, if asked, lines.
   void read_element(long long number, int type, int physical);
   template <std::size_t N>
   std::array<int, N> read_corners();
 
   TextScanner in_;
   RowStream& rows_;
+  Curves* curves_;
   bool is_41_ = false;
   bool has_nodes_ = false;
   bool has_elements_ = false;

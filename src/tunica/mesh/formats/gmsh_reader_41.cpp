@@ -24,8 +24,8 @@ void GmshReader::read_entities_41() {
       const long long number = in_.integer("the number of an entity");
       const int coordinates = dimension == 0 ? 3 : 6;
       for (int c = 0; c < coordinates; ++c) in_.real("the bounds of an entity");
-      // Points and curves may belong to several groups; they play no role here.
-      if (dimension >= 2) {
+      // Points and curves of a volume may belong to several groups; they play no role.
+      if (dimension >= (curves_ != nullptr ? 1 : 2)) {
         physical_of_entity_[{dimension, number}] = read_physical();
       } else {
         const long long groups = in_.count("the number of an entity's physical groups", 2);
