@@ -93,7 +93,8 @@ TripleKernel::TripleKernel(const Graph& A, const Graph& P, std::vector<int> diag
   coarse_rows_ = groups_of_rows(
       n_coarse, [this](int i) { return row_start_[i]; }, columns_.data());
   coarse_columns_ = groups_of_columns(n_coarse, row_start_, columns_);
-  find_places(A, P);
+  find_groups(A, P);
+  find_places();
 }
 
 // A row of C has the columns that A P has in any row of its children.
@@ -120,7 +121,8 @@ void TripleKernel::find_graph(const Graph& A, const Graph& P, int n_coarse) {
   columns_.shrink_to_fit();
 }
 
-void TripleKernel::find_places(const Graph& A, const Graph& P) {
+// Of a group of rows, the groups of columns of A P and the groups of rows of C it adds to.
+void TripleKernel::find_groups(const Graph& A, const Graph& P) {
   std::vector<int> met(coarse_columns_.of.size(), -1), met_group(coarse_columns_.size(), -1),
       met_parent(coarse_rows_.size(), -1);
   for (int g = 0; g < rows_.size(); ++g) {
@@ -135,20 +137,44 @@ void TripleKernel::find_places(const Graph& A, const Graph& P) {
             std::exchange(met_parent[parent], g) != g)
           parents_.push_back(parent);
     parent_start_.push_back(parents_.size());
-    for (std::size_t q = parent_start_[g]; q < parent_start_[g + 1]; ++q) {
-      const int row = coarse_rows_.start[parents_[q]];
-      const int* const first = columns_.data() + row_start_[row];
-      const int* const last = columns_.data() + row_start_[row + 1];
-      if (last - first > std::numeric_limits<std::uint16_t>::max())
-        throw std::length_error("TripleKernel: a coarse row has too many entries");
-      for (std::size_t t = product_start_[g]; t < product_start_[g + 1]; ++t)
-        places_.push_back(static_cast<std::uint16_t>(
-            std::lower_bound(first, last, coarse_columns_.start[products_[t]]) - first));
-    }
   }
   products_.shrink_to_fit();
   parents_.shrink_to_fit();
-  places_.shrink_to_fit();
+}
+
+// Row by row of C: where its groups of columns begin, for all of its children.
+void TripleKernel::find_places() {
+  struct Child {
+    std::size_t places;
+    int group;
+  };
+  std::vector<std::size_t> next(coarse_rows_.size() + 1, 0);
+  for (const int parent : parents_) ++next[parent + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  const std::vector<std::size_t> first_child(next);
+  std::vector<Child> children(parents_.size());
+  std::size_t n_places = 0;
+  for (int g = 0; g < rows_.size(); ++g)
+    for (std::size_t q = parent_start_[g]; q < parent_start_[g + 1]; ++q) {
+      children[next[parents_[q]]++] = {n_places, g};
+      n_places += product_start_[g + 1] - product_start_[g];
+    }
+  places_.resize(n_places);
+  std::vector<std::uint16_t> place(coarse_columns_.size());
+  for (int G = 0; G < coarse_rows_.size(); ++G) {
+    const auto begin = row_start_[coarse_rows_.start[G]],
+               end = row_start_[coarse_rows_.start[G] + 1];
+    if (end - begin > std::numeric_limits<std::uint16_t>::max())
+      throw std::length_error("TripleKernel: a coarse row has too many entries");
+    for (auto k = begin; k < end; k += coarse_columns_.length(coarse_columns_.of[columns_[k]]))
+      place[coarse_columns_.of[columns_[k]]] = static_cast<std::uint16_t>(k - begin);
+    for (auto c = first_child[G]; c < first_child[G + 1]; ++c) {
+      auto at = children[c].places;
+      const int g = children[c].group;
+      for (auto t = product_start_[g]; t < product_start_[g + 1]; ++t)
+        places_[at++] = place[products_[t]];
+    }
+  }
 }
 
 namespace {

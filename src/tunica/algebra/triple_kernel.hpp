@@ -41,7 +41,8 @@ private:
   struct Scratch;
 
   void find_graph(const Graph& A, const Graph& P, int n_coarse);
-  void find_places(const Graph& A, const Graph& P);
+  void find_groups(const Graph& A, const Graph& P);
+  void find_places();
   void multiply(int g, const Matrix& A, const Matrix& P, Scratch& s) const;
   void gather_weights(int g, const Matrix& P, Scratch& s) const;
 

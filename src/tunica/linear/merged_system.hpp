@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 
+#include "tunica/algebra/grouped_matrix.hpp"
 #include "tunica/algebra/merged_matrix.hpp"
 #include "tunica/linear/preconditioned_system.hpp"
 
@@ -28,10 +29,11 @@ public:
       std::function<std::unique_ptr<MatrixPreconditioner>(const Teuchos::RCP<CrsMatrix>&)>;
 
   MergedSystem(const algebra::BlockMatrix& K, const Maker& make)
-      : K_(K), preconditioner_(make(K_.matrix())) {}
+      : K_(K), matrix_(Teuchos::rcp(new algebra::GroupedMatrix(K_.matrix()))),
+        preconditioner_(make(K_.matrix())) {}
 
   Teuchos::RCP<const Map> map() const override { return K_.matrix()->getRowMap(); }
-  Teuchos::RCP<const Operator> matrix() const override { return K_.matrix(); }
+  Teuchos::RCP<const Operator> matrix() const override { return matrix_; }
   Teuchos::RCP<const Operator> preconditioner() const override {
     return preconditioner_->as_operator();
   }
@@ -44,6 +46,7 @@ public:
 
 private:
   algebra::MergedMatrix K_;
+  Teuchos::RCP<const Operator> matrix_;
   std::unique_ptr<MatrixPreconditioner> preconditioner_;
 };
 

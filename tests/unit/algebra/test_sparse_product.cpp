@@ -1,5 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "tunica/algebra/grouped_matrix.hpp"
 #include "tunica/algebra/sparse_product.hpp"
 #include "tunica/algebra/triple_product.hpp"
 #include "tunica/base/map_of.hpp"
@@ -134,6 +135,32 @@ TEUCHOS_UNIT_TEST(triple_product, serves_nodes_with_any_number_of_unknowns_on_an
   product.matrix()->apply(x, y);
   y.update(-1.0, expected, 1.0);
   TEST_COMPARE(y.norm2(), <, 1e-13 * expected.norm2());
+}
+
+TEUCHOS_UNIT_TEST(grouped_matrix, multiplies_as_the_matrix_does) {
+  const Nodes nodes(301);
+  const auto A =
+      blocks(nodes, nodes, [](int a, int b) { return std::abs(a - b) < 3 || a + b == 300; });
+  const algebra::GroupedMatrix grouped(A);
+  MultiVector x(A->getDomainMap(), 2), y(A->getRangeMap(), 2), expected(y.getMap(), 2);
+  for (const GlobalOrdinal i : global_numbers(*x.getMap()))
+    for (int c = 0; c < 2; ++c)
+      x.replaceGlobalValue(i, c, std::cos(static_cast<double>(i * i + c)));
+  const auto check = [&](const MultiVector& from, MultiVector& to, MultiVector& reference,
+                         Teuchos::ETransp mode, double alpha, double beta) {
+    to.putScalar(3.0);
+    reference.putScalar(3.0);
+    grouped.apply(from, to, mode, alpha, beta);
+    A->apply(from, reference, mode, alpha, beta);
+    to.update(-1.0, reference, 1.0);
+    for (std::size_t c = 0; c < to.getNumVectors(); ++c)
+      TEST_COMPARE(to.getVector(c)->norm2(), <, 1e-14 * reference.getVector(c)->norm2());
+  };
+  check(x, y, expected, Teuchos::NO_TRANS, 1.0, 0.0);
+  check(x, y, expected, Teuchos::TRANS, 1.0, 0.0);
+  Vector y_1(y.getMap()), expected_1(y.getMap());
+  check(*x.getVector(0), y_1, expected_1, Teuchos::NO_TRANS, 1.0, 0.0);
+  check(*x.getVector(1), y_1, expected_1, Teuchos::NO_TRANS, -2.0, 0.5);
 }
 
 TEUCHOS_UNIT_TEST(sparse_product, follows_the_values_whatever_was_zero_when_it_was_made) {

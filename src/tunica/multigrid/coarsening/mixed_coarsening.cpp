@@ -44,11 +44,17 @@ public:
     turns_ = rigid_ != nullptr && count_ == 3 && all_agree(*P_->getComm(), are_whole);
   }
 
-  int most_entries() const {
-    std::size_t most = longest_local_row(*P_);
-    for (std::size_t a = 0; turns_ && a + 1 < rigid_->start.size(); ++a)
-      most = std::max(most, 3 * (rigid_->start[a + 1] - rigid_->start[a]));
-    return static_cast<int>(most);
+  /// Of the rows of the fine map that are its own.
+  void count_entries(const Map& fine, std::vector<std::size_t>& counts) const {
+    const auto local = P_->getLocalMatrixHost();
+    for (int a = 0; a < local.numRows(); ++a) {
+      const bool is_rigid = turns_ && fine_[a] == 7 && rigid_->has(a);
+      const auto n = is_rigid ? 3 * (rigid_->start[a + 1] - rigid_->start[a])
+                              : static_cast<std::size_t>(local.rowConst(a).length);
+      for (int i = 0; i < count_; ++i)
+        if (fine_[a] >> i & 1)
+          counts[fine.getLocalElement(number(P_->getRowMap()->getGlobalElement(a), i))] = n;
+    }
   }
 
   void append_coarse(std::vector<GlobalOrdinal>& numbers) const {
@@ -249,15 +255,15 @@ Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, int block,
   if (has_rotations)
     for (Expansion& expansion : expansions) expansion.use_rotations();
   std::vector<GlobalOrdinal> numbers;
-  int most_parents = 0;
+  std::vector<std::size_t> counts(n_local(*fine), 0);
   for (const Expansion& expansion : expansions) {
     expansion.append_coarse(numbers);
-    most_parents = std::max(most_parents, expansion.most_entries());
+    expansion.count_entries(*fine, counts);
   }
   // Ascending, the unknowns of a node stand side by side on the next level, too.
   std::sort(numbers.begin(), numbers.end());
   const Teuchos::RCP<const Map> coarse = map_of(numbers, fine->getComm());
-  const auto P = Teuchos::rcp(new CrsMatrix(fine, most_parents));
+  const auto P = Teuchos::rcp(new CrsMatrix(fine, Teuchos::arrayViewFromVector(counts)));
   for (const Expansion& expansion : expansions) expansion.insert_into(*P);
   P->fillComplete(coarse, fine);
   maps_[{level + 1, block}] = coarse;

@@ -144,6 +144,29 @@ void NodeBlocks::find_blocks() {
     graph_.start.push_back(graph_.columns.size());
   }
   graph_.columns.shrink_to_fit();
+  is_plain_.resize(numbers_.size());
+  for (std::size_t node = 0; node < is_plain_.size(); ++node)
+    is_plain_[node] = is_plain(static_cast<int>(node));
+}
+
+// A node all of whose rows stand one behind the other, with all unknowns of its columns' nodes in
+// the order of these: nearly all do.
+bool NodeBlocks::is_plain(int node) const {
+  const Row* const row = rows_.data() + static_cast<std::size_t>(width_) * node;
+  const auto& [source, local] = row[0];
+  if (source == nullptr) return false;
+  const std::size_t first = graph_.start[node];
+  const auto length = width_ * (graph_.start[node + 1] - first);
+  for (int i = 0; i < width_; ++i) {
+    if (row[i].source != source || row[i].local != local + i) return false;
+    const auto start = source->start[local + i];
+    if (source->start[local + i + 1] - start != length) return false;
+    for (std::size_t k = 0; k < length; ++k)
+      if (source->places[source->columns[start + k]] !=
+          width_ * graph_.columns[first + k / width_] + static_cast<int>(k % width_))
+        return false;
+  }
+  return true;
 }
 
 void NodeBlocks::add_columns_of(int node) {
@@ -190,7 +213,7 @@ double NodeBlocks::bytes() const {
   return ghosts +
          static_cast<double>(sizeof(int) * n_numbers +
                              sizeof(std::size_t) * (graph_.start.size() + numbers_.size()) +
-                             sizeof(Row) * rows_.size() + unknowns_.size());
+                             sizeof(Row) * rows_.size() + unknowns_.size() + is_plain_.size());
 }
 
 // The blocks of a node's row in the order of its columns. Missing unknowns have the rows of the
@@ -198,6 +221,14 @@ double NodeBlocks::bytes() const {
 void NodeBlocks::read(int node, double* blocks) {
   const std::size_t size = static_cast<std::size_t>(width_) * width_;
   const std::size_t first = graph_.start[node], last = graph_.start[node + 1];
+  if (is_plain_[node]) {
+    const auto& [source, local] = rows_[static_cast<std::size_t>(width_) * node];
+    const double* const values = source->values + source->start[local];
+    const auto length = width_ * (last - first);
+    for (std::size_t k = 0; k < length; ++k)
+      for (int i = 0; i < width_; ++i) blocks[width_ * k + i] = values[length * i + k];
+    return;
+  }
   std::fill_n(blocks, size * (last - first), 0.0);
   for (std::size_t k = first; k < last; ++k)
     block_of_node_[graph_.columns[k]] = static_cast<int>(k - first);

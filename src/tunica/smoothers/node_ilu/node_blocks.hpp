@@ -75,6 +75,7 @@ private:
   int place(GlobalOrdinal number);
   void add_columns_of(int node);
   void add_column(int node);
+  bool is_plain(int node) const;
 
   const CrsMatrix* K_;
   int width_, n_own_nodes_;
@@ -89,7 +90,8 @@ private:
   std::vector<Row> rows_;  ///< by place
   std::vector<std::uint8_t> unknowns_;
   RowGraph graph_;
-  std::vector<int> block_of_node_;  ///< scratch: by the columns' nodes; -1 between uses
+  std::vector<std::uint8_t> is_plain_;  ///< of each node: its blocks are read without a search
+  std::vector<int> block_of_node_;      ///< scratch: by the columns' nodes; -1 between uses
 };
 
 }  // namespace tunica::smoothers
