@@ -56,8 +56,8 @@ private:
   const std::uint8_t* unknowns_;
 };
 
-/// Stored: of the blocks of L and U beside the diagonal. Real: of all others, and of vectors.
-template <class Stored, class Real>
+/// Stored: of the blocks of L and U beside the diagonal. Kept: of all others.
+template <class Stored, class Kept>
 class Factors final : public NodeIlu {
 public:
   Factors(const CrsMatrix& K, const algebra::DofLayout& numbering, const NodeIluOptions& options)
@@ -113,11 +113,12 @@ public:
   }
 
   double bytes() const override {
-    const auto n_values = inverses_.size() + matrix_.size() + 3 * x_.size();
+    const auto n_blocks = inverses_.size() + matrix_.size();
     const auto n_places =
         diagonal_.size() + upper_start_.size() + (filled_ ? filled_->start.size() : 0);
     return static_cast<double>(sizeof(Stored) * (lower_values_.size() + upper_values_.size()) +
-                               sizeof(Real) * n_values + sizeof(std::size_t) * n_places +
+                               sizeof(Kept) * n_blocks + sizeof(double) * 3 * x_.size() +
+                               sizeof(std::size_t) * n_places +
                                sizeof(int) * (filled_ ? filled_->columns.size() : 0)) +
            blocks_.bytes();
   }
@@ -139,7 +140,7 @@ private:
     gather(b, b_);
     bool is_zero = start == Start::zero;  // r = b: the first product is saved
     if (is_zero)
-      std::fill(x_.begin(), x_.end(), Real(0));
+      std::fill(x_.begin(), x_.end(), 0.0);
     else
       gather(x, x_);
     for (const double damping : dampings) {
@@ -152,8 +153,7 @@ private:
       fetch_ghosts(r_);
       solve_factors(factors(), r_.data());
       const auto n_own = static_cast<std::size_t>(blocks_.width()) * blocks_.n_own_nodes();
-      const auto factor = static_cast<Real>(damping);
-      for (std::size_t i = 0; i < n_own; ++i) x_[i] += factor * r_[i];
+      for (std::size_t i = 0; i < n_own; ++i) x_[i] += damping * r_[i];
       is_zero = false;
     }
     scatter(x_, x);
@@ -162,11 +162,11 @@ private:
   /// r ← r − K x
   void subtract_product_with_x() {
     subtract_product(
-        NodeMatrix<Real>{pattern(blocks_.graph(), blocks_.n_own_nodes()), matrix_.data()},
+        NodeMatrix<Kept>{pattern(blocks_.graph(), blocks_.n_own_nodes()), matrix_.data()},
         x_.data(), r_.data());
   }
 
-  NodeFactors<Stored, Real> factors() const {
+  NodeFactors<Stored, Kept> factors() const {
     return {pattern(graph(), blocks_.n_nodes()), diagonal_.data(), lower_values_.data(),
             upper_values_.data(), inverses_.data()};
   }
@@ -218,14 +218,14 @@ private:
     for (std::size_t k = first; k < own; ++k) subtract_row(node, columns[k]);
     double* const block = row_.data() + size() * (own - first);
     const bool is_regular = invert_dense(blocks_.width(), block, scratch_);
-    Real* const inverse = inverses_.data() + size() * node;
-    const Real* const end = parts_.keep(node, node, block, inverse);
+    Kept* const inverse = inverses_.data() + size() * node;
+    const Kept* const end = parts_.keep(node, node, block, inverse);
     Stored* const upper = upper_values_.data() + upper_start_[node];
     Stored* next = upper;
     for (std::size_t k = own + 1; k < last; ++k)
       next = parts_.keep(node, columns[k], row_.data() + size() * (k - first), next);
     const auto is_finite = [](auto value) { return std::isfinite(number(value)); };
-    return is_regular && std::all_of(inverse, const_cast<Real*>(end), is_finite) &&
+    return is_regular && std::all_of(inverse, const_cast<Kept*>(end), is_finite) &&
            std::all_of(upper, next, is_finite);
   }
 
@@ -268,29 +268,27 @@ private:
 
   bool has_ghosts() const { return K_->getComm()->getSize() > 1; }
 
-  void gather(const MultiVector& rows, std::vector<Real>& values) const {
+  void gather(const MultiVector& rows, std::vector<double>& values) const {
     const auto& places = blocks_.place_of_row();
     const auto from = rows.getLocalViewHost(read_only);
-    std::fill(values.begin(), values.end(), Real(0));
-    for (std::size_t i = 0; i < places.size(); ++i)
-      values[places[i]] = static_cast<Real>(from(i, 0));
+    std::fill(values.begin(), values.end(), 0.0);
+    for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = from(i, 0);
   }
 
-  void scatter(const std::vector<Real>& values, MultiVector& rows) const {
+  void scatter(const std::vector<double>& values, MultiVector& rows) const {
     const auto& places = blocks_.place_of_row();
     const auto to = rows.getLocalViewHost(overwrite_all);
     for (std::size_t i = 0; i < places.size(); ++i) to(i, 0) = values[places[i]];
   }
 
   /// Values of other ranks' nodes, from their owners.
-  void fetch_ghosts(std::vector<Real>& values) {
+  void fetch_ghosts(std::vector<double>& values) {
     if (!has_ghosts()) return;
     scatter(values, *own_);
     ghosts_->doImport(*own_, *blocks_.ghost_import(), insert);
     const auto from = ghosts_->getLocalViewHost(read_only);
     const auto& places = blocks_.ghost_places();
-    for (std::size_t i = 0; i < places.size(); ++i)
-      values[places[i]] = static_cast<Real>(from(i, 0));
+    for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = from(i, 0);
   }
 
   const CrsMatrix* K_;
@@ -300,13 +298,13 @@ private:
   std::optional<RowGraph> filled_;
   std::vector<std::size_t> diagonal_, upper_start_;
   std::vector<Stored> lower_values_, upper_values_;
-  std::vector<Real> inverses_;         ///< of the diagonal blocks
-  std::vector<Real> matrix_;           ///< of the own nodes
-  std::vector<Real> x_, b_, r_;        ///< by places
+  std::vector<Kept> inverses_;         ///< of the diagonal blocks
+  std::vector<Kept> matrix_;           ///< of the own nodes
+  std::vector<double> x_, b_, r_;      ///< by places
   Teuchos::RCP<Vector> own_, ghosts_;  ///< what travels; null on one rank
   // of eliminate():
   Stored* next_lower_ = nullptr;
-  Real* next_kept_ = nullptr;
+  Kept* next_kept_ = nullptr;
   std::vector<int> row_nodes_, slot_of_node_;
   std::vector<double> unfilled_, row_;
   DenseScratch scratch_;

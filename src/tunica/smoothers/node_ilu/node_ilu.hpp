@@ -36,8 +36,9 @@ public:
   virtual double bytes() const = 0;
 };
 
-/// Of the copy of the matrix, of vectors, and of the factors, which have 16 bits with half and
-/// single precision for the rest: incomplete as they are, eight binary digits are enough for them.
+/// Of the copy of the matrix and of the factors, which have 16 bits with half and single precision
+/// for the rest: incomplete as they are, eight binary digits are enough for them. Vectors are
+/// doubles: floats lose b − K x on flat elements, where GCR took 57 iterations for 5.
 enum class Precision { half, single, full };
 
 struct NodeIluOptions {

@@ -16,10 +16,10 @@ struct BlockPattern {
 };
 
 /// The blocks of a matrix, row behind row, each block column by column.
-template <class Real>
+template <class Kept>
 struct NodeMatrix {
   BlockPattern pattern;
-  const Real* values;
+  const Kept* values;
 };
 
 /// The upper half of a float: its range, and eight binary digits.
@@ -41,22 +41,22 @@ inline Half rounded(float value) {
 }
 
 /// Triangular factors in such blocks, stored as solve_factors() walks over them.
-template <class Stored, class Real>
+template <class Stored, class Kept>
 struct NodeFactors {
   BlockPattern pattern;         ///< of both together, the diagonal among them
   const std::size_t* diagonal;  ///< place of each node in the columns of its row
   const Stored* lower;          ///< row behind row
   const Stored* upper;          ///< the last row first, without the diagonal
-  const Real* inverses;         ///< of the diagonal blocks, width² values for each node
+  const Kept* inverses;         ///< of the diagonal blocks, width² values for each node
 };
 
 /// x ← (L U)⁻¹ x.
-void solve_factors(const NodeFactors<Half, float>& factors, float* x);
-void solve_factors(const NodeFactors<float, float>& factors, float* x);
+void solve_factors(const NodeFactors<Half, float>& factors, double* x);
+void solve_factors(const NodeFactors<float, float>& factors, double* x);
 void solve_factors(const NodeFactors<double, double>& factors, double* x);
 
 /// r −= K x; x has values of all columns' nodes.
-void subtract_product(const NodeMatrix<float>& K, const float* x, float* r);
+void subtract_product(const NodeMatrix<float>& K, const double* x, double* r);
 void subtract_product(const NodeMatrix<double>& K, const double* x, double* r);
 
 /// The blocks of a row of U behind the diagonal, in these columns of the pattern.
