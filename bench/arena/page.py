@@ -212,7 +212,7 @@ def table_of_losses(results):
                 continue
             ratio = number(seconds(row) / seconds(best)) if row["is_solved"] else "fails"
             rows.append([system, size, ratio, f"{best['contestant']}, {number(seconds(best))} s",
-                         row["message"] or f"{row['used']}: {row['iterations']} iterations"])
+                         row["message"].replace("|", "/") or f"{row['used']}: {row['iterations']} iterations"])
     return (f"## Where the default loses by more than {LOST}\n\n"
             + table_text(["system", "size", "default / best", "best", "what the default did"], rows))
 

@@ -11,6 +11,7 @@ killed goes on where it was. Seconds are those of processors, of all ranks toget
 """
 import argparse
 import concurrent.futures
+import glob
 import importlib.util
 import json
 import os
@@ -36,7 +37,9 @@ SECONDS = {"small": 20, "medium": 60, "large": 600}
 GIGABYTES = {"small": 4, "medium": 6, "large": 12}
 WALL_FACTOR = 40  # a machine may give us this part of a processor
 PYTHON = "/usr/bin/python3"
-PATHS = os.pathsep.join([*sys.path[:2], os.environ.get("PYTHONPATH", "")])
+# Debian's petsc4py is found by itself only beside petsc-dev.
+sys.path += sorted(glob.glob("/usr/lib/petscdir/petsc3.*/*-real/lib/python3/dist-packages"))[-1:]
+PATHS = os.pathsep.join([*sys.path[:2], *sys.path[-1:], os.environ.get("PYTHONPATH", "")])
 KILLED = {signal.SIGXCPU: "time limit", signal.SIGKILL: "time limit", signal.SIGABRT: "abort",
           signal.SIGSEGV: "segmentation fault"}
 
