@@ -70,6 +70,7 @@ public:
     x_.resize(static_cast<std::size_t>(blocks_.width()) * blocks_.n_nodes());
     b_.resize(x_.size());
     r_.resize(x_.size());
+    move_.resize(x_.size());
     if (!has_ghosts()) return;
     own_ = Teuchos::rcp(new Vector(blocks_.ghost_import()->getSourceMap()));
     ghosts_ = Teuchos::rcp(new Vector(blocks_.ghost_import()->getTargetMap()));
@@ -111,11 +112,12 @@ public:
   }
 
   double bytes() const override {
-    const auto n_values = inverses_.size() + matrix_.size() + 3 * x_.size();
+    const auto n_values = inverses_.size() + matrix_.size() + move_.size();
     const auto n_places =
         diagonal_.size() + upper_start_.size() + (filled_ ? filled_->start.size() : 0);
     return static_cast<double>(sizeof(Stored) * (lower_values_.size() + upper_values_.size()) +
-                               sizeof(Real) * n_values + sizeof(std::size_t) * n_places +
+                               sizeof(Real) * n_values + 3 * sizeof(double) * x_.size() +
+                               sizeof(std::size_t) * n_places +
                                sizeof(int) * (filled_ ? filled_->columns.size() : 0)) +
            blocks_.bytes();
   }
@@ -131,13 +133,15 @@ private:
             graph.columns.data()};
   }
 
-  // x ← x + ω (L U)⁻¹ (b − K x), sweep after sweep
+  // x ← x + ω (L U)⁻¹ (b − K x), sweep after sweep. Only the move is in single precision: where x
+  // is large against b, as for stiff springs, the rounding of a single x would outweigh the
+  // residual.
   void sweep_column(const std::vector<double>& dampings, Start start, const MultiVector& b,
                     MultiVector& x) {
     gather(b, b_);
     bool is_zero = start == Start::zero;  // r = b: the first product is saved
     if (is_zero)
-      std::fill(x_.begin(), x_.end(), Real(0));
+      std::fill(x_.begin(), x_.end(), 0.0);
     else
       gather(x, x_);
     for (const double damping : dampings) {
@@ -148,10 +152,10 @@ private:
       }
       // Rows of ghosts are not whole here: their owners' residuals take their place.
       fetch_ghosts(r_);
-      solve_factors(factors(), r_.data());
+      for (std::size_t i = 0; i < r_.size(); ++i) move_[i] = static_cast<Real>(r_[i]);
+      solve_factors(factors(), move_.data());
       const auto n_own = static_cast<std::size_t>(blocks_.width()) * blocks_.n_own_nodes();
-      const auto factor = static_cast<Real>(damping);
-      for (std::size_t i = 0; i < n_own; ++i) x_[i] += factor * r_[i];
+      for (std::size_t i = 0; i < n_own; ++i) x_[i] += damping * move_[i];
       is_zero = false;
     }
     scatter(x_, x);
@@ -266,29 +270,27 @@ private:
 
   bool has_ghosts() const { return K_->getComm()->getSize() > 1; }
 
-  void gather(const MultiVector& rows, std::vector<Real>& values) const {
+  void gather(const MultiVector& rows, std::vector<double>& values) const {
     const auto& places = blocks_.place_of_row();
     const auto from = rows.getLocalViewHost(read_only);
-    std::fill(values.begin(), values.end(), Real(0));
-    for (std::size_t i = 0; i < places.size(); ++i)
-      values[places[i]] = static_cast<Real>(from(i, 0));
+    std::fill(values.begin(), values.end(), 0.0);
+    for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = from(i, 0);
   }
 
-  void scatter(const std::vector<Real>& values, MultiVector& rows) const {
+  void scatter(const std::vector<double>& values, MultiVector& rows) const {
     const auto& places = blocks_.place_of_row();
     const auto to = rows.getLocalViewHost(overwrite_all);
     for (std::size_t i = 0; i < places.size(); ++i) to(i, 0) = values[places[i]];
   }
 
   /// Values of other ranks' nodes, from their owners.
-  void fetch_ghosts(std::vector<Real>& values) {
+  void fetch_ghosts(std::vector<double>& values) {
     if (!has_ghosts()) return;
     scatter(values, *own_);
     ghosts_->doImport(*own_, *blocks_.ghost_import(), insert);
     const auto from = ghosts_->getLocalViewHost(read_only);
     const auto& places = blocks_.ghost_places();
-    for (std::size_t i = 0; i < places.size(); ++i)
-      values[places[i]] = static_cast<Real>(from(i, 0));
+    for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = from(i, 0);
   }
 
   const CrsMatrix* K_;
@@ -300,7 +302,8 @@ private:
   std::vector<Stored> lower_values_, upper_values_;
   std::vector<Real> inverses_;         ///< of the diagonal blocks
   std::vector<Real> matrix_;           ///< of the own nodes
-  std::vector<Real> x_, b_, r_;        ///< by places
+  std::vector<double> x_, b_, r_;      ///< by places
+  std::vector<Real> move_;             ///< (L U)⁻¹ r
   Teuchos::RCP<Vector> own_, ghosts_;  ///< what travels; null on one rank
   // of eliminate():
   Stored* next_lower_ = nullptr;

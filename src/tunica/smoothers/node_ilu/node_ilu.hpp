@@ -36,8 +36,9 @@ public:
   virtual double bytes() const = 0;
 };
 
-/// Of the copy of the matrix, of vectors, and of the factors, which have 16 bits with half and
-/// single precision for the rest: incomplete as they are, eight binary digits are enough for them.
+/// Of the copy of the matrix and of the factors, which have 16 bits with half and the copy 32:
+/// incomplete as they are, eight binary digits are enough for them. Vectors are in double precision
+/// but for what a sweep adds.
 enum class Precision { half, single, full };
 
 struct NodeIluOptions {

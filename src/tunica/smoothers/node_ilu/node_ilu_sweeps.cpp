@@ -34,6 +34,14 @@ template <int columns, class Real>
 [[gnu::always_inline]] inline void load_columns(const Real* from, Four<Real> (&to)[columns]) {
   for (int c = 0; c < columns; ++c) load(from + 4 * c, to[c]);
 }
+template <int columns>
+[[gnu::always_inline]] inline void load_columns(const float* from, Four<double> (&to)[columns]) {
+  for (int c = 0; c < columns; ++c) {
+    Four<float> column;
+    load(from + 4 * c, column);
+    to[c] = __builtin_convertvector(column, Four<double>);
+  }
+}
 /// Two columns at a time: zeros that are put in between make floats of halves.
 template <int columns>
 [[gnu::always_inline]] inline void load_columns(const Half* from, Four<float> (&to)[columns]) {
@@ -173,8 +181,8 @@ template <class Stored, class Real>
 }
 
 template <int width, class Real>
-[[gnu::always_inline]] inline void subtract_rows(const NodeMatrix<Real>& K, const Real* x,
-                                                 Real* r) {
+[[gnu::always_inline]] inline void subtract_rows(const NodeMatrix<Real>& K, const double* x,
+                                                 double* r) {
   const Real* values = K.values;
   for (int node = 0; node < K.pattern.n_nodes; ++node)
     values = subtract_row<width>(K.pattern, node, K.pattern.start[node], K.pattern.start[node + 1],
@@ -182,7 +190,8 @@ template <int width, class Real>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void subtract_any(const NodeMatrix<Real>& K, const Real* x, Real* r) {
+[[gnu::always_inline]] inline void subtract_any(const NodeMatrix<Real>& K, const double* x,
+                                                double* r) {
   if (K.pattern.width == 4) return subtract_rows<4>(K, x, r);
   if (K.pattern.width == 3) return subtract_rows<3>(K, x, r);
   subtract_rows<2>(K, x, r);
@@ -291,7 +300,7 @@ TUNICA_CLONES void solve_factors(const NodeFactors<double, double>& factors, dou
   solve_any(factors, x);
 }
 
-TUNICA_CLONES void subtract_product(const NodeMatrix<float>& K, const float* x, float* r) {
+TUNICA_CLONES void subtract_product(const NodeMatrix<float>& K, const double* x, double* r) {
   subtract_any(K, x, r);
 }
 TUNICA_CLONES void subtract_product(const NodeMatrix<double>& K, const double* x, double* r) {

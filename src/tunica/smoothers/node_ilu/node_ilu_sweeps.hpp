@@ -56,7 +56,7 @@ void solve_factors(const NodeFactors<float, float>& factors, float* x);
 void solve_factors(const NodeFactors<double, double>& factors, double* x);
 
 /// r −= K x; x has values of all columns' nodes.
-void subtract_product(const NodeMatrix<float>& K, const float* x, float* r);
+void subtract_product(const NodeMatrix<float>& K, const double* x, double* r);
 void subtract_product(const NodeMatrix<double>& K, const double* x, double* r);
 
 /// The blocks of a row of U behind the diagonal, in these columns of the pattern.
