@@ -1,8 +1,8 @@
 #pragma once
 #include <functional>
 
-#include "tunica/algebra/grouped_matrix.hpp"
 #include "tunica/algebra/merged_matrix.hpp"
+#include "tunica/algebra/products/grouped_matrix.hpp"
 #include "tunica/linear/preconditioned_system.hpp"
 
 namespace tunica::linear {

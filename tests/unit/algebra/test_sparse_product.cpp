@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "tunica/algebra/grouped_matrix.hpp"
-#include "tunica/algebra/sparse_product.hpp"
-#include "tunica/algebra/triple_product.hpp"
+#include "tunica/algebra/products/grouped_matrix.hpp"
+#include "tunica/algebra/products/sparse_product.hpp"
+#include "tunica/algebra/products/triple_product.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "unit/fields/small_tube.hpp"

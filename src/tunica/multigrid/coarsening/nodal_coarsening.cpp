@@ -4,7 +4,7 @@
 
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/algebra/picked_matrix.hpp"
-#include "tunica/algebra/sparse_product.hpp"
+#include "tunica/algebra/products/sparse_product.hpp"
 #include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/reduce.hpp"

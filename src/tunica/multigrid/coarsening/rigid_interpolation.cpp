@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "tunica/algebra/sparse_product.hpp"
+#include "tunica/algebra/products/sparse_product.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/trilinos.hpp"

@@ -2,9 +2,9 @@
 #include <optional>
 
 #include "tunica/algebra/dof_layout.hpp"
+#include "tunica/algebra/products/sparse_product.hpp"
+#include "tunica/algebra/products/triple_product.hpp"
 #include "tunica/algebra/refreshable.hpp"
-#include "tunica/algebra/sparse_product.hpp"
-#include "tunica/algebra/triple_product.hpp"
 
 namespace tunica::multigrid {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "tunica/algebra/sparse_product.hpp"
+#include "tunica/algebra/products/sparse_product.hpp"
 
 namespace tunica::smoothers {
 

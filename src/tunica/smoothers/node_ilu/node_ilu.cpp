@@ -56,8 +56,8 @@ private:
   const std::uint8_t* unknowns_;
 };
 
-/// Stored: of the blocks of L and U beside the diagonal. Kept: of all others.
-template <class Stored, class Kept>
+/// Stored: of the blocks of L and U beside the diagonal. Real: of all others, and of vectors.
+template <class Stored, class Real>
 class Factors final : public NodeIlu {
 public:
   Factors(const CrsMatrix& K, const algebra::DofLayout& numbering, const NodeIluOptions& options)
@@ -70,6 +70,7 @@ public:
     x_.resize(static_cast<std::size_t>(blocks_.width()) * blocks_.n_nodes());
     b_.resize(x_.size());
     r_.resize(x_.size());
+    move_.resize(x_.size());
     if (!has_ghosts()) return;
     own_ = Teuchos::rcp(new Vector(blocks_.ghost_import()->getSourceMap()));
     ghosts_ = Teuchos::rcp(new Vector(blocks_.ghost_import()->getTargetMap()));
@@ -86,9 +87,7 @@ public:
     std::string message;
     if (singular >= 0)
       message = "NodalIluSmoother: the block of node " + std::to_string(blocks_.number(singular)) +
-                " of " + std::to_string(K_->getGlobalNumRows()) +
-                " unknowns cannot be inverted in the order of the nodes; systems without "
-                "stabilisation need "
+                " cannot be inverted in the order of the nodes; systems without stabilisation need "
                 "another smoother.";
     // On all ranks if on one: the set-up is collective.
     throw_if_any<std::runtime_error>(*K_->getComm(), message);
@@ -113,11 +112,11 @@ public:
   }
 
   double bytes() const override {
-    const auto n_blocks = inverses_.size() + matrix_.size();
+    const auto n_values = inverses_.size() + matrix_.size() + move_.size();
     const auto n_places =
         diagonal_.size() + upper_start_.size() + (filled_ ? filled_->start.size() : 0);
     return static_cast<double>(sizeof(Stored) * (lower_values_.size() + upper_values_.size()) +
-                               sizeof(Kept) * n_blocks + sizeof(double) * 3 * x_.size() +
+                               sizeof(Real) * n_values + 3 * sizeof(double) * x_.size() +
                                sizeof(std::size_t) * n_places +
                                sizeof(int) * (filled_ ? filled_->columns.size() : 0)) +
            blocks_.bytes();
@@ -134,7 +133,9 @@ private:
             graph.columns.data()};
   }
 
-  // x ← x + ω (L U)⁻¹ (b − K x), sweep after sweep
+  // x ← x + ω (L U)⁻¹ (b − K x), sweep after sweep. Only the move is in single precision: where x
+  // is large against b, as for stiff springs, the rounding of a single x would outweigh the
+  // residual.
   void sweep_column(const std::vector<double>& dampings, Start start, const MultiVector& b,
                     MultiVector& x) {
     gather(b, b_);
@@ -151,9 +152,10 @@ private:
       }
       // Rows of ghosts are not whole here: their owners' residuals take their place.
       fetch_ghosts(r_);
-      solve_factors(factors(), r_.data());
+      for (std::size_t i = 0; i < r_.size(); ++i) move_[i] = static_cast<Real>(r_[i]);
+      solve_factors(factors(), move_.data());
       const auto n_own = static_cast<std::size_t>(blocks_.width()) * blocks_.n_own_nodes();
-      for (std::size_t i = 0; i < n_own; ++i) x_[i] += damping * r_[i];
+      for (std::size_t i = 0; i < n_own; ++i) x_[i] += damping * move_[i];
       is_zero = false;
     }
     scatter(x_, x);
@@ -162,11 +164,11 @@ private:
   /// r ← r − K x
   void subtract_product_with_x() {
     subtract_product(
-        NodeMatrix<Kept>{pattern(blocks_.graph(), blocks_.n_own_nodes()), matrix_.data()},
+        NodeMatrix<Real>{pattern(blocks_.graph(), blocks_.n_own_nodes()), matrix_.data()},
         x_.data(), r_.data());
   }
 
-  NodeFactors<Stored, Kept> factors() const {
+  NodeFactors<Stored, Real> factors() const {
     return {pattern(graph(), blocks_.n_nodes()), diagonal_.data(), lower_values_.data(),
             upper_values_.data(), inverses_.data()};
   }
@@ -218,14 +220,14 @@ private:
     for (std::size_t k = first; k < own; ++k) subtract_row(node, columns[k]);
     double* const block = row_.data() + size() * (own - first);
     const bool is_regular = invert_dense(blocks_.width(), block, scratch_);
-    Kept* const inverse = inverses_.data() + size() * node;
-    const Kept* const end = parts_.keep(node, node, block, inverse);
+    Real* const inverse = inverses_.data() + size() * node;
+    const Real* const end = parts_.keep(node, node, block, inverse);
     Stored* const upper = upper_values_.data() + upper_start_[node];
     Stored* next = upper;
     for (std::size_t k = own + 1; k < last; ++k)
       next = parts_.keep(node, columns[k], row_.data() + size() * (k - first), next);
     const auto is_finite = [](auto value) { return std::isfinite(number(value)); };
-    return is_regular && std::all_of(inverse, const_cast<Kept*>(end), is_finite) &&
+    return is_regular && std::all_of(inverse, const_cast<Real*>(end), is_finite) &&
            std::all_of(upper, next, is_finite);
   }
 
@@ -298,13 +300,14 @@ private:
   std::optional<RowGraph> filled_;
   std::vector<std::size_t> diagonal_, upper_start_;
   std::vector<Stored> lower_values_, upper_values_;
-  std::vector<Kept> inverses_;         ///< of the diagonal blocks
-  std::vector<Kept> matrix_;           ///< of the own nodes
+  std::vector<Real> inverses_;         ///< of the diagonal blocks
+  std::vector<Real> matrix_;           ///< of the own nodes
   std::vector<double> x_, b_, r_;      ///< by places
+  std::vector<Real> move_;             ///< (L U)⁻¹ r
   Teuchos::RCP<Vector> own_, ghosts_;  ///< what travels; null on one rank
   // of eliminate():
   Stored* next_lower_ = nullptr;
-  Kept* next_kept_ = nullptr;
+  Real* next_kept_ = nullptr;
   std::vector<int> row_nodes_, slot_of_node_;
   std::vector<double> unfilled_, row_;
   DenseScratch scratch_;

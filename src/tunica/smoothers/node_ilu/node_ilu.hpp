@@ -36,9 +36,9 @@ public:
   virtual double bytes() const = 0;
 };
 
-/// Of the copy of the matrix and of the factors, which have 16 bits with half and single precision
-/// for the rest: incomplete as they are, eight binary digits are enough for them. Vectors are
-/// doubles: floats lose b − K x on flat elements, where GCR took 57 iterations for 5.
+/// Of the copy of the matrix and of the factors, which have 16 bits with half and the copy 32:
+/// incomplete as they are, eight binary digits are enough for them. Vectors are in double precision
+/// but for what a sweep adds.
 enum class Precision { half, single, full };
 
 struct NodeIluOptions {

@@ -1,5 +1,7 @@
 #include "tunica/smoothers/node_ilu/node_ilu_sweeps.hpp"
 
+#include <type_traits>
+
 #include "tunica/base/clones.hpp"
 
 namespace tunica::smoothers {
@@ -8,39 +10,51 @@ namespace {
 
 // All of it is inlined, so that each function for certain processors has its own.
 
-/// Four numbers in a register. Vectors and sums are doubles whatever the blocks are: on flat
-/// elements b − K x is a small difference of large products.
-using Four = double __attribute__((vector_size(32)));
-using FourFloats = float __attribute__((vector_size(16)));
+/// Four numbers in a register.
+template <class Real>
+struct Registers;
+template <>
+struct Registers<float> {
+  using Four = float __attribute__((vector_size(16)));
+};
+template <>
+struct Registers<double> {
+  using Four = double __attribute__((vector_size(32)));
+};
 
-[[gnu::always_inline]] inline void load(const double* from, Four& to) {
+template <class Real>
+using Four = typename Registers<Real>::Four;
+
+template <class Real>
+[[gnu::always_inline]] inline void load(const Real* from, Four<Real>& to) {
   std::memcpy(&to, from, sizeof(to));
 }
 /// Columns of four numbers, one after the other.
-template <int columns>
-[[gnu::always_inline]] inline void load_columns(const double* from, Four (&to)[columns]) {
+template <int columns, class Real>
+[[gnu::always_inline]] inline void load_columns(const Real* from, Four<Real> (&to)[columns]) {
   for (int c = 0; c < columns; ++c) load(from + 4 * c, to[c]);
 }
 template <int columns>
-[[gnu::always_inline]] inline void load_columns(const float* from, Four (&to)[columns]) {
+[[gnu::always_inline]] inline void load_columns(const float* from, Four<double> (&to)[columns]) {
   for (int c = 0; c < columns; ++c) {
-    FourFloats floats;
-    std::memcpy(&floats, from + 4 * c, sizeof(floats));
-    to[c] = __builtin_convertvector(floats, Four);
+    Four<float> column;
+    load(from + 4 * c, column);
+    to[c] = __builtin_convertvector(column, Four<double>);
   }
 }
-/// Zeros that are put in between make floats of halves.
+/// Two columns at a time: zeros that are put in between make floats of halves.
 template <int columns>
-[[gnu::always_inline]] inline void load_columns(const Half* from, Four (&to)[columns]) {
-  using Halves = std::uint16_t __attribute__((vector_size(8)));
-  const Halves zeros{};
-  for (int c = 0; c < columns; ++c) {
-    Halves halves;
-    std::memcpy(&halves, from + 4 * c, sizeof(halves));
-    const auto both = __builtin_shufflevector(zeros, halves, 0, 4, 1, 5, 2, 6, 3, 7);
-    FourFloats floats;
-    std::memcpy(&floats, &both, sizeof(floats));
-    to[c] = __builtin_convertvector(floats, Four);
+[[gnu::always_inline]] inline void load_columns(const Half* from, Four<float> (&to)[columns]) {
+  using Eight = std::uint16_t __attribute__((vector_size(16)));
+  const Eight zeros{};
+  for (int c = 0; c < columns; c += 2) {
+    Eight halves{};
+    std::memcpy(&halves, from + 4 * c, c + 1 < columns ? 16 : 8);
+    const Eight first = __builtin_shufflevector(zeros, halves, 0, 8, 1, 9, 2, 10, 3, 11);
+    std::memcpy(&to[c], &first, sizeof(first));
+    if (c + 1 == columns) return;
+    const Eight second = __builtin_shufflevector(zeros, halves, 4, 12, 5, 13, 6, 14, 7, 15);
+    std::memcpy(&to[c + 1], &second, sizeof(second));
   }
 }
 
@@ -49,56 +63,56 @@ template <int columns>
 [[gnu::always_inline]] inline float one(const Half* from) { return widened(*from); }
 
 /// The y of one row of blocks: y −= M x for one of its blocks after the other.
-template <int width, int rows>
+template <int width, int rows, class Real>
 struct RowSum {
-  double y[rows];
+  Real y[rows];
 
-  [[gnu::always_inline]] void begin(const double* from) {
+  [[gnu::always_inline]] void begin(const Real* from) {
     for (int i = 0; i < rows; ++i) y[i] = from[i];
   }
   template <int columns, class Stored>
-  [[gnu::always_inline]] void subtract(const Stored* M, const double* x) {
+  [[gnu::always_inline]] void subtract(const Stored* M, const Real* x) {
     for (int c = 0; c < columns; ++c)
       for (int i = 0; i < rows; ++i) y[i] -= one(M + rows * c + i) * x[c];
   }
-  [[gnu::always_inline]] void end(double* to) const {
+  [[gnu::always_inline]] void end(Real* to) const {
     for (int i = 0; i < rows; ++i) to[i] = y[i];
   }
 };
 
 /// Four rows: a sum for each column, so that no step has to wait for the one before.
-template <>
-struct RowSum<4, 4> {
-  Four y[4];
+template <class Real>
+struct RowSum<4, 4, Real> {
+  Four<Real> y[4];
 
-  [[gnu::always_inline]] void begin(const double* from) {
+  [[gnu::always_inline]] void begin(const Real* from) {
     load(from, y[0]);
-    for (int c = 1; c < 4; ++c) y[c] = Four{};
+    for (int c = 1; c < 4; ++c) y[c] = Four<Real>{};
   }
   template <int columns, class Stored>
-  [[gnu::always_inline]] void subtract(const Stored* M, const double* x) {
-    Four block[columns];
+  [[gnu::always_inline]] void subtract(const Stored* M, const Real* x) {
+    Four<Real> block[columns];
     load_columns(M, block);
     for (int c = 0; c < columns; ++c) y[c] -= block[c] * x[c];
   }
-  [[gnu::always_inline]] void end(double* to) const {
-    const Four sum = (y[0] + y[1]) + (y[2] + y[3]);
+  [[gnu::always_inline]] void end(Real* to) const {
+    const Four<Real> sum = (y[0] + y[1]) + (y[2] + y[3]);
     std::memcpy(to, &sum, sizeof(sum));
   }
 };
 
 /// y_i −= Σ_k M_ik x_k for the blocks of a row from and up to these columns. Returns where the
 /// next row's blocks are.
-template <int width, int rows, class Stored>
+template <int width, int rows, class Stored, class Real>
 [[gnu::always_inline]] inline const Stored* subtract_row(const BlockPattern& pattern,
                                                          std::size_t first, std::size_t last,
-                                                         const Stored* M, const double* x,
-                                                         double* y_i) {
-  RowSum<width, rows> sum;
+                                                         const Stored* M, const Real* x,
+                                                         Real* y_i) {
+  RowSum<width, rows, Real> sum;
   sum.begin(y_i);
   for (std::size_t k = first; k < last; ++k) {
     const int node = pattern.columns[k];
-    const double* const x_k = x + static_cast<std::size_t>(width) * node;
+    const Real* const x_k = x + static_cast<std::size_t>(width) * node;
     // Widths are constants of the compiler: blocks of 4, 3 or 2, or the scalar alone.
     if (pattern.unknowns[node] == width) {
       sum.template subtract<width>(M, x_k);
@@ -113,34 +127,33 @@ template <int width, int rows, class Stored>
 }
 
 /// The same for a row of either kind; y has values of all nodes.
-template <int width, class Stored>
+template <int width, class Stored, class Real>
 [[gnu::always_inline]] inline const Stored* subtract_row(const BlockPattern& pattern, int node,
                                                          std::size_t first, std::size_t last,
-                                                         const Stored* M, const double* x,
-                                                         double* y) {
-  double* const y_i = y + static_cast<std::size_t>(width) * node;
+                                                         const Stored* M, const Real* x, Real* y) {
+  Real* const y_i = y + static_cast<std::size_t>(width) * node;
   if (pattern.unknowns[node] == width)
     return subtract_row<width, width>(pattern, first, last, M, x, y_i);
   return subtract_row<width, 1>(pattern, first, last, M, x, y_i + width - 1);
 }
 
 /// y ← M y.
-template <int width, int rows, class Kept>
-[[gnu::always_inline]] inline void multiply(const Kept* M, double* y) {
-  double negative[rows], x[rows];
+template <int width, int rows, class Real>
+[[gnu::always_inline]] inline void multiply(const Real* M, Real* y) {
+  Real negative[rows], x[rows];
   for (int i = 0; i < rows; ++i) {
-    negative[i] = 0.0;
+    negative[i] = Real(0);
     x[i] = y[i];
   }
-  RowSum<width, rows> sum;
+  RowSum<width, rows, Real> sum;
   sum.begin(negative);
   sum.template subtract<rows>(M, x);
   sum.end(negative);
   for (int i = 0; i < rows; ++i) y[i] = -negative[i];
 }
 
-template <int width, class Stored, class Kept>
-[[gnu::always_inline]] inline void solve(const NodeFactors<Stored, Kept>& f, double* x) {
+template <int width, class Stored, class Real>
+[[gnu::always_inline]] inline void solve(const NodeFactors<Stored, Real>& f, Real* x) {
   const BlockPattern& pattern = f.pattern;
   // y_i = x_i − Σ_k<i L_ik y_k
   const Stored* lower = f.lower;
@@ -151,8 +164,8 @@ template <int width, class Stored, class Kept>
   for (int node = pattern.n_nodes - 1; node >= 0; --node) {
     upper = subtract_row<width>(pattern, node, f.diagonal[node] + 1, pattern.start[node + 1], upper,
                                 x, x);
-    const Kept* const inverse = f.inverses + static_cast<std::size_t>(width) * width * node;
-    double* const x_i = x + static_cast<std::size_t>(width) * node;
+    const Real* const inverse = f.inverses + static_cast<std::size_t>(width) * width * node;
+    Real* const x_i = x + static_cast<std::size_t>(width) * node;
     if (pattern.unknowns[node] == width)
       multiply<width, width>(inverse, x_i);
     else
@@ -160,24 +173,24 @@ template <int width, class Stored, class Kept>
   }
 }
 
-template <class Stored, class Kept>
-[[gnu::always_inline]] inline void solve_any(const NodeFactors<Stored, Kept>& f, double* x) {
+template <class Stored, class Real>
+[[gnu::always_inline]] inline void solve_any(const NodeFactors<Stored, Real>& f, Real* x) {
   if (f.pattern.width == 4) return solve<4>(f, x);
   if (f.pattern.width == 3) return solve<3>(f, x);
   solve<2>(f, x);
 }
 
-template <int width, class Kept>
-[[gnu::always_inline]] inline void subtract_rows(const NodeMatrix<Kept>& K, const double* x,
+template <int width, class Real>
+[[gnu::always_inline]] inline void subtract_rows(const NodeMatrix<Real>& K, const double* x,
                                                  double* r) {
-  const Kept* values = K.values;
+  const Real* values = K.values;
   for (int node = 0; node < K.pattern.n_nodes; ++node)
     values = subtract_row<width>(K.pattern, node, K.pattern.start[node], K.pattern.start[node + 1],
                                  values, x, r);
 }
 
-template <class Kept>
-[[gnu::always_inline]] inline void subtract_any(const NodeMatrix<Kept>& K, const double* x,
+template <class Real>
+[[gnu::always_inline]] inline void subtract_any(const NodeMatrix<Real>& K, const double* x,
                                                 double* r) {
   if (K.pattern.width == 4) return subtract_rows<4>(K, x, r);
   if (K.pattern.width == 3) return subtract_rows<3>(K, x, r);
@@ -187,22 +200,29 @@ template <class Kept>
 template <int width>
 [[gnu::always_inline]] inline void subtract_blocks(const double* A, const double* B, double* C) {
   for (int c = 0; c < width; ++c) {
-    RowSum<width, width> sum;
+    RowSum<width, width, double> sum;
     sum.begin(C + width * c);
     sum.template subtract<width>(A, B + width * c);
     sum.end(C + width * c);
   }
 }
 
+[[gnu::always_inline]] inline void as_doubles(const Four<float>& from, Four<double>& to) {
+  to = __builtin_convertvector(from, Four<double>);
+}
+[[gnu::always_inline]] inline void as_doubles(const Four<double>& from, Four<double>& to) {
+  to = from;
+}
 template <class Stored>
 [[gnu::always_inline]] inline void subtract_whole_block(const double* F, const Stored* B,
                                                         double* C) {
-  Four columns[4], f[4];
+  std::conditional_t<std::is_same_v<Stored, double>, Four<double>, Four<float>> columns[4];
   load_columns(B, columns);
+  Four<double> f[4];
   load_columns(F, f);
   for (int c = 0; c < 4; ++c) {
-    const Four b = columns[c];
-    Four C_c;
+    Four<double> b, C_c;
+    as_doubles(columns[c], b);
     load(C + 4 * c, C_c);
     C_c -= (f[0] * b[0] + f[1] * b[1]) + (f[2] * b[2] + f[3] * b[3]);
     std::memcpy(C + 4 * c, &C_c, sizeof(C_c));
@@ -270,10 +290,10 @@ TUNICA_CLONES void subtract_upper(const BlockPattern& pattern, const UpperRow<do
   subtract_upper_any(pattern, U, F, slots, row);
 }
 
-TUNICA_CLONES void solve_factors(const NodeFactors<Half, float>& factors, double* x) {
+TUNICA_CLONES void solve_factors(const NodeFactors<Half, float>& factors, float* x) {
   solve_any(factors, x);
 }
-TUNICA_CLONES void solve_factors(const NodeFactors<float, float>& factors, double* x) {
+TUNICA_CLONES void solve_factors(const NodeFactors<float, float>& factors, float* x) {
   solve_any(factors, x);
 }
 TUNICA_CLONES void solve_factors(const NodeFactors<double, double>& factors, double* x) {

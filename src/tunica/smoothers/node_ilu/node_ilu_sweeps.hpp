@@ -16,10 +16,10 @@ struct BlockPattern {
 };
 
 /// The blocks of a matrix, row behind row, each block column by column.
-template <class Kept>
+template <class Real>
 struct NodeMatrix {
   BlockPattern pattern;
-  const Kept* values;
+  const Real* values;
 };
 
 /// The upper half of a float: its range, and eight binary digits.
@@ -41,18 +41,18 @@ inline Half rounded(float value) {
 }
 
 /// Triangular factors in such blocks, stored as solve_factors() walks over them.
-template <class Stored, class Kept>
+template <class Stored, class Real>
 struct NodeFactors {
   BlockPattern pattern;         ///< of both together, the diagonal among them
   const std::size_t* diagonal;  ///< place of each node in the columns of its row
   const Stored* lower;          ///< row behind row
   const Stored* upper;          ///< the last row first, without the diagonal
-  const Kept* inverses;         ///< of the diagonal blocks, width² values for each node
+  const Real* inverses;         ///< of the diagonal blocks, width² values for each node
 };
 
 /// x ← (L U)⁻¹ x.
-void solve_factors(const NodeFactors<Half, float>& factors, double* x);
-void solve_factors(const NodeFactors<float, float>& factors, double* x);
+void solve_factors(const NodeFactors<Half, float>& factors, float* x);
+void solve_factors(const NodeFactors<float, float>& factors, float* x);
 void solve_factors(const NodeFactors<double, double>& factors, double* x);
 
 /// r −= K x; x has values of all columns' nodes.

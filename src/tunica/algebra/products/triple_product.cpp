@@ -1,4 +1,4 @@
-#include "tunica/algebra/triple_product.hpp"
+#include "tunica/algebra/products/triple_product.hpp"
 
 #include <algorithm>
 #include <numeric>

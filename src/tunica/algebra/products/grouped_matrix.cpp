@@ -1,4 +1,4 @@
-#include "tunica/algebra/grouped_matrix.hpp"
+#include "tunica/algebra/products/grouped_matrix.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "tunica/algebra/triple_kernel.hpp"
+#include "tunica/algebra/products/triple_kernel.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "tunica/algebra/triple_kernel.hpp"
+#include "tunica/algebra/products/triple_kernel.hpp"
 
 namespace tunica::algebra {
 

@@ -1,4 +1,4 @@
-#include "tunica/algebra/sparse_product.hpp"
+#include "tunica/algebra/products/sparse_product.hpp"
 
 #include <TpetraExt_MatrixMatrix.hpp>
 #include <vector>
