@@ -47,7 +47,6 @@ def main(programs, folder):
     if not LONG:
         in_fewer_steps(ring, 2 * math.pi / ring.frequency["1"] / 100, 150)  # half a period of load, one to be fitted
         in_fewer_steps(tube, 50e3 / 60, 4 * 60)  # four periods, of which the last counts
-        in_fewer_steps(beam, 1e5, 4)
         beam.levels = [0.5]
     for benchmark in (obstacle, tube, ring, beam):
         benchmark.run()

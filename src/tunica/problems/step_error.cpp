@@ -8,11 +8,11 @@
 
 namespace tunica::problems {
 
-// A steady flow is sought in a fluid alone, which displaces nothing.
+// Where a steady state is sought a displacement is judged by its own size, unless there is none.
 StepTolerance step_tolerance(const Teuchos::ParameterList& time) {
   const bool is_steady_sought = time.get<std::string>("step control") == "steady";
   return {time.get<double>("tolerance"),
-          is_steady_sought ? 0.0 : time.get<double>("displacement scale"),
+          is_steady_sought ? 1e-9 : time.get<double>("displacement scale"),
           time.get<double>("velocity scale"), is_steady_sought};
 }
 

@@ -72,9 +72,13 @@ Case::Case(const Teuchos::ParameterList& resolved)
   decode("Mesh Motion", motion);
   decode("Coupling", coupling);
   if (time && time->hits_kinks) kinks = stepping::kinks(list, time->steps.end);
-  // On the way to a steady flow Newton's method stops earlier.
-  if (fluid && time && time->newton_increment)
-    fluid->solves.newton.relative_increment = *time->newton_increment;
+  // On the way to a steady flow Newton's method stops earlier, and begins where the last step
+  // ended.
+  if (!time || !time->newton_increment) return;
+  if (fluid) fluid->solves.newton.relative_increment = *time->newton_increment;
+  if (!coupling) return;
+  coupling->list.set("predictor order", 0);
+  coupling->list.sublist("Newton").set("relative increment", *time->newton_increment);
 }
 
 Case read_case(const CommandLine& command, const params::Table& table, const Comm& comm) {

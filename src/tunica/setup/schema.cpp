@@ -35,13 +35,22 @@ void check_wish(const Teuchos::ParameterList& list, const std::string&) {
     check("coupling iteration", "Coupling", "max iterations");
 }
 
-/// Walls are not sought in pseudo-time, which has no instants at which fields could be wanted.
+/// On the interface the displacement of a step is its size times the velocity, so that it is
+/// finite. Pseudo-time has no instants at which fields could be wanted.
 void check_steady(const Teuchos::ParameterList& list, const std::string&) {
   if (!TimeSettings(list.sublist("Time")).is_steady_sought()) return;
-  TUNICA_CHECK(
-      !list.isSublist("Wall"),
-      "Time: \"step control\" = \"steady\" is for a fluid alone, in tunica-fluid. A wall with "
-      "\"analysis\" = \"static\" is in equilibrium in each step.");
+  if (list.isSublist("Wall")) {
+    TUNICA_CHECK(list.isSublist("Fluid"),
+                 "Time: \"step control\" = \"steady\" is for a fluid, alone or with a wall. A wall "
+                 "alone with \"analysis\" = \"static\" is in equilibrium in each step.");
+    TUNICA_CHECK(
+        list.sublist("Time").get<double>("largest step") > 0.0,
+        "Time: \"step control\" = \"steady\" with a wall needs a \"largest step\", long "
+        "compared with the time in which fluid and wall settle; beyond it steps do not grow.");
+    TUNICA_CHECK(coupling::CouplingSettings(list.sublist("Coupling")).is_monolithic,
+                 "Time: \"step control\" = \"steady\" with a wall needs \"Coupling / scheme\" = "
+                 "\"monolithic\".");
+  }
   TUNICA_CHECK(!OutputSettings(list.sublist("Output")).wants_fields_at_times(),
                "Output: \"fields at\" and \"fields interval\" have no meaning for a steady flow; "
                "the last step is always written.");

@@ -6,9 +6,18 @@
 
 namespace tunica::stepping {
 
+namespace {
+
+double largest_of(const Teuchos::ParameterList& time) {
+  const double largest = time.get<double>("largest step");
+  return largest > 0.0 ? largest : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
 PseudoTime::PseudoTime(const Teuchos::ParameterList& time)
-    : size_(time.get<double>("step size")), last_finite_(size_),
-      smallest_growth_(time.get<double>("smallest growth")),
+    : largest_(largest_of(time)), size_(std::min(time.get<double>("step size"), largest_)),
+      last_grown_(size_), smallest_growth_(time.get<double>("smallest growth")),
       largest_growth_(time.get<double>("largest growth")),
       infinite_below_(time.get<double>("infinite below") / time.get<double>("tolerance")),
       most_cuts_(time.get<int>("cuts")) {}
@@ -16,8 +25,8 @@ PseudoTime::PseudoTime(const Teuchos::ParameterList& time)
 bool PseudoTime::cut() {
   if (cuts_ >= most_cuts_) return false;
   ++cuts_;
-  if (std::isinf(size_)) {
-    size_ = last_finite_;
+  if (size_ > last_grown_) {
+    size_ = last_grown_;
     infinite_below_ *= 0.1;  // it was too early
   } else {
     size_ *= 0.25;
@@ -26,24 +35,24 @@ bool PseudoTime::cut() {
 }
 
 void PseudoTime::advance(double change) {
-  is_steady_ = std::isinf(size_) && change <= 1.0;
-  if (std::isinf(size_)) return;
+  is_steady_ = size_ >= largest_ && change <= 1.0;
+  if (size_ >= largest_) return;
   const double rate = change / size_;
   double growth = last_rate_ > 0.0 ? last_rate_ / rate : smallest_growth_;
   growth = cuts_ > 0 ? 1.0 : std::clamp(growth, smallest_growth_, largest_growth_);
   last_rate_ = rate;
-  last_finite_ = growth * size_;
-  size_ = change <= infinite_below_ ? std::numeric_limits<double>::infinity() : last_finite_;
+  last_grown_ = std::min(growth * size_, largest_);
+  size_ = change <= infinite_below_ ? largest_ : last_grown_;
   cuts_ = 0;
 }
 
 std::vector<double> PseudoTime::save() const {
-  return {size_, last_finite_, infinite_below_, last_rate_, is_steady_ ? 1.0 : 0.0};
+  return {size_, last_grown_, infinite_below_, last_rate_, is_steady_ ? 1.0 : 0.0};
 }
 
 void PseudoTime::restore(const std::vector<double>& numbers) {
   size_ = numbers.at(0);
-  last_finite_ = numbers.at(1);
+  last_grown_ = numbers.at(1);
   infinite_below_ = numbers.at(2);
   last_rate_ = numbers.at(3);
   is_steady_ = numbers.at(4) != 0.0;
@@ -54,8 +63,9 @@ params::Table steady_table() {
   params::Table table("steps in pseudo-time to a steady flow");
   table.integer("steps", 200, params::between(1, 1e9), "maximum number of steps")
       .number("tolerance", 1e-8, below_one, "1",
-              "the flow is steady if a step without time derivative changes the velocity by at "
-              "most this part of it (root mean square)")
+              "the flow is steady if a step without time derivative, or one of the largest size, "
+              "changes the velocity by at most this part of it (root mean square), and the "
+              "displacement of a wall")
       .number("velocity scale", 1e-3, params::positive(), "mm/ms",
               "smaller velocities are judged as if they were of this size")
       .number("load time", 0.0, params::between(0.0, 1e12), "ms",
@@ -66,10 +76,14 @@ params::Table steady_table() {
               "and at most so many times; in between it grows as the rate of change falls")
       .number("infinite below", 0.05, below_one, "1",
               "once a step changes the velocity by less than this part, the next has no time "
-              "derivative")
+              "derivative, or is the largest")
+      .number(
+          "largest step", 0.0, params::non_negative(), "ms",
+          "upper bound, which fluid and wall together need; 0: none. It should be long compared "
+          "with the time in which they settle")
       .number("newton increment", 0.01, below_one, "1",
               "relative increment at which Newton's method of a step stops, instead of that of the "
-              "fluid: the next step continues")
+              "fluid or of the coupling: the next step continues")
       .integer("cuts", 20, params::between(0, 50),
                "how often in a row a step that fails is cut to a quarter and repeated");
   return table;

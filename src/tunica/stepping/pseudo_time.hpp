@@ -10,16 +10,17 @@ namespace tunica::stepping {
 ///   Δtⁿ⁺¹ = Δtⁿ g,   g = rⁿ⁻¹/rⁿ between two bounds,   r = ‖xⁿ − xⁿ⁻¹‖/Δtⁿ
 ///
 /// r is what the time derivative leaves of the steady equations. Once a step changes x by little,
-/// the next ones are infinite: Newton's method for the steady equations, from a state nearby. Where
-/// such a step fails, finite ones go on. Source: [MK], switched evolution relaxation.
+/// the next ones are infinite, or as long as is permitted: Newton's method for the steady
+/// equations, from a state nearby. Where such a step fails, shorter ones go on. Source: [MK],
+/// switched evolution relaxation.
 class PseudoTime {
 public:
   /// From a resolved "Time" list of a steady flow.
   explicit PseudoTime(const Teuchos::ParameterList& time);
 
-  /// Size of the present step, finally infinite.
+  /// Size of the present step, finally the largest.
   double size() const { return size_; }
-  /// A step without time derivative has changed x by no more than is permitted.
+  /// A step of the largest size has changed x by no more than is permitted.
   bool is_steady() const { return is_steady_; }
 
   /// The present step has failed. False where it has been cut too often.
@@ -31,7 +32,8 @@ public:
   void restore(const std::vector<double>& numbers);
 
 private:
-  double size_, last_finite_;
+  double largest_;  ///< infinite where nothing forbids it
+  double size_, last_grown_;
   double smallest_growth_, largest_growth_;
   double infinite_below_;  ///< change over what is permitted of a steady state
   int most_cuts_;

@@ -252,7 +252,7 @@ params::Table time_table() {
               "time step; of adaptive or pseudo-time steps the first one")
       .variant("step control", "fixed",
                {{"fixed", fixed}, {"adaptive", adaptive_table()}, {"steady", steady_table()}},
-               "choice of the step size; steady: a fluid alone, in pseudo-time");
+               "choice of the step size; steady: a fluid, also with a wall, in pseudo-time");
   add_wall_limit(table);
   return table;
 }

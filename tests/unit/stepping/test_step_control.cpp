@@ -216,6 +216,28 @@ TEUCHOS_UNIT_TEST(pseudo_time, an_infinite_step_that_fails_makes_room_for_finite
   TEST_ASSERT(std::isinf(other.clock().step_size()));
 }
 
+TEUCHOS_UNIT_TEST(pseudo_time, steps_grow_up_to_the_largest_which_is_judged) {
+  Teuchos::ParameterList list = steady_list();
+  list.set("largest step", 40.0);
+  StepControl control = adaptive(list);
+  control.advance(1e4);
+  TEST_EQUALITY(control.clock().step_size(), 2.5);
+  control.advance(900.0);  // little
+  TEST_EQUALITY(control.clock().step_size(), 40.0);
+  TEST_ASSERT(control.cut());  // it was too early
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 20.0, 1e-14);
+  TEST_ASSERT(control.cut());
+  TEST_FLOATING_EQUALITY(control.clock().step_size(), 5.0, 1e-14);
+  control.advance(0.5);  // shorter steps say nothing
+  TEST_ASSERT(!control.is_steady());
+  TEST_EQUALITY(control.clock().step_size(), 40.0);
+  control.advance(1.5);
+  TEST_ASSERT(!control.is_steady());
+  TEST_EQUALITY(control.clock().step_size(), 40.0);
+  control.advance(0.9);
+  TEST_ASSERT(control.is_done() && control.is_steady());
+}
+
 TEUCHOS_UNIT_TEST(extrapolation, is_exact_for_polynomials_and_whole_for_equal_steps) {
   const stepping::StepSizes sizes{0.5, 0.2, 0.3};
   const double times[3] = {0.0, -0.2, -0.5};
