@@ -54,7 +54,7 @@ def main(programs, folder):
     within(verdict, tube, 1, {"": 0.035 if LONG else 0.04})
     within(verdict, ring, 2, {"": 0.025})
     if LONG:
-        within(verdict, beam, 1, {"u_y": 0.03, "": 0.005})
+        within(verdict, beam, 1, {"u_y": 0.03, "": 0.01})
     else:
         within(verdict, beam, 0.5, {"u_y": 0.15, "": 0.03})
     one, two = (abs(ring.errors(m)["mass ratio 1"]) for m in (1, 2))
