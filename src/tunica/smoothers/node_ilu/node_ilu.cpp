@@ -87,8 +87,9 @@ public:
     std::string message;
     if (singular >= 0)
       message = "NodalIluSmoother: the block of node " + std::to_string(blocks_.number(singular)) +
-                " cannot be inverted in the order of the nodes; systems without stabilisation need "
-                "another smoother.";
+                " of " + std::to_string(K_->getGlobalNumRows()) +
+                " unknowns cannot be inverted in the order of the nodes; systems without "
+                "stabilisation need another smoother.";
     // On all ranks if on one: the set-up is collective.
     throw_if_any<std::runtime_error>(*K_->getComm(), message);
   }
