@@ -103,7 +103,7 @@ def filled(points, triangles, algorithm):
         gmsh.option.setNumber("Mesh.Renumber", 0)  # so that numbers tell which vertex is which
         gmsh.option.setNumber("Mesh.Algorithm3D", algorithm)
         gmsh.option.setNumber("Mesh.Optimize", 1)
-        gmsh.option.setNumber("Mesh.OptimizeThreshold", 0.35)
+        gmsh.option.setNumber("Mesh.OptimizeThreshold", 0.5)
         try:
             gmsh.model.mesh.generate(3)
         except Exception:  # Gmsh says no more than that it failed

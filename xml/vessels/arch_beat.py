@@ -7,7 +7,7 @@ import subprocess
 import time
 
 from flat_elements import SCRIPTS, make
-from pages import ENVIRONMENT, commits_of, read_json, shrink, table_text, write_commit
+from pages import ENVIRONMENT, columns_of, commits_of, read_json, shrink, table_text, write_commit
 
 # name -> options of tunica-mesh lumen, options of tunica-vessel
 MESHES = {"coarse": (["--across", "4", "--layers", "1", "--first", "0.2"], ["--wall-elements", "2", "--step", "10"]),
@@ -75,12 +75,13 @@ def stages_table(wanted):
     rows = []
     for name in MESHES:
         folder = folder_of(wanted, name)
-        stages, beats = (read_json(os.path.join(folder, file)) for file in ("stages.json", "beats.json"))
+        stages, beats = read_json(os.path.join(folder, "stages.json"))["stages"], read_json(os.path.join(folder, "beats.json"))
         wall = read_json(os.path.join(folder, "wall.json"))
         lumen = read_json(os.path.join(wanted.output, "meshes", f"arch-raw-{name}-{TIMED}"))
-        minutes = [f"{(seconds or 0) / 60:.1f}" for seconds in [lumen] + [stages["stages"][stage]["seconds"] for stage in ("wall", "run", "report")]]
+        of_beats = sum(columns_of(os.path.join(folder, "results"))["seconds"])
+        seconds = [lumen, stages["wall"]["seconds"], of_beats, stages["report"]["seconds"]]
         change = beats["beats"][-1]["change"]
-        rows.append([name, f"{wall['mesh']['tetrahedra']:,}", str(len(beats["beats"])), f"{100 * change:.2g} %" if change else "–", *minutes])
+        rows.append([name, f"{wall['mesh']['tetrahedra']:,}", str(len(beats["beats"])), f"{100 * change:.2g} %" if change else "–", *[f"{s / 60:.1f}" for s in seconds]])
     return table_text(["mesh", "tetrahedra", "beats", "change of the last", "minutes: lumen", "wall", "beats", "report"], rows).splitlines()
 
 
@@ -103,7 +104,7 @@ def section(wanted):
     lines = ["## An aortic arch, from its surface to a beat", "",
              f"The surface of `meshes/make_vessel.py arch`, with the steps of its voxels, by `tunica-mesh lumen` and `tunica-vessel` for "
              f"120/80 mmHg and 5 l/min; the fine mesh starts from the beats of the coarse one. Steps of 10 and 5 ms, one rank; commit "
-             f"{commits}. `arch.xml` is the case on the coarse mesh.", "", *stages_table(wanted), "", "On the fine mesh:", ""]
+             f"{commits}. Minutes are of the clock; the machine may have had other work. `arch.xml` is the case on the coarse mesh.", "", *stages_table(wanted), "", "On the fine mesh:", ""]
     for part in sections_of(os.path.join(folder_of(wanted, "fine"), "results", "report", "summary.md")):
         lines += [part]
     return lines + draw(wanted)
