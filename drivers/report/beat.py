@@ -18,7 +18,7 @@ class Beat:
         self._kept = times >= self.start - 1e-6 * period
         self.times = times[self._kept]
         self.flows = {name: self.of(column) for name, column in _columns(steps).items()}
-        self.pressures = {name: _pressure(self, name) for name in self.flows}
+        self.pressures = {name: self.of(self.pressure_column(name)) for name in self.flows}
         mean = {name: self.mean(flow) for name, flow in self.flows.items()}
         self.inlet = max(mean, key=mean.get, default=None)
         self.outlets = [name for name in mean if name != self.inlet]
@@ -30,6 +30,11 @@ class Beat:
             return None
         values = np.array(values)
         return values if whole else values[self._kept]
+
+    def pressure_column(self, name):
+        """Of an opening: behind a Windkessel that which it gives, else the mean over the opening, which may be missing."""
+        given = f"pressure_{name}_kPa"
+        return f"mean_{given}" if self.of(given, whole=True) is None else given
 
     def is_whole(self):
         return self.times[-1] - self.times[0] > WHOLE * self.period - self.longest_step()
@@ -48,12 +53,6 @@ def _columns(steps):
     """Columns of flow by opening."""
     return {m.group(1): column for column in steps if (m := case_tables.FLOW.match(column))
             and all(isinstance(v, float) for v in steps[column])}
-
-
-def _pressure(beat, name):
-    """Behind a Windkessel that which it gives, else the mean over the opening."""
-    found = beat.of(f"pressure_{name}_kPa")
-    return beat.of(f"mean_pressure_{name}_kPa") if found is None else found
 
 
 def of_run(run, case, told):
@@ -87,7 +86,6 @@ def arrivals(beat):
     kept = times >= beat.start - 0.5 * beat.period
     found = {}
     for name in beat.openings():
-        values = beat.of(f"pressure_{name}_kPa", whole=True)
-        values = beat.of(f"mean_pressure_{name}_kPa", whole=True) if values is None else values
+        values = beat.of(beat.pressure_column(name), whole=True)
         found[name] = None if values is None or np.ptp(values[kept]) == 0 else foot(times[kept], values[kept], beat.start)
     return found

@@ -27,8 +27,7 @@ def pressures(beat, told):
         if beat.pressures[name] is None:
             continue
         axes.plot(beat.times - beat.start, mmhg(beat.pressures[name]), color=f"C{number}", label=name)
-        column = f"pressure_{name}_kPa" if f"pressure_{name}_kPa" in beat.steps else f"mean_pressure_{name}_kPa"
-        before = _before(beat, column)
+        before = _before(beat, beat.pressure_column(name))
         if before is not None:
             axes.plot(before[0], mmhg(before[1]), ":", color=f"C{number}", linewidth=1)
     for goal in told.get("goal", {}).values():

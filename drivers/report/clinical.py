@@ -43,11 +43,12 @@ class Clinic:
             yield Table("Beats", told["beats"]["note"], told["beats"]["heading"], told["beats"]["rows"])
         yield flow_tables.mass(beat)
         yield flow_tables.energy(beat, kinetic)
+        through = quality_tables.through_wall(run, self.parts) if self.parts else None
         if self.parts:
             yield quality_tables.openings(self.parts)
-            yield quality_tables.quality(run, beat, self.parts)
+            yield quality_tables.quality(run, beat, through)
         yield Table("Assumed", "", [], [*told.get("assumed", []), *assumptions.sentences(self.case, beat)])
-        yield Table("Doubtful", "", [], [*told.get("doubtful", []), *quality_tables.doubts(run, beat, self.parts)] or ["Nothing."])
+        yield Table("Doubtful", "", [], [*told.get("doubtful", []), *quality_tables.doubts(beat, self.parts, through)] or ["Nothing."])
 
     def _density(self):
         return float(assumptions.value(self.case, ["Fluid"], "density", 1.0))

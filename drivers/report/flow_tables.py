@@ -12,12 +12,12 @@ MICROJOULES = 1000.0  # kPa mm^3 = 1 microjoule; tables are in millijoules
 LISTED = ("proximal resistance", "distal resistance", "capacitance")
 
 
-def share(part):
-    return "–" if part is None or not np.isfinite(part) else f"{round(100 * part, 1) + 0.0:.1f} %"  # no minus before a zero
+def share(part, sign=""):
+    return "–" if part is None or not np.isfinite(part) else f"{round(100 * part, 1) + 0.0:{sign}.1f} %"  # no minus before a zero
 
 
 def signed(part):
-    return "–" if part is None or not np.isfinite(part) else f"{round(100 * part, 1) + 0.0:+.1f} %"
+    return share(part, "+")
 
 
 def pressures(beat, told):
@@ -177,9 +177,9 @@ def periodicity(beat, wss_change):
         return Table("Does the beat repeat itself?", "The run is not two beats long.", [], [])
     rows = []
     pulse, stroke = np.ptp(beat.pressures[beat.inlet]), beat.mean(beat.flows[beat.inlet])
-    for what, columns, size in (("pressure", ("pressure_{}_kPa", "mean_pressure_{}_kPa"), pulse), ("flow", ("inflow_{}_mm3_per_ms",), stroke)):
+    for what, column_of, size in (("pressure", beat.pressure_column, pulse), ("flow", "inflow_{}_mm3_per_ms".format, stroke)):
         for name in beat.openings():
-            values = next((v for c in columns if (v := beat.of(c.format(name), whole=True)) is not None), None)
+            values = beat.of(column_of(name), whole=True)
             if values is None:
                 continue
             now = beat.times[beat.times > beat.start + settled_at(beat.period, np.diff(beat.times))]

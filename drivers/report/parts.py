@@ -1,7 +1,7 @@
 """The branches of a vessel between its openings and forks, and what is measured over the lumen and along them."""
 import numpy as np
 
-from report.surfaces import Surface, VesselSurfaces, area_vectors, boundary, pieces, weighted_centre
+from report.surfaces import Surface, VesselSurfaces, area_vectors, boundary, edges_of, pieces, weighted_centre
 from vessel import branches as tree
 
 SMOOTHING = 20  # passes over a way along edges of the mesh
@@ -86,7 +86,7 @@ def way_lengths(points, tets, lumen, centres):
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import dijkstra
     from scipy.spatial import cKDTree
-    a, b = np.unique(np.sort(np.vstack([tets[:, [i, j]] for i in range(4) for j in range(i)]), axis=1), axis=0).T
+    a, b = edges_of(tets).T
     clearance = cKDTree(lumen.points).query(points)[0]
     step = np.linalg.norm(points[a] - points[b], axis=1)
     cost = step / (0.5 * (clearance[a] + clearance[b]) + 0.05 * clearance.max()) ** 2  # narrow ways are dear, as for blood

@@ -1,7 +1,7 @@
 """Tables about the mesh and the wall that a run had, from fields.h5."""
 import numpy as np
 
-from report.surfaces import numbers_by_place
+from report.surfaces import edges_of, numbers_by_place
 from report.tables import Table
 
 FEW_ACROSS, FEW_THROUGH = 10, 2  # elements across an opening, through the wall
@@ -25,7 +25,7 @@ def openings(parts):
 
 def layers_through(points, tets, inner, outer):
     """For each outer point the least number of edges from the inner ones."""
-    pairs = np.unique(np.sort(np.vstack([tets[:, [i, j]] for i in range(4) for j in range(i)]), axis=1), axis=0)
+    pairs = edges_of(tets)
     level = np.full(len(points), -1)
     level[inner] = 0
     for count in range(1, len(points)):
@@ -60,7 +60,7 @@ def through_wall(run, parts):
     return layers_through(points[first], same.reshape(-1)[tets], inner, outer), thickness
 
 
-def quality(run, beat, parts):
+def quality(run, beat, through):
     from lumen.quality import least_dihedral
     rows = []
     for grid in run.grids():
@@ -70,9 +70,8 @@ def quality(run, beat, parts):
                  [f"{grid}: least angle between faces; 1 % have less than", f"{angles.min():.1f}°; {np.quantile(angles, 0.01):.1f}°"]]
         ratio = min(float(_change(run, grid, group, points, tets).min()) for _, group in run.outputs[-20:])
         rows.append([f"{grid}: least volume of an element in the last outputs, of its first one", f"{ratio:.3f}"])
-    found = through_wall(run, parts)
-    if found:
-        count, thickness = found
+    if through:
+        count, thickness = through
         rows += [["elements through the wall, beside its ends: least, most", f"{count.min()}, {count.max()}"],
                  ["thickness of the wall: 1 %, median, 99 %", ", ".join(f"{t:.2f}" for t in np.quantile(thickness, (0.01, 0.5, 0.99))) + " mm"]]
     low, high = beat.of("min_det_F"), beat.of("max_det_F")
@@ -87,8 +86,8 @@ def _change(run, grid, group, points, tets):
     return size(points + run.displacement(group, grid)) / size(points)
 
 
-def doubts(run, beat, parts):
-    """What of these a reader should look at."""
+def doubts(beat, parts, through):
+    """What of these a reader should look at. through: what through_wall() has found."""
     found = []
     if not beat.is_whole():
         found.append(f"The run is shorter than one beat of {beat.period:g} ms: all that is said of a beat is of a part of it.")
@@ -97,7 +96,6 @@ def doubts(run, beat, parts):
     coarse = [name for name, end in parts.ends.items() if elements_across(end)[0] < FEW_ACROSS]
     if coarse:
         found.append(f"Fewer than {FEW_ACROSS} elements across {', '.join(coarse)}: do not rely on the wall shear stress there.")
-    through = through_wall(run, parts)
     if through and through[0].min() < FEW_THROUGH:
         found.append(f"The wall has {through[0].min()} element through it at places: its stress is that of a coarse mesh.")
     if not parts.ends:

@@ -13,6 +13,11 @@ def boundary(points, tets):
     return faces[chosen], chosen // 4
 
 
+def edges_of(tets):
+    """Each edge of tetrahedra once, its smaller point first."""
+    return np.unique(np.sort(np.vstack([tets[:, [i, j]] for i in range(4) for j in range(i)]), axis=1), axis=0)
+
+
 def numbers_by_place(*clouds):
     """For each cloud of points numbers that are equal where the points are."""
     everything = np.concatenate(clouds)
