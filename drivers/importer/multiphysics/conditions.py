@@ -1,8 +1,7 @@
 """Add_BC: conditions of surfaces, each as the entries of a list of Fluid / Surfaces or Wall / Surfaces, or None."""
-import difflib
 import os
 
-from ..raw import BadMesh
+from ..raw import BadMesh, hint
 from . import waves
 from .rcr_file import NAME, RcrFile
 
@@ -37,9 +36,8 @@ class Conditions:
     def face_of(self, node):
         name, faces = node.name(), self.meshes.faces
         if name not in faces:
-            near = difflib.get_close_matches(name, faces, 1)
-            hint = f'Did you mean "{near[0]}"?' if near else f"Faces are {', '.join(faces)}."
-            raise BadMesh(f'{node.file}: {node.place}: there is no face "{name}". {hint}')
+            there = f"Faces are {', '.join(faces)}."
+            raise BadMesh(f'{node.file}: {node.place}: there is no face "{name}". {hint(name, faces, there)}')
         return faces[name]
 
     # Fluid
