@@ -125,9 +125,9 @@ class Node:
         return value
 
     def path(self, tag):
-        """A file that this key names; paths begin at the folder of solver.xml."""
-        found = self.one(tag)
-        return found.as_path()
+        """The file that this key must name; paths begin at the folder of solver.xml."""
+        self.required(tag)
+        return self.one(tag).as_path()
 
     def as_path(self):
         path = os.path.normpath(os.path.join(os.path.dirname(self.file), self.text))
