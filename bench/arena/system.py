@@ -167,7 +167,7 @@ def write(system, folder):
     with open(folder / "known.json", "w", encoding="utf-8") as file:
         json.dump({"fields": list(system.fields), "components": system.components,
                    "is_by_node": system.is_by_node, "constants": list(system.constants),
-                   "is_symmetric": system.is_symmetric, "checksum": checksum(system)}, file, indent=1)
+                   "is_symmetric": system.is_symmetric}, file, indent=1)
 
 
 def read(folder):
