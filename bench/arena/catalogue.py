@@ -12,6 +12,9 @@ import solids  # noqa: E402
 from system import agree, checksum, write  # noqa: E402
 
 SIZES = ("small", "medium", "large")
+# Limits of a run, for each size.
+SECONDS = {"small": 20, "medium": 60, "large": 600}
+GIGABYTES = {"small": 4, "medium": 6, "large": 12}
 CHECKSUMS = os.path.join(HERE, "checksums.csv")
 
 # name: function, its argument for each size, origin.

@@ -32,12 +32,7 @@ def listed(file, name, **changes):
     root = xml.parse(os.path.join(PAPER, file)).getroot()
     found = next(node for node in root.find("ParameterList[@name='Solvers']").iter("ParameterList")
                  if node.get("name") == name)
-    element = copy.deepcopy(found)
-    element.set("name", "tried")
-    put(element, "max iterations", 500)
-    for path, value in changes.items():
-        put(element, path, value)
-    return element
+    return tried(copy.deepcopy(found), changes)
 
 
 def put(element, path, value):
@@ -55,7 +50,11 @@ def put(element, path, value):
 
 
 def made(**keys):
-    element = xml.Element("ParameterList", name="tried")
+    return tried(xml.Element("ParameterList"), keys)
+
+
+def tried(element, keys):
+    element.set("name", "tried")
     put(element, "max iterations", 500)
     for path, value in keys.items():
         put(element, path, value)

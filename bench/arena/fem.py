@@ -84,12 +84,6 @@ class Simplices:
         dphi = numpy.broadcast_to(self.gradients, (len(self.places),) + self.gradients.shape)
         return Space(self, self.cells, self.points, phi, dphi)
 
-    def constant(self):
-        m = len(self.cells)
-        middles = self.points[self.cells].mean(axis=1)
-        return Space(self, numpy.arange(m)[:, None], middles, numpy.ones((len(self.places), m, 1)),
-                     numpy.zeros((len(self.places), m, 1, self.d)))
-
     def quadratic(self):
         pairs = list(itertools.combinations(range(self.d + 1), 2))
         ends = numpy.sort(self.cells[:, pairs], axis=2)
@@ -203,7 +197,7 @@ class Space:
 
     def load(self, values):
         """values: (point, cell)"""
-        local = numpy.einsum("qm,qmi->mi", self.mesh.weights * values, self.phi)
+        local = numpy.einsum("qm,qmi->mi", self.weight(values), self.phi)
         return numpy.bincount(self.dofs.ravel(), local.ravel(), self.n)
 
 

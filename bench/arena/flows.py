@@ -148,10 +148,9 @@ def stokes_mac(shape):
                                   for i, n in enumerate(shape)][::-1], indexing="ij")[::-1]
         forces.append(h ** d * numpy.sin(numpy.pi * (axis + 1) * places[(axis + 1) % d].ravel())
                       * numpy.cos(2 * places[axis].ravel()))
-    system = saddle(sparse.block_diag(blocks, format="csr"), sparse.vstack(gradients).T.tocsr(), None,
-                    numpy.concatenate(forces), constants=("pressure",), is_symmetric=True,
-                    schur=h ** d * sparse.identity(int(numpy.prod(shape)), format="csr"))
-    return system
+    return saddle(sparse.block_diag(blocks, format="csr"), sparse.vstack(gradients).T.tocsr(), None,
+                  numpy.concatenate(forces), constants=("pressure",), is_symmetric=True,
+                  schur=h ** d * sparse.identity(int(numpy.prod(shape)), format="csr"))
 
 
 def stokes_mac_plane(n):

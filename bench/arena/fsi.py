@@ -8,7 +8,7 @@ import numpy
 import scipy.io
 import scipy.sparse as sparse
 
-from pages import ENVIRONMENT, PROGRAMS, ROOT, refine
+from pages import ENVIRONMENT, PROGRAMS, ROOT, command, refine
 from system import System
 
 # Meshes by size: a file of the tree, and how often it is refined.
@@ -35,9 +35,9 @@ def exported(size, field, scheme, folder):
     else:
         settings += ["Solvers/field=" + field, "Coupling/preconditioner=none", "Coupling/first factor=0.05"]
         settings += [f"{part}/Linear Solver/{word}" for part in ("Fluid", "Wall") for word in solver]
-    words = [os.path.join(PROGRAMS, "tunica-solvers"), os.path.join(ROOT, "xml", "pulse-tiny.xml"),
-             "--output", os.path.join(folder, "run"), "--export", os.path.join(folder, "systems")]
-    done = subprocess.run(words + [word for setting in settings for word in ("--set", setting)], env=ENVIRONMENT,
+    words = [os.path.join(ROOT, "xml", "pulse-tiny.xml"), "--output", os.path.join(folder, "run"),
+             "--export", os.path.join(folder, "systems")]
+    done = subprocess.run(command(os.path.join(PROGRAMS, "tunica-solvers"), words, settings), env=ENVIRONMENT,
                           capture_output=True, text=True, check=False)
     found = sorted(pathlib.Path(folder, "systems").glob(f"{field}-newton-*"))
     if not found:

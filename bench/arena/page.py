@@ -112,7 +112,7 @@ def star(row):
     return "*" if row["tolerance"] < 1e-8 else ""
 
 
-def table_of_systems(results):
+def table_of_systems():
     sums = catalogue.known_checksums()
     rows = []
     for name, (_, _, origin) in catalogue.CATALOGUE.items():
@@ -264,19 +264,19 @@ def draw_profiles(results, path):
 
 def write(rows, folder):
     """RESULTS.md and profiles.svg; returns the text."""
-    from run import GIGABYTES, SECONDS
     results = Results(rows)
     pairs = sum(len(catalogue.CATALOGUE) * len(CONTESTANTS) for _ in results.sizes())
     done = sum(len(results.of_system(size, system)) for size in results.sizes() for system in catalogue.CATALOGUE)
     commits = ", ".join(sorted({row["commit"] for row in rows}))
-    limits = "; ".join(f"{SECONDS[s]} processor seconds of a rank and {GIGABYTES[s]} GiB for {s} systems" for s in results.sizes())
+    limits = "; ".join(f"{catalogue.SECONDS[s]} processor seconds of a rank and {catalogue.GIGABYTES[s]} GiB for {s} systems"
+                       for s in results.sizes())
     draw_profiles(results, os.path.join(folder, "profiles.svg"))
     parts = [INTRODUCTION.format(commits=commits, processor=processor(), limits=limits, done=done, pairs=pairs),
              "![Performance profiles](profiles.svg)\n\n*Part of the systems that a contestant solves within a factor of the "
              "seconds of the best (Dolan and Moré 2002). Red: ours; blue: Trilinos; green: PETSc; orange: SciPy.*\n",
              table_of_contestants(results), *(table_of_default(results, size) for size in results.sizes()),
              table_of_losses(results), reasons(folder), table_of_growth(results), table_of_ranks(results),
-             *(table_of_all(results, size) for size in results.sizes()), table_of_failures(results), table_of_systems(results)]
+             *(table_of_all(results, size) for size in results.sizes()), table_of_failures(results), table_of_systems()]
     text = "\n".join(part for part in parts if part)
     with open(os.path.join(folder, "RESULTS.md"), "w", encoding="utf-8") as file:
         file.write(text)

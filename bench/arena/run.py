@@ -30,11 +30,10 @@ sys.path.insert(0, HERE)
 import catalogue  # noqa: E402
 import page  # noqa: E402
 import system as systems  # noqa: E402
+from catalogue import GIGABYTES, SECONDS  # noqa: E402
 from contestants import CONTESTANTS, case_of  # noqa: E402
-from pages import ENVIRONMENT, PROGRAMS, commit, results_of, rows_of  # noqa: E402
+from pages import ENVIRONMENT, PROGRAMS, command, commit, results_of, rows_of  # noqa: E402
 
-SECONDS = {"small": 20, "medium": 60, "large": 600}
-GIGABYTES = {"small": 4, "medium": 6, "large": 12}
 WALL_FACTOR = 40  # a machine may give us this part of a processor
 PYTHON = "/usr/bin/python3"
 # Debian's petsc4py is found by itself only beside petsc-dev.
@@ -45,19 +44,18 @@ KILLED = {signal.SIGXCPU: "time limit", signal.SIGKILL: "time limit", signal.SIG
 
 
 def command_of(contestant, folder, scratch, ranks, programs, tolerance):
-    prefix = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
     solution = os.path.join(scratch, "x.npy")
     if contestant.kind == "petsc":
-        return prefix + [PYTHON, os.path.join(HERE, "solve_petsc.py"), folder, solution, contestant.settings]
+        return command(PYTHON, [os.path.join(HERE, "solve_petsc.py"), folder, solution, contestant.settings], ranks=ranks)
     if contestant.kind == "scipy":
-        return [PYTHON, os.path.join(HERE, "solve_scipy.py"), folder, solution]
+        return command(PYTHON, [os.path.join(HERE, "solve_scipy.py"), folder, solution])
     words = [os.path.join(folder, "K.mtx"), os.path.join(folder, "b.mtx")]
     if contestant.settings is not None:
         words = [os.path.join(scratch, "case.xml")]
         with open(words[0], "w", encoding="utf-8") as file:
             file.write(case_of(contestant, folder))
-    return prefix + [os.path.join(programs, "tunica-solvers"), *words, "--output", os.path.join(scratch, "out"), "--overwrite",
-                     "--set", f"Solvers/tolerance={tolerance:g}"]
+    return command(os.path.join(programs, "tunica-solvers"), [*words, "--output", os.path.join(scratch, "out"), "--overwrite"],
+                   [f"Solvers/tolerance={tolerance:g}"], ranks)
 
 
 class Ended:

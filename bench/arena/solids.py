@@ -15,12 +15,12 @@ def load_on_side(space, side, direction):
     return f
 
 
-def mixed_elasticity(displacement, pressure, C, f, **known):
-    """2 mu eps(u) : eps(v) - p div v, -q div u - C, with mu = 1."""
-    A = fem.elasticity(displacement, 1.0)
+def mixed_elasticity(displacement, pressure, C, f, shear=1.0):
+    """2 mu eps(u) : eps(v) - p div v, -q div u - C, with mu = shear."""
+    A = fem.elasticity(displacement, shear)
     return saddle(A, fem.divergence(displacement, pressure), C, f, fields=("displacement", "pressure"),
                   components=displacement.mesh.d, is_symmetric=True, rigid=fem.rigid_motions(displacement.places),
-                  schur=pressure.mass() + (0 if C is None else C), **known)
+                  schur=pressure.mass(1 / shear) + (0 if C is None else C))
 
 
 def clamped(system, space, how="eliminated"):
@@ -49,11 +49,8 @@ def plate(n):
     mesh = box_mesh((2 * n, 2 * n, max(2, n // 4)), 2, [0.2, 0.2, 0.01])
     u, shear = mesh.linear(), 8e10
     thickness = 0.01 / max(2, n // 4)
-    A = fem.elasticity(u, shear)
     C = u.stiffness(thickness ** 2 / (4 * shear))
-    system = saddle(A, fem.divergence(u, u), C, 1e3 * load_on_side(u, "0+", 2), fields=("displacement", "pressure"),
-                    components=3, is_symmetric=True, rigid=fem.rigid_motions(u.places), schur=u.mass(1 / shear) + C)
-    return by_node(clamped(system, u, "rows"), u.n, "last")
+    return by_node(clamped(mixed_elasticity(u, u, C, 1e3 * load_on_side(u, "0+", 2), shear), u, "rows"), u.n, "last")
 
 
 def hat_values(nodes, s):
@@ -92,8 +89,7 @@ def contact(n):
     bottom = velocity_dofs(lower, fem.on_boundary(lower.places, ["1-"]))
     top = 2 * lower.n + velocity_dofs(upper, fem.on_boundary(upper.places, ["1+"]))
     values = numpy.concatenate([numpy.zeros(len(bottom) + len(top) // 2), numpy.full(len(top) // 2, -0.01)])
-    system = prescribe(system, numpy.concatenate([bottom, top]), values, "eliminated")
-    return system
+    return prescribe(system, numpy.concatenate([bottom, top]), values, "eliminated")
 
 
 def porous(n):

@@ -3,7 +3,6 @@
 Usage: [mpirun -n RANKS] solve_petsc.py FOLDER SOLUTION OPTIONS
 """
 import json
-import resource
 import sys
 import time
 
@@ -141,8 +140,7 @@ def main():
     ended = time.process_time()
     seconds = [sum_of(PETSc, number) for number in (prepared - started, ended - prepared)]
     found = {"setup": seconds[0], "solve": seconds[1], "iterations": iterations,
-             "message": "" if reason > 0 else f"KSPConvergedReason {reason}",
-             "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e3}
+             "message": "" if reason > 0 else f"KSPConvergedReason {reason}"}
     if held.rank == 0:
         back = numpy.empty(len(x))
         back[held.order] = x

@@ -52,48 +52,37 @@ def without_rounding(K, fields):
     return kept
 
 
-def saddle(A, B, C=None, f=None, g=None, **known):
-    """[A B'; B -C], the right-hand sides f and g, both in the order of the blocks."""
+def saddle(A, B, C=None, f=None, **known):
+    """[A B'; B -C] in the order of the blocks; f: the right-hand side of the first."""
     n, m = A.shape[0], B.shape[0]
     K = sparse.bmat([[A, B.T], [B, None if C is None else -C]], format="csr")
-    b = numpy.concatenate([numpy.zeros(n) if f is None else f, numpy.zeros(m) if g is None else g])
+    b = numpy.concatenate([numpy.zeros(n) if f is None else f, numpy.zeros(m)])
     fields = known.pop("fields", ("velocity", "pressure"))
     return System(K, b, {fields[0]: numpy.arange(n), fields[1]: numpy.arange(n, n + m)}, **known)
 
 
 def prescribe(system, unknowns, values, how="eliminated"):
-    """Unknowns with given values: "eliminated" from their columns, unit "rows" whose columns stay, a "penalty" of 1e20, or
-    "removed" with their rows and columns."""
-    K, b = system.K, system.b.copy()
+    """Unknowns with given values: "eliminated" from their columns, or unit "rows" whose columns stay."""
+    K, b = system.K, system.b
     is_given = numpy.zeros(system.n, bool)
     is_given[unknowns] = True
     x = numpy.zeros(system.n)
     x[unknowns] = values
     free = sparse.diags((~is_given).astype(float))
-    if how == "penalty":
-        K = K + sparse.diags(1e20 * is_given)
-        b[is_given] = 1e20 * x[is_given]
-    elif how == "rows":
-        K = free @ K + sparse.diags(is_given.astype(float))
-        b = numpy.where(is_given, x, b)
-    else:
+    if how == "eliminated":
         b = b - K @ x
-        K = free @ K @ free + sparse.diags(is_given.astype(float))
-        b = numpy.where(is_given, x, b)
-    changed = dataclasses.replace(system, K=K, b=b, is_symmetric=system.is_symmetric and how != "rows")
-    return changed if how != "removed" else reordered(changed, numpy.flatnonzero(~is_given))
+        K = K @ free
+    K = free @ K + sparse.diags(is_given.astype(float))
+    return dataclasses.replace(system, K=K, b=numpy.where(is_given, x, b), is_symmetric=system.is_symmetric and how != "rows")
 
 
 def reordered(system, order):
-    """Unknown k of the result is unknown order[k]; those that are not in order are left out."""
-    new = numpy.full(system.n, -1)
-    new[order] = numpy.arange(len(order))
-    names = list(system.fields)
+    """Unknown k of the result is unknown order[k]."""
+    new = numpy.empty(system.n, int)
+    new[order] = numpy.arange(system.n)
     fields, rigid, schur = {}, system.rigid, system.schur
-    for place, name in enumerate(names):
-        old = system.fields[name]
-        kept = numpy.flatnonzero(new[old] >= 0)
-        along = kept[numpy.argsort(new[old[kept]])]
+    for place, (name, old) in enumerate(system.fields.items()):
+        along = numpy.argsort(new[old])
         fields[name] = new[old[along]]
         if place == 0 and rigid is not None:
             rigid = rigid[along]
@@ -178,7 +167,7 @@ def write(system, folder):
     with open(folder / "known.json", "w", encoding="utf-8") as file:
         json.dump({"fields": list(system.fields), "components": system.components,
                    "is_by_node": system.is_by_node, "constants": list(system.constants),
-                   "is_symmetric": system.is_symmetric, "checksum": checksum(system)}, file, indent=1)
+                   "is_symmetric": system.is_symmetric}, file, indent=1)
 
 
 def read(folder):

@@ -1,9 +1,7 @@
 """Which of a file's cell arrays says to what region and surface an element belongs."""
-import difflib
-
 import numpy as np
 
-from .raw import BadMesh, Tags
+from .raw import BadMesh, Tags, hint
 
 # Tunica, SimVascular, VMTK, then what meshio calls the tags of other formats.
 OF_REGIONS = ("region", "ModelRegionID", "CellEntityIds", "gmsh:physical", "gmsh:geometrical", "medit:ref",
@@ -17,9 +15,8 @@ def chosen(path, arrays, wanted, known, option):
     if wanted is None:
         return next((name for name in known if name in arrays and is_number(arrays[name])), None)
     if wanted not in arrays:
-        near = difflib.get_close_matches(wanted, arrays, 1)
-        there = f'Did you mean "{near[0]}"?' if near else "It has " + (", ".join(sorted(arrays)) or "none") + "."
-        raise BadMesh(f'{path}: no cell array "{wanted}", as {option} asks for. {there}')
+        there = "It has " + (", ".join(sorted(arrays)) or "none") + "."
+        raise BadMesh(f'{path}: no cell array "{wanted}", as {option} asks for. {hint(wanted, arrays, there)}')
     if not is_number(arrays[wanted]):
         raise BadMesh(f'{path}: the cell array "{wanted}" of {option} does not hold one whole number per cell')
     return wanted

@@ -24,21 +24,20 @@ class Writer:
         self.lines, self.depth = [comment(text) for text in head], 0
         self.begin("Case")
 
+    def line(self, text, why=""):
+        self.lines.append("  " * self.depth + text + ("  " + comment(why) if why else ""))
+
     def begin(self, name, why=""):
-        self.lines.append("  " * self.depth + f'<ParameterList name="{escape(name, QUOTE)}">' + ("  " + comment(why) if why else ""))
+        self.line(f'<ParameterList name="{escape(name, QUOTE)}">', why)
         self.depth += 1
 
     def end(self):
         self.depth -= 1
-        self.lines.append("  " * self.depth + "</ParameterList>")
-
-    def say(self, text):
-        self.lines.append("  " * self.depth + comment(text))
+        self.line("</ParameterList>")
 
     def put(self, name, value, why=""):
         kind, text = typed(value)
-        self.lines.append("  " * self.depth + f'<Parameter name="{name}" type="{kind}" value="{escape(text, QUOTE)}"/>'
-                          + ("  " + comment(why) if why else ""))
+        self.line(f'<Parameter name="{name}" type="{kind}" value="{escape(text, QUOTE)}"/>', why)
 
     def put_all(self, entries):
         for name, value, *why in entries:

@@ -1,10 +1,9 @@
 """Names of regions and surfaces: those of a file of names, and one for each in the end."""
-import difflib
 import shlex
 
 import numpy as np
 
-from .raw import BadMesh
+from .raw import BadMesh, hint
 
 EXPECTED = 'expected "region OLD NEW" or "surface OLD NEW", where OLD is a name or a number'
 
@@ -49,9 +48,8 @@ def matching(path, tags, kind, old):
         return tags.names.index(old)
     if old.isdigit() and int(old) in tags.ids:
         return tags.ids.index(int(old))
-    near = difflib.get_close_matches(old, tags.names, 1)
-    hint = f'Did you mean "{near[0]}"?' if near else f"It has {', '.join(tags.names) or 'none'}."
-    raise BadMesh(f'{path}: the mesh has no {kind} "{old}". {hint}')
+    there = f"It has {', '.join(tags.names) or 'none'}."
+    raise BadMesh(f'{path}: the mesh has no {kind} "{old}". {hint(old, tags.names, there)}')
 
 
 def apply(wishes, path, tags, kind):

@@ -1,11 +1,18 @@
 """What a file says of a mesh, before it is put in order."""
 import dataclasses
+import difflib
 
 import numpy as np
 
 
 class BadMesh(Exception):
     """The input is not what was expected; one line that names the file."""
+
+
+def hint(word, words, otherwise):
+    """For a name that does not exist: the nearest that does, or that text."""
+    near = difflib.get_close_matches(word, words, 1)
+    return f'Did you mean "{near[0]}"?' if near else otherwise
 
 
 @dataclasses.dataclass

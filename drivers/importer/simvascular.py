@@ -23,6 +23,12 @@ def volume_file(folder):
     raise BadMesh(f"{folder}: no volume mesh, {EXPECTED}")
 
 
+def face_files(path):
+    """(name, file) of each face of the model, in the folder mesh-surfaces beside a file."""
+    files = sorted(glob.glob(os.path.join(os.path.dirname(path), "mesh-surfaces", "*.vtp")))
+    return [(os.path.splitext(os.path.basename(file))[0], file) for file in files]
+
+
 def node_numbers(dataset):
     """What SimVascular calls a point, in the volume and in the faces alike; None where the file does not say."""
     numbers = vtk_files.data_of(dataset.GetPointData()).get("GlobalNodeID")
@@ -79,12 +85,12 @@ def check_corners(path, triangles):
 def read(folder, region_array=None, surface_array=None):
     """The volume; a surface for each file of mesh-surfaces, with the file's name."""
     path = volume_file(folder)
-    files = sorted(glob.glob(os.path.join(os.path.dirname(path), "mesh-surfaces", "*.vtp")))
+    faces = face_files(path)
     if surface_array:
         raise BadMesh(f"{folder}: --surface-array does not fit a SimVascular folder, whose files name the surfaces")
-    if not files:
+    if not faces:
         raise BadMesh(f"{os.path.dirname(path)}: no mesh-surfaces/*.vtp, {EXPECTED}")
-    raw = read_files(path, [(os.path.splitext(os.path.basename(file))[0], file) for file in files], region_array)
+    raw = read_files(path, faces, region_array)
     raw.path = folder
     return raw
 

@@ -62,7 +62,8 @@ def by_shape(surface):
     points, triangles = surface.points, surface.triangles
     edges, found = Edges(triangles), []
     normal, area = unit(base.doubled_normals(points, triangles)), base.areas(points, triangles)
-    tree = cKDTree(points[triangles].mean(axis=1))
+    middle = points[triangles].mean(axis=1)
+    tree = cKDTree(middle)
     is_taken = np.zeros(len(triangles), dtype=bool)
     for size, chosen in flat_regions(points, triangles, edges, normal, area):
         if is_taken[chosen].any() or not is_disc(surface, edges, chosen, FLAT):
@@ -71,7 +72,7 @@ def by_shape(surface):
         if outward > RADIAL:
             is_taken[chosen] = True
             found.append((outward, chosen))
-    return without_plateaus(points[triangles].mean(axis=1), normal, area, found)
+    return without_plateaus(middle, normal, area, found)
 
 
 def without_plateaus(middle, normal, area, found):

@@ -1,5 +1,4 @@
 """Names of the numbered faces of a surface, from files of SimVascular beside it."""
-import glob
 import os
 import re
 from xml.etree import ElementTree
@@ -7,6 +6,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from importer.raw import BadMesh
+from importer.simvascular import face_files
 from importer.vtk_files import data_of, read_surface
 
 ENDINGS = (".mdl", ".facenames")
@@ -56,10 +56,10 @@ def beside(path):
         if found:
             return found
     found = {}
-    for file in sorted(glob.glob(os.path.join(os.path.dirname(path), "mesh-surfaces", "*.vtp"))):
+    for name, file in face_files(path):
         numbers = face_numbers(file)
         if len(numbers) == 1:
-            found[int(numbers[0])] = os.path.splitext(os.path.basename(file))[0]
+            found[int(numbers[0])] = name
     return found
 
 

@@ -1,5 +1,4 @@
 """tunica-import on cases of svMultiPhysics: test_multiphysics.py PROGRAM FOLDER_OF_PROGRAMS SCRATCH"""
-import csv
 import json
 import os
 import sys
@@ -10,6 +9,7 @@ import numpy as np
 import cases
 import multiphysics_case as made
 from cases import PROGRAM, PROGRAMS, SCRATCH, ImportTest, run, tunica
+from pages import rows_of
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(PROGRAM)))  # as the program does
 from importer.multiphysics import case, waves  # noqa: E402
@@ -113,8 +113,7 @@ class Whole(Multiphysics):
         """The flow through the inlet is the series with as many coefficients as inlet.flow asks for, by quadrature here."""
         done = tunica("tunica-fsi", self.path("out", "case.xml"), "--output", self.path("run"))
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        with open(self.path("run", "steps.csv"), encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
+        rows = rows_of(self.path("run", "steps.csv"))
         self.assertEqual(len(rows), 3)
         t, q = np.array(made.FLOW).T
         fine = (np.arange(800000) + 0.5) * 1e-6
@@ -178,8 +177,7 @@ class Whole(Multiphysics):
             done = tunica(program, self.path(kind, "case.xml"), "--steps", 1, "--output", self.path(kind, "run"))
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertEqual(parameters(made_alone.text)["/Wall/Surfaces/wall_inner/pressure"], 1.0)
-        with open(self.path("fluid", "run", "steps.csv"), encoding="utf-8") as file:
-            row = list(csv.DictReader(file))[-1]
+        row = rows_of(self.path("fluid", "run", "steps.csv"))[-1]
         self.assertAlmostEqual(float(row["inflow_lumen_outlet_mm3_per_ms"]), -0.5, places=6)
         self.assertAlmostEqual(float(row["pressure_lumen_outlet_kPa"]), 0.075, places=6)
 

@@ -7,7 +7,7 @@ import shutil
 import sys
 import tempfile
 
-from installation import CMAKE, SOURCE, Run, Verdict, install_and_move, mentions, must
+from installation import SOURCE, Run, Verdict, build_against, install_and_move, mentions
 from pages import ENVIRONMENT
 from runs import command
 
@@ -17,8 +17,7 @@ def lines_with(text, word):
 
 
 def run_the_c_program(verdict, prefix, example, scratch):
-    must([CMAKE, "-S", example, "-B", scratch / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}"], scratch)
-    must([CMAKE, "--build", scratch / "build"], scratch)
+    build_against(prefix, example, scratch / "build", scratch)
     for cells, ranks in ((40, 1), (40, 2), (16, 2)):
         run = Run(command(scratch / "build" / "stokes", [str(cells)], ranks), scratch)
         print(run.out + run.err)

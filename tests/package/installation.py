@@ -25,10 +25,16 @@ def install_and_move(component, scratch):
     return moved
 
 
+def build_against(prefix, source, build, scratch, *options):
+    """A program of its own, which finds Tunica in the prefix."""
+    must([CMAKE, "-S", source, "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}", *options], scratch)
+    must([CMAKE, "--build", build], scratch)
+
+
 def mentions(folder, text):
     """Files of a folder that name what they must not."""
     return [str(path.relative_to(folder)) for path in sorted(folder.rglob("*"))
             if path.is_file() and not path.is_symlink() and text.encode() in path.read_bytes()]
 
 
-__all__ = ["BUILD", "CMAKE", "Run", "SOURCE", "Verdict", "install_and_move", "mentions", "must"]
+__all__ = ["BUILD", "CMAKE", "Run", "SOURCE", "Verdict", "build_against", "install_and_move", "mentions", "must"]

@@ -8,7 +8,7 @@ import shutil
 import sys
 import tempfile
 
-from installation import CMAKE, SOURCE, Run, Verdict, install_and_move, mentions, must
+from installation import CMAKE, SOURCE, Run, Verdict, build_against, install_and_move, mentions, must
 from runs import command
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -25,8 +25,7 @@ set(Trilinos_FOUND TRUE)
 def solve_the_example(verdict, prefix, scratch):
     example, build = scratch / "example", scratch / "build"
     shutil.copytree(SOURCE / "examples" / "smoothers", example)
-    must([CMAKE, "-S", example, "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}"], scratch)
-    must([CMAKE, "--build", build], scratch)
+    build_against(prefix, example, build, scratch)
     rules = (build / "build.ninja").read_text()
     verdict.claim(f"-I{SOURCE}" not in rules and str(SOURCE / "build") not in rules,
                   "nothing of the source tree is compiled or linked")
@@ -51,9 +50,7 @@ def use_the_smoothers_alone(verdict, scratch):
     scratch.mkdir()
     prefix = install_and_move("smoothers", scratch)
     build = scratch / "build"
-    must([CMAKE, "-S", HERE / "smoothers_alone", "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
-          f"-DCMAKE_CXX_FLAGS=-I{SOURCE / 'examples' / 'smoothers'}"], scratch)
-    must([CMAKE, "--build", build], scratch)
+    build_against(prefix, HERE / "smoothers_alone", build, scratch, f"-DCMAKE_CXX_FLAGS=-I{SOURCE / 'examples' / 'smoothers'}")
     needed = must(["readelf", "--dynamic", build / "alone"], scratch).lower()
     libraries = [line.split("[")[1].rstrip("]") for line in needed.splitlines() if "(needed)" in line]
     beyond = [name for name in libraries for part in ("muelu", "hdf5", "metis", "nox", "teko", "zoltan")

@@ -7,7 +7,7 @@ import shutil
 import sys
 import tempfile
 
-from installation import CMAKE, SOURCE, Run, Verdict, install_and_move, must
+from installation import SOURCE, Run, Verdict, build_against, install_and_move
 from runs import command
 
 
@@ -15,8 +15,7 @@ def run_the_example(verdict, prefix, mesh, scratch):
     """examples/fsi knows nothing of the source tree: a law and a load of its own, and a probe."""
     folder = scratch / "fsi"
     shutil.copytree(SOURCE / "examples" / "fsi", folder)
-    must([CMAKE, "-S", folder, "-B", folder / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}"], scratch)
-    must([CMAKE, "--build", folder / "build"], scratch)
+    build_against(prefix, folder, folder / "build", scratch)
     program, case, mesh_key = folder / "build" / "fsi", folder / "case.xml", f"Mesh/file={mesh}"
     run = Run(command(program, [case, scratch / "squeezed", mesh_key], 2), scratch)
     moved = [float(line.split(":")[1].split()[0]) for line in run.out.splitlines()]

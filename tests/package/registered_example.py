@@ -7,7 +7,7 @@ import shutil
 import sys
 import tempfile
 
-from installation import CMAKE, SOURCE, Run, Verdict, install_and_move, must
+from installation import SOURCE, Run, Verdict, build_against, install_and_move
 from runs import command
 
 
@@ -18,8 +18,7 @@ def main():
         prefix = install_and_move("multigrid", scratch)
         shutil.copytree(SOURCE / "examples", scratch / "examples")
         example, build = scratch / "examples" / "registered", scratch / "build"
-        must([CMAKE, "-S", example, "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}"], scratch)
-        must([CMAKE, "--build", build], scratch)
+        build_against(prefix, example, build, scratch)
         for ranks in (1, 2):
             run = Run(command(build / "registered", ["stratimikos.xml"], ranks), example)
             print(run.out + run.err)

@@ -4,12 +4,11 @@ without any list. The arena's judge rejects what is not solved, and a run that i
 Usage: arena.py FOLDER_OF_PROGRAMS SCRATCH
 """
 import pathlib
-import subprocess
 import sys
 
 import numpy
 
-from runs import ENVIRONMENT, ROOT, Run, Verdict, command, fresh, two_at_a_time
+from runs import ROOT, Run, Verdict, command, fresh, two_at_a_time
 
 ARENA = ROOT / "bench" / "arena"
 sys.path.insert(0, str(ARENA))
@@ -62,16 +61,15 @@ def check_default(verdict, programs, folders):
 def check_run(verdict, programs, scratch):
     """A line that a kill has cut is made again, and only that."""
     output = scratch / "arena"
-    words = [ARENA / "run.py", "--sizes", "small", "--on", "stokes-mac-2d,darcy-2d", "--only", "SciPy SuperLU,default",
-             "--programs", programs, "--output", output]
-    first = subprocess.run([str(word) for word in words], env=ENVIRONMENT, capture_output=True, text=True, check=False)
+    words = command(ARENA / "run.py", ["--sizes", "small", "--on", "stokes-mac-2d,darcy-2d", "--only", "SciPy SuperLU,default",
+                                       "--programs", programs, "--output", output])
+    first = Run(words, scratch)
     rows = page.read_results(output / "results.jsonl")
-    verdict.claim(first.returncode == 0 and len(rows) == 4 and all(row["is_solved"] for row in rows),
-                  f"a run of four pairs: {first.stdout[:300]} {first.stderr}")
+    verdict.claim(first.status == 0 and len(rows) == 4 and all(row["is_solved"] for row in rows),
+                  f"a run of four pairs: {first.out[:300]} {first.err}")
     text = (output / "results.jsonl").read_text()
     (output / "results.jsonl").write_text(text[:-20])
-    again = subprocess.run([str(word) for word in words], env=ENVIRONMENT, capture_output=True, text=True, check=False)
-    made = [line for line in again.stdout.splitlines() if line.startswith("small 1 ")]
+    made = [line for line in Run(words, scratch).out.splitlines() if line.startswith("small 1 ")]
     verdict.claim(len(made) == 1 and len(page.read_results(output / "results.jsonl")) == 4, f"one pair is made again: {made}")
     text = (output / "RESULTS.md").read_text()
     verdict.claim("| stokes-mac-2d |" in text and (output / "profiles.svg").stat().st_size > 1000, "there is a page with a picture")

@@ -200,10 +200,10 @@ def frame_of_fibres(raw):
     first, second = raw.vectors.pop("fibre 1"), raw.vectors.pop("fibre 2")
     second = np.where((first * second).sum(axis=1)[:, None] < 0.0, -second, second)
     along = first + second
-    length = np.linalg.norm(along, axis=1)
     across = first - second
+    length, width = np.linalg.norm(along, axis=1), np.linalg.norm(across, axis=1)
     any_other = np.eye(3)[np.abs(along).argmin(axis=1)]
-    parallel = np.linalg.norm(across, axis=1) < 1e-6 * np.maximum(length, 1e-300)
+    parallel = width < 1e-6 * np.maximum(length, 1e-300)
     across = np.where(parallel[:, None], np.cross(along, any_other), across)
     raw.vectors |= {"axial": across, "radial": np.cross(along, across)}
-    return np.degrees(np.arctan2(np.where(parallel, 0.0, np.linalg.norm(first - second, axis=1)), length))
+    return np.degrees(np.arctan2(np.where(parallel, 0.0, width), length))

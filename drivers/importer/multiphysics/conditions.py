@@ -1,8 +1,7 @@
 """Add_BC: conditions of surfaces, each as the entries of a list of Fluid / Surfaces or Wall / Surfaces, or None."""
-import difflib
 import os
 
-from ..raw import BadMesh
+from ..raw import BadMesh, hint
 from . import waves
 from .rcr_file import NAME, RcrFile
 
@@ -31,15 +30,14 @@ class Conditions:
                 continue
             entries = self.of_fluid(node, face) if face.field == "fluid" else self.of_wall(node, face)
             if entries:
-                found[face.field][face.name] = entries
+                found[face.field][node.name()] = entries
         return found
 
     def face_of(self, node):
         name, faces = node.name(), self.meshes.faces
         if name not in faces:
-            near = difflib.get_close_matches(name, faces, 1)
-            hint = f'Did you mean "{near[0]}"?' if near else f"Faces are {', '.join(faces)}."
-            raise BadMesh(f'{node.file}: {node.place}: there is no face "{name}". {hint}')
+            there = f"Faces are {', '.join(faces)}."
+            raise BadMesh(f'{node.file}: {node.place}: there is no face "{name}". {hint(name, faces, there)}')
         return faces[name]
 
     # Fluid
@@ -77,12 +75,11 @@ class Conditions:
         return self.along_normal(node, face, factor * self.units.velocity, profile, along) + amplitude
 
     def along_normal(self, node, face, speed, profile, along):
-        vector = [speed * (axis in along) for axis in AXES] if along else [speed * part for part in face.normal]
         if along and len(along) < 3:
             self.notes.of_key(node, "Effective_direction", "the other components are free", "they are zero")
         if not along and not face.is_flat:
             self.notes.add(node.place, "a velocity along the normals of a curved surface", "along their mean")
-        return [("condition", "velocity"), ("velocity", vector, "mm/ms, along the mean normal, which points outward"),
+        return [("condition", "velocity"), ("velocity", self.vector(speed, face, along), "mm/ms, along the mean normal, which points outward"),
                 ("profile", "uniform" if profile == "flat" else profile)]
 
     def profile(self, node):
@@ -178,8 +175,7 @@ class Conditions:
             return [("condition", "held"), ("components", along)] if along else [("condition", "clamped")]
         if not is_displacement:
             return self.give_up(node, "a velocity of the wall", "the surface is free; moved takes a displacement")
-        length = factor * self.units.length
-        vector = [length * (axis in along) for axis in AXES] if along else [length * part for part in face.normal]
+        vector = self.vector(factor * self.units.length, face, along)
         return [("condition", "moved"), ("components", along or list(AXES)), ("displacement", vector, "mm")] + amplitude
 
     def support(self, node, factor, amplitude):
@@ -195,6 +191,10 @@ class Conditions:
     def components(self, node):
         """Axes that Effective_direction names; none where it names no axis."""
         return [axis for axis, part in zip(AXES, node.vector("Effective_direction") or (0.0,) * 3) if part != 0.0]
+
+    def vector(self, size, face, along):
+        """Of this size along the axes, or along the face's normal where there are none."""
+        return [size * (axis in along) for axis in AXES] if along else [size * part for part in face.normal]
 
     def load(self, node):
         """(factor, entries of the amplitude): a value, or 1 and a curve in their units; None where it varies in space."""

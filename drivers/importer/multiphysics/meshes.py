@@ -7,6 +7,7 @@ import numpy as np
 from .. import join, names, order, simvascular, vtk_files
 from ..faces import normals
 from ..raw import BadMesh, Raw, Tags, check_arrays
+from ..summary import sums
 
 FLAT = 0.999  # length of the mean normal of a plane face
 
@@ -14,7 +15,6 @@ FLAT = 0.999  # length of the mean normal of a plane face
 @dataclasses.dataclass
 class Face:
     """What a condition needs of a surface."""
-    name: str      # in the mesh that is written
     field: str     # fluid or wall
     normal: list   # mean, out of its field
     is_flat: bool
@@ -26,29 +26,29 @@ class Meshes:
     outer: object        # Faces
     fluid_names: list
     domains: dict        # name of the region -> number of the domain
-    faces: dict          # name in solver.xml -> Face, or None on the interface
+    faces: dict          # name, in solver.xml and in the mesh -> Face, or None on the interface
 
 
 def read(root, equation, units, notes, tolerance):
     """equation: that of the problem, which says what each domain is."""
     nodes = root.all("Add_mesh")
     parts = [read_one(node, equation, units, notes) for node in nodes]
-    fields = [field for _, field in parts]
-    refuse_others(root, nodes, fields)
-    for raw, _ in parts:
+    refuse_others(root, nodes, [field for _, field in parts])
+    parts.sort(key=lambda part: part[1])  # the fluid first
+    domains, own = {}, {}
+    for raw, field in parts:
         order.settle(raw)
+        numbers, own[field] = list(raw.region.ids), list(raw.surface.names)
+        join.name_regions(raw, field)
+        domains.update(zip(raw.region.names, numbers))
     if len(parts) == 2:
-        fluid, wall = (parts[fields.index(field)][0] for field in ("fluid", "wall"))
-        own = {"fluid": list(fluid.surface.names), "wall": list(wall.surface.names)}
-        numbers = {field: list(raw.region.ids) for field, raw in (("fluid", fluid), ("wall", wall))}
-        raw, fluid_names = join.join(fluid, wall, tolerance)
+        raw, fluid_names = join.join(parts[0][0], parts[1][0], tolerance)
     else:
-        raw, field = parts[0]
-        own, numbers = {field: list(raw.surface.names)}, {field: list(raw.region.ids)}
-        raw, fluid_names = alone(raw, field)
+        names.settle(raw.region, "region")
+        fluid_names = list(raw.region.names) if field == "fluid" else []
     outer = order.finish(raw, fluid_names, None)
     names.settle(raw.surface, "surface")
-    return Meshes(raw, outer, fluid_names, domains_of(raw, numbers), faces_of(raw, outer, own))
+    return Meshes(raw, outer, fluid_names, domains, faces_of(raw, outer, own))
 
 
 def refuse_others(root, nodes, fields):
@@ -67,13 +67,11 @@ def refuse_others(root, nodes, fields):
 
 def read_one(node, equation, units, notes):
     """(mesh in mm, its field)"""
-    faces = [(face.name(), face.path("Face_file_path")) for face in node.all("Add_face") if face.required("Face_file_path")]
-    node.required("Mesh_file_path")
+    faces = [(face.name(), face.path("Face_file_path")) for face in node.all("Add_face")]
     raw = simvascular.read_files(node.path("Mesh_file_path"), faces, None)
     check_arrays(raw)
     raw.points = raw.points * (units.length * node.number("Mesh_scale_factor", 1.0))
     raw.region = Tags.of_numbers(domain_numbers(node, raw))
-    raw.region.names = [None] * len(raw.region.ids)
     fields = {equation.field_of(number, node) for number in raw.region.ids}
     if len(fields) > 1:
         raise BadMesh(f"{node.file}: {node.place}: holds domains of the fluid and of the wall, expected a mesh for each")
@@ -122,34 +120,16 @@ def fibres(node, raw):
     return [values / np.linalg.norm(values, axis=1)[:, None] for values in vectors[:2]] if len(vectors) >= 2 else []
 
 
-def alone(raw, field):
-    join.name_regions(raw, field)
-    names.settle(raw.region, "region")
-    names.settle(raw.surface, "surface")
-    return raw, list(raw.region.names) if field == "fluid" else []
-
-
-def domains_of(raw, numbers):
-    """join.name_regions() gives one region its field's name, and several the number behind it."""
-    found = {}
-    for field, ids in numbers.items():
-        for number in ids:
-            found[field if len(ids) == 1 else f"{field}-{number}"] = number
-    return {name: found[name] for name in raw.region.names}
-
-
 def faces_of(raw, outer, own):
-    """Where both meshes have a name, join() puts the field before it; what is on the interface is gone."""
+    """What is on the interface is gone. own: field -> names, of which none is another's, as refuse_others() sees to."""
     vectors = outward(raw, outer)
     found = {}
     for field, given in own.items():
-        twice = {name for other, others in own.items() if other != field for name in others}
         for name in given:
-            new = f"{field}_{name}" if name in twice else name
-            if new in raw.surface.names:
-                mean = vectors[raw.surface.names.index(new)]
+            if name in raw.surface.names:
+                mean = vectors[raw.surface.names.index(name)]
                 length = float(np.linalg.norm(mean))  # zero of a surface that closes upon itself, like a wall's outer side
-                found[name] = Face(new, field, (mean / max(length, np.finfo(float).tiny)).tolist(), length > FLAT)
+                found[name] = Face(field, (mean / max(length, np.finfo(float).tiny)).tolist(), length > FLAT)
             else:
                 found[name] = None
     return found
@@ -159,7 +139,5 @@ def outward(raw, outer):
     """Mean normal of each surface, its length 1 where it is plane."""
     corners = outer.outward[outer.find(raw.triangles)]
     vector = normals(raw.points, corners)
-    total = np.stack([np.bincount(raw.surface.of, weights=vector[:, k], minlength=len(raw.surface.names))
-                      for k in range(3)], axis=1)
-    area = np.bincount(raw.surface.of, weights=np.linalg.norm(vector, axis=1), minlength=len(raw.surface.names))
-    return total / area[:, None]
+    *total, area = (sums(raw.surface.of, values, len(raw.surface.names)) for values in (*vector.T, np.linalg.norm(vector, axis=1)))
+    return np.stack(total, axis=1) / area[:, None]

@@ -17,8 +17,7 @@ class Network:
         self.pressure = 1.0 / node.number("Pressure_conversion_factor", 1.0)
         self.flow = 1.0 / node.number("Flowrate_conversion_factor", 1.0)
         self.initial = node.number("Initial_pressures", 0.0)
-        if node.required("Configuration_file"):
-            self.file = node.path("Configuration_file")
+        self.file = node.path("Configuration_file")
         try:
             with open(self.file, encoding="utf-8") as file:
                 content = json.load(file)

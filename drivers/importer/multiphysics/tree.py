@@ -4,7 +4,7 @@ import os
 import re
 from xml.etree import ElementTree
 
-from ..raw import BadMesh
+from ..raw import BadMesh, hint
 from . import keys
 
 ROOTS = ("svMultiPhysicsFile", "svFSIFile")
@@ -125,9 +125,9 @@ class Node:
         return value
 
     def path(self, tag):
-        """A file that this key names; paths begin at the folder of solver.xml."""
-        found = self.one(tag)
-        return found.as_path()
+        """The file that this key must name; paths begin at the folder of solver.xml."""
+        self.required(tag)
+        return self.one(tag).as_path()
 
     def as_path(self):
         path = os.path.normpath(os.path.join(os.path.dirname(self.file), self.text))
@@ -135,9 +135,8 @@ class Node:
             return path
         folder = os.path.dirname(path)
         there = os.listdir(folder) if os.path.isdir(folder) else []
-        near = difflib.get_close_matches(os.path.basename(path), there, 1)
-        hint = f'Did you mean "{near[0]}"?' if near else "Paths begin at the folder of this file."
-        raise BadMesh(f'{self.file}: {self.place} is "{self.text}", and there is no file {path}. {hint}')
+        near = hint(os.path.basename(path), there, "Paths begin at the folder of this file.")
+        raise BadMesh(f'{self.file}: {self.place} is "{self.text}", and there is no file {path}. {near}')
 
     def skip(self, *tags):
         """What need not be read, since it is told together; all of it without names."""
@@ -162,8 +161,8 @@ def meant(file, place, text, names):
     if text.lower() in by_small:
         return names[by_small[text.lower()]]
     near = difflib.get_close_matches(text.lower(), by_small, 1)
-    hint = f'Did you mean "{by_small[near[0]]}"?' if near else "Expected one of " + ", ".join(names) + "."
-    raise BadMesh(f'{file}: {place} is "{text}", which has no meaning there. {hint}')
+    nearest = f'Did you mean "{by_small[near[0]]}"?' if near else "Expected one of " + ", ".join(names) + "."
+    raise BadMesh(f'{file}: {place} is "{text}", which has no meaning there. {nearest}')
 
 
 def children_of(element, file):
