@@ -35,4 +35,7 @@ private:
   std::vector<Teuchos::RCP<Vector>> blocks_;
 };
 
+/// |x| over all blocks. Collective.
+double norm(const BlockVector& x);
+
 }  // namespace tunica::algebra

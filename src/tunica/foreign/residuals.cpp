@@ -6,6 +6,7 @@
 #include "tunica/algebra/merged_matrix.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "tunica/systems/entry_sums.hpp"
+#include "tunica/systems/right_side.hpp"
 
 namespace tunica::foreign {
 
@@ -72,17 +73,6 @@ Residuals compared(const algebra::BlockVector& r, const algebra::BlockVector& su
   return result;
 }
 
-/// x ← R x in the rows of free unknowns, 0 in the others.
-void take_to_rows(const systems::System& system, algebra::BlockVector& x) {
-  for (int i = 0; i < x.n_blocks(); ++i) {
-    const auto known_in = system.known_in[i].getLocalViewHost(read_only);
-    const auto factor = system.row_scale[i].getLocalViewHost(read_only);
-    const auto values = x[i].getLocalViewHost(read_write);
-    for (std::size_t k = 0; k < values.extent(0); ++k)
-      values(k, 0) = known_in(k, 0) == 0.0 ? factor(k, 0) * values(k, 0) : 0.0;
-  }
-}
-
 }  // namespace
 
 Residuals residuals_of(const algebra::BlockMatrix& K, const algebra::BlockVector& b,
@@ -102,32 +92,19 @@ Judge judge_of(const algebra::BlockMatrix& K, const algebra::BlockVector& b) {
 
 Judge judge_of(const systems::System& system) {
   return [&](const algebra::BlockVector& y, algebra::BlockVector& r) {
-    algebra::BlockVector x = system.K.zero(), sums = system.K.zero();
+    algebra::BlockVector x = system.K.zero();
     for (int i = 0; i < y.n_blocks(); ++i)
       x[i].elementWiseMultiply(1.0, system.scale[i], y[i], 0.0);
     // r = R (b' − K C y)
     system.given.apply(x, r);
-    take_to_rows(system, r);
+    systems::take_to_rows(system, r);
     for (int i = 0; i < y.n_blocks(); ++i) r[i].update(1.0, system.b[i], -1.0);
     // R (|K||x| + |b|)
     for (int i = 0; i < y.n_blocks(); ++i) x[i].update(1.0, system.known[i], 1.0);
-    for (int i = 0; i < y.n_blocks(); ++i)
-      for (int j = 0; j < y.n_blocks(); ++j)
-        systems::add_magnitudes(*system.given(i, j), x[j], sums[i]);
-    for (int i = 0; i < y.n_blocks(); ++i) {
-      Vector size(system.given_b[i].getMap());
-      size.abs(system.given_b[i]);
-      sums[i].update(1.0, size, 1.0);
-    }
-    take_to_rows(system, sums);
+    algebra::BlockVector sums = magnitudes(system.given, system.given_b, x);
+    systems::take_to_rows(system, sums);
     return compared(r, sums, system.b);
   };
-}
-
-double norm(const algebra::BlockVector& x) {
-  double sum = 0.0;
-  for (int i = 0; i < x.n_blocks(); ++i) sum += x[i].norm2() * x[i].norm2();
-  return std::sqrt(sum);
 }
 
 }  // namespace tunica::foreign

@@ -41,7 +41,4 @@ Judge judge_of(const algebra::BlockMatrix& K, const algebra::BlockVector& b);
 /// K regular. The system must outlive it.
 Judge judge_of(const systems::System& system);
 
-/// |x| over all blocks. Collective.
-double norm(const algebra::BlockVector& x);
-
 }  // namespace tunica::foreign

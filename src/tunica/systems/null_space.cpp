@@ -83,12 +83,6 @@ std::string name_of(const ConstantMode& mode, int components) {
 
 int components_of(const System& system) { return (*system.K.space())[0].components; }
 
-double norm_of(const algebra::BlockVector& b) {
-  double sum = 0.0;
-  for (int i = 0; i < b.n_blocks(); ++i) sum += b[i].norm2() * b[i].norm2();
-  return std::sqrt(sum);
-}
-
 }  // namespace
 
 std::vector<ConstantMode> find_constants(const System& system) {
@@ -114,7 +108,7 @@ void hold_constants(System& system) {
 
 std::vector<std::string> leave_out_constants(const System& system, algebra::BlockVector& b) {
   std::vector<std::string> remarks;
-  const double size_of_b = norm_of(b);
+  const double size_of_b = norm(b);
   for (const ConstantMode& mode : system.constants) {
     if (mode.left.is_null()) continue;
     const double nb = mode.left->dot(b[mode.field]), size = mode.left->norm2();

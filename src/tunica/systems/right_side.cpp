@@ -79,22 +79,24 @@ std::vector<std::string> take_right_side(System& system, const Vector& b) {
   system.given_b = dealt_to(system, b);
   system.known = system.K.zero();
   system.b = system.K.zero();
-  algebra::BlockVector rest = system.K.zero();
-  rest.assign(system.given_b);
+  system.b.assign(system.given_b);
   for (int round = 1; round <= system.rounds; ++round) {
-    find_values(system, round, rest);
-    leave(system, rest);
+    find_values(system, round, system.b);
+    leave(system, system.b);
   }
-  check_empty_rows(system, rest);
-  for (int i = 0; i < rest.n_blocks(); ++i) {
-    const auto left = rest[i].getLocalViewHost(read_only);
+  check_empty_rows(system, system.b);
+  take_to_rows(system, system.b);
+  return leave_out_constants(system, system.b);
+}
+
+void take_to_rows(const System& system, algebra::BlockVector& x) {
+  for (int i = 0; i < x.n_blocks(); ++i) {
     const auto known_in = system.known_in[i].getLocalViewHost(read_only);
     const auto factor = system.row_scale[i].getLocalViewHost(read_only);
-    const auto to = system.b[i].getLocalViewHost(overwrite_all);
-    for (std::size_t k = 0; k < to.extent(0); ++k)
-      to(k, 0) = known_in(k, 0) == 0.0 ? factor(k, 0) * left(k, 0) : 0.0;
+    const auto values = x[i].getLocalViewHost(read_write);
+    for (std::size_t k = 0; k < values.extent(0); ++k)
+      values(k, 0) = known_in(k, 0) == 0.0 ? factor(k, 0) * values(k, 0) : 0.0;
   }
-  return leave_out_constants(system, system.b);
 }
 
 algebra::BlockVector in_units_of_files(const System& system, const algebra::BlockVector& y) {

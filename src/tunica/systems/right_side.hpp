@@ -13,4 +13,7 @@ namespace tunica::systems {
 /// unknowns is not fulfilled. Collective.
 std::vector<std::string> take_right_side(System& system, const Vector& b);
 
+/// x ← R x in the rows of free unknowns, 0 in the others.
+void take_to_rows(const System& system, algebra::BlockVector& x);
+
 }  // namespace tunica::systems

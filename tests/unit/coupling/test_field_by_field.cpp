@@ -43,12 +43,6 @@ algebra::BlockVector numbers(const algebra::BlockSpacePtr& space) {
   return x;
 }
 
-double norm(const algebra::BlockVector& x) {
-  double sum = 0.0;
-  for (int b = 0; b < x.n_blocks(); ++b) sum += std::pow(x[b].norm2(), 2);
-  return std::sqrt(sum);
-}
-
 double distance(const algebra::BlockVector& x, const algebra::BlockVector& y) {
   algebra::BlockVector d(x.space());
   d.assign(x);

@@ -69,7 +69,7 @@ inline algebra::BlockVector scattered(const fields::FieldMesh& mesh, int seed, d
   });
 }
 
-inline double norm(const algebra::BlockVector& x) { return std::hypot(x[0].norm2(), x[1].norm2()); }
+using algebra::norm;
 
 /// |a − b| / |b|
 inline double relative_difference(const algebra::BlockVector& a, const algebra::BlockVector& b) {

@@ -5,6 +5,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/foreign/problem.hpp"
+#include "unit/multigrid/complaint.hpp"
 
 namespace {
 
@@ -154,21 +155,10 @@ TEUCHOS_UNIT_TEST(problem, the_case_in_use_solves_the_same) {
   TEST_COMPARE(error(again, K, wave(0.0)), <, 1e-10);
 }
 
-/// What is refused, as all ranks are told.
-template <class Work>
-std::string refusal(const Work& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEUCHOS_UNIT_TEST(problem, what_does_not_fit_is_told_to_all_ranks) {
   Rows rows(chain(1.0));
   const auto refused = [&](const std::string& settings) {
-    return refusal([&] { foreign::Problem(rows.own(), settings, rows.comm); });
+    return test::complaint<Error>([&] { foreign::Problem(rows.own(), settings, rows.comm); });
   };
   TEST_ASSERT(refused("<ParameterList name=\"Case\"><ParameterList name=\"System\">"
                       "<Parameter name=\"ordr\" type=\"string\" value=\"by node\"/>"

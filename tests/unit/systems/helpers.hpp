@@ -8,6 +8,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/types.hpp"
+#include "unit/multigrid/complaint.hpp"
 
 namespace tunica::systems_tests {
 
@@ -41,12 +42,7 @@ private:
 /// What is refused, as this rank is told.
 template <class Work>
 std::string refusal(const Work& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::complaint<Error>(work);
 }
 
 inline bool says(const std::string& reason, const std::string& what) {

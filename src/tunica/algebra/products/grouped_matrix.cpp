@@ -1,13 +1,13 @@
 #include "tunica/algebra/products/grouped_matrix.hpp"
 
-#include <algorithm>
-
+#include "tunica/algebra/products/groups.hpp"
 #include "tunica/base/pack.hpp"
 
 namespace tunica::algebra {
 
 namespace {
 
+static_assert(Groups::most == Pack::size);
 constexpr int width = Pack::size;
 
 /// Rows of a group, with the same columns.
@@ -72,12 +72,9 @@ TUNICA_PACKED void multiply_all(const std::vector<int>& start,
 
 GroupedMatrix::GroupedMatrix(const Teuchos::RCP<const CrsMatrix>& A) : A_(A) {
   const auto graph = A->getLocalMatrixHost().graph;
-  const int n_rows = static_cast<int>(graph.row_map.extent(0)) - 1;
-  const auto row = [&](int i) { return graph.entries.data() + graph.row_map(i); };
-  for (int i = 0; i < n_rows; ++i)
-    if (i == 0 || i - start_.back() == width || !std::equal(row(i - 1), row(i), row(i), row(i + 1)))
-      start_.push_back(i);
-  start_.push_back(std::max(n_rows, 0));
+  start_ = groups_of_rows(
+               n_rows(graph), [&](int i) { return graph.row_map(i); }, graph.entries.data())
+               .start;
 }
 
 void GroupedMatrix::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,

@@ -18,8 +18,6 @@ constexpr int block = width * width;
 
 using Graph = TripleKernel::Graph;
 
-int n_rows(const Graph& graph) { return static_cast<int>(graph.row_map.extent(0)) - 1; }
-
 /// The rows of Pᵀ, of some rows of P, whatever the values.
 struct TransposedGraph {
   std::vector<std::size_t> start;
@@ -37,28 +35,6 @@ struct TransposedGraph {
         columns[next[P.entries(k)]++] = static_cast<int>(i);
   }
 };
-
-/// Groups of neighbours for which is_with(i) says that i belongs to the one before it.
-template <class IsWith>
-Groups groups_of(int n, const IsWith& is_with) {
-  Groups groups;
-  groups.of.reserve(n);
-  for (int i = 0; i < n; ++i) {
-    if (i == 0 || i - groups.start.back() == width || !is_with(i)) groups.start.push_back(i);
-    groups.of.push_back(static_cast<int>(groups.start.size()) - 1);
-  }
-  groups.start.push_back(n);
-  return groups;
-}
-
-/// Rows that follow each other and have the same columns.
-template <class Start>
-Groups groups_of_rows(int n, const Start& start, const int* columns) {
-  return groups_of(n, [&](int i) {
-    return std::equal(columns + start(i - 1), columns + start(i), columns + start(i),
-                      columns + start(i + 1));
-  });
-}
 
 /// Columns that follow each other and are in the same rows.
 Groups groups_of_columns(int n, const std::vector<std::size_t>& start,

@@ -3,26 +3,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "tunica/base/types.hpp"
+#include "tunica/algebra/products/groups.hpp"
 
 namespace tunica::algebra {
-
-/// Neighbours that are worked on together, such as the rows or columns of a node.
-struct Groups {
-  static constexpr int most = 4;  ///< of a group
-  std::vector<int> start;         ///< the first of each, and the number of all
-  std::vector<int> of;            ///< by row or column
-
-  int size() const { return static_cast<int>(start.size()) - 1; }
-  int length(int group) const { return start[group + 1] - start[group]; }
-};
 
 /// The sum of Pᵀ A P over the rows of this rank, C = Σ_i P_iᵀ A_i· P, in groups of rows and of
 /// columns with all places found beforehand. P has a row for each local column of A, and its
 /// columns number rows and columns of C. Entries of the graphs that are zero count as any others.
 class TripleKernel {
 public:
-  using Graph = CrsMatrix::local_matrix_host_type::staticcrsgraph_type;
+  using Graph = LocalGraph;
   using Matrix = CrsMatrix::local_matrix_host_type;
 
   /// diagonal: the column of A that each of its rows has the number of.

@@ -56,7 +56,8 @@ private:
   const std::uint8_t* unknowns_;
 };
 
-/// Stored: of the blocks of L and U beside the diagonal. Real: of all others, and of vectors.
+/// Stored: of the blocks of L and U beside the diagonal. Real: of all others, and of what they
+/// move; vectors are doubles.
 template <class Stored, class Real>
 class Factors final : public NodeIlu {
 public:
