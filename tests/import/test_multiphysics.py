@@ -384,7 +384,8 @@ class Refused(Multiphysics):
         solver = made.write_solver(self.base)
         for words, part in (((solver, self.path("out.h5")), "expected --output FOLDER"), ((solver,), "expected --output FOLDER"),
                             ((solver, "--output", self.path("x"), "--scale", "10"), "there is no --scale"),
-                            ((os.path.join(self.base, "tube.h5"), "--output", self.path("x")), "are for a case of svMultiPhysics")):
+                            ((os.path.join(self.base, "tube.h5"), "--output", self.path("x")), "are for a case of svMultiPhysics"),
+                            ((self.path("none.xml"), "--output", self.path("x")), "none.xml: there is no such file")):
             done = self.run_import(*words)
             self.assertEqual((done.returncode, done.stdout), (1, ""))
             self.assertEqual(done.stderr.count("\n"), 1)
