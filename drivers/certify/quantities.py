@@ -11,9 +11,10 @@ from vessel.errors import BadInput
 from .richardson import Theory
 
 LAST, GREATEST, LEAST, MEAN = "last", "greatest", "least", "mean"
-# Of first order in the mesh: what is made of derivatives, and extrema in space. All else is of second.
-DERIVED = re.compile(r"shear|stress|viscous|_force_|drag|lift|det_F|_min_|_max_kPa|wall_pressure|stabilisation|divergence|backflow"
-                     r"|volumetric")
+# Of first order in the mesh: what is made of derivatives, and extrema in space. All else is of second, powers of friction, too, in
+# which derivatives are squared.
+DERIVED = re.compile(r"shear|stress|viscous_force|wall_force|drag|lift|det_F|_min_|_max_kPa|wall_pressure|stabilisation|divergence"
+                     r"|backflow|volumetric")
 SAME = 1e-6        # part of a step within which two times are one
 FEW = 4            # steps that are no curve
 SMOOTH = 3.0       # a smooth peak has 4 times as large second differences at twice the step, a kink has 2

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-LEAST_ORDER, GREATEST_ORDER = 0.5, 8.0  # of what counts as an order
+LEAST_ORDER, GREATEST_ORDER = 0.5, 4.0  # of what counts as an order
 USUAL, CAREFUL = 1.25, 3.0              # safety factors
 FAR = 0.5                               # from the order of theory
 OBSERVED, ASSUMED, NO_ORDER, MISSING, EXACT = "observed", "assumed", "no order", "not estimated", "none"
@@ -63,11 +63,9 @@ def ratio_of(p, sizes):
 
 def order_of_ratio(ratio, sizes):
     """The order with this ratio of the differences at three sizes, coarse first; nan where it is none."""
-    if not np.isfinite(ratio) or ratio <= ratio_of(LEAST_ORDER, sizes):
-        return float("nan")
     low, high = LEAST_ORDER, GREATEST_ORDER
-    if ratio >= ratio_of(high, sizes):
-        return high
+    if not ratio_of(low, sizes) < ratio < ratio_of(high, sizes):
+        return float("nan")
     for _ in range(60):
         p = 0.5 * (low + high)
         low, high = (p, high) if ratio_of(p, sizes) < ratio else (low, p)
@@ -85,7 +83,7 @@ def safety(p, theory):
 
 
 def fitted(sizes, values):
-    """f, p and the standard deviation of the fit f + c h^p; the order is nan where none of 0.5 to 8 fits best."""
+    """f, p and the standard deviation of the fit f + c h^p; the order is nan where none of 0.5 to 4 fits best."""
     best = (np.inf, 0.0, float("nan"))
     orders = np.linspace(LEAST_ORDER, GREATEST_ORDER, 301)
     for p in orders:
@@ -103,6 +101,8 @@ def estimate(sizes, values, theory, noise=0.0):
         return missing()
     mine = values[np.argmin(abs(sizes - 1.0))]
     known, last = mine - values[-1], values[-1] - values[-2]
+    if np.ptp(values) <= noise:
+        return Part(0.0, noise, how=EXACT)
     if len(sizes) == 2:
         limit = values[-1] + last * remainder(theory.order, sizes)
         return Part(mine - limit, abs(known) + abs(last) * remainder(theory.least, sizes), theory.order, ASSUMED)
