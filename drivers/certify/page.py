@@ -37,8 +37,7 @@ def _rows(title, note, rows):
     if not rows:
         return ""
     body = html_table(table.heading(CAUSES), [table.cells(row, CAUSES) for row in rows])
-    if any(row.budget.lacks() for row in rows):
-        note += f" {table.FOOTNOTE}."
+    note += "".join(f" {mark}." for mark in table.notes(rows))
     return f"<h2>{title}</h2>\n<p class=\"note\">{html.escape(note)}</p>\n<div class=\"beat\">{body}</div>\n"
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from vessel.errors import BadInput
 from vessel.folder import hash_of_file
-from vessel.plan import MB_A_TETRAHEDRON, MB_OF_PROGRAM, SECONDS_A_TETRAHEDRON, minutes_text
+from vessel.plan import MB_A_TETRAHEDRON, MB_OF_PROGRAM, SECONDS_A_TETRAHEDRON, duration_text
 
 from . import meshes
 
@@ -114,7 +114,7 @@ class Plan:
             if self.duration(chosen + [job]) <= left or job is self.base:
                 chosen.append(job)
             else:
-                self._remark(f"{job.name}: about {minutes_text(job.seconds(self.case_seconds))} on {self.options.ranks} core(s), which "
+                self._remark(f"{job.name}: about {duration_text(job.seconds(self.case_seconds))} on {self.options.ranks} core(s), which "
                              f"the budget of {self.options.budget:g} h does not permit.")
         if not any(job.cause == MESH for job in chosen):
             self._remark("No second mesh: the errors have no part of the mesh. Nothing here can remesh a surface coarser; give a coarser "
@@ -130,5 +130,5 @@ class Plan:
         """What will be done, how long, and how large."""
         steps = lambda job: f"{job.steps} steps" if job.steps else "steps as needed"  # noqa: E731
         found = [f"{job.name:13} {job.tetrahedra:>10} tetrahedra, {steps(job)}, about {self._memory(job) / 1000:.1f} GB, "
-                 f"{minutes_text(job.seconds(self.case_seconds))}" for job in jobs]
-        return found + [f"all: about {minutes_text(self.duration(jobs))}, {self.slots()} at a time on {self.options.cores} core(s)"]
+                 f"{duration_text(job.seconds(self.case_seconds))}" for job in jobs]
+        return found + [f"all: about {duration_text(self.duration(jobs))}, {self.slots()} at a time on {self.options.cores} core(s)"]

@@ -11,10 +11,11 @@ from vessel.errors import BadInput
 from .richardson import Theory
 
 LAST, GREATEST, LEAST, MEAN = "last", "greatest", "least", "mean"
-# Of first order in the mesh: what is made of derivatives, and extrema in space. All else is of second, powers of friction, too, in
-# which derivatives are squared.
-DERIVED = re.compile(r"shear|stress|viscous_force|wall_force|drag|lift|det_F|_min_|_max_kPa|wall_pressure|stabilisation|divergence"
-                     r"|backflow|volumetric")
+# Extrema in space, and what vanishes with the mesh: no theory has an order for them.
+LOCAL = re.compile(r"max_wall_shear|det_F|pressure_(?:min|max)_kPa|stabilisation|divergence|backflow")
+# Of first order in the mesh: what is made of derivatives. All else is of second, powers and energies, too, in which derivatives are
+# squared.
+DERIVED = re.compile(r"shear|stress|von_mises|viscous_force|wall_force|drag|lift")
 SAME = 1e-6        # part of a step within which two times are one
 FEW = 4            # steps that are no curve
 SMOOTH = 3.0       # a smooth peak has 4 times as large second differences at twice the step, a kink has 2
@@ -22,6 +23,8 @@ ROUND_OFF = 1e-11  # of the largest value of a column's kind
 
 
 def mesh_theory(column):
+    if LOCAL.search(column):
+        return None
     return Theory(1, 0.75) if DERIVED.search(column) else Theory(2, 1)
 
 
@@ -82,10 +85,10 @@ def rank(column):
     return next((i for i, pattern in enumerate(first) if pattern.match(column)), len(first))
 
 
-def wanted(column, times, values, period, scale):
-    """The quantities of a column, of its curve in the case."""
+def wanted(column, times, values, period, scale, is_history=True):
+    """The quantities of a column, of its curve in the case; only the last one where its steps are no history but a way to the end."""
     found = [LAST]
-    if len(times) < FEW or np.ptp(values) <= ROUND_OFF * scale:
+    if not is_history or len(times) < FEW or np.ptp(values) <= ROUND_OFF * scale:
         return found
     kept = window(times, period)
     last = values[kept]

@@ -99,7 +99,7 @@ class Results:
         mine = self._at(self.base, name)
         times = self.times[-len(mine):]
         found = []
-        for quantity in quantities.wanted(name, times, mine, self.period, self.scales[name]):
+        for quantity in quantities.wanted(name, times, mine, self.period, self.scales[name], self.case.varies_in_time()):
             parts = {cause: self._part(cause, name, quantity) for cause in CAUSES}
             value = quantities.value_of(quantity, times, mine, self.period)
             found.append(Row(name, quantity, Budget(value, parts, quantities.ROUND_OFF * self.scales[name]), self.scales[name]))

@@ -10,8 +10,8 @@ remainder is uncertain, and only it takes a safety factor, those of Roache's gri
   |f(1) - f| <= |f(1) - f(h_n)| + F |f(h_n) - f(h_n-1)| h_n^p/(h_n-1^p - h_n^p)
 
   F = 1.25   p observed, and as theory has it
-  F = 3      p observed, but far from theory, or none could be observed: then with p = 1
-  F = 1      p assumed: not that of theory but the least that is plausible, which gives more
+  F = 3      p observed, but far from theory; or no p, neither observed nor of theory: then p = 1 stands for it
+  F = 1      two sizes, and a p of theory: not that itself but the least that is plausible, which gives more
 From four sizes on, f, c and p are those of least squares, and what is off the fit is added (L. Eca, M. Hoekstra, J. Comput. Phys.
 262 (2014) 104-130).
 """
@@ -19,7 +19,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-LEAST_ORDER, GREATEST_ORDER = 0.5, 4.0  # of what counts as an order
+LEAST_ORDER, MORE = 0.5, 1.0            # what counts as an order: from the first one up to that of theory and so much
+UNKNOWN = 2.0                           # stands for the order of theory there, where it has none
 USUAL, CAREFUL = 1.25, 3.0              # safety factors
 FAR = 0.5                               # from the order of theory
 OBSERVED, ASSUMED, NO_ORDER, MISSING, EXACT = "observed", "assumed", "no order", "not estimated", "none"
@@ -44,7 +45,7 @@ class Part:
         """The order in a word."""
         if self.how == OBSERVED:
             return f"{self.order:.1f}"
-        return {ASSUMED: f"({self.order:.0f})", NO_ORDER: "no order: at least the difference"}.get(self.how, self.how)
+        return f"({self.order:.0f})" if self.how == ASSUMED else self.how
 
 
 def missing():
@@ -61,9 +62,14 @@ def ratio_of(p, sizes):
     return (a ** p - b ** p) / (b ** p - c ** p)
 
 
-def order_of_ratio(ratio, sizes):
-    """The order with this ratio of the differences at three sizes, coarse first; nan where it is none."""
-    low, high = LEAST_ORDER, GREATEST_ORDER
+def greatest_order(theory):
+    return (theory.order if theory else UNKNOWN) + MORE
+
+
+def order_of_ratio(ratio, sizes, theory):
+    """The order with this ratio of the differences at three sizes, coarse first; nan where it is none. An order far beyond theory is no
+    good news: the last difference is small by chance."""
+    low, high = LEAST_ORDER, greatest_order(theory)
     if not ratio_of(low, sizes) < ratio < ratio_of(high, sizes):
         return float("nan")
     for _ in range(60):
@@ -79,13 +85,13 @@ def remainder(p, sizes):
 
 
 def safety(p, theory):
-    return USUAL if abs(p - theory.order) <= FAR else CAREFUL
+    return USUAL if theory and abs(p - theory.order) <= FAR else CAREFUL
 
 
-def fitted(sizes, values):
-    """f, p and the standard deviation of the fit f + c h^p; the order is nan where none of 0.5 to 4 fits best."""
+def fitted(sizes, values, theory):
+    """f, p and the standard deviation of the fit f + c h^p; the order is nan where none of those that count fits best."""
     best = (np.inf, 0.0, float("nan"))
-    orders = np.linspace(LEAST_ORDER, GREATEST_ORDER, 301)
+    orders = np.linspace(LEAST_ORDER, greatest_order(theory), 251)
     for p in orders:
         parts = np.stack([np.ones(len(sizes)), sizes ** p], 1)
         answer = np.linalg.lstsq(parts, values, rcond=None)[0]
@@ -103,6 +109,8 @@ def estimate(sizes, values, theory, noise=0.0):
     known, last = mine - values[-1], values[-1] - values[-2]
     if np.ptp(values) <= noise:
         return Part(0.0, noise, how=EXACT)
+    if len(sizes) == 2 and theory is None:
+        return _without_order(known, values, sizes, noise)
     if len(sizes) == 2:
         limit = values[-1] + last * remainder(theory.order, sizes)
         return Part(mine - limit, abs(known) + abs(last) * remainder(theory.least, sizes), theory.order, ASSUMED)
@@ -112,20 +120,25 @@ def estimate(sizes, values, theory, noise=0.0):
     before = values[-2] - values[-3]
     p = float("nan")
     if abs(before) > 2 * noise and abs(last) > 0:
-        p = order_of_ratio(before / last, three)
+        p = order_of_ratio(before / last, three, theory)
     if np.isnan(p):
-        return Part(known, abs(known) + CAREFUL * abs(last) + noise, p, NO_ORDER)
-    used = min(p, theory.order)
+        return _without_order(known, values, sizes, noise)
+    used = min(p, theory.order) if theory else min(p, 1.0)
     rest = abs(last) * remainder(used, sizes)
     limit = values[-1] + np.sign(last) * rest
     return Part(mine - limit, abs(known) + safety(p, theory) * rest, p, OBSERVED)
 
 
+def _without_order(known, values, sizes, noise):
+    change = np.abs(np.diff(values[-3:])).max()  # a last one that is small by chance says nothing
+    return Part(known, abs(known) + CAREFUL * change * remainder(1.0, sizes) + noise, float("nan"), NO_ORDER)
+
+
 def _by_fit(sizes, values, mine, theory):
-    limit, p, spread = fitted(sizes, values)
+    limit, p, spread = fitted(sizes, values, theory)
     known = mine - values[-1]
     if np.isnan(p) or spread > np.ptp(values) / (len(values) - 1):
-        return Part(known, abs(known) + CAREFUL * np.abs(np.diff(values)[-2:]).max(), float("nan"), NO_ORDER)
+        return _without_order(known, values, sizes, 0.0)
     rest = abs(values[-1] - limit)
     return Part(mine - limit, abs(known) + safety(p, theory) * rest + spread, p, OBSERVED)
 
@@ -138,25 +151,28 @@ def of_curves(sizes, curves, theory):
         return np.zeros(curves.shape[1]), np.full(curves.shape[1], np.nan), missing()
     mine = curves[np.argmin(abs(sizes - 1.0))]
     known, last = mine - curves[-1], curves[-1] - curves[-2]
-    p, how, factor, least = theory.order, ASSUMED, 1.0, theory.least
+    p, factor, most = float("nan"), CAREFUL, theory.order if theory else 1.0
     if len(sizes) > 2:
-        p, how = _order_of_curves(sizes[-3:], curves[-3:]), OBSERVED
-        least, factor = min(p, theory.order), safety(p, theory)
-        if np.isnan(p):
-            how, least, factor = NO_ORDER, 1.0, CAREFUL
-    used = theory.order if np.isnan(p) else min(p, theory.order)
-    error = known if how == NO_ORDER else known - last * remainder(used, sizes)
-    band = np.abs(known) + factor * np.abs(last) * remainder(least, sizes)
+        p = _order_of_curves(sizes[-3:], curves[-3:], theory)
+    if not np.isnan(p):
+        how, used, least, factor = OBSERVED, min(p, most), min(p, most), safety(p, theory)
+    elif len(sizes) == 2 and theory:
+        p, how, used, least, factor = theory.order, ASSUMED, theory.order, theory.least, 1.0
+    else:
+        how, used, least = NO_ORDER, None, 1.0
+    error = known if used is None else known - last * remainder(used, sizes)
+    change = np.abs(last) if used is not None else np.abs(np.diff(curves[-3:], axis=0)).max(axis=0)
+    band = np.abs(known) + factor * change * remainder(least, sizes)
     worst = int(np.argmax(np.abs(error)))
     return error, band, Part(float(error[worst]), float(band.max()), p, how)
 
 
-def _order_of_curves(sizes, curves):
+def _order_of_curves(sizes, curves, theory):
     before, last = curves[1] - curves[0], curves[2] - curves[1]
     norms = np.linalg.norm(before), np.linalg.norm(last)
     if min(norms) == 0 or before @ last < 0.5 * norms[0] * norms[1]:  # the curve does not go on in the same direction
         return float("nan")
-    return order_of_ratio(norms[0] / norms[1], sizes)
+    return order_of_ratio(norms[0] / norms[1], sizes, theory)
 
 
 def around(band):

@@ -7,12 +7,13 @@ import numpy as np
 from report.canvas import readable
 
 from .fields import OF_FIELD
-from .richardson import MISSING
+from .richardson import ASSUMED, MISSING, NO_ORDER
 
 FILE = "errors.csv"
 NOTHING = 1e-4  # of the largest value of a kind
 INCOMPLETE = "*"  # a band that lacks a part
-FOOTNOTE = "* without the parts that were not estimated"
+NO_ORDER_NOTE = "no order: at least the difference; (2): order of theory, assumed"
+LACKING_NOTE = "* without the parts that were not estimated"
 
 
 def number(value):
@@ -31,7 +32,7 @@ def is_zero(row):
 
 def part_text(part):
     if part.how == MISSING:
-        return MISSING
+        return part.how
     return f"{part.error:+.2g} [{part.text()}]" if part.band > 0 else "0"
 
 
@@ -55,12 +56,17 @@ def cells(row, causes):
             *(part_text(row.budget.parts[cause]) for cause in causes), extrapolated(row)]
 
 
+def notes(rows):
+    """What the marks in the cells mean, those that there are."""
+    parts = [part.how for row in rows for part in row.budget.parts.values()]
+    return ([NO_ORDER_NOTE] if NO_ORDER in parts or ASSUMED in parts else []) + ([LACKING_NOTE] if MISSING in parts else [])
+
+
 def lines(rows, causes):
     """For the screen, in columns."""
     table = [heading(causes)] + [cells(row, causes) for row in rows]
     widths = [max(len(line[i]) for line in table) for i in range(len(table[0]))]
-    notes = [FOOTNOTE] if any(row.budget.lacks() for row in rows) else []
-    return ["  ".join(cell.ljust(width) for cell, width in zip(line, widths)).rstrip() for line in table] + notes
+    return ["  ".join(cell.ljust(width) for cell, width in zip(line, widths)).rstrip() for line in table] + notes(rows)
 
 
 def as_csv(rows, causes):
