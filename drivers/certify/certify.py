@@ -9,7 +9,7 @@ from . import fields, meshes, page, plan, runs, table
 from .case import Case
 from .plan import MESH, Plan
 from .quantities import Curves
-from .result import CAUSES, Results
+from .result import Results
 from .runs import Runs
 
 
@@ -51,8 +51,8 @@ class Certificate:
         self._tell(Results(self.case, done, made.results, self.options.period or self.case.period()), made)
 
     def _plan(self, mesh):
-        if self.options.coarser:
-            meshes.check_same_names(self.options.coarser, mesh)
+        for path in filter(None, (self.options.coarser, self.options.finer)):
+            meshes.check_same_names(path, mesh)
         return Plan(self.case, self.options, mesh, self.path(runs.MESHES))
 
     def _make_runs(self, planned, made):
@@ -87,10 +87,10 @@ class Certificate:
     def _tell(self, results, made):
         field_rows = fields.rows_of(results, made.results, self.options.fields)
         shown = [row for row in results.rows if not table.is_zero(row)] + field_rows
-        print("\n".join(table.lines(shown, CAUSES)))
+        print("\n".join(table.lines(shown, results.causes())))
         for remark in self.remarks:
             print(f"note: {remark}")
-        write_atomically(self.path(table.FILE), table.as_csv(results.rows + field_rows, CAUSES))
+        write_atomically(self.path(table.FILE), table.as_csv(results.rows + field_rows, results.causes()))
         write_atomically(self.path("curves.csv"), table.curves_as_csv(results.curves))
         where = page.write(results, results.rows, field_rows, self.remarks, self.path("report"))
         print(f"{where}: {len(results.rows)} numbers and {len(field_rows)} fields with their errors")

@@ -22,6 +22,8 @@ def make_parser(about):
         "default 3")
     add("--coarser", metavar="FILE", help="a coarser mesh of the same vessel, with the same names: for meshes of which h/2 is too dear, "
         "and for an observed order")
+    add("--finer", metavar="FILE", help="a finer mesh of the same vessel, with the same names, instead of h/2 by refinement: follows a "
+        "shape that only its maker knows")
     add("--period", type=float, metavar="MS", help="beat over which means are taken; default: the longest period of a load")
     add("--set", dest="settings", action="append", default=[], metavar="A/b=c", help="sets a key of the case in all runs; may be repeated")
     add("--fields", metavar="NAME,...", help="arrays of fields.h5 whose errors at the end are told; default: velocity, pressure, "
@@ -45,11 +47,11 @@ def read(about, words=None):
             raise BadInput(f"--{name} is {value:g}, expected more than {low:g} and at most {high:g}")
     if options.ranks > options.cores:
         raise BadInput(f"--ranks is {options.ranks}, expected at most --cores, {options.cores}")
-    for path in (options.case, options.coarser):
+    for path in (options.case, options.coarser, options.finer):
         if path is not None and not os.path.isfile(path):
             raise BadInput(f"{path}: there is no such file")
     for setting in options.settings:
         if "=" not in setting:
             raise BadInput(f"--set {setting}: expected List/key=value, such as Fluid/viscosity=4e-3")
-    options.coarser = options.coarser and os.path.abspath(options.coarser)
+    options.coarser, options.finer = (path and os.path.abspath(path) for path in (options.coarser, options.finer))
     return options

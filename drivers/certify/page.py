@@ -33,10 +33,10 @@ def _runs(results):
             + html_table(["run", "changed", "size", "tetrahedra", "steps", "seconds in steps"], rows))
 
 
-def _rows(title, note, rows):
+def _rows(title, note, rows, causes):
     if not rows:
         return ""
-    body = html_table(table.heading(CAUSES), [table.cells(row, CAUSES) for row in rows])
+    body = html_table(table.heading(causes), [table.cells(row, causes) for row in rows])
     note += "".join(f" {mark}." for mark in table.notes(rows))
     return f"<h2>{title}</h2>\n<p class=\"note\">{html.escape(note)}</p>\n<div class=\"beat\">{body}</div>\n"
 
@@ -49,8 +49,9 @@ def write(results, rows, fields, remarks, folder):
     body = f"<p>{html.escape(results.case.path)}</p>\n<p>{MEANING}</p>\n"
     body += "".join(f"<p class=\"remark\">{html.escape(remark)}</p>\n" for remark in remarks)
     body += "".join(_image(folder, figure) for figure in drawn)
-    body += _rows("Numbers", f"Errors have their sign: value minus extrapolated value{period}.", [r for r in rows if not table.is_zero(r)])
-    body += _rows("Fields at the end", "Root mean squares over the vertices: of the field, and of its errors.", fields)
+    body += _rows("Numbers", f"Errors have their sign: value minus extrapolated value{period}.", [r for r in rows if not table.is_zero(r)],
+                  results.causes())
+    body += _rows("Fields at the end", "Root mean squares over the vertices: of the field, and of its errors.", fields, CAUSES)
     zero = [row.name for row in rows if table.is_zero(row)]
     if zero:
         body += f"<p class=\"note\">Zero but for round-off: {html.escape(', '.join(dict.fromkeys(zero)))}.</p>\n"

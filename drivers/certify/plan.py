@@ -1,4 +1,5 @@
 """Which runs are made, what they take, and which of them can be had."""
+import math
 import os
 from dataclasses import dataclass, field
 
@@ -8,9 +9,10 @@ from vessel.plan import MB_A_TETRAHEDRON, MB_OF_PROGRAM, SECONDS_A_TETRAHEDRON, 
 
 from . import meshes
 
-BASE, MESH, STEP, SOLVER = "case", "mesh", "step", "solver"
+BASE, MESH, STEP, SOLVER, BEAT = "case", "mesh", "step", "solver", "beat"
 LOOSE = "solver-loose"  # where a tenth of the tolerances is beyond reach
 # Costs against the case: eight times as many elements take somewhat more than eight times as long.
+LEAST_FACTOR = 1.2  # between the sizes of two meshes
 OF_REFINEMENT, OF_SHORTER_STEPS, OF_TENTH = 9.0, 0.95, 1.4
 
 
@@ -70,22 +72,24 @@ class Plan:
         return self._side(f"mesh-{2 ** times}", MESH, 0.5 ** times, OF_REFINEMENT ** times, path,
                           settings=[f"Mesh/file={os.path.abspath(path)}"], steps=steps, tetrahedra=8 ** times * self.tetrahedra)
 
+    def _given(self, name, path, steps):
+        """A mesh of the user."""
+        size = meshes.relative_size(path, self.mesh)
+        is_finer, factor = name == "finer", 1 / size if name == "finer" else size
+        if factor < LEAST_FACTOR:
+            raise BadInput(f"--{name} {path}: its elements are {size:.2f} times as large as those of the case, expected at "
+                           + (f"most 1/{LEAST_FACTOR:g}" if is_finer else f"least {LEAST_FACTOR:g}"))
+        return self._side(f"mesh-{name}-{hash_of_file(path)[:6]}", MESH, size, OF_REFINEMENT ** -math.log2(size), path,
+                          settings=[f"Mesh/file={path}"], steps=steps, tetrahedra=meshes.count(path))
+
     def _other_meshes(self, steps):
-        found = []
-        if self.options.coarser:
-            size = meshes.relative_size(self.options.coarser, self.mesh)
-            if size < 1.2:
-                raise BadInput(f"--coarser {self.options.coarser}: its elements are {size:.2f} times as large as those of the case, "
-                               "expected at least 1.2 times")
-            name = f"mesh-coarser-{hash_of_file(self.options.coarser)[:6]}"
-            found.append(self._side(name, MESH, size, size ** -3, self.options.coarser,
-                                    settings=[f"Mesh/file={self.options.coarser}"], steps=steps,
-                                    tetrahedra=int(self.tetrahedra / size ** 3)))
-        return found + ([self._refined_job(steps, 1)] if (self.options.levels or 2) > 1 else [])
+        given = [self._given(name, path, steps) for name, path in (("coarser", self.options.coarser), ("finer", self.options.finer)) if path]
+        is_refined = (self.options.levels or 2) > 1 and not self.options.finer
+        return given + ([self._refined_job(steps, 1)] if is_refined else [])
 
     def _finest_mesh(self, steps):
         is_wanted = self.options.levels == 3 or (self.options.levels is None and self.options.budget is not None)
-        return [self._refined_job(steps, 2)] if is_wanted else []
+        return [self._refined_job(steps, 2)] if is_wanted and not self.options.finer else []
 
     def _memory(self, job):
         return MB_OF_PROGRAM * self.options.ranks + MB_A_TETRAHEDRON * job.tetrahedra

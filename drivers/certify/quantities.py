@@ -12,7 +12,7 @@ from .richardson import Theory
 
 LAST, GREATEST, LEAST, MEAN = "last", "greatest", "least", "mean"
 # Extrema in space, and what vanishes with the mesh: no theory has an order for them.
-LOCAL = re.compile(r"max_wall_shear|det_F|pressure_(?:min|max)_kPa|stabilisation|divergence|backflow")
+LOCAL = re.compile(r"^(?:max|min)_|pressure_(?:min|max)_kPa|stabilisation|divergence|backflow")
 # Of first order in the mesh: what is made of derivatives. All else is of second, powers and energies, too, in which derivatives are
 # squared.
 DERIVED = re.compile(r"shear|stress|von_mises|viscous_force|wall_force|drag|lift")
@@ -99,18 +99,26 @@ def wanted(column, times, values, period, scale, is_history=True):
     return found + ([MEAN] if period is not None else [])
 
 
-def window(times, period):
-    """The last period of a run, all of it where it has none or is shorter. At rest no step has ended."""
-    return np.ones(len(times), dtype=bool) if period is None else times > times[-1] - period * (1 + SAME)
+def window(times, period, beats_ago=0):
+    """The last period of a run, or one before; all of it where it has none or is shorter. At rest no step has ended."""
+    if period is None:
+        return np.ones(len(times), dtype=bool)
+    end, slack = times[-1] - beats_ago * period, SAME * period
+    return (times > end - period - slack) & (times < end + slack)
 
 
-def value_of(quantity, times, values, period):
+def value_of(quantity, times, values, period, beats_ago=0):
     if quantity == LAST:
-        return float(values[-1])
-    kept = window(times, period)
+        return float(values[-1] if beats_ago == 0 else np.interp(times[-1] - beats_ago * period, times, values))
+    kept = window(times, period, beats_ago)
     if quantity == MEAN:
         return float(integral(values[kept], times[kept]) / np.ptp(times[kept]))
     return float(values[kept].max() if quantity == GREATEST else values[kept].min())
+
+
+def beats(times, period):
+    """How many whole periods a run has. The first one lacks its first step, that at rest."""
+    return 0 if period is None else int((times[-1] - times[0]) / period + SAME) + (times[0] < period)
 
 
 def between_steps(quantity, curves, name, times, period):

@@ -4,12 +4,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import quantities, richardson
-from .plan import BASE, MESH, SOLVER, STEP
+from .plan import BEAT, MESH, SOLVER, STEP
 from .quantities import Curves
 from .richardson import Budget, Theory
 
 CAUSES = (MESH, STEP, SOLVER)
 OF_TOLERANCES = Theory(1, 0.5)
+MOST_BEATS = 3  # at the end of the run
 
 
 @dataclass
@@ -93,7 +94,17 @@ class Results:
             orders[cause] = of_cause[2]
             if of_cause[2].how != richardson.MISSING:
                 error, band = error + of_cause[0], band + of_cause[1]
+        if self.period is not None and quantities.beats(self.times, self.period) > 1:
+            band = band + self._change_of_beat(name)
         return Curve(name, times, values, error, richardson.around(band), orders)
+
+    def _change_of_beat(self, name):
+        """Largest change of the curve since the beat before, in the last one; it bounds what settling still does there."""
+        last = self.times[quantities.window(self.times, self.period)]
+        last = last[last - self.period >= self.times[0]]
+        mine = self.curves_of[self.base]
+        change = np.abs(mine.at(name, last) - mine.at(name, last - self.period)).max()
+        return np.where(self.times > self.times[-1] - self.period * (1 + quantities.SAME), change, 0.0)
 
     def _rows(self, name):
         mine = self._at(self.base, name)
@@ -101,6 +112,8 @@ class Results:
         found = []
         for quantity in quantities.wanted(name, times, mine, self.period, self.scales[name], self.case.varies_in_time()):
             parts = {cause: self._part(cause, name, quantity) for cause in CAUSES}
+            if self.period is not None:
+                parts[BEAT] = self._settling(name, quantity)
             value = quantities.value_of(quantity, times, mine, self.period)
             found.append(Row(name, quantity, Budget(value, parts, quantities.ROUND_OFF * self.scales[name]), self.scales[name]))
         return found
@@ -117,6 +130,16 @@ class Results:
             part.band += missed
             part.error -= missed if quantity == quantities.GREATEST else -missed
         return part
+
+    def _settling(self, name, quantity):
+        """From the last beats of the case, three at most."""
+        values = self._at(self.base, name)
+        ago = range(min(quantities.beats(self.times, self.period), MOST_BEATS) - 1, -1, -1)
+        part = richardson.settling([quantities.value_of(quantity, self.times, values, self.period, beats) for beats in ago])
+        return part if part.band > quantities.ROUND_OFF * self.scales[name] or part.how == richardson.MISSING else richardson.exact()
+
+    def causes(self):
+        return CAUSES if self.period is None else (*CAUSES, BEAT)
 
     def _value(self, job, name, quantity):
         """Means take all steps of a run, extrema those at which the case has one."""

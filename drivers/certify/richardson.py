@@ -24,6 +24,7 @@ UNKNOWN = 2.0                           # stands for the order of theory there, 
 USUAL, CAREFUL = 1.25, 3.0              # safety factors
 FAR = 0.5                               # from the order of theory
 OBSERVED, ASSUMED, NO_ORDER, MISSING, EXACT = "observed", "assumed", "no order", "not estimated", "none"
+OBSERVED_DECAY = "settles"
 
 
 @dataclass
@@ -180,6 +181,19 @@ def around(band):
     reach = max(1, len(band) // 50)
     wide = np.pad(band, reach, mode="edge")
     return np.lib.stride_tricks.sliding_window_view(wide, 2 * reach + 1).max(axis=1)
+
+
+def settling(values):
+    """Of a number in the last beats, the latest one last: how far it is from where it settles, if the changes from beat to beat fall by
+    the same factor. Of two beats this factor is not known."""
+    if len(values) < 2:
+        return missing()
+    change = values[-1] - values[-2]
+    before = values[-2] - values[-3] if len(values) > 2 else float("nan")
+    if len(values) > 2 and abs(change) < abs(before):
+        left = change * (change / before) / (1 - change / before)
+        return Part(-left, max(CAREFUL * abs(left), abs(change)), how=OBSERVED_DECAY)
+    return Part(-change, CAREFUL * abs(change), how=NO_ORDER)
 
 
 @dataclass

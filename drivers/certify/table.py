@@ -7,7 +7,8 @@ import numpy as np
 from report.canvas import readable
 
 from .fields import OF_FIELD
-from .richardson import ASSUMED, MISSING, NO_ORDER
+from .plan import BEAT
+from .richardson import ASSUMED, MISSING, NO_ORDER, missing
 
 FILE = "errors.csv"
 NOTHING = 1e-4  # of the largest value of a kind
@@ -47,13 +48,13 @@ def extrapolated(row):
 
 
 def heading(causes):
-    return ["", "", "value", "±", "of the value", *(f"error of the {cause} [order]" for cause in causes), "extrapolated"]
+    return ["", "", "value", "±", "of the value", *(f"error of the {cause} [order]" if cause != BEAT else "not yet settled" for cause in causes), "extrapolated"]
 
 
 def cells(row, causes):
     band = short(row.budget.band()) + (INCOMPLETE if row.budget.lacks() else "")
     return [readable(row.name), row.quantity, number(row.budget.value), band, percent(row),
-            *(part_text(row.budget.parts[cause]) for cause in causes), extrapolated(row)]
+            *(part_text(row.budget.parts[cause]) if cause in row.budget.parts else "" for cause in causes), extrapolated(row)]
 
 
 def notes(rows):
@@ -76,7 +77,7 @@ def as_csv(rows, causes):
     out.writerow(["column", "quantity", "value", "band", "extrapolated"]
                  + [f"{cause}_{what}" for cause in causes for what in ("error", "band", "order", "how")])
     for row in rows:
-        parts = [getattr(row.budget.parts[cause], what) for cause in causes for what in ("error", "band", "order", "how")]
+        parts = [getattr(row.budget.parts.get(cause, missing()), what) for cause in causes for what in ("error", "band", "order", "how")]
         beyond = "" if row.quantity == OF_FIELD else row.budget.extrapolated()
         out.writerow([row.name, row.quantity, row.budget.value, row.budget.band(), beyond, *parts])
     return text.getvalue()

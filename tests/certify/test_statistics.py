@@ -154,7 +154,7 @@ class Meshes(unittest.TestCase):
 def planned(**given):
     case = types.SimpleNamespace(control="fixed", steps=lambda: 100, varies_in_time=lambda: True, output_at_end=lambda: [],
                                  with_tolerances=lambda factor: [f"x={factor}"], finer_step=lambda factor: [f"n={factor}"])
-    wanted = {"ranks": 1, "cores": 1, "levels": None, "steps": None, "coarser": None, "budget": None, **given}
+    wanted = {"ranks": 1, "cores": 1, "levels": None, "steps": None, "coarser": None, "finer": None, "budget": None, **given}
     return plan.Plan(case, types.SimpleNamespace(**wanted), os.path.join(ROOT, "meshes", "tube-tiny.h5"), "never-made")
 
 
@@ -166,6 +166,13 @@ class Plans(unittest.TestCase):
         self.assertEqual(self.names(), ["case", "solver", "step-2", "mesh-2", "step-4"])
         self.assertEqual(self.names(levels=3, steps=1), ["case", "solver", "mesh-2", "mesh-4"])
         self.assertEqual(self.names(levels=1, steps=2), ["case", "solver", "step-2"])
+
+    def test_meshes_of_the_user_take_the_place_of_refined_ones(self):
+        finer = os.path.join(ROOT, "meshes", "tube-coarse.h5")
+        found = [(job.name[:10], job.size < 1) for job in planned(finer=finer, steps=1).choose()]
+        self.assertEqual(found, [("case", False), ("solver", True), ("mesh-finer", True)])
+        with self.assertRaisesRegex(BadInput, "--coarser .*expected at least 1.2"):
+            planned(coarser=finer)
 
     def test_budget_chooses_what_fits_and_says_what_does_not(self):
         hours = planned().case_seconds / 3600

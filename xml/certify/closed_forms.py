@@ -165,7 +165,7 @@ def womersley(radius, length, pressure=0.2, viscosity=0.0490874, density=1.0, pe
             "fluid_kinetic_energy_kPa_mm3": squared(profile, 0.5 * density * length),
             "viscous_power_kPa_mm3_per_ms": squared(slope, viscosity * length),
             "traction_power_kPa_mm3_per_ms": lambda t: in_time(pressure)(t) * in_time(flow)(t),
-            "viscous_force_interface_z_mN": in_time(-friction), "max_wall_shear_stress_kPa":
+            "viscous_force_interface_z_mN": in_time(friction), "max_wall_shear_stress_kPa":
                 lambda t: np.abs(in_time(viscosity * at_wall)(t)),
             "max_speed_mm_per_ms": lambda t: np.abs(np.real(np.multiply.outer(np.exp(1j * omega * np.asarray(t)),
                                                                              np.append(profile, axis)))).max(axis=-1)}
