@@ -10,7 +10,7 @@ DEFAULT_FOLDER = "certified"
 def make_parser(about):
     parser = Parser(prog="tunica-certify", description=about, allow_abbrev=False, usage="%(prog)s CASE.xml [options]")
     add = parser.add_argument
-    add("case", metavar="CASE.xml", help="the case; its numbers are those that are told with their errors")
+    add("case", metavar="CASE.xml", help="the case; its numbers are those in the table")
     add("--output", metavar="DIR", default=DEFAULT_FOLDER, help=f"folder of the runs and of the page; it is continued if it exists; "
         f"default {DEFAULT_FOLDER}")
     add("--cores", type=int, metavar="N", default=os.cpu_count() or 1, help="processes at a time; default: all of this machine")
@@ -26,7 +26,7 @@ def make_parser(about):
         "shape that only its maker knows")
     add("--period", type=float, metavar="MS", help="beat over which means are taken; default: the longest period of a load")
     add("--set", dest="settings", action="append", default=[], metavar="A/b=c", help="sets a key of the case in all runs; may be repeated")
-    add("--fields", metavar="NAME,...", help="arrays of fields.h5 whose errors at the end are told; default: velocity, pressure, "
+    add("--fields", metavar="NAME,...", help="arrays of fields.h5 of which the errors at the end are shown; default: velocity, pressure, "
         "displacement, wall_shear_stress, recovered_von_mises; none")
     add("--dry-run", action="store_true", help="say what would be done, how long and how large; do nothing")
     add("--overwrite", action="store_true", help="begin anew in a folder of another case or mesh; without it such a folder is refused")

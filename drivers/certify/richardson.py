@@ -4,16 +4,16 @@ At size h (1 for the case itself, 1/2 with twice as many elements along each axi
 
   f(h) = f + c h^p,    so that with two sizes h1 > h2    f - f(h2) = (f(h2) - f(h1)) h2^p/(h1^p - h2^p)
 
-and three sizes give p. The error of the case is its known distance from the finest f(h), and what remains there. Only the
-remainder is uncertain, and only it takes a safety factor, those of Roache's grid convergence index:
+and three sizes give p. The error of the case is its known distance from the finest f(h), and what remains there. The
+remainder is what is uncertain. Safety factors are those of Roache's grid convergence index [Ro94]:
 
-  |f(1) - f| <= |f(1) - f(h_n)| + F |f(h_n) - f(h_n-1)| h_n^p/(h_n-1^p - h_n^p)
+  |f(1) - f| <= G |f(1) - f(h_n)| + F |f(h_n) - f(h_n-1)| h_n^p/(h_n-1^p - h_n^p)
 
+  G = 1.25   p observed, otherwise 1: there the second part is large
   F = 1.25   p observed, and as theory has it
   F = 3      p observed, but far from theory; or no p, neither observed nor of theory: then p = 1 stands for it
   F = 1      two sizes, and a p of theory: not that itself but the least that is plausible, which gives more
-From four sizes on, f, c and p are those of least squares, and what is off the fit is added (L. Eca, M. Hoekstra, J. Comput. Phys.
-262 (2014) 104-130).
+From four sizes on, f, c and p are those of least squares, and what is off the fit is added [EH14].
 """
 from dataclasses import dataclass
 
@@ -127,7 +127,7 @@ def estimate(sizes, values, theory, noise=0.0):
     used = min(p, theory.order) if theory else min(p, 1.0)
     rest = abs(last) * remainder(used, sizes)
     limit = values[-1] + np.sign(last) * rest
-    return Part(mine - limit, abs(known) + safety(p, theory) * rest, p, OBSERVED)
+    return Part(mine - limit, USUAL * abs(known) + safety(p, theory) * rest, p, OBSERVED)
 
 
 def _without_order(known, values, sizes, noise):
@@ -141,7 +141,7 @@ def _by_fit(sizes, values, mine, theory):
     if np.isnan(p) or spread > np.ptp(values) / (len(values) - 1):
         return _without_order(known, values, sizes, 0.0)
     rest = abs(values[-1] - limit)
-    return Part(mine - limit, abs(known) + safety(p, theory) * rest + spread, p, OBSERVED)
+    return Part(mine - limit, USUAL * abs(known) + safety(p, theory) * rest + spread, p, OBSERVED)
 
 
 def of_curves(sizes, curves, theory):
@@ -163,7 +163,7 @@ def of_curves(sizes, curves, theory):
         how, used, least = NO_ORDER, None, 1.0
     error = known if used is None else known - last * remainder(used, sizes)
     change = np.abs(last) if used is not None else np.abs(np.diff(curves[-3:], axis=0)).max(axis=0)
-    band = np.abs(known) + factor * change * remainder(least, sizes)
+    band = (USUAL if how == OBSERVED else 1.0) * np.abs(known) + factor * change * remainder(least, sizes)
     worst = int(np.argmax(np.abs(error)))
     return error, band, Part(float(error[worst]), float(band.max()), p, how)
 
