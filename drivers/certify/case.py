@@ -93,7 +93,7 @@ class Case:
         if self.control == "adaptive":
             # The error of a step goes with its square or cube: a quarter is about half a step of the case.
             return [f"Time/tolerance={self.number('Time', 'tolerance') / factor ** 2!r}",
-                    f"Time/step size={self.step_size() / factor!r}"] + self._largest_step(factor)
+                    f"Time/step size={self.step_size() / factor!r}", "Time/steps=0"] + self._largest_step(factor)
         return [f"Time/step size={self.step_size() / factor!r}", f"Time/steps={self.steps() * factor}"]
 
     def _largest_step(self, factor):

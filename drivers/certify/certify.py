@@ -85,6 +85,8 @@ class Certificate:
             path, times = target, times + 1
 
     def _tell(self, results, made):
+        self.remarks += [f"{job.name}: not used. It ends before the case does." for job in results.too_short]
+        print("  fields and page", flush=True)
         field_rows = fields.rows_of(results, made.results, self.options.fields)
         shown = [row for row in results.rows if not table.is_zero(row)] + field_rows
         print("\n".join(table.lines(shown, results.causes())))

@@ -37,11 +37,12 @@ class Results:
     """jobs: those that are done; the first is the case."""
 
     def __init__(self, case, jobs, folder_of, period):
-        self.case, self.jobs, self.period = case, jobs, period
+        self.case, self.period, self.base = case, period, jobs[0]
         self.curves_of = {job: Curves(folder_of(job)) for job in jobs}
-        self.base = jobs[0]
         mine = self.curves_of[self.base]
         self.times = mine.times
+        self.too_short = [job for job in jobs if not case.is_steady and self._ends_before(job)]
+        self.jobs = [job for job in jobs if job not in self.too_short]
         if period is not None and period > mine.times[-1] * (1 + quantities.SAME):
             self.period = None  # the run is shorter than a beat
         self.scales = quantities.scales(mine)
@@ -51,6 +52,10 @@ class Results:
         for name in self.names:
             self.curves.append(self._curve(name))
             self.rows += self._rows(name)
+
+    def _ends_before(self, job):
+        """Steps of their own may end a run elsewhere, where their number is bounded."""
+        return self.curves_of[job].times[-1] < self.times[-1] * (1 - quantities.SAME)
 
     def levels(self, cause):
         """The jobs of a cause with the case, coarse first."""
@@ -68,7 +73,7 @@ class Results:
         floor = quantities.ROUND_OFF * self.scales[name]
         if len(levels) < 2:
             return floor
-        values = [self.curves_of[job].at(name, self.times) for job in levels]
+        values = [self._at(job, name) for job in levels]
         return floor + float(np.abs(values[0] - values[1]).max())
 
     def _on_base(self, cause, name):
