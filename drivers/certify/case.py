@@ -7,13 +7,19 @@ from vessel.errors import BadInput
 
 from .richardson import Theory
 
-SMALLEST = 1e-14  # a relative tolerance beneath is round-off
+SMALLEST, LARGEST = 1e-14, 0.5  # relative tolerances: beneath is round-off, beyond nothing is solved
 # Lists whose tolerances bound the error of a step, by coupling; those within preconditioners do not.
 FIELDS = ("Fluid/Newton", "Wall/Newton")
 ALWAYS = ("Coupling", "Coupling/Newton", "Mesh Motion/Linear Solver", "Wall/Prestress")
 KEYS = ("tolerance", "relative increment", "absolute increment", "linear tolerance", "smallest tolerance", "largest tolerance",
         "mesh tolerance", "product tolerance", "final part")
 SCHEMES = {"bdf2": 2, "trapezoidal": 2, "newmark": 2, "implicit euler": 1}
+
+
+def scaled(path, value, factor):
+    if path.endswith("absolute increment"):
+        return value * factor
+    return min(value, max(value * factor, SMALLEST)) if factor < 1 else max(value, min(value * factor, LARGEST))
 
 
 class Case:
@@ -112,9 +118,8 @@ class Case:
         return {path: value for path, value in found.items() if value}
 
     def with_tolerances(self, factor):
-        """Settings with all tolerances times a factor."""
-        return [f"{path}={max(value * factor, SMALLEST) if factor < 1 else min(value * factor, 0.5)!r}"
-                for path, value in self.tolerances().items()]
+        """Settings with all tolerances times a factor, relative ones within what a computer can tell apart."""
+        return [f"{path}={scaled(path, value, factor)!r}" for path, value in self.tolerances().items()]
 
     def output_at_end(self):
         """Settings of a run of which only the last fields are needed."""

@@ -29,7 +29,7 @@ def make_parser(about):
     add("--fields", metavar="NAME,...", help="arrays of fields.h5 of which the errors at the end are shown; default: velocity, pressure, "
         "displacement, wall_shear_stress, recovered_von_mises; none")
     add("--dry-run", action="store_true", help="say what would be done, how long and how large; do nothing")
-    add("--overwrite", action="store_true", help="begin anew in a folder of another case or mesh; without it such a folder is refused")
+    add("--overwrite", action="store_true", help="begin anew, and replace the runs in the folder; without it runs of another case or mesh are refused")
     add("--programs", metavar="DIR", help="folder of the other programs; default: that of this one")
     return parser
 

@@ -50,16 +50,15 @@ def check_folder(path, overwrite):
 
 
 def open_folder(path, case, identity, overwrite):
-    """Continues what belongs to this case, and replaces that of another one only if told to."""
+    """Continues what belongs to this case, and replaces runs only if asked to."""
     record = os.path.join(path, RECORD)
-    if os.path.exists(record):
+    if os.path.exists(record) and not overwrite:
         before = read_json(record)
         if before.get("identity") != identity:
-            if not overwrite:
-                raise BadInput(f"{path}: holds runs of {before.get('case')} with other parameters or another mesh. Name another folder "
-                               "with --output, or replace them with --overwrite")
-            for name in (RUNS, MESHES):
-                shutil.rmtree(os.path.join(path, name), ignore_errors=True)
+            raise BadInput(f"{path}: holds runs of {before.get('case')} with other parameters or another mesh. Name another folder "
+                           "with --output, or replace them with --overwrite")
+    for name in (RUNS, MESHES) if overwrite else ():
+        shutil.rmtree(os.path.join(path, name), ignore_errors=True)
     write_json(record, {"format": FORMAT, "case": os.path.abspath(case.path), "identity": identity})
     for name in (RUNS, MESHES):
         os.makedirs(os.path.join(path, name), exist_ok=True)
