@@ -3,8 +3,11 @@ import os
 
 import numpy as np
 
-from vessel.errors import BadInput
+from vessel.errors import BadInput, nearest
+from vessel.folder import read_json, write_json
 from vessel.mesh_file import Mesh
+
+from .rounding import rounded
 
 ROUND = 1e-5  # part of its radius by which a cylinder may differ from one
 FLAT = 1e-9   # of the unit normals
@@ -39,22 +42,22 @@ def as_hdf5(path, folder, programs, log):
     return converted
 
 
-def refined(path, target, programs, log):
-    """Makes the file target, once: every tetrahedron in eight, new vertices of cylinders on them. Returns a remark, or None."""
+def refined(path, target, smooth, programs, log):
+    """Makes the file target, once: every tetrahedron in eight, new vertices of cylinders on them, of smooth surfaces on paraboloids
+    through the vertices. Returns remarks."""
     surfaces = Surfaces(Mesh(path))
     words = ["tunica-mesh", "refine", path, target + ".part.h5", "--overwrite", "on"]
-    remark = None
+    rounding = [name for name in surfaces.others if name in smooth]
+    faceted = [name for name in surfaces.others if name not in smooth]
+    told = target + ".json"  # outlives this process, as the mesh does
     if not os.path.exists(target):
-        rounded = ["--project", ",".join(surfaces.cylinders)] if surfaces.cylinders else []
-        if programs.run(words + rounded, log) != 0:
-            remark = (f"The cylinders {', '.join(surfaces.cylinders)} could not be rounded without inverted elements: the error of "
-                      "the mesh lacks that of its shape.")
-            programs.must(words, log)
+        write_json(told, _refine(words, target, rounding, surfaces, programs, log))
         os.replace(target + ".part.h5", target)
-    if surfaces.others:
-        remark = (f"No geometry is known of {', '.join(surfaces.others)}: refined, they keep their facets. The error of the mesh is "
-                  "that of the equations on this shape, without that of the shape itself.")
-    return remark
+    remarks = read_json(told)
+    if faceted:
+        remarks.append(f"No geometry is known of {', '.join(faceted)}: refined, they keep their facets. The error of the mesh is "
+                       "that of the equations on this shape, without that of the shape itself. Where they are smooth, name them with --smooth.")
+    return remarks
 
 
 def count(path):
@@ -64,6 +67,28 @@ def count(path):
 def relative_size(path, of_case):
     """Of the elements against those of the case, from the numbers of tetrahedra; 2 is twice as coarse."""
     return (count(of_case) / count(path)) ** (1 / 3)
+
+
+def _refine(words, target, rounding, surfaces, programs, log):
+    remarks, path = [], words[2]
+    cylinders = ["--project", ",".join(surfaces.cylinders)] if surfaces.cylinders else []
+    if programs.run(words + cylinders, log) != 0:
+        remarks.append(f"The cylinders {', '.join(surfaces.cylinders)} could not be rounded without inverted elements: the error of the "
+                       "mesh lacks that of its shape.")
+        programs.must(words, log)
+    held = rounded(path, target + ".part.h5", rounding, surfaces.flat) if rounding else 0
+    if held:
+        remarks.append(f"{os.path.basename(target)}: {held} vertices stay near the facets: beyond, elements would be inverted.")
+    return remarks
+
+
+def smooth_names(text, mesh):
+    """Those of --smooth, which the mesh has to have."""
+    names, there = [word.strip() for word in (text or "").split(",") if word.strip()], Mesh(mesh).surfaces
+    for name in names:
+        if name not in there:
+            raise BadInput(f"--smooth {name}: {mesh} has no such surface. {nearest(name, there)}")
+    return names
 
 
 def check_same_names(path, of_case):

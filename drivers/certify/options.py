@@ -20,6 +20,8 @@ def make_parser(about):
         "default 2, or what --budget permits")
     add("--steps", type=int, metavar="N", choices=(1, 2, 3), help="steps in time: 1, 2 with half of them, 3 with a quarter, too; "
         "default 3")
+    add("--smooth", metavar="NAME,...", help="curved surfaces that are smooth: h/2 follows paraboloids through their vertices; cylinders "
+        "about the z axis are always followed")
     add("--coarser", metavar="FILE", help="a coarser mesh of the same vessel, with the same names: for meshes of which h/2 is too dear, "
         "and for an observed order")
     add("--finer", metavar="FILE", help="a finer mesh of the same vessel, with the same names, instead of h/2 by refinement: follows a "

@@ -4,7 +4,7 @@ import os
 from dataclasses import dataclass, field
 
 from vessel.errors import BadInput
-from vessel.folder import hash_of_file
+from vessel.folder import hash_of, hash_of_file
 from vessel.plan import MB_A_TETRAHEDRON, MB_OF_PROGRAM, SECONDS_A_TETRAHEDRON, duration_text
 
 from . import meshes
@@ -64,12 +64,16 @@ class Plan:
         return [self._side(f"step-{factor}", STEP, 1 / factor, OF_SHORTER_STEPS * factor, settings=self.case.finer_step(factor),
                            steps=steps * factor, tetrahedra=self.tetrahedra)]
 
+    def _shape(self):
+        """Meshes of other shapes have other names."""
+        return f"-smooth-{hash_of(sorted(self.options.smooth.split(',')))[:4]}" if self.options.smooth else ""
+
     def refined(self, times):
-        return os.path.join(self.folder, f"refined-{2 ** times}.h5")
+        return os.path.join(self.folder, f"refined-{2 ** times}{self._shape()}.h5")
 
     def _refined_job(self, steps, times):
         path = self.refined(times)
-        return self._side(f"mesh-{2 ** times}", MESH, 0.5 ** times, OF_REFINEMENT ** times, path,
+        return self._side(f"mesh-{2 ** times}{self._shape()}", MESH, 0.5 ** times, OF_REFINEMENT ** times, path,
                           settings=[f"Mesh/file={os.path.abspath(path)}"], steps=steps, tetrahedra=8 ** times * self.tetrahedra)
 
     def _given(self, name, path, steps):

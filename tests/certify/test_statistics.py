@@ -2,18 +2,21 @@
 test_statistics.py ROOT FOLDER_OF_PROGRAMS SCRATCH
 """
 import os
+import subprocess
 import sys
+import tempfile
 import types
 import unittest
 
+import h5py
 import numpy as np
 
-from certify import meshes, options, plan, quantities, richardson
+from certify import case, meshes, options, plan, quantities, richardson, rounding
 from certify.richardson import ASSUMED, EXACT, MISSING, NO_ORDER, OBSERVED, Theory, estimate
 from vessel.errors import BadInput
 from vessel.mesh_file import Mesh
 
-ROOT = sys.argv[1]
+ROOT, PROGRAMS = sys.argv[1:3]
 SECOND, FIRST = Theory(2, 1), Theory(1, 0.75)
 LIMIT = 3.0
 
@@ -143,6 +146,32 @@ class Meshes(unittest.TestCase):
         self.assertEqual(fork.cylinders, [])
         self.assertIn("interface", fork.others)
 
+    def test_smooth_surfaces_are_rounded(self):
+        """A tube along x, of which nobody says that it is a cylinder; and its ends stay in their planes."""
+        with tempfile.TemporaryDirectory() as where:
+            coarse, fine = os.path.join(where, "coarse.h5"), os.path.join(where, "fine.h5")
+            tool = os.path.join(PROGRAMS, "tunica-mesh")
+            subprocess.run([tool, "tube", coarse, "--around", "16", "--axial", "8", "--length", "4"], check=True, stdout=subprocess.DEVNULL)
+            with h5py.File(coarse, "r+") as file:
+                file["vertices"][:] = file["vertices"][:][:, [2, 0, 1]]
+            subprocess.run([tool, "refine", coarse, fine], check=True, stdout=subprocess.DEVNULL)
+            off = lambda mesh, name, radius: abs(  # noqa: E731
+                np.hypot(*mesh.vertices[np.unique(mesh.triangles_of(name))][:, 1:].T) - radius).max()
+            names = ["interface", "outer", "layer"]
+            facets = off(Mesh(fine), "interface", 1.43)
+            self.assertEqual(rounding.rounded(coarse, fine, names, ["inlet", "outlet", "struct_in", "struct_out"]), 0)
+            mesh = Mesh(fine)
+            self.assertLess(off(mesh, "interface", 1.43), 0.12 * facets)
+            self.assertLess(off(mesh, "outer", 1.82), 0.15 * facets)
+            self.assertLess(abs(mesh.vertices[np.unique(mesh.triangles_of("inlet"))][:, 0]).max(), 1e-12)
+            self.assertGreater(mesh.volume(mesh.tets).min(), 0)
+
+    def test_creases_stay(self):
+        mesh = Mesh(os.path.join(ROOT, "meshes", "block.h5"))
+        corners = rounding.Patch(mesh, mesh.triangles)
+        self.assertTrue(corners.creases.any())
+        self.assertLess(abs(corners.moves()).max(), 1e-9)
+
     def test_sizes_follow_from_the_numbers_of_tetrahedra(self):
         path = os.path.join(ROOT, "meshes", "{}.h5")
         ratio = meshes.relative_size(path.format("tube-tiny"), path.format("tube-coarse"))
@@ -154,7 +183,7 @@ class Meshes(unittest.TestCase):
 def planned(**given):
     case = types.SimpleNamespace(control="fixed", steps=lambda: 100, varies_in_time=lambda: True, output_at_end=lambda: [],
                                  with_tolerances=lambda factor: [f"x={factor}"], finer_step=lambda factor: [f"n={factor}"])
-    wanted = {"ranks": 1, "cores": 1, "levels": None, "steps": None, "coarser": None, "finer": None, "budget": None, **given}
+    wanted = {"ranks": 1, "cores": 1, "levels": None, "steps": None, "coarser": None, "finer": None, "smooth": None, "budget": None, **given}
     return plan.Plan(case, types.SimpleNamespace(**wanted), os.path.join(ROOT, "meshes", "tube-tiny.h5"), "never-made")
 
 
@@ -185,6 +214,25 @@ class Plans(unittest.TestCase):
 
     def test_several_cores_need_less_time(self):
         self.assertLess(planned(cores=4).duration(planned(cores=4).choose()), planned().duration(planned().choose()))
+
+
+class Tolerances(unittest.TestCase):
+    def test_a_tenth_is_less_and_never_more(self):
+        for path, value, factor, expected in (("Fluid/Newton/absolute increment", 1e-18, 0.1, 1e-19), ("Coupling/tolerance", 1e-8, 0.1, 1e-9),
+                                              ("Fluid/Newton/linear tolerance", 5e-14, 0.1, 1e-14),
+                                              ("Fluid/Newton/linear tolerance", 1e-15, 0.1, 1e-15),
+                                              ("Coupling/Newton/linear tolerance", 0.1, 10, 0.5)):
+            self.assertAlmostEqual(case.scaled(path, value, factor) / expected, 1, msg=path)
+
+
+class Beats(unittest.TestCase):
+    def test_what_is_left_of_a_transient_is_summed(self):
+        part = richardson.settling([2.0 + 0.3 * 0.5 ** k for k in range(3)])
+        self.assertAlmostEqual(part.error, 0.3 * 0.25)
+        self.assertGreaterEqual(part.band, 0.3 * 0.25)
+        self.assertEqual(richardson.settling([1.0, 1.1]).how, NO_ORDER)
+        self.assertEqual(richardson.settling([1.0, 1.1, 1.3]).how, NO_ORDER)
+        self.assertEqual(richardson.settling([1.0]).how, MISSING)
 
 
 class Options(unittest.TestCase):
