@@ -39,10 +39,6 @@ class Programs:
             raise BadInput(f"{path}: there is no such program. {hint}")
         return path
 
-    def has_command(self, name, command):
-        """Whether a program has this command: older ones lack some."""
-        return self.output_of([name, command, "--help"])[0] == 0
-
     def command(self, words, ranks=1):
         command = [self.path(words[0])] + [str(word) for word in words[1:]]
         if ranks > 1:
