@@ -7,7 +7,7 @@ from vessel.errors import BadInput
 
 from .richardson import Theory
 
-SMALLEST, LARGEST = 1e-14, 0.5  # relative tolerances: beneath is round-off, beyond nothing is solved
+SMALLEST, LARGEST = 1e-14, 0.1  # relative tolerances: beneath is round-off, beyond nothing is solved
 # Lists whose tolerances bound the error of a step, by coupling; those within preconditioners do not.
 FIELDS = ("Fluid/Newton", "Wall/Newton")
 ALWAYS = ("Coupling", "Coupling/Newton", "Mesh Motion/Linear Solver", "Wall/Prestress")

@@ -27,11 +27,13 @@ def make_parser(about):
     add("--finer", metavar="FILE", help="a finer mesh of the same vessel, with the same names, instead of h/2 by refinement: follows a "
         "shape that only its maker knows")
     add("--period", type=float, metavar="MS", help="beat over which means are taken; default: the longest period of a load")
-    add("--set", dest="settings", action="append", default=[], metavar="A/b=c", help="sets a key of the case in all runs; may be repeated")
+    add("--set", dest="settings", action="append", default=[], metavar="A/b=c", help="sets a key of the case in all runs; may be "
+        "repeated")
     add("--fields", metavar="NAME,...", help="arrays of fields.h5 of which the errors at the end are shown; default: velocity, pressure, "
         "displacement, wall_shear_stress, recovered_von_mises; none")
     add("--dry-run", action="store_true", help="say what would be done, how long and how large; do nothing")
-    add("--overwrite", action="store_true", help="begin anew, and replace the runs in the folder; without it runs of another case or mesh are refused")
+    add("--overwrite", action="store_true", help="begin anew, and replace the runs in the folder; without it those of another case or mesh "
+        "are refused")
     add("--programs", metavar="DIR", help="folder of the other programs; default: that of this one")
     return parser
 

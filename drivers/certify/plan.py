@@ -101,9 +101,10 @@ class Plan:
     def _within_memory(self, jobs):
         """Leaves out what this machine cannot hold."""
         there = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 1e6
-        for job in [job for job in jobs if self._memory(job) > there]:
+        beyond = [job for job in jobs if self._memory(job) > there and job is not self.base]
+        for job in beyond:
             self.remarks.append(f"{job.name}: needs about {self._memory(job) / 1000:.1f} GB, this machine has {there / 1000:.1f} GB.")
-        return [job for job in jobs if self._memory(job) <= there]
+        return [job for job in jobs if job not in beyond]
 
     def slots(self):
         return max(1, self.options.cores // self.options.ranks)

@@ -8,6 +8,7 @@ from vessel import checkpoint
 from vessel.errors import BadInput, NotConverged
 from vessel.folder import hash_of, hash_of_file, read_json, write_json
 from vessel.programs import PROGRESS_SECONDS, last_line
+from vessel.run import wait_until_free
 
 from .plan import BASE
 
@@ -106,6 +107,7 @@ class Runs:
 
     def _start(self, job, prepare):
         prepare(job)
+        wait_until_free(self.results(job))
         self.children[job] = self.programs.start(self.words(job), self.log(job), self.options.ranks)
 
     def progress(self, job):

@@ -48,7 +48,8 @@ def extrapolated(row):
 
 
 def heading(causes):
-    return ["", "", "value", "±", "of the value", *(f"error of the {cause} [order]" if cause != BEAT else "not yet settled" for cause in causes), "extrapolated"]
+    of_causes = ["not yet settled" if cause == BEAT else f"error of the {cause} [order]" for cause in causes]
+    return ["", "", "value", "±", "of the value", *of_causes, "extrapolated"]
 
 
 def cells(row, causes):

@@ -221,7 +221,8 @@ class Tolerances(unittest.TestCase):
         for path, value, factor, expected in (("Fluid/Newton/absolute increment", 1e-18, 0.1, 1e-19), ("Coupling/tolerance", 1e-8, 0.1, 1e-9),
                                               ("Fluid/Newton/linear tolerance", 5e-14, 0.1, 1e-14),
                                               ("Fluid/Newton/linear tolerance", 1e-15, 0.1, 1e-15),
-                                              ("Coupling/Newton/linear tolerance", 0.1, 10, 0.5)):
+                                              ("Coupling/Newton/linear tolerance", 0.03, 10, 0.1),
+                                              ("Coupling/Newton/linear tolerance", 0.2, 10, 0.2)):
             self.assertAlmostEqual(case.scaled(path, value, factor) / expected, 1, msg=path)
 
 
