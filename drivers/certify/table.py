@@ -8,12 +8,13 @@ from report.canvas import readable
 
 from .fields import OF_FIELD
 from .plan import BEAT
-from .richardson import ASSUMED, MISSING, NO_ORDER, missing
+from .richardson import ASSUMED, MISSING, NO_ORDER, OBSERVED_DECAY, missing
 
 FILE = "errors.csv"
 NOTHING = 1e-4  # of the largest value of a kind
 INCOMPLETE = "*"  # a band that lacks a part
 NO_ORDER_NOTE = "no order: at least the difference; (2): order of theory, assumed"
+SETTLES_NOTE = "settles: changes from beat to beat fall, and what is left of them is summed"
 LACKING_NOTE = "* without the parts that were not estimated"
 
 
@@ -61,7 +62,8 @@ def cells(row, causes):
 def notes(rows):
     """What the marks in the cells mean, those that there are."""
     parts = [part.how for row in rows for part in row.budget.parts.values()]
-    return ([NO_ORDER_NOTE] if NO_ORDER in parts or ASSUMED in parts else []) + ([LACKING_NOTE] if MISSING in parts else [])
+    meaning = (({NO_ORDER, ASSUMED}, NO_ORDER_NOTE), ({OBSERVED_DECAY}, SETTLES_NOTE), ({MISSING}, LACKING_NOTE))
+    return [note for marks, note in meaning if marks & set(parts)]
 
 
 def lines(rows, causes):
