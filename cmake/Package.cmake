@@ -12,7 +12,7 @@ if(DPKG_SHLIBDEPS)
 endif()
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
   "openmpi-bin, python3, python3-h5py, python3-matplotlib, python3-numpy")
-# For tunica-import, tunica-lumen, and the tables of a beat of tunica-report.
+# For tunica-import, tunica-lumen, tunica-certify --smooth, and the tables of a beat of tunica-report.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "python3-gmsh, python3-meshio, python3-scipy, python3-vtk9")
 # For programs that link Tunica's libraries.

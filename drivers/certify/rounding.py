@@ -9,7 +9,6 @@ fourth power of the length of the edge, that of the middle itself with the squar
 """
 import h5py
 import numpy as np
-from scipy.spatial import cKDTree
 
 from vessel.mesh_file import Mesh
 
@@ -107,6 +106,7 @@ def _terms(local):
 def rounded(before, path, smooth, flat):
     """Moves the vertices of the refined mesh in the file path; smooth and flat are names of surfaces. Returns how many had to stay
     nearer to the facets, since elements would have been inverted."""
+    from scipy.spatial import cKDTree
     coarse, fine = Mesh(before), Mesh(path)
     places, tree = np.zeros_like(fine.vertices), cKDTree(fine.vertices)
     for name in smooth:
