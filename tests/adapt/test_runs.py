@@ -1,0 +1,70 @@
+"""Runs whose meshes are made anew, and go on there: test_runs.py SOURCE PROGRAMS SCRATCH"""
+import os
+import subprocess
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import h5py
+import numpy as np
+
+SOURCE, PROGRAMS, SCRATCH = sys.argv[1:4]
+sys.path.append(os.path.join(SOURCE, "xml"))
+from pages import ENVIRONMENT, columns_of  # noqa: E402
+from scratch import fresh  # noqa: E402
+
+CASE = os.path.join(SOURCE, "xml", "poiseuille.xml")
+COUPLED = os.path.join(SOURCE, "xml", "artery-tiny.xml")
+
+
+def program(name, *words):
+    return subprocess.run([os.path.join(PROGRAMS, name), *map(str, words)], capture_output=True, text=True, cwd=SCRATCH, env=ENVIRONMENT,
+                          check=False)
+
+
+def path(name):
+    return os.path.join(SCRATCH, name)
+
+
+class Runs(unittest.TestCase):
+    def must(self, name, *words):
+        done = program(name, *words)
+        self.assertEqual(done.returncode, 0, f"{name} {words}: {done.stdout}{done.stderr}")
+        return done.stdout
+
+    def refused(self, part, *words):
+        done = program("tunica-mesh", "adapt", *words)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stdout + done.stderr)
+        self.assertIn(part, done.stderr)
+
+    def test_blood_alone(self):
+        """A tube without layers: the new mesh is as round, has the names and about the number, and the flow goes on."""
+        self.must("tunica-mesh", "tube", "tube.h5", "--radius", 1.43, "--length", 8, "--around", 12, "--axial", 10, "--rings", 2, "--wall",
+                  "off")
+        settings = ["--set", "Mesh/file=" + path("tube.h5"), "--set", "Fluid/Surfaces/inlet/pressure=1e-3"]
+        self.must("tunica-fluid", CASE, "--output", "run", *settings)
+        self.must("tunica-mesh", "adapt", "run", "new.h5", "--layers", 1)
+        with h5py.File(path("new.h5")) as file, h5py.File(path("tube.h5")) as old:
+            names = [name.decode() for name in file["surface_names"][:]]
+            self.assertEqual(sorted(names), sorted(name.decode() for name in old["surface_names"][:] if name in (b"inlet", b"outlet", b"interface")))
+            wall = np.unique(file["triangles"][:][file["triangle_surface"][:] == names.index("interface")])
+            radius = np.linalg.norm(file["vertices"][:][wall][:, :2], axis=1)
+            self.assertAlmostEqual(len(file["tets"]) / len(old["tets"]), 1.0, delta=0.2)
+            self.assertLess(np.abs(radius - 1.43).max(), 0.03)  # chords of the run's twelve sides are 0.049 off
+            self.assertIn("origin", file)
+        self.must("tunica-fluid", "new.xml", "--output", "next", "--steps", 1)
+        before, after = (columns_of(path(name))["inflow_outlet_mm3_per_ms"][-1] for name in ("run", "next"))
+        self.assertAlmostEqual(after / before, 1.0, delta=0.1)
+        self.refused("is there already", "run", "new.h5")
+
+    def test_what_cannot_be_done_is_said_in_one_line(self):
+        self.refused("not a folder", "nowhere", "other.h5")
+        os.makedirs(path("empty"), exist_ok=True)
+        self.refused("run.json", "empty", "other.h5")
+        self.refused("ends in .h5", "run", "other.msh")
+        self.refused('Did you mean "--factor"?', "run", "other.h5", "--facto", 2)
+
+
+if __name__ == "__main__":
+    fresh(SCRATCH)
+    unittest.main(argv=sys.argv[:1])
