@@ -93,17 +93,9 @@ class Along:
         self.at = np.arange(len(run.points))
         self.is_there = grid in run.run.grids() and run.field(run.outputs[-1], grid, name) is not None
         if self.is_there and grid == "wall":
-            self.at = self._points_of_wall()
+            self.at = cKDTree(run.run.fields["wall/points"][:]).query(run.points)[1]
         self.areas = base.areas(run.points, run.wall)
         self.squares, self.whole = Sum(over), Sum(over)
-
-    def _points_of_wall(self):
-        """The point of the wall's grid that is the vertex of each of the blood's; the first, where layers have one each."""
-        of_blood = self.run.run.fields["fluid/vertices"][:]
-        of_wall = self.run.run.fields["wall/vertices"][:]
-        place = np.full(max(of_blood.max(), of_wall.max()) + 1, -1)
-        place[of_wall[::-1]] = np.arange(len(of_wall))[::-1]
-        return place[of_blood]
 
     def add(self, output):
         if not self.is_there:

@@ -3,7 +3,6 @@ import copy
 import json
 import os
 import subprocess
-import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 

@@ -11,7 +11,7 @@ import dataclasses
 import numpy as np
 from scipy.sparse import coo_matrix, csr_matrix
 
-RINGS, MOST_RINGS = 2, 4   # of vertices around
+MOST_RINGS = 4             # of vertices around; two, where they suffice
 WORST = 1e-9               # least over largest eigenvalue of a fit that is taken
 CHUNK = 4000               # vertices at a time
 SECOND = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
@@ -45,26 +45,26 @@ class Recovery:
 def recovery(points, tets):
     """Of a mesh all of whose points are used."""
     near = neighbours(len(points), tets)
-    around = near @ near
-    missing, rings, parts = np.arange(len(points)), RINGS, []
-    while len(missing):
-        found, good = fitted(points, around, missing, rings == MOST_RINGS)
-        parts.append(tuple(part[good[found[0]]] for part in found[1:]))
-        missing, rings = np.flatnonzero(~good) if len(missing) == len(points) else missing[~good[missing]], rings + 1
-        around = around @ near if len(missing) else around
+    around, missing, parts = near, np.arange(len(points)), []
+    for rings in range(2, MOST_RINGS + 1):
+        around = around @ near
+        *found, good = fitted(points, around, missing, rings == MOST_RINGS)
+        parts.append([part[good[found[0]]] for part in found])
+        missing = missing[~good[missing]]
+        if not len(missing):
+            break
     rows, columns, weights = (np.concatenate([part[k] for part in parts]) for k in range(3))
-    matrices = [csr_matrix((weights[:, k], (rows, columns)), shape=around.shape) for k in range(9)]
+    matrices = [csr_matrix((weights[:, k], (rows, columns)), shape=near.shape) for k in range(9)]
     return Recovery(matrices[:3], matrices[3:])
 
 
 def fitted(points, around, vertices, is_last):
-    """Rows, columns and nine weights of the fits at these vertices, and which vertices have a fit that is taken."""
+    """Rows, columns and nine weights of the fits at these vertices, and whether a vertex has a fit that is taken."""
     good, parts = np.ones(len(points), dtype=bool), []
-    sizes = np.diff(around.indptr)[vertices]
-    for some in np.array_split(vertices[np.argsort(sizes, kind="stable")], max(1, -(-len(vertices) // CHUNK))):
+    order = vertices[np.argsort(np.diff(around.indptr)[vertices], kind="stable")]
+    for some in np.array_split(order, -(-len(order) // CHUNK)):
         parts.append(fit(points, around, some, is_last, good))
-    rows, columns, weights = (np.concatenate([part[k] for part in parts]) for k in range(3))
-    return (rows, rows, columns, weights), good
+    return [np.concatenate([part[k] for part in parts]) for k in range(3)] + [good]
 
 
 def fit(points, around, vertices, is_last, good):

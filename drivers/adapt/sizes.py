@@ -17,8 +17,9 @@ FEWEST_ACROSS = 3.0        # elements across the lumen
 import os; FEWEST_AROUND = float(os.environ.get("FA", "12"))  # around a full circle
 SMALLEST = 1.0 / 30.0      # of the local radius
 THINNEST, THICKEST = 0.02, 0.3   # of the size: the layer at the wall
-LAST = 0.8                 # of the size: all layers
-GROWTH = 1.5               # of layers
+ALL = 0.6                  # of the size: all layers
+GROWTH = 1.8               # of layers, where none is asked for
+ONE_SIDED = 0.5            # what the shear at the wall feels of an error on its one side, beside that along it
 MOST_LAYERS = 8
 ROUGH = 2.0                # of each error: layers are not worth that
 
@@ -76,13 +77,13 @@ class Planner:
         return Plan(size, np.minimum(first, self.limits.room / max((growth ** np.arange(count)).sum(), 1.0)), count, growth)
 
     def first(self, size):
-        """Thickness of the layer at the wall. Its error du/dn first/reach is that along the wall: of three directions two are
-        along it, so that a part of the error in each is cheapest."""
+        """Thickness of the layer at the wall. There the slope of a parabola changes by first/reach of itself, and the shear along
+        the wall within a triangle by its variation, which grows with the triangle."""
         on, wish = self.on, self.wish
         area = np.bincount(self.wall.reshape(-1), np.repeat(self.areas, 3), len(size))[on]
         wider = np.sqrt((area * (size[on] / wish.side[on]) ** 2).sum() / area.sum())
         thickness = np.ones(len(size))
-        thickness[on] = np.clip(wish.variation * wider * wish.reach[on], THINNEST * size[on], THICKEST * size[on])
+        thickness[on] = np.clip(ONE_SIDED * wish.variation * wider * wish.reach[on], THINNEST * size[on], THICKEST * size[on])
         return thickness
 
     def layering(self, first, size):
@@ -90,7 +91,7 @@ class Planner:
         on, growth = self.on, self.options.growth or GROWTH
         wanted = self.options.layers
         if wanted is None:
-            far = np.minimum(np.minimum(self.wish.reach[on], LAST * size[on]), self.limits.room[on])
+            far = np.minimum(np.minimum(self.wish.reach[on], ALL * size[on]), self.limits.room[on])
             far = float(np.median(far / first[on]))
             count = far if abs(growth - 1.0) < 1e-6 else np.log(max(1.0 + far * (growth - 1.0), 1e-9)) / np.log(growth)
             wanted = int(np.clip(np.ceil(count - 0.05), 1, self.most))

@@ -7,9 +7,9 @@ from importer.raw import BadMesh
 from lumen import surface as base
 from lumen.surface import Surface
 from lumen.target import Target
+from report.surfaces import numbers_by_place
 
 from . import columns
-from .old_run import tags_of
 
 
 @dataclasses.dataclass
@@ -35,22 +35,16 @@ def of(run):
         return None
     fields = run.run.fields
     points, tets, region = (fields[f"wall/{name}"][:] for name in ("points", "tets", "region"))
-    vertices, of_blood = (fields[f"{grid}/vertices"][:].astype(np.int64) for grid in ("wall", "fluid"))
-    tets = first_of(vertices)[vertices[tets.astype(np.int64)]]
-    inner = first_of(vertices)[of_blood[run.wall]]
+    at_wall, of_blood = numbers_by_place(points, run.points)  # between layers points are there once for each
+    place = np.full(max(at_wall.max(), of_blood.max()) + 1, -1)
+    place[at_wall] = np.arange(len(points))
+    tets, inner = place[at_wall[tets]], place[of_blood[run.wall]]
     found = columns.peeled(points, tets, inner)
     if not found.is_layer.all():
         raise BadMesh(f"{run.mesh_file}: its wall is not made of layers of prisms on {run.wall_names[0]}: it was not grown by "
                       "tunica-mesh wall, and cannot be grown again. Grow a wall, or give a run of the blood alone")
     names = [name.decode() for name in fields["wall/region_names"][:]]
     return Wall(layers_of(found, names, region), points[np.unique(inner)], thickness_of(points, found.far, inner), len(tets))
-
-
-def first_of(vertices):
-    """The position of a vertex of the mesh among these, the first where layers have one each."""
-    place = np.full(vertices.max() + 1, -1)
-    place[vertices[::-1]] = np.arange(len(vertices))[::-1]
-    return place
 
 
 def layers_of(found, names, region):
