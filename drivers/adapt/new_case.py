@@ -24,7 +24,7 @@ def write(run, wall, mesh, rims, target, plan, options, progress):
     with tempfile.TemporaryDirectory(prefix=".adapt-", dir=folder) as drafts:
         lumen, draft = os.path.join(drafts, "lumen.h5"), os.path.join(drafts, "vessel.h5")
         name = run.wall_names[0] if wall is None else result.WALL
-        result.write(mesh, rims, lumen, name, run.run.fields["fluid/region_names"][:][0].decode())
+        result.write(mesh, rims, lumen, name, run.region)
         if wall is None:
             draft = lumen
         else:

@@ -8,7 +8,7 @@ import numpy as np
 from importer import tunica_file
 from importer.raw import BadMesh
 from lumen.surface import show
-from report.run_data import BadRun, Run
+from report.run_data import BadRun, Run, region_names
 from report.surfaces import boundary
 
 WALLS = ("interface", "no slip")   # conditions of a surface that is a wall
@@ -37,11 +37,19 @@ class OldRun:
         self.folder = os.path.abspath(folder)
         self.case = self._case()
         if "fluid" not in self.run.grids():
-            raise BadMesh(f"{folder}: the run has no fields of blood: " + (" ".join(self.run.remarks) or "it is one of a wall alone")
-                          + " \"Output / fields every\" writes them")
+            why = " ".join(self.run.remarks) or "it is one of a wall alone"
+            raise BadMesh(f"{folder}: the run has no fields of blood ({why}). \"Output / fields every\" asks for them")
         self.points, self.tets = self.run.mesh("fluid")
         self.outputs = self._outputs(start)
         self._name_surfaces(self._mesh())
+        if len(self.wall_names) != 1:
+            raise BadMesh(f"{self.mesh_file}: has {len(self.wall_names)} surfaces that are walls of the blood, {', '.join(self.wall_names)}: "
+                          "expected one, from which tunica-mesh lumen can make another")
+        regions = [region_names(self.run.fields, "fluid")[k] for k in np.unique(self.run.fields["fluid/region"][:])]
+        if len(regions) != 1 or self.raw.vectors:
+            raise BadMesh(f"{self.mesh_file}: " + ("holds fibre directions of its elements, which another mesh does not have"
+                                                   if self.raw.vectors else f"its blood has {len(regions)} regions, expected one"))
+        self.region = regions[0]
 
     def _case(self):
         for name in ("case-used.xml", "case.xml"):

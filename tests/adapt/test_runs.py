@@ -104,6 +104,8 @@ class Runs(unittest.TestCase):
         os.makedirs(path("empty"), exist_ok=True)
         self.refused("run.json", "empty", "other.h5")
         self.refused("ends in .h5", "run", "other.msh")
+        self.must("tunica-solid", os.path.join(SOURCE, "xml", "block.xml"), "--output", "solid", "--steps", 1)
+        self.refused("a wall alone", "solid", "other.h5")
         self.refused('Did you mean "--factor"?', "run", "other.h5", "--facto", 2)
 
 
