@@ -66,8 +66,6 @@ def take_mesh(source, draft, programs, log):
 
 
 def fill_surface(options, draft, programs, log):
-    if not programs.has_command("tunica-mesh", "lumen"):
-        raise BadInput(f"{options.lumen}: this tunica-mesh has no command \"lumen\" to fill a surface. Give a mesh of the lumen")
     words = ["tunica-mesh", "lumen", options.lumen, draft]
     for name in ("scale", "size", "across", "layers"):
         value = getattr(options, name)

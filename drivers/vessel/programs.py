@@ -39,12 +39,6 @@ class Programs:
             raise BadInput(f"{path}: there is no such program. {hint}")
         return path
 
-    def has_command(self, name, command):
-        """Whether a program has this command: older ones lack some."""
-        done = subprocess.run([self.path(name), command, "--help"], env={**os.environ, **MPI}, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
-        return done.returncode == 0
-
     def run(self, words, log, ranks=1, shown=False):
         """Runs until it ends; its lines go to the file `log`, and to the screen if shown. Returns the exit status."""
         command = [self.path(words[0])] + [str(word) for word in words[1:]]

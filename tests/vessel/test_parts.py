@@ -206,7 +206,7 @@ class Folders(unittest.TestCase):
             folder.write_atomically(os.path.join(self.path, "draft-lumen.png"), "picture")
             raise BadInput("two.stl: 2 pieces")
         one = self.opened()
-        programs = argparse.Namespace(has_command=lambda *_: True, must=refuse)
+        programs = argparse.Namespace(must=refuse)
         wanted = argparse.Namespace(lumen="two.stl", scale=None, size=None, across=None, layers=None)
         with self.assertRaisesRegex(BadInput, "2 pieces. The place is shown in .*refused.png"):
             lumen.make(one, wanted, programs)

@@ -7,7 +7,7 @@ namespace tunica::linear {
 /// The blocks behind each other, and a preconditioner of them: an operator on such vectors whose
 /// refresh() sets it up for the present values.
 template <class Preconditioner>
-class ConcatenatedSystem final : public PreconditionedSystem {
+class ConcatenatedSystem : public PreconditionedSystem {
 public:
   /// K must outlive the object.
   ConcatenatedSystem(const algebra::BlockMatrix& K,

@@ -47,8 +47,8 @@ public:
   /// Lets nothing that earlier solves have left, a preconditioner or directions, serve a later one.
   virtual void forget() = 0;
 
-  /// State that forget() keeps, for a checkpoint: the preconditioner in use, if there are several.
-  /// Empty if it is the first.
+  /// State that forget() keeps, for a checkpoint: the preconditioner in use, if there are several,
+  /// and what its set-ups have learnt. Empty if it is the first, and has learnt nothing.
   virtual std::vector<double> save() const { return {}; }
   virtual void restore(const std::vector<double>& numbers) { static_cast<void>(numbers); }
 

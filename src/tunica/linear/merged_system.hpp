@@ -20,6 +20,9 @@ public:
   virtual multigrid::Levels levels() const { return {}; }
   /// Estimated bytes of the factors of a direct solver. Collective.
   virtual double expected_bytes() const { return 0.0; }
+  /// As LinearSolver has them.
+  virtual std::vector<double> save() const { return {}; }
+  virtual void restore(const std::vector<double>& numbers) { static_cast<void>(numbers); }
 };
 
 /// One matrix with the unknowns of a node side by side, and a preconditioner of it.
@@ -41,6 +44,8 @@ public:
   void refresh_preconditioner() override { preconditioner_->refresh(); }
   double expected_bytes() const override { return preconditioner_->expected_bytes(); }
   multigrid::Levels levels() const override { return preconditioner_->levels(); }
+  std::vector<double> save() const override { return preconditioner_->save(); }
+  void restore(const std::vector<double>& numbers) override { preconditioner_->restore(numbers); }
   void gather(const algebra::BlockVector& x, MultiVector& all) const override { K_.merge(x, all); }
   void scatter(const MultiVector& all, algebra::BlockVector& x) const override { K_.split(all, x); }
 

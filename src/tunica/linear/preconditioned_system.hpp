@@ -29,6 +29,10 @@ public:
   /// Levels of the multigrid hierarchy as it was set up last, none by default. Collective.
   virtual multigrid::Levels levels() const { return {}; }
 
+  /// What set-ups have taught the preconditioner, as LinearSolver has it.
+  virtual std::vector<double> save() const { return {}; }
+  virtual void restore(const std::vector<double>& numbers) { static_cast<void>(numbers); }
+
   virtual void gather(const algebra::BlockVector& x, MultiVector& all) const = 0;
   virtual void scatter(const MultiVector& all, algebra::BlockVector& x) const = 0;
 };

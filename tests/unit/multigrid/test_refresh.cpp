@@ -137,6 +137,15 @@ TEUCHOS_UNIT_TEST(cycle, fill_that_one_bad_matrix_asked_for_is_given_up_again) {
   cycle.refresh();
   TEST_COMPARE(distance_to_new(), >,
                1e-5);  // it has the shift or the fill that the other asked for
+  // A new one that recalls what this one has learnt sets up as it does.
+  const std::vector<double> learnt = cycle.memory();
+  multigrid::Cycle later(K, nodes, list);
+  TEST_EQUALITY(later.memory().size(), 0);  // nothing yet
+  later.recall(learnt);
+  later.refresh();
+  cycle.refresh();
+  TEST_EQUALITY(distance(cycle, later, b), 0.0);
+  TEST_ASSERT(cycle.memory() == later.memory());
   for (int again = 0; again < 32; ++again) cycle.refresh();
   TEST_COMPARE(distance_to_new(), <, 1e-9);
 }

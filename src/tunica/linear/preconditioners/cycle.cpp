@@ -24,15 +24,22 @@ public:
     cycle_ = Teuchos::null;  // nothing to keep on any rank should the set-up fail on one
     set_up(*A_->getComm(), "the multigrid cycle", [&] {
       fault_point("multigrid set-up");
-      if (!cycle.is_null()) return cycle->refresh();
-      cycle = Teuchos::rcp(new multigrid::Cycle(A_, nodes_, muelu_, is_blocked_));
+      const bool is_new = cycle.is_null();
+      if (is_new) cycle = Teuchos::rcp(new multigrid::Cycle(A_, nodes_, muelu_, is_blocked_));
+      cycle->recall(memory_);
+      if (!is_new || !memory_.empty()) cycle->refresh();
     });
+    memory_.clear();
     cycle_ = cycle;
   }
   Teuchos::RCP<const Operator> as_operator() const override { return cycle_; }
   multigrid::Levels levels() const override {
     return cycle_.is_null() ? multigrid::Levels() : cycle_->levels();
   }
+  std::vector<double> save() const override {
+    return cycle_.is_null() ? memory_ : cycle_->memory();
+  }
+  void restore(const std::vector<double>& numbers) override { memory_ = numbers; }
 
 private:
   Teuchos::RCP<CrsMatrix> A_;
@@ -40,6 +47,7 @@ private:
   bool is_blocked_;  ///< what the cycle works on
   Teuchos::RCP<multigrid::MixedCoarsening> nodes_;
   Teuchos::RCP<multigrid::Cycle> cycle_;
+  std::vector<double> memory_;  ///< that the next set-up goes on from
 };
 
 void check_cycle_list(const Teuchos::ParameterList& list, const std::string& path) {

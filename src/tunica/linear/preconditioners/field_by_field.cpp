@@ -41,6 +41,8 @@ public:
     solver_->prepare();
   }
 
+  LinearSolver& solver() { return *solver_; }
+
   /// y ← y + ω Rᵀ K_s⁻¹ R r.
   void correct(double damping, const algebra::BlockVector& r, algebra::BlockVector& y) {
     system_.restrict(r, r_);
@@ -83,6 +85,29 @@ public:
 
   void refresh() {
     for (const auto& field : fields_) field->refresh();
+  }
+
+  /// Of each field how many numbers its solver keeps, and these.
+  std::vector<double> save() const {
+    std::vector<double> all;
+    bool is_empty = true;
+    for (const auto& field : fields_) {
+      const std::vector<double> numbers = field->solver().save();
+      is_empty = is_empty && numbers.empty();
+      all.push_back(static_cast<double>(numbers.size()));
+      all.insert(all.end(), numbers.begin(), numbers.end());
+    }
+    return is_empty ? std::vector<double>() : all;
+  }
+  void restore(const std::vector<double>& all) {
+    auto next = all.begin();
+    for (const auto& field : fields_) {
+      const auto left = all.end() - next;
+      const auto count =
+          left > 0 ? std::min<std::ptrdiff_t>(static_cast<int>(*next++), left - 1) : 0;
+      field->solver().restore({next, next + count});
+      next += count;
+    }
   }
 
   // Y ← α P⁻¹ X + β Y, column by column
@@ -153,6 +178,18 @@ private:
   std::vector<std::unique_ptr<Field>> fields_;
 };
 
+class FieldSystem final : public ConcatenatedSystem<FieldSweeps> {
+public:
+  FieldSystem(const algebra::BlockMatrix& K, const Teuchos::RCP<FieldSweeps>& sweeps)
+      : ConcatenatedSystem(K, sweeps), sweeps_(sweeps) {}
+
+  std::vector<double> save() const override { return sweeps_->save(); }
+  void restore(const std::vector<double>& numbers) override { sweeps_->restore(numbers); }
+
+private:
+  Teuchos::RCP<FieldSweeps> sweeps_;
+};
+
 void check_field_by_field_list(const Teuchos::ParameterList& list, const std::string& path) {
   if (!list.isSublist("Fields")) return;  // another preconditioner
   TUNICA_CHECK(list.sublist("Fields").numParams() > 0,
@@ -188,8 +225,8 @@ PreconditionerEntry field_preconditioner() {
   return {"field by field", 8.0, field_by_field_table,
           [](const Teuchos::ParameterList& list, const algebra::BlockMatrix& K,
              const NamedOperators& operators) {
-            return std::make_unique<ConcatenatedSystem<FieldSweeps>>(
-                K, Teuchos::rcp(new FieldSweeps(list, K, operators)));
+            return std::make_unique<FieldSystem>(K,
+                                                 Teuchos::rcp(new FieldSweeps(list, K, operators)));
           },
           true};
 }

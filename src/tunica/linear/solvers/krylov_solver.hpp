@@ -22,6 +22,8 @@ public:
   void matrix_changed() override { is_stale_ = true; }
   void prepare() override;
   void forget() override;
+  std::vector<double> save() const override { return system_->save(); }
+  void restore(const std::vector<double>& numbers) override { system_->restore(numbers); }
   SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                     double tolerance) override;
 

@@ -123,10 +123,15 @@ void SolverChain::forget() {
     present_ = 0;
 }
 
+// The present link, then what it has learnt itself.
 std::vector<double> SolverChain::save() const {
-  if (present_ == 0 && patience_ == 0) return {};
-  return {static_cast<double>(present_), static_cast<double>(steps_held_),
-          static_cast<double>(patience_)};
+  const auto& solver = links_[present_].solver;
+  const std::vector<double> learnt = solver ? solver->save() : std::vector<double>();
+  if (present_ == 0 && patience_ == 0 && learnt.empty()) return {};
+  std::vector<double> numbers = {static_cast<double>(present_), static_cast<double>(steps_held_),
+                                 static_cast<double>(patience_)};
+  numbers.insert(numbers.end(), learnt.begin(), learnt.end());
+  return numbers;
 }
 
 void SolverChain::restore(const std::vector<double>& numbers) {
@@ -134,6 +139,7 @@ void SolverChain::restore(const std::vector<double>& numbers) {
   steps_held_ = numbers.empty() ? 0 : static_cast<int>(numbers.at(1));
   patience_ = numbers.empty() ? 0 : static_cast<int>(numbers.at(2));
   if (present_ >= links_.size()) present_ = 0;  // of a case with a longer list
+  if (numbers.size() > 3) present().restore({numbers.begin() + 3, numbers.end()});
 }
 
 SolveReport SolverChain::try_present(const algebra::BlockVector& b, algebra::BlockVector& x,

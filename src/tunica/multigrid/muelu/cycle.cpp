@@ -158,16 +158,43 @@ Teuchos::RCP<const CrsMatrix> Cycle::matrix(int level) const {
   return unwrapped(is_blocked_ ? Teuchos::rcp_dynamic_cast<XBlockedMatrix>(A, true)->Merge() : A);
 }
 
-std::vector<SmootherState> Cycle::smoother_states() const {
-  std::vector<SmootherState> states;
+std::vector<NodalIluSmoother*> Cycle::ilu_smoothers() const {
+  std::vector<NodalIluSmoother*> smoothers;
   for (int l = 0; l < parts_->hierarchy->GetNumLevels(); ++l) {
     MueLu::Level& level = *parts_->hierarchy->GetLevel(l);
     if (!level.IsAvailable("PreSmoother")) continue;
     const auto smoother = level.Get<Teuchos::RCP<Smoother>>("PreSmoother");
-    if (const auto* ilu = dynamic_cast<const NodalIluSmoother*>(smoother.get()))
-      states.push_back(ilu->state());
+    if (auto* const ilu = dynamic_cast<NodalIluSmoother*>(smoother.get())) smoothers.push_back(ilu);
   }
+  return smoothers;
+}
+
+std::vector<SmootherState> Cycle::smoother_states() const {
+  std::vector<SmootherState> states;
+  for (const NodalIluSmoother* smoother : ilu_smoothers()) states.push_back(smoother->state());
   return states;
+}
+
+// Three numbers a level. A cycle that is set up anew each time learns nothing.
+std::vector<double> Cycle::memory() const {
+  std::vector<double> numbers;
+  bool is_fresh = true;
+  for (const NodalIluSmoother* smoother : ilu_smoothers()) {
+    const NodalIluSmoother::Memory& memory = smoother->memory();
+    is_fresh = is_fresh && NodalIluSmoother::is_fresh(memory);
+    for (const int number : {memory.attempt, memory.refreshes, memory.patience})
+      numbers.push_back(number);
+  }
+  return is_fresh || !keeps_graphs() ? std::vector<double>() : numbers;
+}
+
+void Cycle::recall(const std::vector<double>& memory) {
+  const std::vector<NodalIluSmoother*> smoothers = ilu_smoothers();
+  if (memory.size() != 3 * smoothers.size() || !keeps_graphs()) return;
+  for (std::size_t k = 0; k < smoothers.size(); ++k) {
+    const auto number = [&](std::size_t i) { return static_cast<int>(memory[3 * k + i]); };
+    smoothers[k]->recall({number(0), number(1), number(2)});
+  }
 }
 
 // Operator complexity: Σ_l nnz(A_l) / nnz(A_0).

@@ -7,6 +7,8 @@
 
 namespace tunica::multigrid {
 
+class NodalIluSmoother;
+
 /// The matrices of a hierarchy, the finest first.
 struct Levels {
   std::vector<long long> unknowns;         ///< of all ranks
@@ -46,6 +48,13 @@ public:
   /// True where refresh() finds no graphs again.
   bool keeps_graphs() const;
 
+  /// What the smoothers have learnt over set-ups and a new cycle would not know, as numbers for a
+  /// checkpoint; empty where they have learnt nothing. With it the set-ups of a new cycle go on as
+  /// those of this one would: recall(), then refresh(). Numbers of another hierarchy are left
+  /// aside.
+  std::vector<double> memory() const;
+  void recall(const std::vector<double>& memory);
+
   const Levels& levels() const;
   /// The matrix of a level, 0 the finest.
   Teuchos::RCP<const CrsMatrix> matrix(int level) const;
@@ -60,6 +69,7 @@ private:
 
   void set_up();
   Levels count_levels() const;
+  std::vector<NodalIluSmoother*> ilu_smoothers() const;
   std::vector<SmootherState> smoother_states() const;
   void iterate(const MultiVector& b, MultiVector& x) const;
 

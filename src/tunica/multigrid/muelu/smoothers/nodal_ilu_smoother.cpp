@@ -81,9 +81,7 @@ void NodalIluSmoother::set_up(const ::tunica::CrsMatrix& K, const algebra::DofLa
   const auto& list = GetParameterList();
   bound_ = list.get<double>("spectral bound");
   if (coarsening().flatness() > flat) bound_ = std::min(bound_, list.get<double>("flat bound"));
-  attempt_ = 0;
-  refreshes_ = 0;
-  patience_ = first_patience;
+  memory_ = {0, 0, first_patience};
   const int sweeps = list.get<int>("sweeps");
   weights_.assign(sweeps, 1.0);
   if (list.get<std::string>("polynomial") == "chebyshev") weights_ = chebyshev_weights(sweeps);
@@ -105,11 +103,22 @@ void NodalIluSmoother::factorise(int attempt) {
     factors_ = smoothers::make_node_ilu(*K_, numbering_, {fill, precision_, hosts()});
   }
   // The largest eigenvalue of other factors may lie in another direction.
-  if (attempt != attempt_) direction_ = nullptr;
-  attempt_ = attempt;
+  if (attempt != memory_.attempt) direction_ = nullptr;
+  memory_.attempt = attempt;
   state_.fill = fill;
   state_.shift = attempts[attempt].shift;
   factors_->refresh(state_.shift);
+}
+
+bool NodalIluSmoother::is_fresh(const Memory& memory) {
+  return memory.attempt == 0 && memory.patience == first_patience;
+}
+
+void NodalIluSmoother::recall(const Memory& memory) {
+  if (memory.attempt < 0 || memory.attempt >= n_attempts || memory.patience < first_patience)
+    return;
+  if (memory.attempt != memory_.attempt) direction_ = nullptr;
+  memory_ = memory;
 }
 
 // Factors of the new values, and the damping that they permit:
@@ -119,11 +128,11 @@ void NodalIluSmoother::factorise(int attempt) {
 //   ω from ρ and the bound
 void NodalIluSmoother::refresh() {
   const auto& list = GetParameterList();
-  int attempt = attempt_;
-  if (attempt_ > 0 && ++refreshes_ >= patience_) {
+  int attempt = memory_.attempt;
+  if (attempt > 0 && ++memory_.refreshes >= memory_.patience) {
     attempt = 0;  // one bad matrix need not have been like those that follow
-    refreshes_ = 0;
-    patience_ = std::min(2 * patience_, longest_patience);
+    memory_.refreshes = 0;
+    memory_.patience = std::min(2 * memory_.patience, longest_patience);
   }
   factorise(attempt);
   state_.damping = list.get<double>("damping");
@@ -141,9 +150,9 @@ void NodalIluSmoother::refresh() {
 // The first attempt within the bound stays, else that of the least ρ, which is then factored again.
 void NodalIluSmoother::search() {
   const int most_fill = GetParameterList().get<int>("most fill");
-  int best = attempt_;
+  int best = memory_.attempt;
   double least = state_.radius;
-  for (int next = attempt_ + 1; next < n_attempts && !(least <= bound_); ++next) {
+  for (int next = memory_.attempt + 1; next < n_attempts && !(least <= bound_); ++next) {
     if (GetParameterList().get<int>("fill") + attempts[next].more_fill > most_fill) break;
     factorise(next);
     measure();
@@ -152,7 +161,7 @@ void NodalIluSmoother::search() {
       best = next;
     }
   }
-  if (best == attempt_) return;
+  if (best == memory_.attempt) return;
   factorise(best);
   measure();
 }

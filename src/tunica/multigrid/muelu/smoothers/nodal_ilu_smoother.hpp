@@ -35,6 +35,17 @@ public:
   void refresh() override;
   const SmootherState& state() const { return state_; }
 
+  /// What earlier set-ups have taught, for a checkpoint: the attempt that serves, and when the
+  /// first one is tried again.
+  struct Memory {
+    int attempt;
+    int refreshes, patience;  ///< since the first attempt was left, and until it is taken up
+  };
+  const Memory& memory() const { return memory_; }
+  static bool is_fresh(const Memory& memory);
+  /// The next refresh() goes on from there. What no smoother has learnt is left aside.
+  void recall(const Memory& memory);
+
 private:
   void check(const Teuchos::ParameterList& list) const override;
   void set_up(const ::tunica::CrsMatrix& K, const algebra::DofLayout& numbering) override;
@@ -56,9 +67,7 @@ private:
   const ::tunica::CrsMatrix* K_ = nullptr;
   algebra::DofLayout numbering_;
   double bound_ = 0.0;  ///< of ρ
-  int attempt_ = 0;
-  int refreshes_ = 0,
-      patience_ = 0;  ///< since the first attempt was left, and until it is taken up
+  Memory memory_{};
   std::shared_ptr<smoothers::NodeIlu> factors_;
   std::shared_ptr<::tunica::MultiVector> direction_;  ///< of the largest eigenvalue
   SmootherState state_;
