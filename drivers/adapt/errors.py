@@ -2,7 +2,6 @@
 import dataclasses
 
 import numpy as np
-
 from scipy.spatial import cKDTree
 
 from lumen import surface as base

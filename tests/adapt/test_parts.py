@@ -8,8 +8,8 @@ from scipy.spatial import Delaunay
 
 from adapt import columns, errors, origin, recovery, sizes
 from lumen import layers, surface as base, volume
-from lumen.surface import Surface
 from report.surfaces import boundary
+from tubes import pipe
 
 ORDERS = [(0, 1, 2), (0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)]
 
@@ -27,16 +27,6 @@ def block(cells, size=1.0, shake=0.0):
     turned = np.linalg.det(points[tets][:, 1:] - points[tets][:, :1]) < 0.0
     tets[turned] = tets[turned][:, [0, 1, 3, 2]]
     return points * size / cells, tets
-
-
-def pipe(around=24, along=20, radius=1.0, length=6.0):
-    """An open tube along z, normals outward."""
-    angle = 2.0 * np.pi * np.arange(around) / around
-    ring = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0 * angle], axis=1)
-    points = np.concatenate([ring + [0, 0, length * k / along] for k in range(along + 1)])
-    i = np.arange(around * along)
-    j = i // around * around + (i + 1) % around
-    return Surface(points, np.concatenate([np.stack([i, j, i + around], axis=1), np.stack([j, j + around, i + around], axis=1)]))
 
 
 class Recovery(unittest.TestCase):

@@ -1,16 +1,23 @@
 """Runs whose meshes are made anew, and go on there: test_runs.py SOURCE PROGRAMS SCRATCH"""
 import os
+import re
 import subprocess
 import sys
+import types
 import unittest
 
 import h5py
 import numpy as np
+from scipy.spatial import Delaunay
+
+from adapt import errors
+from lumen import core, remesh, rims as of_rims, surface as base, volume
 
 SOURCE, PROGRAMS, SCRATCH = sys.argv[1:4]
 sys.path.append(os.path.join(SOURCE, "xml"))
 from pages import ENVIRONMENT, columns_of  # noqa: E402
 from scratch import fresh  # noqa: E402
+from tubes import pipe  # noqa: E402
 
 CASE = os.path.join(SOURCE, "xml", "poiseuille.xml")
 
@@ -65,7 +72,9 @@ class Runs(unittest.TestCase):
                   "off")
         settings = ["--set", "Mesh/file=" + path("tube.h5"), "--set", "Fluid/Surfaces/inlet/pressure=1e-3"]
         self.must("tunica-fluid", CASE, "--output", "run", *settings)
-        self.must("tunica-mesh", "adapt", "run", "new.h5", "--layers", 1)
+        said = self.must("tunica-mesh", "adapt", "run", "new.h5", "--layers", 1).replace(",", "")
+        told, made = (float(re.search(pattern, said)[1]) for pattern in (r"about (\d+) tetrahedra", r"(\d+) tetrahedra wanted"))
+        self.assertAlmostEqual(made / told, 1.0, delta=0.2)
         with h5py.File(path("new.h5")) as file, h5py.File(path("tube.h5")) as old:
             names = [name.decode() for name in file["surface_names"][:]]
             self.assertEqual(sorted(names), ["inlet", "interface", "outlet"])
@@ -98,6 +107,22 @@ class Runs(unittest.TestCase):
                 on = int((file["triangle_surface"][:] == list(file["surface_names"][:]).index(b"interface")).sum())
                 self.assertEqual(count, 3 * elements * on)
         self.must("tunica-fsi", "wider.xml", "--output", "further", "--steps", 1)
+
+    def test_sizes_are_those_of_a_known_function(self):
+        """A tube whose elements are to be 0.2 mm wide at one end and 0.5 mm at the other: their number is that of the integral."""
+        tube, wanted = pipe(around=40, along=60, radius=1.5, length=6.0), lambda points: 0.2 + 0.05 * points[:, 2]
+        rims = [of_rims.measured(tube.points, loop, np.array([0.0, 0.0, sign]))
+                for loop, sign in zip(base.loops(tube.triangles), (-1.0, 1.0))]
+        wall = remesh.Remesher(tube, rims, wanted(tube.points)).run(lambda text: None)
+        box = np.array([[x, y, z] for x in (-2.0, 2.0) for y in (-2.0, 2.0) for z in (0.0, 6.0)])
+        around = core.Sizes(box, Delaunay(box).simplices, wanted(box))
+        own = [of_rims.measured(wall.points, loop, np.array([0.0, 0.0, -1.0 if wall.points[loop[0], 2] < 3.0 else 1.0]))
+               for loop in base.loops(wall.triangles)]
+        mesh = volume.fill(wall, own, volume.Wish(np.full(len(wall.points), 0.1), around), np.full(len(wall.points), 1.5),
+                           types.SimpleNamespace(layers=0, growth=1.0, surface="tube"), types.SimpleNamespace(stage=print, warn=print))
+        parts = 10.0 * (0.2 ** -2 - 0.5 ** -2)  # the integral of 1/h^3 along the tube
+        self.assertAlmostEqual(len(mesh.tets) / (np.pi * 1.5 ** 2 * parts / errors.OF_TETRAHEDRON), 1.0, delta=0.2)
+        self.assertAlmostEqual(len(mesh.wall) / (2 * np.pi * 1.5 * 20.0 * (1 / 0.2 - 1 / 0.5) / errors.OF_TRIANGLE), 1.0, delta=0.2)
 
     def test_what_cannot_be_done_is_said_in_one_line(self):
         self.refused("not a folder", "nowhere", "other.h5")
