@@ -8,6 +8,9 @@ import dataclasses
 
 import numpy as np
 
+from lumen.quality import six_volumes
+from lumen.surface import areas
+
 
 @dataclasses.dataclass
 class Columns:
@@ -16,10 +19,6 @@ class Columns:
     tets: list
     is_layer: np.ndarray
     far: np.ndarray
-
-    @property
-    def count(self):
-        return len(self.heights)
 
 
 def peeled(points, tets, triangles, most=40):
@@ -31,7 +30,7 @@ def peeled(points, tets, triangles, most=40):
         if found is None:
             break
         chosen, further = found
-        volume = six_volumes(points, tets[chosen]).sum() / 6.0
+        volume = np.abs(six_volumes(points, tets[chosen])).sum() / 6.0
         other = areas(points, further).sum()
         heights.append(2.0 * volume / (area + other))
         layers.append(chosen)
@@ -48,16 +47,5 @@ def next_layer(count, tets, triangles, is_taken):
     kind = on.sum(axis=1)
     if any((kind == k).sum() != len(triangles) for k in (1, 2, 3)) or (kind == 4).any():
         return None
-    single = rest[kind == 1]
-    corners = tets[single]
+    corners = tets[rest[kind == 1]]
     return rest[kind > 0], corners[~is_on[corners]].reshape(-1, 3)
-
-
-def areas(points, triangles):
-    a, b, c = (points[triangles[:, i]] for i in range(3))
-    return 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
-
-
-def six_volumes(points, tets):
-    a, b, c, d = (points[tets[:, i]] for i in range(4))
-    return np.abs(np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a)))

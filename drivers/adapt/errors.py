@@ -13,6 +13,7 @@ from . import columns, recovery
 OF_TETRAHEDRON = 0.25   # volume of a tetrahedron over the cube of the size that was asked for, as Gmsh fills
 OF_TRIANGLE = 0.48      # area of a triangle over its square, as drivers/lumen/remesh.py makes them
 FEWEST = 0.02           # of the mean square: what is less counts as if it were so much
+SHEAR = "shear at the wall"
 DEPTHS = (0.1, 0.25, 0.5, 1.0)   # of the radius: where the speed beside the wall is looked for
 
 
@@ -21,12 +22,12 @@ class Errors:
     """Squares, over the outputs of a beat.
 
     of_tets    integral of |G(grad u) - grad u|^2 over each tetrahedron of the blood, and `whole` that of |grad u|^2 over all
-    along      [(squares of the variation in each triangle, integral of the square)] of what is to be resolved along the wall
+    along      what is to be resolved along the wall: (squares of its variation in each triangle, integral of its square)
     speed      |u|^2 near each vertex of the wall, and `slope` |du/dn|^2 there
     """
     of_tets: np.ndarray
     whole: float
-    along: list
+    along: dict
     speed: np.ndarray
     slope: np.ndarray
     layers: columns.Columns
@@ -53,7 +54,7 @@ def estimate(run, radii, over, beat):
     on, normals = np.unique(run.wall), base.vertex_normals(run.points, run.wall)
     inside = beneath(run, on, normals, radii)
     sums = {name: Sum(over) for name in ("tets", "whole", "speed", "slope")}
-    along = [Along(run, "fluid", "wall_shear_stress", over), Along(run, "wall", "recovered_stress", over)]
+    along = {SHEAR: Along(run, "fluid", "wall_shear_stress", over), "wall's stress": Along(run, "wall", "recovered_stress", over)}
     for output in run.outputs:
         beat(f"errors at {run.run.fields[output].attrs['time']:g} ms")
         u = run.field(output, "fluid", "velocity")
@@ -63,10 +64,11 @@ def estimate(run, radii, over, beat):
         for name, value in (("tets", squares), ("whole", whole), ("slope", (slope ** 2).sum(axis=1)),
                             ("speed", (u[inside] ** 2).sum(axis=2).max(axis=0))):
             sums[name].add(value)
-        for each in along:
+        for each in along.values():
             each.add(output)
     found = {name: total.result() for name, total in sums.items()}
-    return Errors(found["tets"], found["whole"], [a.result() for a in along if a.is_there], found["speed"], found["slope"],
+    there = {name: each.result() for name, each in along.items() if each.is_there}
+    return Errors(found["tets"], found["whole"], there, found["speed"], found["slope"],
                   columns.peeled(run.points, run.tets, run.wall))
 
 
@@ -112,8 +114,12 @@ class Along:
 def lines(errors):
     """Of the whole, in words."""
     yield f"the velocity's gradient is off by {np.sqrt(errors.of_tets.sum() / max(errors.whole, 1e-300)):.2f} of itself, by the estimate"
-    for name, (squares, total) in zip(("shear at the wall", "wall's stress"), errors.along):
-        yield f"the {name} varies within a triangle by {np.sqrt(squares.sum() / max(total, 1e-300)):.2f} of itself"
+    for name, values in errors.along.items():
+        yield f"the {name} varies within a triangle by {variation(*values):.2f} of itself"
+
+
+def variation(squares, whole):
+    return float(np.sqrt(squares.sum() / max(whole, 1e-300)))
 
 
 @dataclasses.dataclass
@@ -137,12 +143,12 @@ def wished(errors, run):
     side = np.sqrt(base.areas(run.points, run.wall) / OF_TRIANGLE)
     edges = Edges(run.wall)
     wall = np.full(count, np.inf)
-    for squares, whole in errors.along:
+    for squares, whole in errors.along.values():
         wall = np.minimum(wall, smooth(edges, side * relative(squares, whole) ** (-0.5 / 2.0), run.wall, count))
-    variation = np.sqrt(errors.along[0][0].sum() / max(errors.along[0][1], 1e-300)) if errors.along else 0.0
     reach = np.full(count, np.inf)
     reach[np.unique(run.wall)] = layer_of(edges, errors, run)
-    return Wish(to_nodes(core, volumes, run.tets, count), wall, variation, smooth(edges, side, run.wall, count), reach)
+    return Wish(to_nodes(core, volumes, run.tets, count), wall, variation(*errors.along[SHEAR]),
+                smooth(edges, side, run.wall, count), reach)
 
 
 def relative(squares, whole):

@@ -71,7 +71,7 @@ class Columns(unittest.TestCase):
         rims = [types.SimpleNamespace(loop=loop, normal=np.array([0.0, 0.0, 1.0])) for loop in base.loops(tube.triangles)]
         grown = layers.grow(tube, rims, np.full(len(tube.points), 0.04), np.ones(len(tube.points)), layering, lambda text: None)
         found = columns.peeled(grown.points, grown.tets, tube.triangles)
-        self.assertEqual(found.count, 3)
+        self.assertEqual(len(found.heights), 3)
         self.assertTrue(found.is_layer.all())
         self.assertLess(np.abs(np.array(found.heights) / [0.04, 0.06, 0.09] - 1.0).max(), 0.03)
 
@@ -80,7 +80,7 @@ class Columns(unittest.TestCase):
         tets = Delaunay(points + 1e-9 * np.random.default_rng(3).standard_normal(points.shape)).simplices
         sides = boundary(points, tets)[0]
         top = sides[(points[sides][:, :, 2] > 0.999).all(axis=1)]
-        self.assertEqual(columns.peeled(points, tets, top).count, 0)
+        self.assertEqual(columns.peeled(points, tets, top).heights, [])
 
 
 class Sizes(unittest.TestCase):
