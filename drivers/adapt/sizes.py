@@ -14,7 +14,7 @@ from .recovery import shape_gradients
 
 GRADING = 0.3              # growth of the size per length
 FEWEST_ACROSS = 3.0        # elements across the lumen
-FEWEST_AROUND = 9.0        # around a full circle of the surface's curvature
+FEWEST_AROUND = 12.0       # around a full circle of the surface's curvature
 SMALLEST = 1.0 / 30.0      # of the local radius
 THINNEST, THICKEST = 0.02, 0.3   # of the size: the layer at the wall
 ALL = 0.6                  # of the size: all layers

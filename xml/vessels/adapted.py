@@ -17,9 +17,11 @@ MEAN = 83.3333  # ml/s, 5 l/min
 # name -> options of tunica-mesh lumen, or the run of whose errors the mesh is made and options of tunica-mesh adapt
 BY_RADIUS = {"coarse": arch_beat.MESHES["coarse"][0],
              "across-8": ["--across", "8", "--layers", "1", "--first", "0.2"],
+             "layered": ["--across", "4", "--layers", "3", "--first", "0.08", "--growth", "1.8"],
              "reference": ["--across", "12", "--layers", "4", "--growth", "1.5"]}
 ADAPTED = {"adapted": ("coarse", []), "adapted-again": ("adapted", []), "adapted-double": ("adapted", ["--factor", "2"])}
-TEXTS = {"coarse": "by radius, as `arch.xml`", "across-8": "by radius, `--across 8`", "adapted": "of the errors of the first",
+TEXTS = {"coarse": "by radius, as `arch.xml`", "across-8": "by radius, `--across 8`", "layered": "by radius, three layers chosen by hand",
+         "adapted": "of the errors of the first",
          "adapted-again": "of the errors of that", "adapted-double": "the same, `--factor 2`", "reference": "by radius, the reference"}
 REFERENCE = "reference"
 
