@@ -43,12 +43,13 @@ class OldRun:
         self.outputs = self._outputs(start)
         self._name_surfaces(self._mesh())
         if len(self.wall_names) != 1:
-            raise BadMesh(f"{self.mesh_file}: has {len(self.wall_names)} surfaces that are walls of the blood, {', '.join(self.wall_names)}: "
-                          "expected one, from which tunica-mesh lumen can make another")
+            raise BadMesh(f"{self.mesh_file}: has {len(self.wall_names)} surfaces that are walls of the blood, "
+                          f"{', '.join(self.wall_names)}; expected one")
         regions = [region_names(self.run.fields, "fluid")[k] for k in np.unique(self.run.fields["fluid/region"][:])]
         if len(regions) != 1 or self.raw.vectors:
-            raise BadMesh(f"{self.mesh_file}: " + ("holds fibre directions of its elements, which another mesh does not have"
-                                                   if self.raw.vectors else f"its blood has {len(regions)} regions, expected one"))
+            why = "fibre directions of its elements, which another mesh does not have" if self.raw.vectors else \
+                f"{len(regions)} regions of blood, expected one"
+            raise BadMesh(f"{self.mesh_file}: has {why}")
         self.region = regions[0]
 
     def _case(self):

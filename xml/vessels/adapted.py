@@ -20,9 +20,10 @@ BY_RADIUS = {"coarse": arch_beat.MESHES["coarse"][0],
              "layered": ["--across", "4", "--layers", "3", "--first", "0.08", "--growth", "1.8"],
              "reference": ["--across", "12", "--layers", "4", "--growth", "1.5"]}
 ADAPTED = {"adapted": ("coarse", []), "adapted-again": ("adapted", []), "adapted-double": ("adapted", ["--factor", "2"])}
-TEXTS = {"coarse": "by radius, as `arch.xml`", "across-8": "by radius, `--across 8`", "layered": "by radius, three layers chosen by hand",
-         "adapted": "of the errors of the first",
-         "adapted-again": "of the errors of that", "adapted-double": "the same, `--factor 2`", "reference": "by radius, the reference"}
+TEXTS = {"coarse": "by radius, as `arch.xml`", "across-8": "by radius, `--across 8`",
+         "layered": "by radius, three layers chosen by hand", "adapted": "adapted to the run on the first",
+         "adapted-again": "adapted to the run on that", "adapted-double": "the same, `--factor 2`",
+         "reference": "by radius, the reference"}
 REFERENCE = "reference"
 
 
@@ -148,8 +149,8 @@ def section(wanted):
         rows.append(row + (["–", "–"] if value is None else [f"{100 * value:.1f} %", f"{first / value:.2f}"]))
     commits = ", ".join(commits_of(os.path.join(wanted.output, "adapt")))
     return ["## Meshes made anew of their errors", "",
-            "The arch of `arch.xml` with rigid walls and its mean flow of 5 l/min, steady (Re 1100 at the inlet): `tunica-mesh adapt` against "
-            "`tunica-mesh lumen`, whose sizes follow the radius and the curvature. Error: of the wall shear stress, a vector, interpolated to "
-            "the wall of the reference, root mean square over the area and over that of the stress itself. All meshes are drawn to one "
-            f"surface. One rank; commit {commits}.", "",
+            "The arch of `arch.xml` with rigid walls and its mean flow of 5 l/min, steady (Re 1100 at the inlet): `tunica-mesh adapt` "
+            "against `tunica-mesh lumen`, whose sizes follow the radius and the curvature. Error: of the wall shear stress, a vector, "
+            "interpolated to the wall of the reference, root mean square over the area and over that of the stress itself. All meshes "
+            f"are drawn to one surface. One rank; commit {commits}.", "",
             *table_text(["mesh", "tetrahedra", "unknowns", "error", "better by"], rows).splitlines(), ""]
