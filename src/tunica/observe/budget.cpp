@@ -18,7 +18,7 @@ namespace tunica::observe {
 //   volume     ΔV/Δt = ⟨∮ w·n da⟩ + scheme
 //   momentum   L + A + D = I                              D to the tolerance of the solver
 //              ΔM/Δt + ⟨∮ ρ u (u − w)·n da⟩ = ⟨I⟩ + scheme
-//   energy     ΔE/Δt = ⟨P_L + P_A + P_k + P_d − P_μ − P_β − P_τ − P_w + P_Γ + P_D⟩ − scheme
+//   energy     ΔE/Δt = ⟨P_L + P_A + P_k + P_d − P_μ − P_β − P_τ − P_w + P_Γ + P_D⟩ + scheme
 //
 // The powers with small letters are columns of steps.csv, see discretisation/fluid_observables.cpp.
 // P_Γ is what the wall gets from the interface and the fluid does not give, where both have other

@@ -16,7 +16,11 @@ constexpr const char* scheme_bound_key = "budget scheme bound";
 /// det F between these is usual, as for the warnings of a run.
 constexpr double usual_change_of_volume = 0.1;
 
-double part_of(double amount, double whole) { return amount == 0.0 ? 0.0 : amount / whole; }
+/// All where there is nothing to be part of.
+double part_of(double amount, double whole) {
+  if (amount == 0.0) return 0.0;
+  return whole == 0.0 ? 1.0 : amount / whole;
+}
 
 /// Of what solvers left, or of what the discretisation made.
 Verdict of_solver(const std::string& of, const std::string& sentence, double amount, double whole,
