@@ -174,13 +174,15 @@ void Budget::add_wall(const discretisation::Observables& observed) {
   row_.push_back({"wall_volume_mm3", b.volume});
   row_.push_back({"wall_volume_error_mm3", b.volume_error});
   worst("wall volume", std::abs(b.volume_error) / b.volume);
+  const double least = sum_of(observed, "min_det_F"), most = sum_of(observed, "max_det_F");
   const auto at = [&](double part) {
-    return discretisation::quantile_of_volume_ratio(b.volume_ratios, part);
+    const double J = discretisation::quantile_of_volume_ratio(b.volume_ratios, part);
+    return std::min(std::max(J, least), most);
   };
-  row_.push_back({"det_F_0", sum_of(observed, "min_det_F")});
+  row_.push_back({"det_F_0", least});
   for (const int percent : {1, 50, 99})
     row_.push_back({"det_F_" + std::to_string(percent), at(0.01 * percent)});
-  row_.push_back({"det_F_100", sum_of(observed, "max_det_F")});
+  row_.push_back({"det_F_100", most});
   if (std::isnan(at(0.5))) return;
   worst("det F above", at(0.99) - 1.0);
   worst("det F below", 1.0 - at(0.01));
