@@ -16,6 +16,9 @@ constexpr const char* scheme_bound_key = "budget scheme bound";
 /// det F between these is usual, as for the warnings of a run.
 constexpr double usual_change_of_volume = 0.1;
 
+/// Residuals of single vertices do not cancel as their sum does.
+constexpr double of_vertices = 10.0;
+
 /// All where there is nothing to be part of.
 double part_of(double amount, double whole) {
   if (amount == 0.0) return 0.0;
@@ -66,6 +69,12 @@ std::vector<Verdict> Budget::verdicts() const {
   add_verdicts_of_forces(all);
   if (has_energy_) add_verdicts_of_energy(all);
   if (wall_ != nullptr) add_verdicts_of_wall(all);
+  const double of_forces = part_of(total("force_residual_mN"), total("forces_mN"));
+  const double of_mass = part_of(total("mass_residual_mm3_per_ms"), total("throughput_mm3_per_ms"));
+  all.push_back(of_solver("residuals",
+                          formatted("solvers left %.1e of the forces, %.1e of the flow at vertices",
+                                    of_forces, of_mass),
+                          std::max(of_forces, of_mass), 1.0, of_vertices * settings_.solver_bound));
   const double steps = total("steps"), unconverged = total("unconverged");
   all.push_back(of_solver("steps", formatted("%.0f of %.0f are not converged", unconverged, steps),
                           unconverged, steps, 0.0));

@@ -101,7 +101,7 @@ TEUCHOS_UNIT_TEST(budget, energies_of_an_open_flow_add_up) {
   TEST_COMPARE(std::abs(sum - stored), <, 1e-13 * load);
   TEST_FLOATING_EQUALITY(
       stored, test::observed(flow.fluid.observe(), "fluid_kinetic_energy_kPa_mm3"), 1e-12);
-  for (const char* of : {"mass", "forces", "energy"}) {
+  for (const char* of : {"mass", "forces", "energy", "residuals"}) {
     TEST_COMPARE(verdict_of(flow.budget, of).part, <, 1e-9);
     TEST_ASSERT(verdict_of(flow.budget, of).is_of_solver);
   }
