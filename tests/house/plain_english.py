@@ -105,7 +105,7 @@ def faults(root):
         for path in sorted((root / folder).rglob("*")):
             if path.suffix in (".cpp", ".hpp"):
                 yield from faults_of_cpp(path, path.relative_to(root))
-            elif path.suffix == ".py" or path.name in ("tunica_import", "tunica_lumen", "tunica_report", "tunica_vessel"):
+            elif path.suffix == ".py" or path.name in ("tunica_adapt", "tunica_import", "tunica_lumen", "tunica_report", "tunica_vessel"):
                 if path.is_file():
                     yield from faults_of_python(path, path.relative_to(root))
 
