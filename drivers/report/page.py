@@ -175,11 +175,16 @@ def _images(figures):
                    for f in figures)
 
 
+def document(title, body):
+    """A whole page."""
+    return (f"<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
+            f"<title>{html.escape(title)}</title>\n<style>{_STYLE}</style></head>\n<body>\n"
+            f"<h1>{html.escape(title)}</h1>\n{body}</body>\n</html>\n")
+
+
 def _save(folder, title, body):
     with open(os.path.join(folder, "index.html"), "w", encoding="utf-8") as file:
-        file.write(f"<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
-                   f"<title>{html.escape(title)}</title>\n<style>{_STYLE}</style></head>\n<body>\n"
-                   f"<h1>{html.escape(title)}</h1>\n{body}</body>\n</html>\n")
+        file.write(document(title, body))
 
 
 SUMMARY = "summary.md"
