@@ -57,6 +57,21 @@ def is_free(path):
     return True
 
 
+def hold(path, lock, program):
+    """Makes the folder and holds the lock in it, until what is returned is closed, or this process ends in whatever way."""
+    held = None
+    try:
+        os.makedirs(path, exist_ok=True)
+        held = open(os.path.join(path, lock), "w", encoding="utf-8")
+        fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        held.close()
+        raise BadInput(f"{path}: another {program} works there. Wait for its end, or name another folder") from None
+    except OSError as error:
+        raise BadInput(f"{path}: cannot be written: {error.strerror}") from None
+    return held
+
+
 def write_json(path, thing):
     write_atomically(path, json.dumps(thing, indent=2) + "\n")
 
@@ -106,15 +121,7 @@ class Folder:
 
     def begin(self):
         """From now on the folder is ours alone, until the end of this process, however it ends."""
-        try:
-            os.makedirs(self.path, exist_ok=True)
-            self.lock = open(self.file(LOCK), "w", encoding="utf-8")
-            fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            self.close()
-            raise BadInput(f"{self.path}: another tunica-vessel works there. Wait for its end, or name another folder") from None
-        except OSError as error:
-            raise BadInput(f"{self.path}: cannot be written: {error.strerror}") from None
+        self.lock = hold(self.path, LOCK, "tunica-vessel")
         self.record["options"] = self.words
         self.save()
 

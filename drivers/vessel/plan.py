@@ -55,7 +55,9 @@ def period_of(folder, options):
     return flow_shapes.inflow(options, walls.read_wall(options))[1]
 
 
-def minutes_text(seconds):
+def duration_text(seconds):
+    if seconds < 90:
+        return f"{seconds:.0f} s"
     return f"{seconds / 60:.0f} minutes" if seconds < 5400 else f"{seconds / 3600:.1f} hours"
 
 
@@ -74,5 +76,5 @@ def lines(folder, options):
     done = len(read_json(folder.file(run.TABLE))["beats"]) if os.path.exists(folder.file(run.TABLE)) else 0
     left = max(1, USUAL_BEATS - done)
     return found + [f"size: about {tetrahedra} tetrahedra ({how}), {memory / 1000:.1f} GB",
-                    f"time: about {seconds:.2g} s a step with {options.ranks} rank(s), {minutes_text(seconds * steps)} a beat, "
-                    f"{minutes_text(seconds * steps * left)} for {left} beat(s); within a factor of 2 with a core for each rank"]
+                    f"time: about {seconds:.2g} s a step with {options.ranks} rank(s), {duration_text(seconds * steps)} a beat, "
+                    f"{duration_text(seconds * steps * left)} for {left} beat(s); within a factor of 2 with a core for each rank"]

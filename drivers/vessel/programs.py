@@ -39,19 +39,34 @@ class Programs:
             raise BadInput(f"{path}: there is no such program. {hint}")
         return path
 
-    def run(self, words, log, ranks=1, shown=False):
-        """Runs until it ends; its lines go to the file `log`, and to the screen if shown. Returns the exit status."""
+    def command(self, words, ranks=1):
         command = [self.path(words[0])] + [str(word) for word in words[1:]]
         if ranks > 1:
             if shutil.which("mpirun") is None:
                 raise BadInput(f"--ranks is {ranks}, but there is no mpirun in the path")
             command = ["mpirun", "--oversubscribe", "-n", str(ranks)] + command
+        return command
+
+    def start(self, words, log, ranks=1):
+        """Starts it and returns the child; its lines go to the file `log`."""
+        command = self.command(words, ranks)
         with open(log, "a", encoding="utf-8") as file:
             file.write("$ " + " ".join(command) + "\n")
             file.flush()
-            child = subprocess.Popen(command, env={**os.environ, **MPI}, text=True, errors="replace",
-                                     stdin=subprocess.DEVNULL, stdout=subprocess.PIPE if shown else file,
-                                     stderr=subprocess.STDOUT, preexec_fn=end_with_parent)
+            return self._open(command, file)
+
+    @staticmethod
+    def _open(command, output):
+        return subprocess.Popen(command, env={**os.environ, **MPI}, text=True, errors="replace", stdin=subprocess.DEVNULL,
+                                stdout=output, stderr=subprocess.STDOUT, preexec_fn=end_with_parent)
+
+    def run(self, words, log, ranks=1, shown=False):
+        """Runs until it ends; its lines go to the file `log`, and to the screen if shown. Returns the exit status."""
+        command = self.command(words, ranks)
+        with open(log, "a", encoding="utf-8") as file:
+            file.write("$ " + " ".join(command) + "\n")
+            file.flush()
+            child = self._open(command, subprocess.PIPE if shown else file)
             try:
                 self._follow(child, file, shown, words)
             except KeyboardInterrupt:
@@ -61,6 +76,12 @@ class Programs:
                 if child.poll() is None:
                     child.terminate()
             return child.wait()
+
+    def output_of(self, words):
+        """Exit status and all that a short command prints."""
+        done = subprocess.run(self.command(words), env={**os.environ, **MPI}, text=True, errors="replace",
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+        return done.returncode, done.stdout
 
     def _follow(self, child, file, shown, words):
         if shown:

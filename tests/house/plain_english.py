@@ -23,6 +23,7 @@ HABITS = ((r"\bwants?\b", "needs, requires, expects"),
 HABIT = re.compile("|".join(f"({pattern})" for pattern, _ in HABITS).replace(" ", r"\s+"), re.I)
 
 QUANTILE, MOST_WORDS = 0.9, 40
+PROGRAMS = ("tunica_adapt", "tunica_certify", "tunica_import", "tunica_lumen", "tunica_report", "tunica_vessel")
 
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.)\s+")
 LINK = re.compile(r"!?\[([^\]]*)\]\([^)]*\)")
@@ -105,7 +106,7 @@ def faults(root):
         for path in sorted((root / folder).rglob("*")):
             if path.suffix in (".cpp", ".hpp"):
                 yield from faults_of_cpp(path, path.relative_to(root))
-            elif path.suffix == ".py" or path.name in ("tunica_adapt", "tunica_import", "tunica_lumen", "tunica_report", "tunica_vessel"):
+            elif path.suffix == ".py" or path.name in PROGRAMS:
                 if path.is_file():
                     yield from faults_of_python(path, path.relative_to(root))
 

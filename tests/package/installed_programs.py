@@ -54,6 +54,8 @@ def main():
         verdict.claim(lumen.status == 0 and "--thinnest" in lumen.out, f"the command lumen finds its program {lumen.err}")
         vessel = Run([str(programs / "tunica-vessel"), str(scratch / "block.h5"), "--output", str(scratch / "vessel")], scratch)
         verdict.claim(vessel.status == 1 and "regions" in vessel.err, f"tunica-vessel knows a lumen from a block {vessel.err}")
+        certify = Run([str(programs / "tunica-certify"), str(shared / "xml" / "pulse-tiny.xml"), "--dry-run"], scratch)
+        verdict.claim(certify.status == 0 and "mesh-2" in certify.out, f"tunica-certify plans {certify.err}")
         paper = Run([str(shared / "xml" / "paper" / "reproduce"), "--list"], scratch)
         verdict.claim(paper.status == 0, f"the items of the paper are listed {paper.err}")
     return verdict.status()
