@@ -84,7 +84,7 @@ endfunction()
 # Programs, those in Python, cases and meshes; cases find their meshes as they do in the source tree.
 function(tunica_install_programs)
   install(TARGETS ${ARGN} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT fsi)
-  foreach(name certify import lumen report vessel)
+  foreach(name adapt certify import lumen report vessel)
     install(PROGRAMS ${PROJECT_SOURCE_DIR}/drivers/tunica_${name}
       DESTINATION ${TUNICA_SHARE_DIR} COMPONENT fsi)
     # Python finds its modules behind the link, beside the program.
@@ -93,8 +93,9 @@ function(tunica_install_programs)
     install(FILES ${PROJECT_BINARY_DIR}/tunica-${name}
       DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT fsi)
   endforeach()
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/drivers/certify ${PROJECT_SOURCE_DIR}/drivers/importer
-    ${PROJECT_SOURCE_DIR}/drivers/lumen ${PROJECT_SOURCE_DIR}/drivers/report ${PROJECT_SOURCE_DIR}/drivers/vessel
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/drivers/adapt ${PROJECT_SOURCE_DIR}/drivers/certify
+    ${PROJECT_SOURCE_DIR}/drivers/importer ${PROJECT_SOURCE_DIR}/drivers/lumen
+    ${PROJECT_SOURCE_DIR}/drivers/report ${PROJECT_SOURCE_DIR}/drivers/vessel
     ${PROJECT_SOURCE_DIR}/meshes ${PROJECT_SOURCE_DIR}/xml
     DESTINATION ${TUNICA_SHARE_DIR} COMPONENT fsi USE_SOURCE_PERMISSIONS
     PATTERN __pycache__ EXCLUDE PATTERN make.sh EXCLUDE)

@@ -6,6 +6,7 @@
 ///   tunica-mesh block block.h5 --patch-x 4 --patch-y 4
 ///   tunica-mesh slab plane.msh slab.h5 --thickness 2
 ///   tunica-mesh wall lumen.msh vessel.h5 --surfaces lumen_wall --layers media=0.26:2
+///   tunica-mesh adapt results/beat finer.h5 --factor 2
 ///   tunica-mesh info tube.h5 --interface interface
 ///   tunica-mesh COMMAND --help
 #include <mpi.h>
@@ -20,7 +21,7 @@
 #include "tunica/io/messages.hpp"
 #include "tunica/params/nearest.hpp"
 #include "tunica_mesh/commands.hpp"
-#include "tunica_mesh/lumen_command.hpp"
+#include "tunica_mesh/python_commands.hpp"
 
 namespace {
 
@@ -33,14 +34,15 @@ std::string line(const std::string& name, const std::string& sentence) {
 
 std::string overview() {
   std::string text = "tunica-mesh COMMAND ...; COMMAND --help says more\n";
-  text += line(lumen_name, lumen_sentence);
+  for (const PythonCommand& each : python_commands()) text += line(each.name, each.sentence);
   for (const Subcommand& each : subcommands())
     text += line(each.command.name, each.command.sentence);
   return text + "\n";
 }
 
 const Subcommand& find(const std::string& name) {
-  std::vector<std::string> names{lumen_name};
+  std::vector<std::string> names;
+  for (const PythonCommand& each : python_commands()) names.push_back(each.name);
   for (const Subcommand& each : subcommands()) {
     if (each.command.name == name) return each;
     names.push_back(each.command.name);
@@ -78,7 +80,7 @@ void run(const std::vector<std::string>& words) {
     std::cout << overview();
     return;
   }
-  if (words[0] == lumen_name) become_lumen({words.begin() + 1, words.end()});
+  become_python_command(words);
   const Subcommand& chosen = find(words[0]);
   const Arguments arguments(chosen.command, {words.begin() + 1, words.end()});  // 2. its words
   if (arguments.wants_help())

@@ -1,5 +1,6 @@
 """Fills what the layers leave by Gmsh: first the openings in their planes, then the volume."""
 import contextlib
+import dataclasses
 import multiprocessing
 
 import numpy as np
@@ -72,7 +73,15 @@ def disc(points, loop, normal):
     return new, triangles
 
 
-def fill(points, triangles, algorithm=HXT):
+@dataclasses.dataclass
+class Sizes:
+    """Of sides at the vertices of a mesh that lies about where the new one will be; linear in its tetrahedra."""
+    points: np.ndarray
+    tets: np.ndarray
+    size: np.ndarray
+
+
+def fill(points, triangles, algorithm=HXT, sizes=None):
     """Tetrahedra inside a closed surface that stays: (points, those given first; tetrahedra), or None if Gmsh fails.
 
     In a process of its own: on some surfaces that touch themselves Gmsh dies, or goes on for ever.
@@ -80,7 +89,7 @@ def fill(points, triangles, algorithm=HXT):
     gmsh_module()
     fork = multiprocessing.get_context("fork")
     receiver, sender = fork.Pipe(duplex=False)
-    child = fork.Process(target=lambda: sender.send(filled(points, triangles, algorithm)), daemon=True)
+    child = fork.Process(target=lambda: sender.send(filled(points, triangles, algorithm, sizes)), daemon=True)
     child.start()
     sender.close()
     try:
@@ -92,7 +101,18 @@ def fill(points, triangles, algorithm=HXT):
         child.join()
 
 
-def filled(points, triangles, algorithm):
+def ask_for(gmsh, sizes):
+    """Sizes by a field of Gmsh, which takes the nearest where the other mesh is not."""
+    corners = sizes.points[sizes.tets].transpose(0, 2, 1).reshape(-1, 12)
+    view = gmsh.view.add("sizes")
+    gmsh.view.addListData(view, "SS", len(corners), np.hstack([corners, sizes.size[sizes.tets]]).reshape(-1))
+    field = gmsh.model.mesh.field.add("PostView")
+    gmsh.model.mesh.field.setNumber(field, "ViewTag", view)
+    gmsh.model.mesh.field.setAsBackgroundMesh(field)
+    gmsh.option.setNumber("Mesh.MeshSizeExtendFromBoundary", 0)
+
+
+def filled(points, triangles, algorithm, sizes):
     used = np.unique(triangles)
     with model() as gmsh:
         surface = gmsh.model.addDiscreteEntity(2)
@@ -104,6 +124,8 @@ def filled(points, triangles, algorithm):
         gmsh.option.setNumber("Mesh.Algorithm3D", algorithm)
         gmsh.option.setNumber("Mesh.Optimize", 1)
         gmsh.option.setNumber("Mesh.OptimizeThreshold", 0.5)
+        if sizes is not None:
+            ask_for(gmsh, sizes)
         try:
             gmsh.model.mesh.generate(3)
         except Exception:  # Gmsh says no more than that it failed

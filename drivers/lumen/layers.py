@@ -25,10 +25,10 @@ class Layers:
         return vertices + self.count * (len(self.points) // (self.count + 1))
 
 
-def grow(wall, rims, size, radii, options, say):
-    """Layers on a wall whose rims are plane."""
+def grow(wall, rims, first, radii, options, say):
+    """Layers on a wall whose rims are plane. first: thickness of the one at the wall, at each vertex."""
     shares = options.growth ** np.arange(options.layers)
-    wish = options.first * size * shares.sum()
+    wish = first * shares.sum()
     edges = Edges(wall.triangles)
     total = eased(edges, np.minimum(wish, THICKEST * radii), wish)
     inward = directions(wall, rims, edges)

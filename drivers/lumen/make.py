@@ -38,10 +38,10 @@ def lumen(options, progress):
     wall, rims, size, radii = remeshed(target, rims, size, balls.of_vertex, progress)
     refuse_crossing(wall, path, "the triangles made of it, too wide for a narrow gap (a larger --across makes smaller "
                     "ones), cross")
-    mesh = volume.fill(wall, rims, size, radii, options, progress)             # 5. layers and core
+    mesh = volume.fill(wall, rims, volume.Wish(options.first * size), radii, options, progress)  # 5. layers and core
     change = kept * base.volume(*base.closed(wall)) / base.volume(*base.closed(target)) - 1.0
     table = summary.table_of(mesh, rims, raw, change)
-    write(mesh, rims, branches, table, options, progress)                      # 6. files and table
+    write(mesh, rims, target, branches, table, options, progress)              # 6. files and table
     for line in summary.lines(table, rims, voxel):
         print(line)
     print(f"written    {options.out}, {of_options.beside(options.out).json}, {of_options.beside(options.out).png} in "
@@ -163,11 +163,13 @@ def own_rims(wall, rims):
     return found
 
 
-def write(mesh, rims, branches, table, options, progress):
+def write(mesh, rims, target, branches, table, options, progress):
     beside = of_options.beside(options.out)
     progress.stage("writing")
     warn(table, progress)
     result.write(mesh, rims, options.out)
+    if options.out.endswith(".h5"):
+        result.remember(target, options.out)
     result.write_json(table, rims, branches, progress.notes, beside.json)
     try:
         picture.mesh(mesh, rims, branches, beside.png)

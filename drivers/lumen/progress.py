@@ -9,8 +9,8 @@ SILENCE = 8.0  # s
 class Progress:
     """Notes are kept: they go into the file beside the mesh."""
 
-    def __init__(self):
-        self.notes, self._stage = [], "starting"
+    def __init__(self, program="tunica-lumen"):
+        self.notes, self._stage, self._program = [], "starting", program
         self._begin = self._last = time.monotonic()
         self._done = threading.Event()
         self._thread = threading.Thread(target=self._watch, daemon=True)
@@ -48,7 +48,7 @@ class Progress:
 
     def warn(self, text):
         self.notes.append(text)
-        self._line(f"tunica-lumen: {text}", sys.stderr)
+        self._line(f"{self._program}: {text}", sys.stderr)
 
     def seconds(self):
         return time.monotonic() - self._begin

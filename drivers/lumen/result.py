@@ -8,14 +8,24 @@ from importer import tunica_file
 from importer.raw import BadMesh, Raw, Tags
 
 WALL, REGION = "lumen_wall", "fluid"
+ORIGIN = "origin"  # group of the file: the surface that the mesh was drawn to
 
 
-def write(mesh, rims, path):
+def remember(surface, path):
+    """In the file of a mesh: a further one is drawn to the same surface."""
+    import h5py
+    with h5py.File(path, "r+") as file:
+        group = file.require_group(ORIGIN)
+        for name, values, kind in (("points", surface.points, "f4"), ("triangles", surface.triangles, "i4")):
+            group.create_dataset(name, data=values.astype(kind), compression="gzip", track_times=False)
+
+
+def write(mesh, rims, path, wall=WALL, region=REGION):
     """Triangles with normals outward; the wall first, then the openings."""
     triangles = np.concatenate([mesh.wall] + mesh.caps)
     of = np.repeat(np.arange(len(rims) + 1), [len(mesh.wall)] + [len(cap) for cap in mesh.caps])
-    names = [WALL] + [rim.name for rim in rims]
-    raw = Raw(path, mesh.points, mesh.tets, Tags(np.zeros(len(mesh.tets), dtype=np.int64), [1], [REGION]), triangles,
+    names = [wall] + [rim.name for rim in rims]
+    raw = Raw(path, mesh.points, mesh.tets, Tags(np.zeros(len(mesh.tets), dtype=np.int64), [1], [region]), triangles,
               Tags(of, list(range(1, len(names) + 1)), names))
     if path.endswith(".msh"):
         write_gmsh(raw, path)

@@ -25,35 +25,41 @@ class Mesh:
     caps: list
 
 
-def fill(wall, rims, size, radii, options, progress):
+def fill(wall, rims, wish, radii, options, progress):
     """Thinner layers, at last none, where the core cannot be filled."""
-    first = options.first
+    part = 1.0
     for attempt in range(ATTEMPTS + 1):
-        own = Layering(options.layers if attempt < ATTEMPTS else 0, first, options.growth)
-        mesh = filled(wall, rims, size, radii, own, progress)
+        own = Layering(options.layers if attempt < ATTEMPTS else 0, options.growth)
+        mesh = filled(wall, rims, Wish(part * wish.first, wish.inside), radii, own, progress)
         if mesh is not None:
             return mesh
         if not own.layers:
             break
-        first *= LESS
+        part *= LESS
         progress.warn("Gmsh cannot fill what the boundary layers leave; once more with "
-                      + (f"layers of {first:.2g} of the local size" if attempt + 1 < ATTEMPTS else "no layers"))
+                      + (f"layers of {part:.2g} of their thickness" if attempt + 1 < ATTEMPTS else "no layers"))
     raise BadSurface(f"{options.surface}: Gmsh cannot fill the surface with tetrahedra, though it is closed and does not "
                      "cross itself. Another --across or --size may do", wall)
 
 
 @dataclasses.dataclass
+class Wish:
+    """first: thickness of the layer at the wall, at each vertex [mm]. inside: sizes in the core, or None: those of the triangles."""
+    first: np.ndarray
+    inside: core.Sizes = None
+
+
+@dataclasses.dataclass
 class Layering:
     layers: int
-    first: float
     growth: float
 
 
-def filled(wall, rims, size, radii, layering, progress):
+def filled(wall, rims, wish, radii, layering, progress):
     count = len(wall.points)
     if layering.layers:
         progress.stage(f"{layering.layers} boundary layers")
-        grown = layers.grow(wall, rims, size, radii, layering, progress.note)
+        grown = layers.grow(wall, rims, wish.first, radii, layering, progress.note)
     else:
         grown = layers.Layers(wall.points, np.zeros((0, 4), dtype=np.int64), 0)
     points, caps, closing = grown.points, [], [grown.inner(wall.triangles)]
@@ -63,7 +69,7 @@ def filled(wall, rims, size, radii, layering, progress):
         caps.append(np.concatenate([layers.strips(rim.loop, count, layering.layers), disc]))
         closing.append(disc)
     progress.stage("filling the core")
-    found = best_core(points, np.concatenate(closing))
+    found = best_core(points, np.concatenate(closing), wish.inside)
     if found is None:
         return None
     points, tets = found
@@ -72,11 +78,11 @@ def filled(wall, rims, size, radii, layering, progress):
     return mesh if is_sound(mesh) else None
 
 
-def best_core(points, triangles):
+def best_core(points, triangles, sizes):
     """By HXT, or by Delaunay where that fails or is better."""
     best, angle = None, -1.0
     for algorithm in (core.HXT, core.DELAUNAY):
-        found = core.fill(points, triangles, algorithm)
+        found = core.fill(points, triangles, algorithm, sizes)
         if found is None or not is_whole(found, points, triangles):
             continue
         least = quality.least_dihedral(*found).min()

@@ -4,7 +4,7 @@ import os
 
 import numpy as np
 
-from report import wall_stress
+from report import budget_tables, wall_stress
 from report.canvas import readable
 from report.case_tables import changes_per_cycle, openings, parameters, period, read_case
 from report.run_data import rows_where
@@ -28,7 +28,8 @@ h3 { font-size: 1rem; margin: 1.4rem 0 0; } .beat { overflow-x: auto; }
 def _sections(record):
     """One table per object of run.json."""
     return "".join(html_table([name, ""], [(k, "–" if v is None else v) for k, v in entries.items()])
-                   for name, entries in record.items() if isinstance(entries, dict) and entries)
+                   for name, entries in record.items()
+                   if isinstance(entries, dict) and entries and not name.startswith(budget_tables.TOTALS))
 
 
 def _exponents(run, step):
@@ -98,7 +99,9 @@ def _summary(run):
     if record.get("started"):
         parts.append(f"started {html.escape(str(record['started']))}")
     remarks = "".join(f"<p class=\"remark\">{html.escape(r)}</p>\n" for r in run.remarks)
-    return "<p>" + " · ".join(parts) + "</p>\n" + _message(record) + remarks
+    alarm = budget_tables.alarm(record)
+    loud = f"<p class=\"bad\"><b>{html.escape(alarm)}</b></p>\n" if alarm else ""
+    return "<p>" + " · ".join(parts) + "</p>\n" + _message(record) + loud + remarks
 
 
 def _case(case):
@@ -192,20 +195,26 @@ def _clinical(clinic):
     return "<h2>The beat, in the units of the clinic</h2>\n" + "".join(map(as_html, clinic.tables))
 
 
+def _budget(tables):
+    """Whether the run has kept mass, forces, energy and volume."""
+    return "<h2>Is anything lost?</h2>\n" + "".join(map(as_html, tables)) if tables else ""
+
+
 def write(run, folder, drawn, step, clinic):
     """drawn: figures, and the page with the vessel to be turned or None; clinic: None where there is no beat."""
     case, (figures, viewer) = read_case(run.folder), drawn
     title = title_of(run)
     in_motion = (f"<h2>The vessel in motion</h2>\n<p><a href=\"{viewer}\">alone, in the whole window</a></p>\n"
                  f"<iframe src=\"{viewer}\" title=\"the vessel in motion\"></iframe>\n") if viewer else ""
+    budget = budget_tables.tables(run.record)
     if clinic:
         results = _clinical(clinic)
         with open(os.path.join(folder, SUMMARY), "w", encoding="utf-8") as file:
-            file.write("\n".join([f"# {title}", "", *(line for table in clinic.tables for line in as_markdown(table))]))
+            file.write("\n".join([f"# {title}", "", *(line for table in clinic.tables + budget for line in as_markdown(table))]))
     else:
         results = f"{_wall_stress(run)}{_flow_split(run, case)}{_periodicity(run, case)}"
     _save(folder, title, f"{_summary(run)}{results if clinic else ''}{in_motion}{_images(figures)}{'' if clinic else results}"
-                         f"{_effort(run)}{_exponents(run, step)}{linear_solvers(run)}{_case(case)}<h2>The run</h2>\n"
+                         f"{_budget(budget)}{_effort(run)}{_exponents(run, step)}{linear_solvers(run)}{_case(case)}<h2>The run</h2>\n"
                          f"{_sections(run.record)}")
 
 

@@ -31,8 +31,9 @@ for program in "$bin"/tunica-*; do
     tunica-mesh)
       corrects tube "$program" tub
       corrects --around "$program" tube never-written.h5 --aroun 20
-      for command in tube block lumen wall info refine convert partition; do answers_help "$program" "$command"; done
+      for command in tube block lumen adapt wall info refine convert partition; do answers_help "$program" "$command"; done
       ;;
+    tunica-adapt) corrects --factor "$program" never-read never-written.h5 --facto 2 ;;
     tunica-certify) corrects --budget "$program" never-read.xml --budgte 2 ;;
     tunica-import) corrects --scale "$program" never-read.vtu never-written.h5 --scal 2 ;;
     tunica-lumen) corrects --across "$program" never-read.stl never-written.h5 --acros 9 ;;

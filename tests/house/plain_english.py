@@ -23,7 +23,7 @@ HABITS = ((r"\bwants?\b", "needs, requires, expects"),
 HABIT = re.compile("|".join(f"({pattern})" for pattern, _ in HABITS).replace(" ", r"\s+"), re.I)
 
 QUANTILE, MOST_WORDS = 0.9, 40
-PROGRAMS = ("tunica_certify", "tunica_import", "tunica_lumen", "tunica_report", "tunica_vessel")
+PROGRAMS = ("tunica_adapt", "tunica_certify", "tunica_import", "tunica_lumen", "tunica_report", "tunica_vessel")
 
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.)\s+")
 LINK = re.compile(r"!?\[([^\]]*)\]\([^)]*\)")

@@ -9,7 +9,7 @@ import cases
 import shapes
 from importer.raw import BadMesh
 from lumen import (centreline, crossings, edits, ends, handles, labels, layers, make, medial, names, quality, repair, rims,
-                   smooth, unfold)
+                   smooth, unfold, volume)
 from lumen import surface as base
 from lumen.faults import BadSurface
 from lumen.surface import Surface
@@ -212,8 +212,8 @@ class Layers(unittest.TestCase):
     def test_layers_conform_and_lie_in_the_planes_of_openings(self):
         tube = pipe(24, 24, 1.0, 6.0)
         found = [dataclasses.replace(rim, normal=np.array([0, 0, np.sign(rim.normal[2])])) for rim in openings(tube)]
-        wish = layers.Layers, type("Wish", (), {"layers": 3, "first": 0.2, "growth": 1.3})
-        grown = layers.grow(tube, found, np.full(len(tube.points), 0.26), np.full(len(tube.points), 1.0), wish[1], silent)
+        layering = volume.Layering(layers=3, growth=1.3)
+        grown = layers.grow(tube, found, np.full(len(tube.points), 0.052), np.full(len(tube.points), 1.0), layering, silent)
         self.assertGreater(quality.six_volumes(grown.points, grown.tets).min(), 0.0)
         from importer.faces import Faces
         faces = Faces("layers", grown.points, grown.tets)

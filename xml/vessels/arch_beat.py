@@ -31,17 +31,23 @@ def is_done(folder):
     return "report" in read_json(os.path.join(folder, "stages.json")).get("stages", {})
 
 
-def lumen_of(wanted, name):
-    """The mesh of the lumen, and what it took [s]."""
+def surface_of(wanted):
+    """The files of the surface and of the names of its openings."""
     folder = os.path.join(os.path.abspath(wanted.output), "meshes")
     os.makedirs(folder, exist_ok=True)
-    surface, lumen, names = (os.path.join(folder, file) for file in ("arch-raw.stl", f"arch-raw-{name}.h5", "arch-openings.csv"))
-    seconds = os.path.join(folder, f"arch-raw-{name}-{TIMED}")
+    surface, names = (os.path.join(folder, file) for file in ("arch-raw.stl", "arch-openings.csv"))
+    if not os.path.exists(surface):
+        make(os.path.join(SCRIPTS, "make_vessel.py"), "arch", surface, "--raw", "on")
+    with open(names, "w", encoding="utf-8") as file:
+        file.writelines(f"{opening},{x},{y},{z}\n" for opening, (x, y, z) in OPENINGS.items())
+    return surface, names
+
+
+def lumen_of(wanted, name):
+    """The mesh of the lumen, and what it took [s]."""
+    surface, names = surface_of(wanted)
+    lumen, seconds = (os.path.join(os.path.dirname(surface), f"arch-raw-{name}{end}") for end in (".h5", "-" + TIMED))
     if not os.path.exists(seconds):
-        if not os.path.exists(surface):
-            make(os.path.join(SCRIPTS, "make_vessel.py"), "arch", surface, "--raw", "on")
-        with open(names, "w", encoding="utf-8") as file:
-            file.writelines(f"{opening},{x},{y},{z}\n" for opening, (x, y, z) in OPENINGS.items())
         start = time.time()
         make(os.path.join(wanted.programs, "tunica-mesh"), "lumen", surface, lumen, *MESHES[name][0], "--names", names, "--overwrite")
         with open(seconds, "w", encoding="utf-8") as file:

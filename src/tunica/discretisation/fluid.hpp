@@ -60,6 +60,8 @@ public:
   const assembly::FluidElements& elements() const { return elements_; }
 
   Observables observe(const algebra::BlockVector& x) const;
+  /// Of x, within its step. Collective.
+  Balance balance(const algebra::BlockVector& x);
   /// Area, pressure and forces of the surfaces (indices into FieldMesh::surfaces), and the inflow
   /// of those that the case does not list, at the end of a step.
   Observables observe_surfaces(const algebra::BlockVector& x, const std::vector<int>& surfaces);
@@ -98,6 +100,7 @@ private:
   /// Forces on the given ones of all surfaces, this rank's part.
   std::vector<Vec3> forces(const algebra::BlockVector& x, const std::vector<int>& surfaces);
   void find_open_surfaces();
+  void add_faces(Balance& balance) const;
   void observe_open_surfaces(const assembly::FluidFields& state, Observables& found) const;
 
   FluidOptions options_;

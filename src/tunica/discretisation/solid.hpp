@@ -71,6 +71,8 @@ public:
   const assembly::SolidElements& elements() const { return elements_; }
 
   Observables observe(const algebra::BlockVector& x) const;
+  /// Of x, within its step. Collective.
+  Balance balance(const algebra::BlockVector& x);
   /// Area of the surfaces (indices into FieldMesh::surfaces), displacement of those that are not
   /// clamped and forces on those that hold the wall, at the end of a step.
   Observables observe_surfaces(const algebra::BlockVector& x, const std::vector<int>& surfaces);

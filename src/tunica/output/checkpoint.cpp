@@ -109,8 +109,11 @@ double CheckpointFile::number(const std::string& name) const {
 }
 
 bool CheckpointFile::has(const std::string& part) const {
-  return std::any_of(arrays_.begin(), arrays_.end(),
-                     [&](const auto& entry) { return is_of(part, entry.first); });
+  const auto is_there = [&](const auto& entries) {
+    return std::any_of(entries.begin(), entries.end(),
+                       [&](const auto& entry) { return is_of(part, entry.first); });
+  };
+  return is_there(arrays_) || is_there(numbers_) || is_there(texts_);
 }
 
 void CheckpointFile::verify() const {

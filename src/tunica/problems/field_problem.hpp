@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "tunica/discretisation/mixed_field.hpp"
+#include "tunica/discretisation/observable.hpp"
 #include "tunica/fields/state.hpp"
 #include "tunica/nonlinear/newton.hpp"
 #include "tunica/problems/watched_solver.hpp"
@@ -53,7 +54,7 @@ public:
 
   const stepping::TimeScheme& time_scheme() const { return field_->time_scheme(); }
   /// Accepts the present state as that of the new time.
-  void end_step() { field_->end_step(x_); }
+  virtual void end_step() { field_->end_step(x_); }
 
   /// A block of values as rows of the owned nodes, and back.
   fields::State::Array rows_of(const algebra::BlockVector& x, int block) const;
@@ -110,6 +111,15 @@ public:
   Field& field() { return *own_; }
   const Field& field() const { return *own_; }
 
+  /// From now on steps leave their balance.
+  void keep_balance() { keeps_balance_ = true; }
+  /// Of the last step.
+  const discretisation::Balance& balance() const { return balance_; }
+  void end_step() override {
+    if (keeps_balance_) balance_ = own_->balance(x_);
+    FieldProblem::end_step();
+  }
+
 protected:
   ProblemOf(std::unique_ptr<Field> field, const SolveSettings& settings)
       : ProblemOf(field.get(), std::move(field), settings) {}
@@ -119,6 +129,8 @@ private:
       : FieldProblem(std::move(field), settings), own_(own) {}
 
   Field* const own_;  ///< that of the base
+  bool keeps_balance_ = false;
+  discretisation::Balance balance_;
 };
 
 }  // namespace tunica::problems

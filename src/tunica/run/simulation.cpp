@@ -9,6 +9,7 @@
 #include "tunica/observe/fluid_field.hpp"
 #include "tunica/observe/surface_report.hpp"
 #include "tunica/observe/wall_field.hpp"
+#include "tunica/run/budget_report.hpp"
 #include "tunica/run/checkpoints.hpp"
 #include "tunica/run/field_problems.hpp"
 #include "tunica/run/field_series.hpp"
@@ -58,7 +59,7 @@ struct Simulation::Impl {
     return *problems.wall;
   }
   void record_unknowns() const;
-  observe::Parts parts() const;
+  observe::Parts parts();
   void open_files();
   StepSummary attempt(const stepping::Clock& clock, int number);
   StepSummary step_coupled(const stepping::Clock& clock);
@@ -68,6 +69,8 @@ struct Simulation::Impl {
   StepSummary make_step();
   void observe();
   void write_fields();
+  void begin_budget();
+  void keep_budget(const StepSummary& step);
 
   FieldProblems problems;
   RunOutput* output;
@@ -76,6 +79,8 @@ struct Simulation::Impl {
 
   // from begin() on
   std::vector<std::unique_ptr<observe::Field>> fields;
+  std::optional<observe::Budget> budget;  ///< of a case that wants one
+  std::optional<BudgetReport> budget_report;
   std::optional<TimeMarch> march;
   std::optional<observe::SurfaceReport> surfaces;
   std::optional<Checkpoints> checkpoints;
@@ -92,12 +97,33 @@ void Simulation::Impl::record_unknowns() const {
 }
 
 /// All that a step changes and the next one needs.
-observe::Parts Simulation::Impl::parts() const {
+observe::Parts Simulation::Impl::parts() {
   observe::Parts all;
   for (const auto& field : fields)
     for (const auto& part : field->parts()) all.push_back(part);
   if (is_coupled()) all.emplace_back("coupling", problems.scheme.get());
+  if (budget) all.emplace_back(observe::budget_part, &*budget);
   return all;
+}
+
+// A run that goes on knows what is stored by its checkpoint.
+void Simulation::Impl::begin_budget() {
+  const setup::Case& the_case = problems.the_case;
+  const observe::BudgetSettings wanted = observe::budget_settings(the_case.list.sublist("Output"));
+  if (!wanted.is_wanted) return;
+  const bool has_prestress = the_case.wall && the_case.wall->options.has_prestress;
+  const bool is_static = the_case.wall && the_case.wall->options.is_static;
+  budget.emplace(wanted, problems.fluid.get(), problems.wall.get(),
+                 !output->restart && !the_case.time->from && !has_prestress,
+                 !is_static && !the_case.time->is_steady_sought());
+  budget_report.emplace(*output, comm->getRank() == 0);
+}
+
+void Simulation::Impl::keep_budget(const StepSummary& step) {
+  if (!budget || !step.is_accepted) return;
+  const stepping::Clock& clock = march->clock();
+  budget_report->step(clock, budget->add(clock.step_size(), step.is_converged, observed), *budget,
+                      *log);
 }
 
 void Simulation::Impl::open_files() {
@@ -164,6 +190,7 @@ StepSummary Simulation::Impl::make_step() {
     for (const auto& field : fields) field->accept(clock);
   observe();
   log->step(clock, step, observed);
+  keep_budget(step);
   const std::function<std::vector<judge::LayerVolume>()> volumes = [this] {
     return judge::layer_volumes(*problems.wall);
   };
@@ -211,6 +238,7 @@ Outcome Simulation::begin() {
   if (started.is_failure() || !run.output->stopped.empty()) return started;
   run.record_unknowns();
   run.fields = fields_of(problems);
+  run.begin_budget();
   run.march.emplace(problems.the_case, run.parts(), *run.output);
   for (const auto& field : run.fields) run.march->judge(*field);
   run.surfaces.emplace(problems.the_case.output.surfaces,
@@ -250,6 +278,7 @@ Outcome Simulation::finish() {
   Impl& run = *impl_;
   if (!run.is_begun()) return Outcome::success();
   run.series->finish();
+  if (run.budget) run.budget_report->finish(*run.budget);
   for (const auto& field : run.fields)
     if (field->throughput() != nullptr)
       record_assembly(run.output->record, field->name(), *field->throughput(), *run.comm);

@@ -3,6 +3,7 @@
 #include <Teuchos_Array.hpp>
 
 #include "tunica/mesh/distributed/partition_slab.hpp"
+#include "tunica/observe/budget.hpp"
 #include "tunica/observe/surface_report.hpp"
 #include "tunica/observe/wall_field.hpp"
 #include "tunica/observe/wall_shear.hpp"
@@ -86,6 +87,7 @@ params::Table output_table(bool has_fluid, bool has_wall) {
       .number("progress every", 5.0, params::non_negative(), "s",
               "interval of progress lines on the screen within a long step: its Newton step, "
               "iteration and residual; 0: each iteration");
+  observe::add_budget_keys(table);
   observe::add_surface_keys(table);
   if (has_wall) observe::add_wall_array_keys(table);
   if (has_fluid) observe::add_wall_shear_keys(table);
