@@ -81,7 +81,7 @@ double operations(const Teuchos::RCP<const CrsMatrix>& A, bool dissects, double&
 }
 
 TEUCHOS_UNIT_TEST(elimination, nested_dissection_is_taken_where_it_is_better) {
-  const auto A = grid({22, 22, 22});
+  const auto A = grid({17, 17, 17});
   double of_first = 1.0, of_both = 1.0;
   TEST_COMPARE(operations(A, true, of_both), <, operations(A, false, of_first));
   TEST_COMPARE(of_first, <, 1e-12);

@@ -4,8 +4,8 @@
 
 namespace tunica::linear {
 
-/// Sparse LU factors by MUMPS [ADKL], of a matrix all of whose rows are on one rank. An entry is a pivot
-/// where it is at least 1 % of the largest of its column: diagonals may be zero.
+/// Sparse LU factors by MUMPS [ADKL], of a matrix all of whose rows are on one rank. An entry is a
+/// pivot where it is at least 1 % of the largest of its column: diagonals may be zero.
 class MultifrontalLu final : public smoothers::Factors {
 public:
   /// Orders the unknowns so that fill is small, step by step.
