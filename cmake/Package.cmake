@@ -17,5 +17,5 @@ set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "python3-gmsh, python3-meshio, python3-scipy, python3-vtk9")
 # For programs that link Tunica's libraries.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "cmake, g++, libhdf5-openmpi-dev, libmetis-dev, libopenmpi-dev, trilinos-all-dev")
+  "cmake, g++, libhdf5-openmpi-dev, libmetis-dev, libmumps-dev, libopenmpi-dev, trilinos-all-dev")
 include(CPack)

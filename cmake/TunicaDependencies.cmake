@@ -53,6 +53,7 @@ macro(tunica_find_for_fsi)
   tunica_find_trilinos(
     Tpetra NOX Teko MueLu Stratimikos Belos Ifpack2 Amesos2 Thyra Teuchos Sacado Zoltan2)
   tunica_find_library(metis metis.h METIS libmetis-dev)
+  tunica_find_library(dmumps dmumps_c.h MUMPS libmumps-dev)
   # CMake's own search for HDF5 asks a compiler wrapper that fails on paths with spaces.
   tunica_find_library(hdf5 hdf5.h HDF5 libhdf5-openmpi-dev hdf5/openmpi)
   if(TARGET Tunica::hdf5 AND TARGET MPI::MPI_CXX)

@@ -35,6 +35,8 @@ from contestants import CONTESTANTS, case_of  # noqa: E402
 from pages import ENVIRONMENT, PROGRAMS, command, commit, results_of, rows_of  # noqa: E402
 
 WALL_FACTOR = 40  # a machine may give us this part of a processor
+# One rank waits for nobody; MUMPS asks for messages all the same, and would give its processor away each time.
+ALONE = {"OMPI_MCA_mpi_yield_when_idle": "0"}
 PYTHON = "/usr/bin/python3"
 # Debian's petsc4py is found by itself only beside petsc-dev.
 sys.path += sorted(glob.glob("/usr/lib/petscdir/petsc3.*/*-real/lib/python3/dist-packages"))[-1:]
@@ -70,7 +72,8 @@ class Ended:
         with open(os.path.join(scratch, "stdout"), "w+", encoding="utf-8") as out, \
                 open(os.path.join(scratch, "stderr"), "w+", encoding="utf-8") as err:
             process = subprocess.Popen(words, stdout=out, stderr=err, cwd=scratch, preexec_fn=limit, start_new_session=True,
-                                       env={**ENVIRONMENT, "OPENBLAS_NUM_THREADS": "1", "PYTHONPATH": PATHS})
+                                       env={**ENVIRONMENT, **({} if words[0] == "mpirun" else ALONE), "OPENBLAS_NUM_THREADS": "1",
+                                            "PYTHONPATH": PATHS})
             timer = threading.Timer(WALL_FACTOR * seconds, lambda: os.killpg(process.pid, signal.SIGKILL))
             timer.start()
             _, status, usage = os.wait4(process.pid, 0)

@@ -8,6 +8,7 @@ package_of() {
     Trilinos) echo trilinos-all-dev ;;
     hdf5) echo libhdf5-openmpi-dev ;;
     metis) echo libmetis-dev ;;
+    dmumps) echo libmumps-dev ;;
     dpkg-shlibdeps) echo dpkg-dev ;;
     doxygen) echo doxygen ;;
     nlohmann_json) echo nlohmann-json3-dev ;;

@@ -127,7 +127,7 @@ class Tried:
             self.x = read_solution(folder / "out" / "solution.mtx")
 
 
-ITERATIVE = (("Solvers/direct unknowns", 0),)
+ITERATIVE = (("Solvers/direct operations", 0),)
 
 
 def difference(x, y, size):

@@ -12,7 +12,7 @@
 #include "tunica/io/messages.hpp"
 #include "tunica/io/progress.hpp"
 #include "tunica/judge/sanity.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 #include "tunica/output/processors.hpp"
 #include "tunica/output/traffic_report.hpp"
 #include "tunica/run/extent.hpp"

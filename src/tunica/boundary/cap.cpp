@@ -8,7 +8,7 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/kernels/laplace_p1.hpp"
 #include "tunica/kernels/surface_tri3.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 
 namespace tunica::boundary {
 

@@ -145,7 +145,8 @@ SolverTable::SolverTable(const Teuchos::ParameterList& list, const output::RunFo
                          const output::RunRecord& record, bool is_root)
     : settings_(all_settings(list)), tolerance_(list.sublist("Solvers").get<double>("tolerance")),
       is_chosen_(settings_.count("system") > 0 && settings_.at("system").empty()),
-      direct_unknowns_(is_chosen_ ? list.sublist("Solvers").get<int>("direct unknowns") : 0),
+      direct_operations_(is_chosen_ ? list.sublist("Solvers").get<double>("direct operations")
+                                    : 0.0),
       place_(place_of(list.sublist("Solvers"))), is_root_(is_root), record_(&record),
       json_file_(folder.file("solvers.json")),
       csv_(folder.file("solvers.csv"), columns(), is_root) {
@@ -154,10 +155,8 @@ SolverTable::SolverTable(const Teuchos::ParameterList& list, const output::RunFo
 
 std::vector<SolverSetting> SolverTable::settings_for(const LinearSystem& system) const {
   if (!is_chosen_) return settings_.at(system.field);
-  const foreign::DefaultChoice choice = foreign::default_settings(*system.K, direct_unknowns_);
-  if (is_root_)
-    io::print_line("settings: \"" + choice.settings.front().name + "\" first (" + choice.reason +
-                   ")");
+  const foreign::DefaultChoice choice = foreign::default_settings(*system.K, direct_operations_);
+  if (is_root_) io::print_line("settings: " + foreign::in_words(choice));
   return choice.settings;
 }
 

@@ -55,7 +55,7 @@ private:
   std::map<std::string, std::vector<SolverSetting>> settings_;  ///< by field
   double tolerance_;
   bool is_chosen_;  ///< settings by the matrix, of which one has to converge
-  int direct_unknowns_;
+  double direct_operations_;
   std::map<std::string, int> place_;  ///< of the systems in the run
   bool is_root_;
   const output::RunRecord* record_;

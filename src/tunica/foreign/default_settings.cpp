@@ -14,6 +14,9 @@ namespace {
 /// fallbacks).
 constexpr long long most_factored = 300000;
 
+const char* const first_direct = "direct";
+const char* const c_is_zero = "C is zero";
+
 /// Part of the scalar rows with entries in B2 that have a diagonal in C.
 double stabilised_part(const algebra::BlockMatrix& K) {
   const auto B2 = K(1, 0)->getLocalMatrixHost(), mC = K(1, 1)->getLocalMatrixHost();
@@ -59,10 +62,10 @@ SolverSetting incomplete_factors() {
   return resolved("ILU(1)", list);
 }
 
-SolverSetting direct() {
+SolverSetting direct(const std::string& name, double most_operations) {
   Teuchos::ParameterList list;
-  list.set("method", "direct");
-  return resolved("direct", list);
+  list.set("method", "direct").set("most operations", most_operations);
+  return resolved(name, list);
 }
 
 /// Iterative settings, the likeliest first.
@@ -78,7 +81,7 @@ DefaultChoice iterative(const algebra::BlockMatrix& K) {
   const auto by_fields = with_preconditioner("field by field", "block");
   if (stabilised_part(K) > 0.5)
     return {{by_factors, by_braess, by_fields, incomplete_factors()}, "C stabilises"};
-  return {{by_braess, by_fields, incomplete_factors()}, "C is zero"};
+  return {{by_braess, by_fields, incomplete_factors()}, c_is_zero};
 }
 
 }  // namespace
@@ -101,22 +104,30 @@ void add_tolerance_key(params::Table& table) {
 void add_settings_keys(params::Table& table) {
   add_tolerance_key(table);
   table
-      .integer("direct unknowns", 3000, params::between(0, 1e9),
-               "without settings: largest system that is solved by sparse LU at first; larger ones "
-               "are where all else fails")
+      .number("direct operations", 3000.0, params::non_negative(), "1",
+              "without settings: sparse LU comes first where its factors take at most so many "
+              "operations per entry of the matrix; others come where all else fails")
       .entries("Settings", solver_table(),
                std::string(settings_sentence) + "; none: chosen by the matrix");
 }
 
-DefaultChoice default_settings(const algebra::BlockMatrix& K, int direct_unknowns) {
+DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations) {
   DefaultChoice choice = iterative(K);
-  if (K.n_unknowns() > direct_unknowns) {
-    if (K.n_unknowns() <= most_factored) choice.settings.push_back(direct());
-    return choice;
+  if (direct_operations > 0.0) {
+    // Sweeps by Braess and Sarazin take about twice as long as others.
+    const double most = choice.reason == c_is_zero ? 2.0 * direct_operations : direct_operations;
+    choice.settings.insert(choice.settings.begin(), direct(first_direct, most));
   }
-  choice.settings.insert(choice.settings.begin(), direct());
-  choice.reason = formatted("at most %d unknowns", direct_unknowns);
+  if (K.n_unknowns() <= most_factored) choice.settings.push_back(direct("direct at any cost", 0.0));
   return choice;
+}
+
+std::string in_words(const DefaultChoice& choice) {
+  const std::string& first = choice.settings.front().name;
+  const bool is_direct = first == first_direct && choice.settings.size() > 1;
+  const std::string& other = choice.settings[is_direct ? 1 : 0].name;
+  return (is_direct ? "\"" + first + "\" unless its factors are large, then " : std::string()) +
+         "\"" + other + "\" (" + choice.reason + ")";
 }
 
 }  // namespace tunica::foreign

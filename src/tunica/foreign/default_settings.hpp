@@ -19,20 +19,24 @@ params::Table solver_table();
 extern const char* const settings_sentence;
 /// Adds the tolerance of all settings.
 void add_tolerance_key(params::Table& table);
-/// Adds the keys of a list of settings: tolerance, "direct unknowns", "Settings".
+/// Adds the keys of a list of settings: tolerance, "direct operations", "Settings".
 void add_settings_keys(params::Table& table);
 
 /// Settings for a system of another program of which nothing is known but the matrix, to be tried
 /// in this order until one converges.
 struct DefaultChoice {
   std::vector<SolverSetting> settings;
-  std::string reason;  ///< why the first comes first
+  std::string reason;  ///< why the first iterative one comes before the others
 };
 
-/// Sparse LU first for systems of at most direct_unknowns, last for others of up to 300,000.
+/// Sparse LU first, for systems whose factors take at most direct_operations per entry of the
+/// matrix (twice as many where C is zero; 0: none), and last, for all of up to 300,000 unknowns.
 /// Between: multigrid for all unknowns, smoothed by incomplete factors where C stabilises, by
 /// Braess and Sarazin's sweeps where it is zero; the fields in turn (block LU), incomplete factors.
 /// For one field multigrid with Gauss-Seidel. Collective.
-DefaultChoice default_settings(const algebra::BlockMatrix& K, int direct_unknowns);
+DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations);
+
+/// `"direct" unless factors are large, "field by field" (C is zero), …`
+std::string in_words(const DefaultChoice& choice);
 
 }  // namespace tunica::foreign

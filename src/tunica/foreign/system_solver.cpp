@@ -20,7 +20,7 @@ std::vector<SolverSetting> settings_for(const systems::System& system,
   for (auto it = entries.begin(); it != entries.end(); ++it)
     settings.push_back({entries.name(it), entries.sublist(entries.name(it))});
   if (settings.empty())
-    settings = default_settings(system.K, solvers.get<int>("direct unknowns")).settings;
+    settings = default_settings(system.K, solvers.get<double>("direct operations")).settings;
   return settings;
 }
 

@@ -35,6 +35,14 @@ params::Table krylov_table(const SolverDefaults& defaults, bool has_restart,
   return table;
 }
 
+params::Table direct_table() {
+  params::Table table("sparse LU of all unknowns");
+  table.number("most operations", 0.0, params::non_negative(), "1",
+               "largest number of operations for the factors, per entry of the matrix; beyond, the "
+               "solver cannot be set up; 0: any");
+  return table;
+}
+
 }  // namespace
 
 params::Table linear_solver_table(const SolverDefaults& defaults) {
@@ -43,14 +51,14 @@ params::Table linear_solver_table(const SolverDefaults& defaults) {
   linear.has_fields = false;
   params::Table table("Solves the linear systems of Newton's method.");
   table.variant("method", "gcr",
-                {{"direct", params::Table("sparse LU on rank 0, for small systems")},
+                {{"direct", direct_table()},
                  {"flexible gmres", krylov_table(defaults, true)},
                  {"gmres", krylov_table(linear, true)},
                  {"gcr", krylov_table(defaults, true, true)},
                  {"bicgstab", krylov_table(linear, false)},
                  {"tfqmr", krylov_table(linear, false)},
                  {"fixed point", krylov_table(defaults, false)}},
-                "sparse direct (Amesos2 KLU2), a Krylov method (of Belos, except GCR), or the "
+                "sparse direct (MUMPS), a Krylov method (of Belos, except GCR), or the "
                 "preconditioner alone, iterated (fixed point)");
   return table;
 }
@@ -63,10 +71,10 @@ params::Table inner_solver_table(SolverDefaults defaults) {
   params::Table table("Solves for one field within a preconditioner.");
   table
       .variant("method", "gcr",
-               {{"direct", params::Table("sparse LU on rank 0, for small systems")},
+               {{"direct", direct_table()},
                 {"gcr", inner_krylov_table(defaults, true, true)},
                 {"fixed point", inner_krylov_table(defaults, false)}},
-               "sparse direct (Amesos2 KLU2), GCR, or the preconditioner alone, applied \"max "
+               "sparse direct (MUMPS), GCR, or the preconditioner alone, applied \"max "
                "iterations\" times (fixed point)")
       .number("tolerance", 0.1, params::Range{0.0, 1.0, false, true}, "1",
               "ends at this relative residual, or at \"max iterations\"");
@@ -76,7 +84,11 @@ params::Table inner_solver_table(SolverDefaults defaults) {
 std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& options,
                                                  const algebra::BlockMatrix& K,
                                                  const NamedOperators& operators) {
-  if (options.get<std::string>("method") == "direct") return std::make_unique<DirectSolver>(K);
+  if (options.get<std::string>("method") == "direct") {
+    const char* const key = "most operations";
+    return std::make_unique<DirectSolver>(
+        K, options.isParameter(key) ? options.get<double>(key) : 0.0);
+  }
   // A solver within a preconditioner lacks the key.
   const bool may_fall_back = options.isParameter("fallbacks") && !fallbacks_of(options).empty();
   if (may_fall_back) return std::make_unique<SolverChain>(options, K, operators);

@@ -8,7 +8,7 @@
 #include "tunica/algebra/components.hpp"
 #include "tunica/io/progress.hpp"
 #include "tunica/linear/amg.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 #include "tunica/linear/krylov.hpp"
 
 namespace tunica::linear {

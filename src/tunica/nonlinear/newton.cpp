@@ -7,7 +7,7 @@
 #include <Thyra_TpetraThyraWrappers.hpp>
 #include <Thyra_VectorStdOps.hpp>
 
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 #include "tunica/nonlinear/guarded_line_search.hpp"
 #include "tunica/nonlinear/increment_test.hpp"
 #include "tunica/nonlinear/nox_group.hpp"

@@ -5,7 +5,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/boundary/registry.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 #include "tunica/linear/setup_failure.hpp"
 #include "tunica/problems/prestress.hpp"
 #include "tunica/stepping/time_function.hpp"

@@ -4,7 +4,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/io/progress.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 #include "tunica/problems/fibre_frames.hpp"
 #include "tunica/problems/prestress.hpp"
 

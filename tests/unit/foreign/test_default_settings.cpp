@@ -38,23 +38,30 @@ std::vector<std::string> names(const foreign::DefaultChoice& choice) {
 using Names = std::vector<std::string>;
 
 TEUCHOS_UNIT_TEST(default_settings, follow_what_the_matrix_is) {
-  const auto stabilised = foreign::default_settings(blocks(true, 1.0), 0);
+  const auto stabilised = foreign::default_settings(blocks(true, 1.0), 0.0);
   TEST_ASSERT(names(stabilised) ==
               (Names{"multigrid, incomplete factors", "multigrid, Braess-Sarazin", "field by field",
-                     "ILU(1)", "direct"}));
+                     "ILU(1)", "direct at any cost"}));
   TEST_EQUALITY(stabilised.reason, "C stabilises");
-  const auto zero = foreign::default_settings(blocks(true, 0.0), 0);
-  TEST_ASSERT(names(zero) ==
-              (Names{"multigrid, Braess-Sarazin", "field by field", "ILU(1)", "direct"}));
-  TEST_ASSERT(names(foreign::default_settings(blocks(false, 0.0), 0)) ==
-              (Names{"multigrid, Gauss-Seidel", "ILU(1)", "direct"}));
+  const auto zero = foreign::default_settings(blocks(true, 0.0), 0.0);
+  TEST_ASSERT(names(zero) == (Names{"multigrid, Braess-Sarazin", "field by field", "ILU(1)",
+                                    "direct at any cost"}));
+  TEST_EQUALITY(foreign::in_words(zero), "\"multigrid, Braess-Sarazin\" (C is zero)");
+  TEST_ASSERT(names(foreign::default_settings(blocks(false, 0.0), 0.0)) ==
+              (Names{"multigrid, Gauss-Seidel", "ILU(1)", "direct at any cost"}));
 }
 
-TEUCHOS_UNIT_TEST(default_settings, small_systems_are_factored) {
-  const auto small = foreign::default_settings(blocks(true, 1.0), 16);
-  TEST_EQUALITY(small.settings.front().name, "direct");
-  TEST_EQUALITY(small.reason, "at most 16 unknowns");
-  TEST_EQUALITY(foreign::default_settings(blocks(true, 1.0), 15).settings.back().name, "direct");
+TEUCHOS_UNIT_TEST(default_settings, factors_come_first_while_they_are_few_for_the_matrix) {
+  const auto choice = foreign::default_settings(blocks(true, 0.0), 1500.0);
+  TEST_ASSERT(names(choice) == (Names{"direct", "multigrid, Braess-Sarazin", "field by field",
+                                      "ILU(1)", "direct at any cost"}));
+  TEST_EQUALITY(choice.settings.front().list.get<double>("most operations"), 3000.0);
+  const auto stabilised = foreign::default_settings(blocks(true, 1.0), 1500.0);
+  TEST_EQUALITY(stabilised.settings.front().list.get<double>("most operations"), 1500.0);
+  TEST_EQUALITY(choice.settings.back().list.get<double>("most operations"), 0.0);
+  TEST_EQUALITY(
+      foreign::in_words(choice),
+      "\"direct\" unless its factors are large, then \"multigrid, Braess-Sarazin\" (C is zero)");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/base/trilinos.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {
@@ -39,13 +39,6 @@ TEUCHOS_UNIT_TEST(direct_factor, apply_is_alpha_inverse_x_plus_beta_y) {
   for (int column = 0; column < 2; ++column)
     for (const double value : y.getVector(column)->getData())
       TEST_FLOATING_EQUALITY(value, 1.5, 1e-12);
-}
-
-TEUCHOS_UNIT_TEST(direct_factor, a_tridiagonal_matrix_has_factors_without_fill) {
-  const auto A = tridiagonal(1.0);
-  const double n = 3.0 * test::world()->getSize();
-  // n and n − 1 entries in each factor, a number and an index each
-  TEST_EQUALITY(linear::DirectFactor(A).expected_bytes(), 2.0 * 12.0 * (2.0 * n - 1.0));
 }
 
 TEUCHOS_UNIT_TEST(direct_factor, new_values_count_after_refresh_only) {

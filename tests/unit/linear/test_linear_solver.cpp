@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/base/trilinos.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 #include "unit/linear/mixed_operator.hpp"
 #include "unit/linear/strategies.hpp"
 

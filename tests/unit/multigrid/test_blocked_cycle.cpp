@@ -4,7 +4,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/trilinos.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 #include "tunica/linear/linear_solver.hpp"
 #include "tunica/multigrid/muelu/blocked_matrix.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"

@@ -1,6 +1,6 @@
 #include "tunica/linear/preconditioners/direct.hpp"
 
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 #include "tunica/linear/merged_system.hpp"
 
 namespace tunica::linear {

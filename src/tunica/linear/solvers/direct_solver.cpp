@@ -9,8 +9,8 @@
 
 namespace tunica::linear {
 
-DirectSolver::DirectSolver(const algebra::BlockMatrix& K)
-    : K_(K), factor_(K_.matrix()),
+DirectSolver::DirectSolver(const algebra::BlockMatrix& K, double most_operations)
+    : K_(K), factor_(K_.matrix(), most_operations),
       augmented_(
           K, K_.matrix(),
           [this](const algebra::BlockVector& x, MultiVector& all) { K_.merge(x, all); },

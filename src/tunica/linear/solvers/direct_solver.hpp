@@ -1,6 +1,6 @@
 #pragma once
 #include "tunica/algebra/merged_matrix.hpp"
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 #include "tunica/linear/linear_solver.hpp"
 #include "tunica/linear/solvers/augmented_system.hpp"
 
@@ -9,7 +9,8 @@ namespace tunica::linear {
 /// Solves by sparse LU factors of each matrix.
 class DirectSolver final : public LinearSolver {
 public:
-  explicit DirectSolver(const algebra::BlockMatrix& K);
+  /// most_operations: as those of DirectFactor.
+  explicit DirectSolver(const algebra::BlockMatrix& K, double most_operations = 0.0);
 
   void matrix_changed() override { is_stale_ = true; }
   void prepare() override;

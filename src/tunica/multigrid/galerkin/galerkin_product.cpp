@@ -27,27 +27,38 @@ bool is_transpose(const CrsMatrix& R, const CrsMatrix& P) {
 GalerkinProduct::GalerkinProduct(const Teuchos::RCP<const CrsMatrix>& R,
                                  const Teuchos::RCP<const CrsMatrix>& A,
                                  const Teuchos::RCP<const CrsMatrix>& P,
-                                 const algebra::DofLayout& numbering, double stabilisation_factor)
-    : R_(R), A_(A), P_(P), numbering_(numbering), stabilisation_factor_(stabilisation_factor) {
+                                 const algebra::DofLayout& numbering,
+                                 const Stabilisation& stabilisation)
+    : R_(R), P_(P),
+      stabilised_(stabilisation.schur > 0.0
+                      ? std::make_unique<SchurStabilised>(A, numbering, stabilisation.schur)
+                      : nullptr),
+      A_(A), numbering_(numbering), stabilisation_(stabilisation) {
+  if (stabilised_) A_ = stabilised_->matrix();
   // Pᵀ A P in one go saves the storage of A P.
-  if (algebra::TripleProduct::serves(*A, *P) && is_transpose(*R, *P)) {
-    triple_.emplace(*A, *P);
+  if (algebra::TripleProduct::serves(*A_, *P) && is_transpose(*R, *P)) {
+    triple_.emplace(*A_, *P);
   } else {
-    AP_.emplace(*A, *P);
+    AP_.emplace(*A_, *P);
     RAP_.emplace(*R, *AP_->matrix());
   }
-  refresh();
+  take_values();
 }
 
 // R A P, with R = Pᵀ without the product between
-void GalerkinProduct::refresh() {
+void GalerkinProduct::take_values() {
   if (triple_) {
     triple_->refresh();
   } else {
     AP_->refresh();
     RAP_->refresh();
   }
-  if (stabilisation_factor_ != 1.0) scale_stabilisation();
+  if (stabilisation_.factor != 1.0) scale_stabilisation();
+}
+
+void GalerkinProduct::refresh() {
+  if (stabilised_) stabilised_->refresh();
+  take_values();
 }
 
 // −C ← −σ C, the block of the scalars
@@ -62,7 +73,7 @@ void GalerkinProduct::scale_stabilisation() {
       auto row = local.row(i);
       for (int k = 0; k < row.length; ++k)
         if (numbering_.is_scalar(K.getColMap()->getGlobalElement(row.colidx(k))))
-          row.value(k) *= stabilisation_factor_;
+          row.value(k) *= stabilisation_.factor;
     }
   }
   K.fillComplete(domain, range);

@@ -289,7 +289,9 @@ Teuchos::ParameterList braess_sarazin_cycle_list(int sweeps, int schur_sweeps) {
   smoother.set("factory", "NodalBraessSarazinSmoother")
       .set("sweeps", sweeps)
       .set("schur sweeps", schur_sweeps);
-  return nodal_levels(smoother, coarsest_mixed);
+  Teuchos::ParameterList list = nodal_levels(smoother, coarsest_mixed);
+  list.sublist("Factories").sublist("Galerkin").set("schur stabilisation", 0.1);
+  return list;
 }
 
 // The levels of mixed_cycle_list() but for rotations. Each patch is inverted by itself, with row

@@ -94,7 +94,8 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
 Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial = "power");
 
 /// A list for a mixed system, smoothed by Braess and Sarazin's sweeps with so many of Gauss-Seidel
-/// for the Schur complement, which requires no C and no order of the nodes.
+/// for the Schur complement, which requires no C and no order of the nodes. Coarse levels get a C
+/// (SchurStabilised).
 Teuchos::ParameterList braess_sarazin_cycle_list(int sweeps, int schur_sweeps);
 
 /// A list for a mixed system, smoothed by Vanka's sweeps over pairs of nodes (smoothers/vanka/),

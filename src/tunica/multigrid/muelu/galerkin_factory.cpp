@@ -18,6 +18,7 @@ Teuchos::RCP<const Teuchos::ParameterList> GalerkinFactory::GetValidParameterLis
   for (const char* input : {"A", "P", "R"})
     list->set<Teuchos::RCP<const MueLu::FactoryBase>>(input, Teuchos::null);
   list->set("stabilisation scaling", 1.0, "factor of the stabilisation block per level");
+  list->set("schur stabilisation", 0.0, "part of B2 diag(A)^-1 B1T that C gets on a coarser level");
   return list;
 }
 
@@ -31,11 +32,13 @@ void GalerkinFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   const auto A = unwrapped(Get<Teuchos::RCP<XMatrix>>(fine, "A"));
   const auto P = unwrapped(Get<Teuchos::RCP<XMatrix>>(coarse, "P"));
   const auto R = unwrapped(Get<Teuchos::RCP<XMatrix>>(coarse, "R"));
-  // A_c = R A P, with −σ C in its scalar block. Only a mixed matrix has such a block.
-  const double factor = GetParameterList().get<double>("stabilisation scaling");
-  if (factor != 1.0) coarsening_->check_mixed(fine.GetLevelID(), *A);
+  // A_c = R A P, with more of −C in its scalar block. Only a mixed matrix has such a block.
+  const Stabilisation stabilisation{GetParameterList().get<double>("stabilisation scaling"),
+                                    GetParameterList().get<double>("schur stabilisation")};
+  if (stabilisation.factor != 1.0 || stabilisation.schur > 0.0)
+    coarsening_->check_mixed(fine.GetLevelID(), *A);
   const Teuchos::RCP<GalerkinProduct> product =
-      Teuchos::rcp(new GalerkinProduct(R, A, P, coarsening_->numbering(), factor));
+      Teuchos::rcp(new GalerkinProduct(R, A, P, coarsening_->numbering(), stabilisation));
   // The product stays on the level, so that new values of A need no graphs.
   coarse.Set(kept_as, Teuchos::rcp_implicit_cast<algebra::Refreshable>(product),
              MueLu::NoFactory::get());

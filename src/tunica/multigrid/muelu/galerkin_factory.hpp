@@ -11,7 +11,8 @@ namespace tunica::multigrid {
 /// found once: see GalerkinProduct, which it leaves on the coarse level.
 ///
 /// On a mesh of twice the size C ~ h² ought to be four times what Galerkin's product makes of it;
-/// less leaves the coarse system short of stability [LY1, section 5].
+/// less leaves the coarse system short of stability [LY1, section 5]. Where C is zero, "schur
+/// stabilisation" (0.0) is the part of B2 diag(A)⁻¹ B1ᵀ, of the finer level, that C gets.
 class GalerkinFactory : public MueLu::TwoLevelFactoryBase {
 public:
   /// Says how unknowns are numbered; before Build().

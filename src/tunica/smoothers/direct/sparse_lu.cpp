@@ -1,13 +1,11 @@
 #include "tunica/smoothers/direct/sparse_lu.hpp"
 
 #include <mpi.h>
-#include <trilinos_amd.h>
 
 #include <Amesos2.hpp>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <functional>
 #include <new>
@@ -26,12 +24,10 @@ GlobalOrdinal span_of(const Map& rows) {
   return rows.getMaxAllGlobalIndex() - rows.getIndexBase() + 1;
 }
 
-}  // namespace
-
-/// KLU2 of a matrix all of whose rows are on one rank.
-class SparseLu::Factors {
+/// KLU2's.
+class Klu2Factors final : public Factors {
 public:
-  explicit Factors(const Teuchos::RCP<const CrsMatrix>& A)
+  explicit Klu2Factors(const Teuchos::RCP<const CrsMatrix>& A)
       : A_(A), klu2_(Amesos2::create<CrsMatrix, MultiVector>("KLU2", A)) {
     const Map& rows = *A->getRowMap();
     // Amesos2 takes the numbers for contiguous unless a key says otherwise.
@@ -43,32 +39,18 @@ public:
     klu2_->symbolicFactorization();
   }
 
-  Verdict refactor() {
+  void refactor() override {
     // Order and symbolic factors stay: values alone are new.
     klu2_->setA(A_, Amesos2::SYMBFACT);
     try {
       klu2_->numericFactorization();
     } catch (const std::exception&) {  // it tells of Amesos2's source lines
-      return lacks_memory() ? Verdict::out_of_memory : Verdict::singular;
+      if (lacks_memory()) throw std::bad_alloc();
+      throw std::runtime_error("the matrix is singular");
     }
-    return Verdict::good;
   }
 
-  void solve(const MultiVector& B, MultiVector& X) const { klu2_->solve(&X, &B); }
-
-  /// Entries of L, which are those of U, by approximate minimum degrees.
-  double expected_entries() const {
-    const auto K = A_->getLocalMatrixHost();
-    const int n = static_cast<int>(K.numRows());
-    const std::vector<int> starts(K.graph.row_map.data(), K.graph.row_map.data() + n + 1);
-    std::vector<int> columns(K.nnz()), order(n);
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      columns[k] =
-          A_->getRowMap()->getLocalElement(A_->getColMap()->getGlobalElement(K.graph.entries(k)));
-    std::array<double, TRILINOS_AMD_INFO> info{};
-    trilinos_amd_order(n, starts.data(), columns.data(), order.data(), nullptr, info.data());
-    return n + info[TRILINOS_AMD_LNZ];
-  }
+  void solve(const MultiVector& B, MultiVector& X) const override { klu2_->solve(&X, &B); }
 
 private:
   /// KLU2 calls a matrix singular also where malloc() fails; it has given back what it took.
@@ -82,6 +64,8 @@ private:
   Teuchos::RCP<const CrsMatrix> A_;
   Teuchos::RCP<Amesos2::Solver<CrsMatrix, MultiVector>> klu2_;
 };
+
+}  // namespace
 
 /// The matrix on rank 0, its rows in the order of their numbers. What a solve sends is gathered and
 /// scattered by MPI, which needs log P messages one behind another where rank 0 alone would need P.
@@ -228,12 +212,12 @@ private:
 
 namespace {
 
-/// What rank 0 finds, thrown on all ranks. Collective.
-void agree(const Comm& comm, const std::function<Verdict()>& of_root) {
+/// What happens on rank 0, thrown on all ranks. Collective.
+void agree(const Comm& comm, const std::function<void()>& of_root) {
   auto verdict = static_cast<int>(Verdict::good);
   if (comm.getRank() == 0) {
     try {
-      verdict = static_cast<int>(of_root());
+      of_root();
     } catch (const std::bad_alloc&) {
       verdict = static_cast<int>(Verdict::out_of_memory);
     } catch (const std::exception&) {  // it tells of Amesos2's source lines
@@ -248,12 +232,12 @@ void agree(const Comm& comm, const std::function<Verdict()>& of_root) {
 
 }  // namespace
 
-SparseLu::SparseLu(const Teuchos::RCP<const CrsMatrix>& A) : A_(A) {
+SparseLu::SparseLu(const Teuchos::RCP<const CrsMatrix>& A)
+    : SparseLu(A, [](const auto& alone) { return std::make_unique<Klu2Factors>(alone); }) {}
+
+SparseLu::SparseLu(const Teuchos::RCP<const CrsMatrix>& A, const MakeFactors& make) : A_(A) {
   if (A->getComm()->getSize() > 1) gathered_ = std::make_unique<Gathered>(*A);
-  agree(*A->getComm(), [&] {
-    factors_ = std::make_unique<Factors>(gathered_ ? gathered_->make_alone() : A);
-    return Verdict::good;
-  });
+  agree(*A->getComm(), [&] { factors_ = make(gathered_ ? gathered_->make_alone() : A); });
 }
 
 SparseLu::~SparseLu() = default;
@@ -261,19 +245,14 @@ SparseLu::~SparseLu() = default;
 // Rank 0 factors; all ranks get its verdict, and throw alike.
 void SparseLu::refactor() {
   if (gathered_) gathered_->refresh(*A_);
-  agree(*A_->getComm(), [this] { return factors_->refactor(); });
+  agree(*A_->getComm(), [this] { factors_->refactor(); });
 }
 
-double SparseLu::expected_bytes() const {
-  constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
-  double bytes = 0.0;
-  agree(*A_->getComm(), [&] {
-    // L and U have as many entries each, of a value and an index.
-    bytes = 2.0 * bytes_per_entry * factors_->expected_entries();
-    return Verdict::good;
-  });
-  Teuchos::broadcast(*A_->getComm(), 0, &bytes);
-  return bytes;
+double SparseLu::told(const std::function<double(Factors&)>& question) const {
+  double answer = 0.0;
+  agree(*A_->getComm(), [&] { answer = question(*factors_); });
+  Teuchos::broadcast(*A_->getComm(), 0, &answer);
+  return answer;
 }
 
 void SparseLu::solve(const MultiVector& B, MultiVector& X) const {

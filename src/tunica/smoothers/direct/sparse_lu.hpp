@@ -1,17 +1,37 @@
 #pragma once
+#include <functional>
 #include <memory>
 
 #include "tunica/base/types.hpp"
 
 namespace tunica::smoothers {
 
-/// Sparse LU factors by KLU2, on rank 0; for small matrices. The rows are ordered once, new values
-/// of the same matrix are factored again. A solve is two collective calls: Amesos2 by
-/// itself finds its maps and plans of communication anew in each, some 40 calls.
+/// Factors of a matrix all of whose rows are on one rank; not collective.
+class Factors {
+public:
+  virtual ~Factors() = default;
+
+  /// Factors the present values. Throws std::bad_alloc, or std::runtime_error where the matrix is
+  /// singular.
+  virtual void refactor() = 0;
+  /// X = A⁻¹ B, with any number of columns.
+  virtual void solve(const MultiVector& B, MultiVector& X) const = 0;
+};
+
+/// Makes the factors of a matrix that is still without values.
+using MakeFactors =
+    std::function<std::unique_ptr<Factors>(const Teuchos::RCP<const CrsMatrix>& alone)>;
+
+/// Sparse LU factors on rank 0. The rows are ordered once, new values of the same matrix are
+/// factored again. A solve is two collective calls: Amesos2 by itself finds its maps and plans of
+/// communication anew in each, some 40 calls.
 class SparseLu {
 public:
-  /// The numbers of the rows may have gaps; the graph must not change. Collective.
+  /// By KLU2, for small matrices. The numbers of the rows may have gaps; the graph must not change.
+  /// Collective.
   explicit SparseLu(const Teuchos::RCP<const CrsMatrix>& A);
+  /// By others.
+  SparseLu(const Teuchos::RCP<const CrsMatrix>& A, const MakeFactors& make);
   ~SparseLu();
   SparseLu(const SparseLu&) = delete;
   SparseLu& operator=(const SparseLu&) = delete;
@@ -20,16 +40,14 @@ public:
   /// the matrix is singular. Collective.
   void refactor();
 
-  /// Estimated bytes of the factors, from an elimination order like that of KLU2, before they are
-  /// made; valid as long as no pivot is off the diagonal. Collective.
-  double expected_bytes() const;
+  /// What rank 0 answers about its factors. Collective.
+  double told(const std::function<double(Factors&)>& question) const;
 
   /// X = A⁻¹ B, with any number of columns. Collective.
   void solve(const MultiVector& B, MultiVector& X) const;
 
 private:
   class Gathered;
-  class Factors;
 
   Teuchos::RCP<const CrsMatrix> A_;
   std::unique_ptr<Gathered> gathered_;  ///< null on one rank

@@ -1,16 +1,59 @@
-#include "tunica/linear/direct_factor.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 
 #include <stdexcept>
 
 #include "tunica/base/attempt.hpp"
 #include "tunica/base/fault_point.hpp"
+#include "tunica/base/formatted.hpp"
 #include "tunica/base/trilinos.hpp"
+#include "tunica/smoothers/direct/sparse_lu.hpp"
 
 namespace tunica::linear {
 
-DirectFactor::DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix) : matrix_(matrix) {
-  set_up(*matrix_->getComm(), "the direct solver",
-         [this] { factors_ = std::make_unique<smoothers::SparseLu>(matrix_); });
+namespace {
+
+/// Operations per entry up to which the first order is kept: another would save less than it takes.
+constexpr double few_operations = 3000.0;
+
+/// Nested dissection takes at most this part of the operations of the first order.
+constexpr double most_gain = 0.5;
+
+}  // namespace
+
+namespace {
+
+/// Per entry of the matrix, with an order by nested dissection where that may be worth its time.
+double operations_of(MultifrontalLu& factors, double entries, double most) {
+  const double first = factors.expected_operations() / entries;
+  if (first > few_operations && (most == 0.0 || most_gain * first <= most)) factors.dissect();
+  return factors.expected_operations() / entries;
+}
+
+}  // namespace
+
+DirectFactor::DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix, double most_operations)
+    : matrix_(matrix) {
+  set_up(*matrix_->getComm(), "the direct solver", [this, most_operations] {
+    factors_ = std::make_unique<smoothers::SparseLu>(
+        matrix_, [](const auto& alone) { return std::make_unique<MultifrontalLu>(alone); });
+    set_order(most_operations);
+  });
+}
+
+void DirectFactor::set_order(double most) {
+  const auto entries = static_cast<double>(matrix_->getGlobalNumEntries());
+  const double found = factors_->told([&](smoothers::Factors& factors) {
+    return operations_of(dynamic_cast<MultifrontalLu&>(factors), entries, most);
+  });
+  if (most > 0.0 && found > most)
+    throw SetupFailure(
+        formatted("factors would take %.0f operations per entry, more than %.0f", found, most));
+}
+
+double DirectFactor::expected_bytes() const {
+  return factors_->told([](const smoothers::Factors& factors) {
+    return dynamic_cast<const MultifrontalLu&>(factors).expected_bytes();
+  });
 }
 
 DirectFactor::~DirectFactor() = default;
@@ -53,9 +96,9 @@ void check_direct_solver(const CommPtr& comm) {
   A->fillComplete();
   Vector x(map), b(map), r(map);
   b.putScalar(1.0);
-  DirectFactor factor(A);
-  factor.refresh();
-  factor.apply(b, x);
+  smoothers::SparseLu factors(A);
+  factors.refactor();
+  factors.solve(b, x);
   // |b − A x| < 10⁻¹² |b|
   A->apply(x, r);
   r.update(1.0, b, -1.0);
