@@ -24,6 +24,9 @@ bool is_solved(double true_residual, double tolerance) {
 /// x = Σ_k α_k z_k would give. The rounding of products does not count down to this tolerance.
 constexpr double well_above_rounding = 1e-6;
 
+/// Relative residual to which A Z = W is solved where K = A + W S Vᵀ has a part of low rank.
+constexpr double accuracy_of_Z = 0.4;
+
 bool is_true(const KrylovResult& result, bool has_exact_products, double tolerance) {
   return result.iterations <= (has_exact_products ? 2 : 1) && tolerance >= well_above_rounding &&
          result.recurrence_residual <= tolerance;
@@ -106,12 +109,14 @@ void KrylovSolver::refresh(SolveReport& report) {
   rule_.renew();                               // nothing to keep should the set-up fail
   if (recycles()) options_.recycled->clear();  // it is measured without their help
   system_->refresh_preconditioner();
-  // With Z this good the iterations are those of the blocks alone; a few make it so.
+  // With Z this good the iterations are those of the blocks alone but for a few in a hundred. On an
+  // arch with four outlets, 25 steps: to 0.1, 0.4, 0.95 347, 300, 175 iterations go into Z, and
+  // 327, 334, 415 into the solves.
   const KrylovOptions gcr{"GCR", options_.max_iterations, options_.max_iterations};
   const Teuchos::RCP<const Operator> inverse = system_->preconditioner();
   if (!inverse.is_null())
     augmented_.refresh_inverse(inverse, [&](const Vector& w, Vector& z) {
-      solve_krylov(gcr, system_->matrix(), inverse, w, z, 0.1);
+      solve_krylov(gcr, system_->matrix(), inverse, w, z, accuracy_of_Z);
     });
   is_behind_ = false;
   report.setup_seconds += watch.seconds();
