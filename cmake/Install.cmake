@@ -99,6 +99,7 @@ function(tunica_install_programs)
     ${PROJECT_SOURCE_DIR}/meshes ${PROJECT_SOURCE_DIR}/xml
     DESTINATION ${TUNICA_SHARE_DIR} COMPONENT fsi USE_SOURCE_PERMISSIONS
     PATTERN __pycache__ EXCLUDE PATTERN make.sh EXCLUDE)
+  install(FILES ${PROJECT_SOURCE_DIR}/drivers/command_line.py DESTINATION ${TUNICA_SHARE_DIR} COMPONENT fsi)
   install(FILES ${PROJECT_SOURCE_DIR}/tests/data/mesh-tube-small.msh
     DESTINATION ${TUNICA_SHARE_DIR}/tests/data COMPONENT fsi)
 endfunction()

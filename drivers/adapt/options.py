@@ -2,14 +2,15 @@
 import os
 import sys
 
+from command_line import Parser
 from importer.raw import BadMesh
-from lumen.options import Parser, without_on
+from lumen.options import check_ranges, check_target, without_on
 
 from .new_case import files
 
 
 def make_parser():
-    parser = Parser(prog="tunica-mesh adapt", allow_abbrev=False, usage="%(prog)s RUN OUT.h5 [options]",
+    parser = Parser(BadMesh, prog="tunica-mesh adapt", usage="%(prog)s RUN OUT.h5 [options]",
                     description="Makes the mesh of a run anew, with elements where its errors are: in the velocity's gradient, in the "
                                 "shear at the wall and in the wall's stress.")
     parser.add_argument("paths", metavar="RUN OUT.h5", nargs="*",
@@ -38,25 +39,12 @@ def read(words):
     options, unknown = parser.parse_known_intermixed_args(without_on(words))
     if unknown:
         parser.refuse(unknown)
-    for name, (low, high) in RANGES.items():
-        value = getattr(options, name)
-        if value is not None and not low < value < high:
-            raise BadMesh(f"--{name} is {value:g}, expected more than {low:g} and less than {high:g}")
+    check_ranges(options, RANGES)
     if len(options.paths) != 2:
         raise BadMesh(f"{len(options.paths)} names are given, expected two: RUN OUT.h5. --help says more")
     options.run, options.out = options.paths
     options.programs = os.path.dirname(os.path.abspath(sys.argv[0]))
-    check_target(options)
+    if not options.out.endswith(".h5"):
+        raise BadMesh(f"{options.out}: expected a name that ends in .h5, Tunica's own format")
+    check_target(options.out, files(options.out), options.overwrite)
     return options
-
-
-def check_target(options):
-    """Before the long work."""
-    out = options.out
-    if not out.endswith(".h5"):
-        raise BadMesh(f"{out}: expected a name that ends in .h5, Tunica's own format")
-    if os.path.isdir(out) or not os.path.isdir(os.path.dirname(os.path.abspath(out))):
-        raise BadMesh(f"{out}: cannot be written: there is no such folder, or a folder has this name")
-    for path in files(out):
-        if os.path.exists(path) and not options.overwrite:
-            raise BadMesh(f"{path}: is there already. --overwrite replaces it")

@@ -1,14 +1,15 @@
 """The command line."""
 import os
 
+from command_line import Parser
 from vessel.errors import BadInput
-from vessel.options import Parser
+from vessel.options import check_limits
 
 DEFAULT_FOLDER = "certified"
 
 
 def make_parser(about):
-    parser = Parser(prog="tunica-certify", description=about, allow_abbrev=False, usage="%(prog)s CASE.xml [options]")
+    parser = Parser(BadInput, prog="tunica-certify", description=about, usage="%(prog)s CASE.xml [options]")
     add = parser.add_argument
     add("case", metavar="CASE.xml", help="the case; its numbers are those in the table")
     add("--output", metavar="DIR", default=DEFAULT_FOLDER, help=f"folder of the runs and of the page; it is continued if it exists; "
@@ -44,11 +45,7 @@ def read(about, words=None):
     options, unknown = parser.parse_known_args(words)
     if unknown:
         parser.refuse(unknown)
-    limits = {"cores": (0, 10000), "ranks": (0, 10000), "budget": (0, 1e5), "period": (0, 1e9)}
-    for name, (low, high) in limits.items():
-        value = getattr(options, name)
-        if value is not None and not low < value <= high:
-            raise BadInput(f"--{name} is {value:g}, expected more than {low:g} and at most {high:g}")
+    check_limits(options, {"cores": (0, 10000), "ranks": (0, 10000), "budget": (0, 1e5), "period": (0, 1e9)})
     if options.ranks > options.cores:
         raise BadInput(f"--ranks is {options.ranks}, expected at most --cores, {options.cores}")
     for path in (options.case, options.coarser, options.finer):

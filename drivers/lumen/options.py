@@ -1,29 +1,15 @@
 """The words of the command line."""
-import argparse
 import dataclasses
-import difflib
 import os
 
+from command_line import Parser
 from importer.raw import BadMesh
 
 ENDINGS = (".h5", ".msh")
 
 
-class Parser(argparse.ArgumentParser):
-    """A wrong option is bad input: one line and exit status 1."""
-
-    def error(self, message):
-        raise BadMesh(message)
-
-    def refuse(self, words):
-        """Names what was meant by the first word that is no option."""
-        near = difflib.get_close_matches(words[0].split("=")[0], self._option_string_actions, 1)
-        hint = f'Did you mean "{near[0]}"?' if near else "--help lists the options."
-        self.error(f'unknown option "{words[0]}". {hint}')
-
-
 def make_parser():
-    parser = Parser(prog="tunica-lumen", allow_abbrev=False, usage="%(prog)s SURFACE OUT.h5 [options]",
+    parser = Parser(BadMesh, prog="tunica-lumen", usage="%(prog)s SURFACE OUT.h5 [options]",
                     description="Makes a mesh of tetrahedra, with boundary layers, of a lumen's surface.")
     parser.add_argument("paths", metavar="SURFACE OUT.h5", nargs="*",
                         help="surface of a lumen, .stl, .vtp, .ply, .obj or .vtk, open at its ends or closed by flat caps; and "
@@ -58,15 +44,22 @@ def read(words):
     options, unknown = parser.parse_known_intermixed_args(without_on(words))
     if unknown:
         parser.refuse(unknown)
-    for name, (low, high) in RANGES.items():
-        value = getattr(options, name)
-        if value is not None and not low < value < high:
-            raise BadMesh(f"--{name} is {value:g}, expected more than {low:g} and less than {high:g}")
+    check_ranges(options, RANGES)
     if len(options.paths) != 2:
         raise BadMesh(f"{len(options.paths)} names are given, expected two: SURFACE OUT.h5. --help says more")
     options.surface, options.out = options.paths
-    check_target(options)
+    if not options.out.endswith(ENDINGS):
+        raise BadMesh(f"{options.out}: expected a name that ends in .h5, Tunica's own format, or in .msh")
+    files = beside(options.out)
+    check_target(options.out, (options.out, files.json, files.png), options.overwrite)
     return options
+
+
+def check_ranges(options, ranges):
+    for name, (low, high) in ranges.items():
+        value = getattr(options, name)
+        if value is not None and not low < value < high:
+            raise BadMesh(f"--{name} is {value:g}, expected more than {low:g} and less than {high:g}")
 
 
 def without_on(words):
@@ -90,13 +83,10 @@ def beside(out):
     return Beside(stem + ".json", stem + ".png")
 
 
-def check_target(options):
-    """Before the long work."""
-    out = options.out
-    if not out.endswith(ENDINGS):
-        raise BadMesh(f"{out}: expected a name that ends in .h5, Tunica's own format, or in .msh")
+def check_target(out, files, overwrite):
+    """Before the long work; files: all that is written, out among them."""
     if os.path.isdir(out) or not os.path.isdir(os.path.dirname(os.path.abspath(out))):
         raise BadMesh(f"{out}: cannot be written: there is no such folder, or a folder has this name")
-    for path in (out, beside(out).json, beside(out).png):
-        if os.path.exists(path) and not options.overwrite:
+    for path in files:
+        if os.path.exists(path) and not overwrite:
             raise BadMesh(f"{path}: is there already. --overwrite replaces it")

@@ -1,7 +1,7 @@
 """The command line. Every option belongs to the stage that reads it first."""
-import argparse
-import difflib
 import os
+
+from command_line import Parser
 
 from .errors import BadInput, nearest
 from .presets import PRESETS
@@ -14,18 +14,6 @@ STAGE_OF = {"lumen": "mesh", "scale": "mesh", "across": "mesh", "size": "mesh", 
             "splits": "tune", "proximal": "tune", "start_from": "tune", "profile": "case", "step": "case",
             "ends": "case", "beats": "run", "tolerance": "run", "pdf": "report"}
 FREE = ("beats",)  # more of them continue what there is
-
-
-class Parser(argparse.ArgumentParser):
-    """A wrong option is bad input: one line and exit status 1."""
-
-    def error(self, message):
-        raise BadInput(message)
-
-    def refuse(self, words):
-        near = difflib.get_close_matches(words[0].split("=")[0], self._option_string_actions, 1)
-        hint = f'Did you mean "{near[0]}"?' if near else "--help lists the options."
-        self.error(f'unknown option "{words[0]}". {hint}')
 
 
 def add_physics(parser):
@@ -72,7 +60,7 @@ def add_numerics(parser):
 
 
 def make_parser(about):
-    parser = Parser(prog="tunica-vessel", description=about, allow_abbrev=False,
+    parser = Parser(BadInput, prog="tunica-vessel", description=about,
                     usage="%(prog)s LUMEN --output DIR [options]")
     parser.add_argument("lumen", metavar="LUMEN", help="surface (.stl, .vtp, ...) or mesh (.h5, .msh) of the lumen, in mm")
     parser.add_argument("--output", metavar="DIR", required=True, help="folder of the case; it is continued if it exists")
@@ -107,10 +95,13 @@ def read(about, words=None):
 
 
 def check_numbers(options):
-    limits = {"scale": (0, 1e6), "across": (1, 200), "size": (0, 1e3), "layers": (-1, 20), "thickness": (0.01, 1),
+    check_limits(options, {"scale": (0, 1e6), "across": (1, 200), "size": (0, 1e3), "layers": (-1, 20), "thickness": (0.01, 1),
               "wall_elements": (0, 20), "mean_flow": (0, 50),
               "heart_rate": (10, 400), "proximal": (0, 0.9), "step": (0, 100), "beats": (0, 1000),
-              "tolerance": (0, 0.5), "ranks": (0, 10000), "tissue": (-1e-9, 1e4)}
+              "tolerance": (0, 0.5), "ranks": (0, 10000), "tissue": (-1e-9, 1e4)})
+
+
+def check_limits(options, limits):
     for name, (low, high) in limits.items():
         value = getattr(options, name)
         if value is not None and not low < value <= high:
