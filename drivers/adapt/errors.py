@@ -137,7 +137,7 @@ class Wish:
 def wished(errors, run):
     """By errors e_T of elements that are to be the same everywhere: h (e/e_T)^(1/(1 + d/2))."""
     count = len(run.points)
-    volumes = recovery.shape_gradients(run.points, run.tets)[0]
+    volumes = recovery.volumes(run.points, run.tets)
     size = np.cbrt(volumes / OF_TETRAHEDRON)
     core = np.where(errors.layers.is_layer, np.inf, size * relative(errors.of_tets, errors.whole) ** (-0.5 / 2.5))
     side = np.sqrt(base.areas(run.points, run.wall) / OF_TRIANGLE)

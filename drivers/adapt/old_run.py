@@ -9,7 +9,7 @@ from importer import tunica_file
 from importer.raw import BadMesh
 from lumen.surface import show
 from report.run_data import BadRun, Run, region_names
-from report.surfaces import boundary
+from report.surfaces import area_vectors, boundary, weighted_centre
 
 WALLS = ("interface", "no slip")   # conditions of a surface that is a wall
 SAME = 1e-6                        # of the extent: vertices of the run and of the mesh's file
@@ -109,12 +109,10 @@ class OldRun:
         self.raw = raw
 
     def _opening(self, name, triangles):
-        a, b, c = (self.points[triangles[:, i]] for i in range(3))
-        vectors = 0.5 * np.cross(b - a, c - a)
-        sizes = np.linalg.norm(vectors, axis=1)
-        centre = ((a + b + c) / 3.0 * sizes[:, None]).sum(axis=0) / sizes.sum()
-        normal = vectors.sum(axis=0) / np.linalg.norm(vectors.sum(axis=0))
-        radius = float(np.sqrt(sizes.sum() / np.pi))
+        centre, area = weighted_centre(self.points, triangles)
+        vector = area_vectors(self.points, triangles).sum(axis=0)
+        normal = vector / np.linalg.norm(vector)
+        radius = float(np.sqrt(area / np.pi))
         nodes = np.unique(triangles)
         away = np.abs((self.points[nodes] - centre) @ normal).max()
         if away > FLAT * radius:

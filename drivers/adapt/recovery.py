@@ -11,6 +11,8 @@ import dataclasses
 import numpy as np
 from scipy.sparse import coo_matrix, csr_matrix
 
+from lumen.quality import six_volumes
+
 MOST_RINGS = 4             # of vertices around; two, where they suffice
 WORST = 1e-9               # least over largest eigenvalue of a fit that is taken
 CHUNK = 4000               # vertices at a time
@@ -111,9 +113,12 @@ def unscaled(coefficients, axes, lengths):
     return np.concatenate([gradient, np.stack([second[..., i, j] for i, j in SECOND], axis=2)], axis=2)
 
 
+def volumes(points, tets):
+    return np.abs(six_volumes(points, tets)) / 6.0
+
+
 def shape_gradients(points, tets):
     """Volumes (m,) and gradients (m, 4, 3) of the linear functions that are one at a corner."""
     x = points[tets]
-    sides = x[:, 1:] - x[:, :1]
-    rest = np.linalg.inv(sides).transpose(0, 2, 1)
-    return np.abs(np.linalg.det(sides)) / 6.0, np.concatenate([-rest.sum(axis=1, keepdims=True), rest], axis=1)
+    rest = np.linalg.inv(x[:, 1:] - x[:, :1]).transpose(0, 2, 1)
+    return volumes(points, tets), np.concatenate([-rest.sum(axis=1, keepdims=True), rest], axis=1)

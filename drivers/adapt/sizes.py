@@ -10,7 +10,7 @@ from lumen.surface import Edges
 from report.surfaces import edges_of
 
 from .errors import OF_TETRAHEDRON, OF_TRIANGLE
-from .recovery import shape_gradients
+from .recovery import volumes
 
 GRADING = 0.3              # growth of the size per length
 FEWEST_ACROSS = 3.0        # elements across the lumen
@@ -61,7 +61,7 @@ class Planner:
         self.wish, self.through, self.options = wish, through, options
         self.points, self.tets, self.wall = run.points, run.tets, run.wall
         self.limits, self.most = limits, MOST_LAYERS
-        self.volumes = shape_gradients(run.points, run.tets)[0]
+        self.volumes = volumes(run.points, run.tets)
         self.areas = base.areas(run.points, run.wall)
         self.edges = edges_of(run.tets)
         self.lengths = np.linalg.norm(run.points[self.edges[:, 0]] - run.points[self.edges[:, 1]], axis=1)

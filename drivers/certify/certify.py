@@ -51,7 +51,7 @@ class Certificate:
         self._tell(Results(self.case, done, made.results, self.options.period or self.case.period()), made)
 
     def _plan(self, mesh):
-        meshes.smooth_names(self.options.smooth, mesh)
+        self.smooth = meshes.smooth_names(self.options.smooth, mesh)
         for path in filter(None, (self.options.coarser, self.options.finer)):
             meshes.check_same_names(path, mesh)
         return Plan(self.case, self.options, mesh, self.path(runs.MESHES))
@@ -80,8 +80,7 @@ class Certificate:
         path, times = planned.mesh, 1
         while path != job.mesh:
             target = planned.refined(times)
-            smooth = meshes.smooth_names(self.options.smooth, planned.mesh)
-            self.remarks += [remark for remark in meshes.refined(path, target, smooth, self.programs, log) if remark not in self.remarks]
+            self.remarks += [remark for remark in meshes.refined(path, target, self.smooth, self.programs, log) if remark not in self.remarks]
             path, times = target, times + 1
 
     def _tell(self, results, made):

@@ -93,8 +93,6 @@ def smooth_names(text, mesh):
 
 def check_same_names(path, of_case):
     """A mesh that a user gives has the regions and surfaces of the case."""
-    if not os.path.isfile(path):
-        raise BadInput(f"{path}: there is no such file")
     one, other = Mesh(path), Mesh(of_case)
     for what in ("regions", "surfaces"):
         lacking = set(getattr(other, what)) - set(getattr(one, what))

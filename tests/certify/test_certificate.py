@@ -8,10 +8,12 @@ import subprocess
 import sys
 import time
 
-import closed_forms
 from scratch import fresh
 
 ROOT = pathlib.Path(sys.argv[1])
+sys.path.append(str(ROOT / "xml" / "certify"))
+import closed_forms  # noqa: E402
+
 RADIUS, LENGTH = 1.0, 1.0
 
 

@@ -13,21 +13,11 @@ from lumen import (centreline, crossings, edits, ends, handles, labels, layers, 
 from lumen import surface as base
 from lumen.faults import BadSurface
 from lumen.surface import Surface
+from tubes import pipe
 
 
 def silent(_):
     pass
-
-
-def pipe(around=16, along=12, radius=1.0, length=6.0):
-    """An open tube along z, normals outward."""
-    angle = 2.0 * np.pi * np.arange(around) / around
-    ring = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0 * angle], axis=1)
-    points = np.concatenate([ring + [0, 0, length * k / along] for k in range(along + 1)])
-    i = np.arange(around * along)
-    j = i // around * around + (i + 1) % around
-    return Surface(points, np.concatenate([np.stack([i, j, i + around], axis=1),
-                                           np.stack([j, j + around, i + around], axis=1)]))
 
 
 def openings(surface):
@@ -36,7 +26,7 @@ def openings(surface):
 
 class Repair(unittest.TestCase):
     def test_turned_and_repeated_triangles_are_put_in_order(self):
-        good = pipe()
+        good = pipe(16, 12)
         turned = np.random.default_rng(1).random(len(good.triangles)) < 0.3
         bad = np.where(turned[:, None], good.triangles[:, ::-1], good.triangles)
         notes = []
@@ -46,7 +36,7 @@ class Repair(unittest.TestCase):
         self.assertIn("5 triangles that are there twice", notes[0])
 
     def test_slivers_are_contracted(self):
-        good = pipe()
+        good = pipe(16, 12)
         first = int(np.flatnonzero((good.triangles == 40).any(axis=1))[0])
         a, b = good.triangles[first][good.triangles[first] != 40][0], 40
         new = len(good.points)
@@ -59,7 +49,7 @@ class Repair(unittest.TestCase):
         self.assertEqual(len(base.loops(mended.triangles)), 2)
 
     def test_two_vessels_are_refused_and_specks_dropped(self):
-        good = pipe()
+        good = pipe(16, 12)
         two = Surface(np.vstack([good.points, good.points + 9.0]), np.vstack([good.triangles, good.triangles + len(good.points)]))
         with self.assertRaisesRegex(BadSurface, "2 pieces"):
             repair.mended(two, "pipe", silent)
@@ -143,7 +133,7 @@ class Openings(unittest.TestCase):
             names.settle(openings(pipe()), [], "n.csv", 1.0, [("in", np.array([0, 0, -30.0]))])
 
     def test_crossings_are_found_and_neighbours_are_none(self):
-        good = pipe()
+        good = pipe(16, 12)
         self.assertEqual(len(crossings.crossing(good.points, good.triangles)), 0)
         points = np.vstack([good.points, [[0, 0, 3.02], [3, 0.1, 3.04], [3, 0.2, 3.5]]])
         through = np.vstack([good.triangles, [[len(points) - 3, len(points) - 2, len(points) - 1]]])

@@ -14,6 +14,7 @@ import numpy as np
 
 from scratch import fresh
 from test_pipeline import OPTIONS, claim, make_lumen, numbers_in
+from tubes import pipe
 
 KILLS, SAME = 20, 1e-6
 STAGES = ("lumen.json", "wall.json", "windkessels.json", "inflow.txt", "case.xml")
@@ -72,17 +73,9 @@ def write_stl(path, points, triangles):
     path.write_text("\n".join([*lines, "endsolid surface"]) + "\n", encoding="utf-8")
 
 
-def tube(around=24, along=48, radius=3.0, length=30.0):
-    angle = 2.0 * np.pi * np.arange(around) / around
-    ring = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0 * angle], axis=1)
-    points = np.concatenate([ring + [0, 0, length * k / along] for k in range(along + 1)])
-    i = np.arange(around * along)
-    j = i // around * around + (i + 1) % around
-    return points, np.concatenate([np.stack([i, j, i + around], axis=1), np.stack([j, j + around, i + around], axis=1)])
-
-
 def refuses(programs, folder):
-    points, triangles = tube()
+    tube = pipe(24, 48, 3.0, 30.0)
+    points, triangles = tube.points, tube.triangles
     middle = points[triangles].mean(axis=1)
     is_torn = (middle[:, 0] > 1.5) & (np.abs(middle[:, 2] - 15.0) < 5.0)
     pushed = points.copy()

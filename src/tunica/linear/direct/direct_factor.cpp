@@ -18,10 +18,6 @@ constexpr double few_operations = 3000.0;
 /// Nested dissection takes at most this part of the operations of the first order.
 constexpr double most_gain = 0.5;
 
-}  // namespace
-
-namespace {
-
 /// Per entry of the matrix, with an order by nested dissection where that may be worth its time.
 double operations_of(MultifrontalLu& factors, double entries, double most) {
   const double first = factors.expected_operations() / entries;

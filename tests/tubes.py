@@ -1,4 +1,4 @@
-"""A surface that the tests of tunica-mesh adapt share."""
+"""A surface that tests of lumens share."""
 import numpy as np
 
 from lumen.surface import Surface
