@@ -45,6 +45,8 @@ public:
   /// about what could not be used, or nothing. Throws Error where something is missing.
   /// Collective.
   virtual std::string restore(const State& state) = 0;
+  /// Whether the checkpoint of another run may lack it: it then begins with this run.
+  virtual bool may_be_missing() const { return false; }
 
   /// Parts of it that have rows of another kind, by name.
   virtual std::map<std::string, Restartable*> inner_parts() { return {}; }

@@ -31,9 +31,6 @@ struct Verdict {
 /// "mass: solvers lost or gained … that flowed: 4.3e-13, within 1e-06"
 std::string text_of(const Verdict& verdict);
 
-/// Its name among the parts of a run.
-constexpr const char* budget_part = "budget";
-
 /// What the steps of a run make of mass, momentum, energy and volume: a row of budget.csv per step,
 /// and totals. The state is all that has been summed, so that a run that goes on has the same
 /// totals.
@@ -56,6 +53,7 @@ public:
   // Restartable
   fields::State save() const override;
   std::string restore(const fields::State& state) override;
+  bool may_be_missing() const override { return true; }
 
 private:
   using Numbers = std::map<std::string, double>;

@@ -10,7 +10,6 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/stop_signals.hpp"
 #include "tunica/io/messages.hpp"
-#include "tunica/observe/budget.hpp"
 #include "tunica/output/checkpoint.hpp"
 #include "tunica/output/checkpoint_series.hpp"
 #include "tunica/run/fatal_signals.hpp"
@@ -41,8 +40,7 @@ void Checkpoints::restore(const std::string& path) const {
   std::optional<output::CheckpointFile> file;
   on_all(*comm_, [&] { file.emplace(path); });
   for (const auto& [name, part] : march_->parts()) {
-    // A run that had none keeps its budget from here on.
-    if (name == observe::budget_part && !file->has(name)) continue;
+    if (part->may_be_missing() && !file->has(name)) continue;
     const std::string remark = part->restore(file->read(name, part->save().places, comm_));
     if (!remark.empty() && comm_->getRank() == 0) io::print_line(remark);
   }

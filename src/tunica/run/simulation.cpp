@@ -102,7 +102,7 @@ observe::Parts Simulation::Impl::parts() {
   for (const auto& field : fields)
     for (const auto& part : field->parts()) all.push_back(part);
   if (is_coupled()) all.emplace_back("coupling", problems.scheme.get());
-  if (budget) all.emplace_back(observe::budget_part, &*budget);
+  if (budget) all.emplace_back("budget", &*budget);
   return all;
 }
 
