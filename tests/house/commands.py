@@ -6,7 +6,6 @@ Usage: commands.py ROOT FOLDER_OF_PROGRAMS SCRATCH
 """
 import os
 import pathlib
-import re
 import subprocess
 import sys
 
@@ -15,24 +14,20 @@ from marked import blocks_of
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from scratch import fresh  # noqa: E402
 
-# The folder in which a reader of each page is; later pages use what the commands of earlier ones have left.
-PAGES = {"README.md": "tunica", "docs/first-case.md": "tunica", "docs/running.md": "home/my-first",
-         "docs/choosing.md": "tunica"}
+# The folder in which a reader of each page is.
+PAGES = {"docs/first-case.md": "tunica", "docs/choosing.md": "tunica"}
 NOT_COPIED = {"build", "results", ".git"}
 BEGIN = "=== block at line "
 
 
 def prepare(root, programs, scratch):
-    """The tree as links, the programs where a build leaves them, and the case that a reader saves from the README."""
-    tree, first = scratch / "tunica", scratch / "home" / "my-first"
+    """The tree as links, and the programs where a build leaves them."""
+    tree = scratch / "tunica"
     (tree / "build" / "release").mkdir(parents=True)
     (tree / "build" / "release" / "bin").symlink_to(programs)
     for path in root.iterdir():
         if path.name not in NOT_COPIED:
             (tree / path.name).symlink_to(path)
-    first.mkdir(parents=True)
-    case = re.search(r"^```xml\n(.*?)^```", (root / "README.md").read_text(), re.MULTILINE | re.DOTALL)
-    (first / "my-case.xml").write_text(case[1])
 
 
 def run_page(page, blocks, folder, environment):

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""The commands that docs/first-case.md marks with "run: tutorial" (marked.py), in their order, on the case that the README
-prints. They refuse what the page says they refuse, in its words.
+"""The commands that docs/first-case.md and then docs/running.md mark with "run: tutorial" (marked.py), in their order, on the
+case that the README prints. Those of the first page refuse what it says they refuse, in its words; the commands of README.md
+are among them, in the same order.
 
 Usage: tutorial.py ROOT FOLDER_OF_PROGRAMS SCRATCH
 """
@@ -11,7 +12,7 @@ import shutil
 import subprocess
 import sys
 
-from marked import fenced
+from marked import blocks, fenced
 
 INLET = '<Parameter name="pressure" type="double" value="0.5"/>'
 
@@ -25,6 +26,21 @@ def write_cases(root, page, scratch):
     (scratch / "my-pulse.xml").write_text(case.replace(INLET, INLET + "\n" + amplitude))
 
 
+def commands(text):
+    """Lines without comments."""
+    return [line for line in (re.sub(r"\s+#.*", "", line).strip() for line in text.splitlines()) if line]
+
+
+def repeats_the_readme(root):
+    """What the README has beyond the page is nobody's to run."""
+    typed = [line for block in blocks(root, "docs/first-case.md") if block.kind == "run" for line in commands(block.text)]
+    wanted = [line for block in blocks(root, "README.md") if block.name == "tutorial" for line in commands(block.text)]
+    rest = iter(typed)
+    missing = [line for line in wanted if line not in rest]
+    print(f"{'FAIL ' if missing or not wanted else 'ok   '} the README has {len(wanted)} commands of the tutorial; not of it: {missing}")
+    return bool(wanted) and not missing
+
+
 def refusal(shown):
     """The first lines of an output that is a message of a program that has refused."""
     if not re.match(r"tunica-\w+: ", shown):
@@ -35,17 +51,17 @@ def refusal(shown):
 def main(root, programs, scratch):
     shutil.rmtree(scratch, ignore_errors=True)
     scratch.mkdir(parents=True)
-    page = [block for _, block in fenced(root, "docs/first-case.md")]
-    write_cases(root, page, scratch)
+    pages = [[block for _, block in fenced(root, page)] for page in ("docs/first-case.md", "docs/running.md")]
+    write_cases(root, pages[0], scratch)
     environment = dict(os.environ, PATH=f"{programs}:{os.environ['PATH']}")
-    faults = 0
-    for block, shown in zip(page, [block.text for block in page[1:]] + [""]):
+    faults = 0 if repeats_the_readme(root) else 1
+    for block, shown in ((block, shown) for page in pages for block, shown in zip(page, [b.text for b in page[1:]] + [""])):
         if (block.kind, block.name) != ("run", "tutorial"):
             continue
         text = block.text
         run = subprocess.run(["bash", "-e", "-c", text], cwd=scratch, env=environment, text=True, stdin=subprocess.DEVNULL,
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        told = refusal(shown)
+        told = refusal(shown) if block.page == "docs/first-case.md" else []
         missing = [part for part in told if part.strip() not in run.stdout]
         is_right = (run.returncode != 0) == bool(told) and not missing
         faults += not is_right
