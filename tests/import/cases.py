@@ -9,8 +9,11 @@ import samples
 PROGRAM, PROGRAMS, SCRATCH = sys.argv[1:4]
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path += [TESTS, os.path.join(TESTS, "..", "xml")]
+from forked import Program  # noqa: E402
 from pages import ENVIRONMENT  # noqa: E402
 from scratch import fresh  # noqa: E402
+
+IN_FORKS = Program(PROGRAM, "h5py", "meshio", "vtkmodules.vtkIOExodus", "vtkmodules.vtkIOLegacy", "vtkmodules.vtkIOXML")
 
 
 def tunica(program, *words):
@@ -28,7 +31,7 @@ class ImportTest(unittest.TestCase):
         return os.path.join(self.folder, *names)
 
     def run_import(self, *words):
-        return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, cwd=self.folder)
+        return IN_FORKS.run(words, cwd=self.folder)
 
     def imported(self, *words, out="out.h5"):
         """The mesh; it has passed the checks of tunica-mesh, too."""

@@ -10,8 +10,11 @@ PROGRAM, PROGRAMS, SCRATCH = sys.argv[1:4]
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 DRIVERS = os.path.dirname(os.path.realpath(PROGRAM))
 sys.path += [TESTS, os.path.join(TESTS, "..", "xml"), DRIVERS]
+from forked import Program  # noqa: E402
 from pages import ENVIRONMENT  # noqa: E402
 from scratch import fresh  # noqa: E402
+
+IN_FORKS = Program(PROGRAM, "lumen.make", "h5py")
 
 
 def tunica(program, *words):
@@ -29,7 +32,7 @@ class LumenTest(unittest.TestCase):
         return os.path.join(self.folder, *names)
 
     def run_lumen(self, *words):
-        return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, cwd=self.folder)
+        return IN_FORKS.run(words, cwd=self.folder)
 
     def meshed(self, surface, *words, openings, out="out.h5", core=10.0):
         """What stands beside the mesh, which has been checked: whole, of the surface's volume, near to it."""

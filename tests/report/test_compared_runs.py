@@ -2,21 +2,16 @@
 import csv
 import os
 import re
-import subprocess
 import sys
 import unittest
 
 from synthetic_run import write_case, write_run
 
-PROGRAM, SCRATCH = sys.argv[1], sys.argv[2]
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+SCRATCH = sys.argv[2]
+from program import report, started  # noqa: E402
 from scratch import fresh  # noqa: E402
 
 COLUMN = "max_displacement_wall_mm"
-
-
-def report(*words):
-    return subprocess.run([PROGRAM, *words], capture_output=True, text=True)
 
 
 def scaled(run, factor, every=1):
@@ -48,7 +43,7 @@ class ComparedRuns(unittest.TestCase):
 
     def test_curves_of_runs_are_on_one_page_that_leaves_their_reports_alone(self):
         runs = [write_run(self.folder(name)) for name in ("one", "two")]
-        result = report(*runs)
+        result = started(*runs)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertTrue(os.path.getsize(os.path.join(runs[0], "comparison", "curves.png")) > 10000)
         self.assertFalse(os.path.exists(os.path.join(runs[0], "report")))

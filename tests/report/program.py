@@ -1,0 +1,28 @@
+"""tunica-report as its tests start it: SCRIPT PROGRAM SCRATCH_FOLDER"""
+import os
+import subprocess
+import sys
+
+PROGRAM = sys.argv[1]
+sys.path.append(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from forked import Program  # noqa: E402
+
+IN_FORKS = Program(PROGRAM)
+from report import canvas, render  # noqa: E402
+
+
+def draw_small():
+    """Pictures in space take a ninth of the time."""
+    render.PIXELS, canvas.DPI = 500, 100
+
+
+def report(*words):
+    """With small figures; what their size is without this, started() shows."""
+    return IN_FORKS.run(words, prepare=draw_small)
+
+
+def started(*words, **variables):
+    """As users start it, where nothing tells of a display."""
+    environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY", "MPLBACKEND")}
+    environment.update(variables)
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, env=environment)
