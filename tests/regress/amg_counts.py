@@ -65,7 +65,7 @@ def main(programs, scratch):
         are_few(verdict, field, found)
         alone[field] = {setting: values[1:2] for setting, values in found.items()}
         by_ranks = [alone[field]] + [counts(verdict, programs, folder, field, f"{field}-{ranks}", step, ranks)
-                                     for ranks in ((2, 4) if LONG else (4,))]
+                                     for ranks in ((2, 4) if LONG else (2,))]
         # Pairs across ranks are cut.
         pairs = [{s: n[0] for s, n in run.items() if "pairs" in s} for run in by_ranks]
         others = [{s: n[0] for s, n in run.items() if "pairs" not in s} for run in by_ranks]

@@ -64,7 +64,7 @@ def wall_is_robust(verdict, bench, as_it_is):
 
 
 def ranks_agree(verdict, bench, as_it_is):
-    counts = [as_it_is] + [bench.most(f"ranks-{ranks}", "both", [], ranks) for ranks in ((2, 4) if LONG else (4,))]
+    counts = [as_it_is] + [bench.most(f"ranks-{ranks}", "both", [], ranks) for ranks in ((2, 4) if LONG else (2,))]
     agree(verdict, "ranks", counts, 1.15, slack=2)
 
 
