@@ -8,7 +8,7 @@ import sys
 
 import numpy
 
-from runs import ROOT, Run, Verdict, command, fresh, two_at_a_time
+from runs import ROOT, Run, Verdict, command, fresh
 
 ARENA = ROOT / "bench" / "arena"
 sys.path.insert(0, str(ARENA))
@@ -46,7 +46,7 @@ def solve(programs, folder):
 
 
 def check_default(verdict, programs, folders):
-    runs = two_at_a_time([lambda folder=folder: solve(programs, folder) for folder in folders.values()])
+    runs = [solve(programs, folder) for folder in folders.values()]
     for (name, folder), (run, x) in zip(folders.items(), runs):
         system = systems.read(folder)
         if not verdict.claim(run.status == 0 and x is not None, f"{name}: status {run.status} {run.err}"):

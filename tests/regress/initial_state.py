@@ -64,7 +64,7 @@ def check_finer_mesh(verdict, programs, folder):
 
 
 def check_windkessels(verdict, programs, folder):
-    march(programs, folder, "beat", [BIFURCATION, "--steps", 3])
+    march(programs, folder, "beat", [BIFURCATION, "--steps", 1])
     stored = {name: table(folder / "beat" / "steps.csv")[f"stored_pressure_{name}_kPa"][-1]
               for name in ("outlet_left", "outlet_right")}
     on = march(programs, folder, "on", [BIFURCATION, "--steps", 1, "--set", f"Time/initial state={folder / 'beat'}"])

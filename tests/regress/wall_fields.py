@@ -9,7 +9,7 @@ import sys
 import h5py
 import numpy as np
 
-from runs import ROOT, Run, Verdict, command, fresh
+from runs import MONOLITHIC, ROOT, Run, Verdict, command, fresh
 
 CASE = ROOT / "xml" / "artery-tiny.xml"
 ANGLES = {"media": 29.0, "adventitia": 62.0}  # of the fibres, degrees
@@ -94,7 +94,7 @@ def compare(verdict, file, regions):
 def main(programs, scratch):
     programs, folder, verdict = pathlib.Path(programs).resolve(), fresh(scratch), Verdict()
     for output, more in (("all", []), ("stress", ["--set", "Output/wall arrays={stress}"])):
-        done = Run(command(programs / "tunica-fsi", [CASE, "--output", output, "--steps", 2, *more], 2), folder)
+        done = Run(command(programs / "tunica-fsi", [CASE, "--output", output, "--steps", 2, *MONOLITHIC, *more], 2), folder)
         verdict.claim(done.status == 0, f"{output}: ends with 0 {done.err}")
     with h5py.File(folder / "all" / "fields.h5") as file:
         compare(verdict, file, ["fluid", "media", "adventitia"])
