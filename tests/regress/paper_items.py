@@ -1,7 +1,7 @@
 """xml/paper/reproduce: its list, valid settings, an item run once and not again, and in the item of
 adaptive control not more Newton steps and cycles than Langer and Yang print, at night with their other wall, too.
 
-Usage: paper_items.py FOLDER_OF_PROGRAMS SCRATCH
+Usage: paper_items.py FOLDER_OF_PROGRAMS SCRATCH [--long]
 """
 import os
 import pathlib
