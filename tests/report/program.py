@@ -16,13 +16,15 @@ def draw_small():
     render.PIXELS, canvas.DPI = 500, 100
 
 
+def without_display():
+    return {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY", "MPLBACKEND")}
+
+
 def report(*words):
-    """With small figures; what their size is without this, started() shows."""
-    return IN_FORKS.run(words, prepare=draw_small)
+    """With small figures; tests/house/tutorial.py and tests/package/installed_programs.py have them in their size."""
+    return IN_FORKS.run(words, env=without_display(), prepare=draw_small)
 
 
 def started(*words, **variables):
-    """As users start it, where nothing tells of a display."""
-    environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY", "MPLBACKEND")}
-    environment.update(variables)
-    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, env=environment)
+    """As users start it."""
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, env={**without_display(), **variables})

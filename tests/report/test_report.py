@@ -144,7 +144,7 @@ class Report(unittest.TestCase):
 
     def test_coupled_run_gives_every_figure(self):
         run = write_run(self.folder("coupled"))
-        result = started(run)
+        result = report(run)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         page = self.expect_page(os.path.join(run, "report"), ALL)
         for text in ("1.90", "GMRES", "assembly", "coupling iteration", "Open MPI"):
