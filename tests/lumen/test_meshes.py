@@ -1,5 +1,4 @@
 """Surfaces become meshes, or are refused with their place: test_meshes.py PROGRAM FOLDER_OF_PROGRAMS SCRATCH"""
-import os
 import subprocess
 
 import numpy as np
