@@ -20,6 +20,8 @@ python3 "$folder/make_ring.py" "$plain"
 python3 "$folder/make_elastic_tube.py" "$plain"
 "$tool" convert "$plain" "$folder/elastic-tube.h5" --overwrite on
 rm "$plain"
+"$tool" tube "$folder/pressure-pulse.h5" --radius 5 --media 1 --length 50 --around 16 --axial 32 --rings 5 --ring-grading 0.15 \
+  --media-layers 2 --adventitia-layers 0 --overwrite on
 "$quarter" "$folder/quarter-tube.h5"
 
 # Planes and lumens by Gmsh, slabs and walls by tunica-mesh. Another version of Gmsh makes other elements.

@@ -35,15 +35,17 @@ struct FluidWeakFormOn {
   std::array<Vec<double>, 4> u_old;
   std::array<Vec<G>, 4> w;
   std::array<Vec<double>, 4> f;
-  Vec<double> subscale;  ///< of the past
-  Vec<double> viscous;   ///< div 2με
-  bool is_skew = false;  ///< convection has ρ/2 (div u) u beside it
-  bool is_mean = false;  ///< SUPG has its factors at the centroid
+  Vec<double> subscale;             ///< of the past
+  Vec<double> viscous;              ///< div 2με
+  std::array<double, 4> on_wall{};  ///< 1 where v has the inertia of the subscale, too
+  bool is_skew = false;             ///< convection has ρ/2 (div u) u beside it
+  bool is_mean = false;             ///< SUPG has its factors at the centroid
 
   /// All sixteen rows of
   ///   (ρ(∂u + c·∇u − f), v) + (2μ(ε) ε(u), ε(v)) − (p, div v) − (q, div u)
   ///   + τ (c·∇v − ∇q/ρ, ρ(∂u + c·∇u − f) + ∇p − ρ ũ'/Δt − div 2με),   c = u − w,
-  /// and + ρ/2 ((div u) u, v) where convection is skew-symmetric.
+  /// and + ρ/2 ((div u) u, v) where convection is skew-symmetric, + (ρ (u' − ũ')/Δt, v) on walls
+  /// with u' = −(τ/ρ) times the mean of what τ has at its right.
   template <class S>
   std::array<S, 16> residual(const std::array<S, 16>& x) const {
     std::array<Vec<S>, 4> u;
@@ -96,6 +98,7 @@ struct FluidWeakFormOn {
               const S strain = 0.5 * (grad_u[k][l] + grad_u[l][k]);
               row += 2.0 * mu * strain * (0.5 * (vkl + vlk));
             }
+          row += 0.25 * on_wall[a] * inv_dt * (-tau * strong[i] - density * subscale[i]);
           R[3 * a + i] += dV * row;
           R[12 + a] -= dV * tau / density * strong[i] * T.grad_N[a][i];
         }

@@ -14,6 +14,7 @@ kernels::FluidState state_of(const FluidFields& s, const fields::FieldMesh& mesh
   state.u_old = gather(s.u_old, nodes);
   state.w = gather(s.w, nodes);
   state.f = gather(s.f, nodes);
+  if (!s.on_wall.empty()) state.on_wall = gather(s.on_wall, nodes);
   // ũ' = 0 and q = 0 where they are left out
   if (!s.subscale.empty()) state.subscale = s.subscale[e];
   if (!s.viscous.empty()) state.viscous = s.viscous[e];

@@ -32,9 +32,11 @@ Fluid::Fluid(const FluidOptions& options, const fields::FieldMesh& mesh)
   elements_.coefficients.has_mean_residual = options_.has_mean_residual;
   // u' and q of the steps before stay with their elements: the scheme makes ũ' of the one and the
   // extrapolated force of the other.
-  if (options_.has_dynamic_subscales)
+  if (options_.has_dynamic_subscales) {
+    find_walls();
     subscales_ = remember("subscales",
                           [this] { return assembly::fluid_subscales(*mesh_, elements_, local_); });
+  }
   if (options_.has_viscous_residual)
     viscous_ = remember("viscous force", [this] { return viscous_forces(); });
   elements_.geometry = assembly::ElementGeometry(mesh, position_);
@@ -62,6 +64,15 @@ void Fluid::find_open_surfaces() {
     if (norm(surfaces_.free_part(face.surface, n)) > least * norm(n)) passes[face.surface] = 1.0;
   }
   for (const double found : global_sum(*mesh_->comm, passes)) is_open_.push_back(found > 0.0);
+}
+
+// ω_a = 1: the force on a wall has the inertia of the subscales beside it.
+void Fluid::find_walls() {
+  local_.on_wall.assign(mesh_->n_nodes(), 0.0);
+  for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s)
+    if (surfaces_.sticks(static_cast<int>(s)))
+      for (int a = 0; a < mesh_->n_nodes(); ++a)
+        if (mesh_->is_on(a, static_cast<int>(s))) local_.on_wall[a] = 1.0;
 }
 
 std::vector<int> Fluid::open_surfaces() const {

@@ -26,7 +26,16 @@ namespace tunica::kernels {
 //   ρ (u' − ũ')/Δt + ρ u'/τ_s = −(m̄ + ∇p − q),   hence   u' = −(τ/ρ) (m̄ + h),   1/τ = 1/Δt + 1/τ_s
 //
 // Without inertia ũ' = 0 and Δt stands in τ only. It is linear in u', so that it needs no unknown.
-// Its inertia in the momentum rows is left out.
+// Its inertia in the momentum rows is left out, but for the rows of vertices where the fluid sticks
+// to a wall, ω_a = 1 there and 0 elsewhere:
+//
+//   R_u[a] += ω_a ∫ N_a ρ (u' − ũ')/Δt = −ω_a (V/4) [(τ/Δt) (m̄ + h) + ρ ũ'/Δt]
+//
+// Where elements are larger than the boundary layer, linear velocities that stick to the wall lack
+// momentum, which u' has: PSPG lets it flow. Without its inertia these rows, which are the force on
+// the wall, have what accelerates it, so that the wall is drawn along: by 0.29 h ∂p/∂x in a half
+// space in which an inviscid fluid is set in motion, by 0.11 h with it, where nothing is right. It
+// is what SUPG with s_a − ω_a/(4Δt) in the place of s_a gives, called σ_a below, and a known force.
 //
 // m, c and s_a are linear on the element; integrals of products are exact by
 // ∫ f g = V/20 (Σf Σg + Σ_k f_k g_k). SUPG may have the means of its factors only, V/16 Σf Σg in
@@ -34,11 +43,11 @@ namespace tunica::kernels {
 // vanishes with Δt as τ does, at first order, which no time scheme mends. The Jacobian is exact at
 // fixed τ, with full convective derivative and the derivative of the test function s_a:
 //
-//   A[a][b]   = δ {ρ [W_ab/Δt + ∫(N_a + τ s_a) s_b] + μ V ∇N_a·∇N_b} + ρ W_ab G
-//               + (τ ∫N_b (m + h) + μ V ∇N_b) ⊗ ∇N_a,     W_ab = ∫ (N_a + τ s_a) N_b
+//   A[a][b]   = δ {ρ [W_ab/Δt + ∫(N_a + τ σ_a) s_b] + μ V ∇N_a·∇N_b} + ρ W_ab G
+//               + (τ ∫N_b (m + h) + μ V ∇N_b) ⊗ ∇N_a,     W_ab = ∫ (N_a + τ σ_a) N_b
 //               (+ ½ρ [δ div u ∫N_a N_b + ∫N_a u ⊗ ∇N_b])
 //               (+ 2μ' V e∇N_a ⊗ e∇N_b,   e = 2ε = G + Gᵀ,   μ' = dμ/d(γ̇²), γ̇² = ½ e:e)
-//   B1ᵀ[a][b] = −V/4 ∇N_a + τ V s̄_a ∇N_b
+//   B1ᵀ[a][b] = −V/4 ∇N_a + τ V σ̄_a ∇N_b
 //   B2[a][b]  = −V/4 ∇N_b − τ V [(1/(4Δt) + s̄_b) ∇N_a + Gᵀ∇N_a/4]
 //   −C[a][b]  = −(τ/ρ) V ∇N_a·∇N_b
 //
@@ -67,10 +76,13 @@ struct Point {
   materials::ViscosityOf<Real> mu;
   Vec3Of<Real> h;
   Vec3Of<Real> m[4];
-  Real s[4][4];        ///< s[a][k], value of s_a at vertex k
-  Real s_sum[4];       ///< Σ_k s[a][k]
-  Vec3Of<Real> Nu[4];  ///< ∫ N_a u dV, where convection is skew-symmetric
-  Real sums;           ///< τ∫ f g of SUPG = sums Σf Σg + products Σ_k f_k g_k
+  Real s[4][4];   ///< s[a][k], value of s_a at vertex k
+  Real s_sum[4];  ///< Σ_k s[a][k]
+  Real t[4][4];   ///< σ_a at vertex k, with which SUPG tests
+  Real t_sum[4];
+  Vec3Of<Real> past[4];  ///< ω_a ρ V/4 ũ'/Δt
+  Vec3Of<Real> Nu[4];    ///< ∫ N_a u dV, where convection is skew-symmetric
+  Real sums;             ///< τ∫ f g of SUPG = sums Σf Σg + products Σ_k f_k g_k
   Real products;
   Real p_mean;
 };
@@ -99,6 +111,12 @@ Point<Real> evaluate(const Tet4Of<Real>& T, const FluidStateOf<Real>& s, const F
     for (int i = 0; i < 3; ++i)
       x.m[k][i] = c.density * ((s.u[k][i] - s.u_old[k][i]) * c.inv_dt + dot(x.G[i], v) - s.f[k][i]);
   }
+  for (int a = 0; a < 4; ++a) {
+    const Real rate = c.inv_dt * s.on_wall[a];
+    for (int k = 0; k < 4; ++k) x.t[a][k] = x.s[a][k] - 0.25 * rate;
+    x.t_sum[a] = x.s_sum[a] - rate;
+    x.past[a] = 0.25 * c.density * T.volume * rate * s.subscale;
+  }
   x.p_mean = 0.25 * (s.p[0] + s.p[1] + s.p[2] + s.p[3]);
   if (c.has_skew_convection)
     for (int a = 0; a < 4; ++a)
@@ -121,13 +139,13 @@ void residual_at(const Tet4Of<Real>& T, const FluidCoefficients& c, const Real& 
       stress[i][j] = V * (x.mu.value * (G[i][j] + G[j][i]) - (i == j ? x.p_mean : 0.0));
   for (int a = 0; a < 4; ++a) {
     const Vec3Of<Real>& N = T.grad_N[a];
-    const Real* s = x.s[a];
+    const Real* t = x.t[a];
     for (int i = 0; i < 3; ++i) {
-      // Σ_k s_k r_k = Σ_k s_k m_k + Σ_k s_k h
-      const Real sm = s[0] * x.m[0][i] + s[1] * x.m[1][i] + s[2] * x.m[2][i] + s[3] * x.m[3][i] +
-                      x.s_sum[a] * x.h[i];
-      R.u[a][i] = m * (m_sum[i] + x.m[a][i]) + dot(stress[i], N) + x.sums * x.s_sum[a] * r_sum[i] +
-                  x.products * sm;
+      // Σ_k σ_k r_k = Σ_k σ_k m_k + Σ_k σ_k h
+      const Real tm = t[0] * x.m[0][i] + t[1] * x.m[1][i] + t[2] * x.m[2][i] + t[3] * x.m[3][i] +
+                      x.t_sum[a] * x.h[i];
+      R.u[a][i] = m * (m_sum[i] + x.m[a][i]) + dot(stress[i], N) + x.sums * x.t_sum[a] * r_sum[i] +
+                  x.products * tm - x.past[a][i];
       if (c.has_skew_convection) R.u[a][i] += 0.5 * c.density * div_u * x.Nu[a][i];
     }
     R.p[a] = -0.25 * V * div_u - 0.25 * V * tau / c.density * dot(N, r_sum);
@@ -178,13 +196,13 @@ void momentum_block(const Tet4Of<Real>& T, const FluidCoefficients& c, const Poi
       column[i] = x.sums * r_sum[i] + x.products * (x.m[b][i] + x.h[i]) + mu_V * Nb[i];
     for (int a = 0; a < 4; ++a) {
       const Vec3Of<Real>& Na = T.grad_N[a];
-      const Real* sa = x.s[a];
+      const Real* ta = x.t[a];
       const Real W =
-          c.density * (m * (a == b ? 2.0 : 1.0) + x.sums * x.s_sum[a] + x.products * sa[b]);
+          c.density * (m * (a == b ? 2.0 : 1.0) + x.sums * x.t_sum[a] + x.products * ta[b]);
       const Real NS = m * (x.s_sum[b] + sb[a]);
-      const Real SS = x.sums * x.s_sum[a] * x.s_sum[b] +
-                      x.products * (sa[0] * sb[0] + sa[1] * sb[1] + sa[2] * sb[2] + sa[3] * sb[3]);
-      const Real diagonal = W * c.inv_dt + c.density * (NS + SS) + mu_V * dot(Na, Nb);
+      const Real TS = x.sums * x.t_sum[a] * x.s_sum[b] +
+                      x.products * (ta[0] * sb[0] + ta[1] * sb[1] + ta[2] * sb[2] + ta[3] * sb[3]);
+      const Real diagonal = W * c.inv_dt + c.density * (NS + TS) + mu_V * dot(Na, Nb);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
           A[a][b][i][j] = W * x.G[i][j] + column[i] * Na[j] + (i == j ? diagonal : 0.0);
@@ -205,13 +223,13 @@ void pressure_blocks(const Tet4Of<Real>& T, const FluidCoefficients& c, const Re
     Vec3Of<Real> GN;
     for (int j = 0; j < 3; ++j)
       GN[j] = tau_q * (Na[0] * x.G[0][j] + Na[1] * x.G[1][j] + Na[2] * x.G[2][j]);
-    const Real sa = tau_q * x.s_sum[a];
+    const Real ta = tau_q * x.t_sum[a];
     for (int b = 0; b < 4; ++b) {
       const Vec3Of<Real>& Nb = T.grad_N[b];
       const Real sb = tau_q * (c.inv_dt + x.s_sum[b]);
       K.mC[a][b] = -tau_V_rho * dot(Na, Nb);
       for (int j = 0; j < 3; ++j) {
-        K.B1T[a][b][j] = sa * Nb[j] - quarter_V * Na[j];
+        K.B1T[a][b][j] = ta * Nb[j] - quarter_V * Na[j];
         K.B2[a][b][j] = -quarter_V * Nb[j] - sb * Na[j] - GN[j];
       }
     }
@@ -277,16 +295,16 @@ void add_shape_pair(const Tet4& T, const ShapePoint& p, const FluidCoefficients&
                     const MovedVertex& v, int a, int b, ShapeJacobian& K) {
   const Point<double>& x = p.x;
   const Vec3 &Na = T.grad_N[a], &Nb = T.grad_N[b];
-  const double* sa = x.s[a];
+  const double* ta = x.t[a];
   const double Na_Nb = dot(Na, Nb);
   const Vec3 stress_Na = p.stress * Na, e_Na = p.e * Na;
-  const double st = x.sums * x.s_sum[a] * v.t_sum + x.products * (sa[0] * v.t[0] + sa[1] * v.t[1] +
-                                                                  sa[2] * v.t[2] + sa[3] * v.t[3]);
-  const double inertia = c.density * (p.m * (v.t_sum + v.t[a]) + st) + p.mu_V * Na_Nb;
-  const Vec3 galerkin = p.m * (p.m_sum + x.m[a]) + p.V * stress_Na;
-  Vec3 streamline = x.sums * x.s_sum[a] * p.r_sum;  // τ ∫ s_a r
-  for (int k = 0; k < 4; ++k) streamline += x.products * sa[k] * (x.m[k] + x.h);
-  const double tau_sa = (4.0 * x.sums + x.products) * x.s_sum[a];  // τ ∫ s_a
+  const double tt = x.sums * x.t_sum[a] * v.t_sum + x.products * (ta[0] * v.t[0] + ta[1] * v.t[1] +
+                                                                  ta[2] * v.t[2] + ta[3] * v.t[3]);
+  const double inertia = c.density * (p.m * (v.t_sum + v.t[a]) + tt) + p.mu_V * Na_Nb;
+  const Vec3 galerkin = p.m * (p.m_sum + x.m[a]) + p.V * stress_Na - x.past[a];
+  Vec3 streamline = x.sums * x.t_sum[a] * p.r_sum;  // τ ∫ σ_a r
+  for (int k = 0; k < 4; ++k) streamline += x.products * ta[k] * (x.m[k] + x.h);
+  const double tau_ta = (4.0 * x.sums + x.products) * x.t_sum[a];  // τ ∫ σ_a
   const double pspg = -0.25 * p.V * p.tau / c.density;
   const double Na_r = dot(Na, p.r_sum);
   for (int j = 0; j < 3; ++j) {
@@ -295,7 +313,7 @@ void add_shape_pair(const Tet4& T, const ShapePoint& p, const FluidCoefficients&
     for (int i = 0; i < 3; ++i)
       K.u[a][b][i][j] = Nb[j] * (galerkin[i] + streamline[i]) + v.log_tau[j] * streamline[i] -
                         inertia * Gj[i] - p.mu_V * Gj_Na * Nb[i] -
-                        Na[j] * (p.V * v.stress_N[i] + v.t_r[i]) - tau_sa * p.grad_p[j] * Nb[i];
+                        Na[j] * (p.V * v.stress_N[i] + v.t_r[i]) - tau_ta * p.grad_p[j] * Nb[i];
     if (c.has_skew_convection)  // d(V div u) = V (∂_j N_b div u − G_j·∇N_b)
       for (int i = 0; i < 3; ++i)
         K.u[a][b][i][j] += 0.5 * c.density * (Nb[j] * p.div_u - Gj_Nb) * x.Nu[a][i];
@@ -371,7 +389,10 @@ double fluid_stabilisation_power(const Tet4& T, const FluidState& s, const Fluid
     r_sum += r;
     products += dot(q, r);
   }
-  return x.sums * dot(q_sum, r_sum) + x.products * products;
+  double on_walls = 0.0;  // Σ_a u_a·R_u[a] of what walls have of u', whose mean is (τ/16) V Σr
+  for (int a = 0; a < 4; ++a)
+    on_walls -= dot(s.u[a], c.inv_dt * s.on_wall[a] * tau * T.volume / 16.0 * r_sum + x.past[a]);
+  return x.sums * dot(q_sum, r_sum) + x.products * products + on_walls;
 }
 
 }  // namespace tunica::kernels

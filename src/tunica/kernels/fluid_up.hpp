@@ -16,6 +16,7 @@ struct FluidStateOf {
   std::array<Vec3Of<Real>, 4> u_old;  ///< velocity of the previous step [mm/ms]
   std::array<Vec3Of<Real>, 4> w;      ///< mesh velocity [mm/ms]
   std::array<Vec3Of<Real>, 4> f;      ///< body force per mass [mm/ms²], zero but for tests
+  std::array<Real, 4> on_wall{};      ///< 1 at vertices where the fluid sticks to a wall, else 0
   Vec3Of<Real> subscale{};  ///< ũ', velocity of the past that the mesh does not resolve [mm/ms]
   Vec3Of<Real> viscous{};   ///< q = div 2με, which linear velocities do not have [kPa/mm]
 };
@@ -26,6 +27,7 @@ inline void set_lane(FluidStateOf<Pack>& to, int lane, const FluidState& from) {
   set_lane(to.u_old, lane, from.u_old);
   set_lane(to.w, lane, from.w);
   set_lane(to.f, lane, from.f);
+  set_lane(to.on_wall, lane, from.on_wall);
   set_lane(to.subscale, lane, from.subscale);
   set_lane(to.viscous, lane, from.viscous);
 }

@@ -61,12 +61,15 @@ TEUCHOS_UNIT_TEST(Energy, stabilisation_power_is_that_of_the_residual) {
   const kernels::FluidCoefficients c{1.06, &blood_law, 8.0};
   for (int trial = 0; trial < 5; ++trial) {
     const kernels::Tet4 T = kernels::make_tet4(samples.tetrahedron());
-    const kernels::FluidState s = random_state(samples);
+    kernels::FluidState s = random_state(samples);
+    s.on_wall = {0.0, 1.0, 1.0, 0.0};
+    s.subscale = samples.vector(0.7);
     const double tau = fluid_tau(T, samples.vector(2.0), blood_law.reference(), c);
     const auto with = fluid_up_residual(T, s, c, tau), without = fluid_up_residual(T, s, c, 0.0);
     double power = 0.0;
     for (int a = 0; a < 4; ++a)
-      power += dot(s.u[a], with.u[a] - without.u[a]) - s.p[a] * (with.p[a] - without.p[a]);
+      power += dot(s.u[a], with.u[a] - without.u[a]) - s.p[a] * (with.p[a] - without.p[a]) -
+               0.25 * T.volume * c.density * c.inv_dt * s.on_wall[a] * dot(s.u[a], s.subscale);
     TEST_FLOATING_EQUALITY(kernels::fluid_stabilisation_power(T, s, c, tau), power, 1e-11);
   }
 }

@@ -74,6 +74,7 @@ struct Case {
     s.f = samples.vectors(3.0);
     s.subscale = samples.vector(0.7);
     s.viscous = samples.vector(1.2);
+    s.on_wall = {1.0, 0.0, 1.0, 1.0};
   }
 
   oracle::FluidWeakForm weak_form(const FluidCoefficients& c, const oracle::Thinning& law,
@@ -88,6 +89,7 @@ struct Case {
             s.f,
             s.subscale,
             s.viscous,
+            s.on_wall,
             c.has_skew_convection,
             c.has_mean_residual};
   }
@@ -200,6 +202,7 @@ TEUCHOS_UNIT_TEST(FluidUp, shape_jacobian_is_derivative_with_respect_to_the_vert
                                                 test.s.f,
                                                 test.s.subscale,
                                                 test.s.viscous,
+                                                test.s.on_wall,
                                                 c.has_skew_convection,
                                                 c.has_mean_residual};
         std::array<Fad, 16> unknowns;

@@ -149,8 +149,8 @@ TEUCHOS_UNIT_TEST(packs, a_fluid_element_does_not_know_its_lane) {
           const auto x = samples.tetrahedron();
           T[lane] = make_tet4(x);
           s[lane] = {samples.vectors(1.0), samples.numbers(5.0), samples.vectors(1.0),
-                     samples.vectors(0.5), samples.vectors(2.0), samples.vector(0.3),
-                     samples.vector(0.7)};
+                     samples.vectors(0.5), samples.vectors(2.0), {1.0, 0.0, 0.0, 1.0},
+                     samples.vector(0.3),  samples.vector(0.7)};
           set_lane(packed_x, lane, x);
           set_lane(packed_s, lane, s[lane]);
           set_lane(tau, lane, 0.05 + 0.01 * lane);
