@@ -81,7 +81,9 @@ def long_step(runs):
     runs.verdict.claim(sudden.status == 0 and max(tries) == 2 and len(tries) == 3,
                        f"long-step, loaded at once: {tries} attempts, the second with care")
     other = runs.run("long-step", PARTITIONED)
-    runs.verdict.claim(other.status == 2, "long-step: partitioned coupling does not converge")
+    iterations = table(runs.folder / "long-step" / "steps.csv")["coupling_iterations"]
+    runs.verdict.claim(other.status == 2 or max(iterations) >= 15,
+                       f"long-step: partitioned coupling does not converge, or takes {iterations}")
 
 
 def flap(runs):

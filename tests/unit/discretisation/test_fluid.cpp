@@ -51,7 +51,8 @@ oracle::FluidWeakForm weak_form(const std::array<Vec3, 4>& x, const std::array<V
   const double tau =
       1.0 / std::sqrt(4.0 / (step * step) + 4.0 * dot(c, c) / (h * h) + diffusive * diffusive);
   const oracle::Thinning newtonian{viscosity, viscosity, 0.0, 1.0, 2.0};
-  return {oracle::Element(x), density, newtonian, 1.0 / step, tau, u_old, w, {}, {}, {}, is_skew};
+  return {
+      oracle::Element(x), density, newtonian, 1.0 / step, tau, u_old, w, {}, {}, {}, {}, is_skew};
 }
 
 void compare_with_weak_form(bool is_skew, Teuchos::FancyOStream& out, bool& success) {
