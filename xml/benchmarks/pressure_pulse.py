@@ -30,7 +30,7 @@ class PressurePulse(Benchmark):
         return mesh
 
     def settings(self, level, _):
-        return {"Mesh/file": self.make_mesh(level), "Time/step size": 0.1 / level, "Time/steps": 165 * level}
+        return {"Mesh/file": self.make_mesh(level), "Time/step size": 0.1 / level, "Time/steps": 200 * level}
 
     def values(self, level):
         columns = arrays_of(self.folder(level))

@@ -32,11 +32,10 @@ Fluid::Fluid(const FluidOptions& options, const fields::FieldMesh& mesh)
   elements_.coefficients.has_mean_residual = options_.has_mean_residual;
   // u' and q of the steps before stay with their elements: the scheme makes ũ' of the one and the
   // extrapolated force of the other.
-  if (options_.has_dynamic_subscales) {
-    find_walls();
+  if (options_.has_inertia_on_walls) find_walls();
+  if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::fluid_subscales(*mesh_, elements_, local_); });
-  }
   if (options_.has_viscous_residual)
     viscous_ = remember("viscous force", [this] { return viscous_forces(); });
   elements_.geometry = assembly::ElementGeometry(mesh, position_);

@@ -31,10 +31,10 @@ void add_fluid_keys(params::Table& table) {
       .number("density", std::nullopt, params::positive(), "mg/mm^3", "density");
   add_viscosity_keys(table);
   table
-      .choice("stabilisation", "dynamic", {"dynamic", "inertial"},
+      .choice("stabilisation", "tracked", {"tracked", "dynamic", "inertial"},
               "subscales of SUPG and PSPG: time-dependent, which keep the pressure stable as the "
-              "time step shrinks (dynamic), or quasi-static, with the time step in their parameter "
-              "only (inertial)")
+              "time step shrinks, with their inertia in the force on walls (tracked) or without it "
+              "(dynamic); or quasi-static, with the time step in their parameter only (inertial)")
       .choice(
           "stabilisation residual", "viscous", {"viscous", "linear"},
           "residual that drives the subscales: with its viscous part, recovered from the strain "
@@ -84,7 +84,9 @@ FluidOptions fluid_options(const Teuchos::ParameterList& list) {
   options.regions = list.get<Teuchos::Array<std::string>>("regions").toVector();
   options.density = list.get<double>("density");
   options.viscosity = viscosity_of(list);
-  options.has_dynamic_subscales = list.get<std::string>("stabilisation") == "dynamic";
+  const auto& stabilisation = list.get<std::string>("stabilisation");
+  options.has_dynamic_subscales = stabilisation != "inertial";
+  options.has_inertia_on_walls = stabilisation == "tracked";
   options.has_viscous_residual = list.get<std::string>("stabilisation residual") == "viscous";
   options.has_predicted_tau = list.get<std::string>("stabilisation velocity") == "predicted";
   options.has_skew_convection = list.get<std::string>("convection") == "skew-symmetric";

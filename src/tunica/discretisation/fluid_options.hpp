@@ -19,6 +19,7 @@ struct FluidOptions {
   double density;
   std::shared_ptr<const materials::ViscosityLaw> viscosity;
   bool has_dynamic_subscales;  ///< they have inertia of their own
+  bool has_inertia_on_walls;   ///< which the force on walls contains
   bool has_viscous_residual;   ///< subscales see the viscous force
   bool has_predicted_tau;      ///< τ takes the velocity expected at the new time, not the past
   bool has_skew_convection;    ///< convection takes out no energy
