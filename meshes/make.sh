@@ -19,6 +19,8 @@ python3 "$folder/make_ring.py" "$plain"
 "$tool" convert "$plain" "$folder/ring.h5" --overwrite on
 python3 "$folder/make_elastic_tube.py" "$plain"
 "$tool" convert "$plain" "$folder/elastic-tube.h5" --overwrite on
+python3 "$folder/make_collapsible_channel.py" "$plain"
+"$tool" convert "$plain" "$folder/collapsible-channel.h5" --overwrite on
 rm "$plain"
 "$quarter" "$folder/quarter-tube.h5"
 
