@@ -55,9 +55,12 @@ class Benchmark:
                 if not self.is_done(level, variant):
                     self.run_one(level, variant)
 
+    def case(self, variant):
+        return os.path.join(HERE, self.name + ".xml")
+
     def run_one(self, level, variant, program="tunica-fsi", statuses=(0,)):
         settings = [f"{key}={value}" for key, value in self.settings(level, variant).items()]
-        words = [os.path.join(HERE, self.name + ".xml"), "--output", self.folder(level, variant)]
+        words = [self.case(variant), "--output", self.folder(level, variant)]
         # Where the folder holds a run that has not ended, the program says so and stops.
         words = command(os.path.join(self.programs, program), words, settings)
         status = subprocess.run(words, env=ENVIRONMENT, check=False).returncode
