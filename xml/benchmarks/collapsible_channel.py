@@ -145,7 +145,7 @@ class CollapsibleChannel(Benchmark):
         found = {}
         for name, (_, (least, most)), sign in (("trough", TROUGH, 1), ("rebound", REBOUND, -1)):
             found[name] = [extremum(t, columns[column], least, most, sign) for column in COLUMNS]
-        for time in AT:
+        for time in (time for time in AT if time <= t[-1]):
             k = np.argmin(abs(t - time))
             found[f"{time} ms"] = [(columns[column][k], t[k]) for column in COLUMNS]
         return found
@@ -200,6 +200,8 @@ class CollapsibleChannel(Benchmark):
         exact = {"250 ms": [(value, None) for value in AT[250]], "first trough": TROUGH[0], "first rebound": REBOUND[0],
                  "1000 ms": [(value, None) for value in AT[1000]]}
         for name, values in exact.items():
+            if name.endswith("ms") and not all(name in swing for swing in swings):
+                continue
             for k, (value, time) in enumerate(values):
                 found = [swing[name.rsplit(" ", maxsplit=1)[-1] if time else name][k] for swing in swings]
                 if is_last:
