@@ -27,6 +27,25 @@ def in_fewer_steps(benchmark, step_size, steps):
     benchmark.settings = lambda *of: {**settings(*of), "Time/step size": step_size, "Time/steps": steps}
 
 
+def check_channel(verdict, reproduce, wanted):
+    """Its wall alone, of second order, and as it swings."""
+    channel = reproduce.CollapsibleChannel(wanted)
+    channel.variants_of = lambda _: channel.variants
+    if not LONG:
+        settings = channel.settings
+        longer = {"Time/step size": 25, "Time/steps": 40}
+        channel.settings = lambda level, variant: {**settings(level, variant), **({} if variant else longer)}
+        channel.levels = [0.5]
+    channel.run()
+    coarse, fine = channel.levels[0], 2 * channel.levels[0]
+    channel.run_one(fine, "static")
+    within(verdict, channel, coarse, {"static, ½": 0.04, "static, ¼": 0.07, "time": 0.02, "trough": 0.04, "": 0.1} if LONG else
+           {"static, ¼": 0.26, "time": 0.04, "": 0.17})
+    one, two = (abs(channel.static(m)[1] / channel.exact - 1) for m in (coarse, fine))
+    verdict.claim(one / two > 3.5, f"the wall alone, {100 * two:.2f} % off, is {one / two:.1f} times as good on the finer mesh")
+    return channel
+
+
 def within(verdict, benchmark, level, bands):
     for name, error in benchmark.errors(level).items():
         band = next(value for part, value in bands.items() if part in name)
@@ -40,6 +59,7 @@ def main(programs, folder):
     reproduce = program()
     wanted = argparse.Namespace(programs=str(programs), output=str(folder), finest=1)
     obstacle, tube, beam = reproduce.Obstacle(wanted), reproduce.ElasticTube(wanted), reproduce.TurekHron(wanted)
+    channel = check_channel(verdict, reproduce, wanted)
     wanted.finest = 2
     ring = reproduce.Ring(wanted)
     ring.variants = ("1",)
@@ -61,7 +81,7 @@ def main(programs, folder):
     verdict.claim(math.log2(one / two) > 1.9, f"the ring's frequency has order {math.log2(one / two):.2f}")
     k = tube.wave.k * 1e3
     verdict.claim(abs(k - (0.1439783707 - 0.0207265897j)) < 1e-9, f"the wave number is {k:.10f}, as published")
-    reproduce.write_page([obstacle, tube, ring, beam], str(folder))
+    reproduce.write_page([obstacle, tube, ring, beam, channel], str(folder))
     verdict.claim((folder / "RESULTS.md").stat().st_size > 1500 and (folder / "figures" / "errors.png").exists(),
                   "a page and its figure are written")
     return verdict.status()

@@ -1,0 +1,72 @@
+"""What a benchmark of this folder is: a case, run on meshes of several levels, and what its folders hold."""
+import os
+import subprocess
+import sys
+
+import numpy as np
+
+from pages import ENVIRONMENT, ROOT, columns_of, command, has_ended, record_of
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def arrays_of(folder):
+    return {name: np.array(values) for name, values in columns_of(folder).items()}
+
+
+class Benchmark:
+    """A case, on meshes of several levels: m of them is the one with m times as many cells along each axis."""
+    levels, variants = (1, 2), ("",)
+
+    def __init__(self, wanted):
+        self.programs, self.output = wanted.programs, wanted.output
+        self.levels = [m for m in self.levels if m <= wanted.finest]
+
+    def folder(self, level, variant=""):
+        return os.path.join(self.output, f"{self.name}-{level}{variant and '-'}{variant}")
+
+    def record(self, level, variant=""):
+        return record_of(self.folder(level, variant))
+
+    def is_done(self, level, variant=""):
+        return has_ended(self.folder(level, variant))
+
+    def variants_of(self, level):
+        return self.variants
+
+    def complete_levels(self):
+        return [m for m in self.levels if all(self.is_done(m, variant) for variant in self.variants_of(m))]
+
+    def make_mesh(self, level, *more):
+        """The mesh of a level, once; what else its script writes is named by more."""
+        os.makedirs(self.output, exist_ok=True)
+        mesh = os.path.join(self.output, f"{self.name}-{level}.h5")
+        if not os.path.exists(mesh):
+            script = os.path.join(ROOT, "meshes", f"make_{self.name.replace('-', '_')}.py")
+            subprocess.run([sys.executable, script, mesh + ".msh", *more, str(level)], check=True)
+            subprocess.run([os.path.join(self.programs, "tunica-mesh"), "convert", mesh + ".msh", mesh], check=True,
+                           stdout=subprocess.DEVNULL)
+            os.remove(mesh + ".msh")
+        return mesh
+
+    def run(self):
+        for level in self.levels:
+            for variant in self.variants_of(level):
+                if not self.is_done(level, variant):
+                    self.run_one(level, variant)
+
+    def case(self, variant):
+        return os.path.join(HERE, self.name + ".xml")
+
+    def run_one(self, level, variant, program="tunica-fsi", statuses=(0,)):
+        settings = [f"{key}={value}" for key, value in self.settings(level, variant).items()]
+        words = [self.case(variant), "--output", self.folder(level, variant)]
+        # Where the folder holds a run that has not ended, the program says so and stops.
+        words = command(os.path.join(self.programs, program), words, settings)
+        status = subprocess.run(words, env=ENVIRONMENT, check=False).returncode
+        if status not in statuses:
+            raise subprocess.CalledProcessError(status, words)
+
+    def size(self, level):
+        sizes = self.record(level, self.variants_of(level)[-1])["sizes"]
+        return f"{sizes['fluid tetrahedra']:,} + {sizes['wall tetrahedra']:,}"
