@@ -46,6 +46,17 @@ def check_channel(verdict, reproduce, wanted):
     return channel
 
 
+def check_pulse(verdict, reproduce, wanted):
+    """Without thin layers at the wall it is drawn along, by half of this motion if the force on it lacks the subscales' inertia."""
+    pulse = reproduce.PressurePulse(wanted)
+    pulse.layers = lambda _: {}
+    in_fewer_steps(pulse, 0.1, 58)
+    pulse.levels = [1]
+    pulse.run()
+    error = pulse.errors(1)["least u_z"]
+    verdict.claim(abs(error) < 0.17, f"pressure-pulse, without layers, least u_z: {100 * error:+.2f} %, of 17 %")
+
+
 def within(verdict, benchmark, level, bands):
     for name, error in benchmark.errors(level).items():
         band = next(value for part, value in bands.items() if part in name)
@@ -60,6 +71,7 @@ def main(programs, folder):
     wanted = argparse.Namespace(programs=str(programs), output=str(folder), finest=1)
     obstacle, tube, beam = reproduce.Obstacle(wanted), reproduce.ElasticTube(wanted), reproduce.TurekHron(wanted)
     channel = check_channel(verdict, reproduce, wanted)
+    check_pulse(verdict, reproduce, wanted)
     wanted.finest = 2
     ring = reproduce.Ring(wanted)
     ring.variants = ("1",)
