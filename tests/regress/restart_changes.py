@@ -29,7 +29,7 @@ def refuses(verdict, programs, folder):
             ("another viscosity", PULSE, ["--set", "Fluid/viscosity=0.007"], 2,
              ["Fluid / viscosity: 0.0035 -> 0.007", "checkpoint-000002.h5"]),
             ("a default", PULSE, ["--set", "Fluid/stabilisation=inertial"], 1,
-             ["Fluid / stabilisation: dynamic -> inertial"])):
+             ["Fluid / stabilisation: tracked -> inertial"])):
         done = run(programs, folder, case, 4, "--restart", *more, ranks=ranks)
         said = [line for line in done.err.splitlines() if line.startswith("tunica-fsi: ")]
         verdict.claim(done.status == 1 and len(said) == 1, f"{name}: one error, exit status {done.status} is 1")
