@@ -41,7 +41,7 @@ TEUCHOS_UNIT_TEST(restart_changes, are_found_in_a_case_that_defaults_have_comple
   now.sublist("Fluid").set("stabilisation", "inertial");
   const run::Changes changes = run::changes_since(head, now, setup::fsi_table());
   TEST_EQUALITY(changes.size(), 1u);
-  TEST_EQUALITY(params::text_of(changes.at(0)), "Fluid / stabilisation: dynamic -> inertial");
+  TEST_EQUALITY(params::text_of(changes.at(0)), "Fluid / stabilisation: tracked -> inertial");
 }
 
 TEUCHOS_UNIT_TEST(restart_changes, do_not_count_where_files_lie) {
