@@ -44,8 +44,8 @@ def upright(points, tets):
 
 
 def write(path, points, tets, region_of, surface_of):
-    """Gmsh 2.2. region_of(centroids) gives the name of each tetrahedron's region, surface_of(centroids, regions,
-    others) that of each face between regions or at the boundary, where the other is ""; None: no triangle there."""
+    """Gmsh 2.2. region_of(centroids) gives the name of each tetrahedron's region, surface_of(x, y, z, region) that of a
+    face at the boundary by its centroid; faces between regions are the interface."""
     tets = upright(points, tets)
     region = np.asarray(region_of(points[tets].mean(1)))
     corners = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -62,9 +62,9 @@ def write(path, points, tets, region_of, surface_of):
     mine = region[owner[first]]
     shown = mine != other
     first, mine, other = first[shown], mine[shown], other[shown]
-    names = surface_of(points[faces[first]].mean(1), mine, other)
-    kept = np.array([name is not None for name in names])
-    faces, names = faces[first][kept], [name for name in names if name is not None]
+    faces = faces[first]
+    names = ["interface" if neighbour else surface_of(*centroid, its)
+             for centroid, its, neighbour in zip(points[faces].mean(1), mine, other)]
     surfaces, regions = sorted(set(names)), sorted(set(region))
     tags = {name: k + 1 for k, name in enumerate(surfaces + regions)}
     with open(path, "w", encoding="utf-8") as out:

@@ -21,9 +21,8 @@ def write(path, plane, shape, slice_thickness, surface_at):
     points = np.array([(x, y, z) for z in (0.0, slice_thickness) for x, y in plane])
     tets = extruded.tetrahedra(extruded.grid_triangles(*shape), len(plane), 2)
 
-    def surface_of(centroids, _, __):
-        return ["ends" if min(z, slice_thickness - z) < 1e-9 * slice_thickness else surface_at(x, y)
-                for x, y, z in centroids]
+    def surface_of(x, y, z, _):
+        return "ends" if min(z, slice_thickness - z) < 1e-9 * slice_thickness else surface_at(x, y)
 
     extruded.write(path, points, tets, lambda c: np.full(len(c), "wall"), surface_of)
 

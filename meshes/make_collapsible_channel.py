@@ -67,20 +67,14 @@ def main(path, m):
     def region_of(c):
         return np.where(c[:, 1] > HEIGHT, "wall", "fluid")
 
-    def surface_of(c, mine, other):
-        names = []
-        for (x, y, z), region, neighbour in zip(c, mine, other):
-            if neighbour:
-                names.append("interface")
-            elif z < 1e-9 or z > depth - 1e-9:
-                names.append(region + "_sides")
-            elif region == "wall":
-                names.append("outer" if y > HEIGHT + THICKNESS - 1e-9 else "clamp")
-            elif x < 1e-9 or x > LENGTH - 1e-9:
-                names.append("inlet" if x < 1e-9 else "outlet")
-            else:
-                names.append("rigid")
-        return names
+    def surface_of(x, y, z, region):
+        if z < 1e-9 or z > depth - 1e-9:
+            return region + "_sides"
+        if region == "wall":
+            return "outer" if y > HEIGHT + THICKNESS - 1e-9 else "clamp"
+        if x < 1e-9 or x > LENGTH - 1e-9:
+            return "inlet" if x < 1e-9 else "outlet"
+        return "rigid"
 
     extruded.write(path, points, extruded.tetrahedra(triangles, len(flat), 2), region_of, surface_of)
 

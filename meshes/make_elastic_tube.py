@@ -54,19 +54,13 @@ def main(path, m):
     def region_of(c):
         return np.where(np.hypot(c[:, 0], c[:, 1]) < limit, "fluid", "wall")
 
-    def surface_of(c, mine, other):
-        names = []
-        for (x, y, z), region, neighbour in zip(c, mine, other):
-            if neighbour:
-                names.append("interface")
-            elif z < 1e-9 or z > LENGTH - 1e-9:
-                end = "inlet" if z < 1e-9 else "outlet"
-                names.append(end if region == "fluid" else "wall_" + end)
-            elif x < 1e-9 or y < 1e-9:
-                names.append(region + ("_x" if x < 1e-9 else "_y"))
-            else:
-                names.append("outer")
-        return names
+    def surface_of(x, y, z, region):
+        if z < 1e-9 or z > LENGTH - 1e-9:
+            end = "inlet" if z < 1e-9 else "outlet"
+            return end if region == "fluid" else "wall_" + end
+        if x < 1e-9 or y < 1e-9:
+            return region + ("_x" if x < 1e-9 else "_y")
+        return "outer"
 
     extruded.write(path, points, tets, region_of, surface_of)
 

@@ -28,18 +28,12 @@ def main(path, inlet_path, m):
         is_block = (c[:, 0] > 400) & (c[:, 0] < 500) & (c[:, 1] < 200) & (c[:, 2] < 200)
         return np.where(is_block, "block", "fluid")
 
-    def surface_of(c, mine, other):
-        names = []
-        for (a, b, d), region, neighbour in zip(c, mine, other):
-            if neighbour:
-                names.append("interface")
-            elif region == "block":
-                names.append("base" if b < 1e-9 else "block_symmetry")
-            elif d < 1e-9:
-                names.append("symmetry")
-            else:
-                names.append("inlet" if a < 1e-9 else "outlet" if a > 1500 - 1e-9 else "walls")
-        return names
+    def surface_of(a, b, d, region):
+        if region == "block":
+            return "base" if b < 1e-9 else "block_symmetry"
+        if d < 1e-9:
+            return "symmetry"
+        return "inlet" if a < 1e-9 else "outlet" if a > 1500 - 1e-9 else "walls"
 
     extruded.write(path, points, tets, region_of, surface_of)
     with open(inlet_path, "w", encoding="utf-8") as out:

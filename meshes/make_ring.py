@@ -29,20 +29,14 @@ def main(path, m):
     def region_of(c):
         return np.where(np.hypot(c[:, 0], c[:, 1]) < limit, "ring", "fluid")
 
-    def surface_of(c, mine, other):
-        names = []
-        for (x, y, z), region, neighbour in zip(c, mine, other):
-            if neighbour:
-                names.append("interface")
-            elif z < 1e-9 or z > thickness - 1e-9:
-                names.append(region + "_ends")
-            elif x < 1e-9 or y < 1e-9:
-                names.append(region + ("_x" if x < 1e-9 else "_y"))
-            elif region == "fluid":
-                names.append("rim")
-            else:
-                names.append("inner_x" if x > y else "inner_y")
-        return names
+    def surface_of(x, y, z, region):
+        if z < 1e-9 or z > thickness - 1e-9:
+            return region + "_ends"
+        if x < 1e-9 or y < 1e-9:
+            return region + ("_x" if x < 1e-9 else "_y")
+        if region == "fluid":
+            return "rim"
+        return "inner_x" if x > y else "inner_y"
 
     extruded.write(path, points, tets, region_of, surface_of)
 
