@@ -10,6 +10,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 IS_INSTALLED = not os.path.exists(os.path.join(ROOT, "CMakeLists.txt"))
 BUILT = os.path.dirname(os.path.dirname(ROOT)) if IS_INSTALLED else os.path.join(ROOT, "build", "release")
 PROGRAMS = os.path.join(BUILT, "bin")
+MODULES = PROGRAMS if IS_INSTALLED else os.path.join(ROOT, "drivers")  # of the programs in Python
 # As cmake/setup.sh, which says why.
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",

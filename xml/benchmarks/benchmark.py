@@ -5,13 +5,28 @@ import sys
 
 import numpy as np
 
-from pages import ENVIRONMENT, ROOT, columns_of, command, has_ended, record_of
+from pages import ENVIRONMENT, MODULES, ROOT, columns_of, command, has_ended, record_of
+
+sys.path.append(MODULES)
+from certify.richardson import order_of_ratio, remainder
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def arrays_of(folder):
     return {name: np.array(values) for name, values in columns_of(folder).items()}
+
+
+def order_of(levels, values):
+    """p of F_m = F + c m^-p through the last three levels; None where these show none."""
+    f, g, h = values[-3:]
+    p = order_of_ratio((f - g) / (g - h), 1 / np.array(levels[-3:]), None)
+    return None if np.isnan(p) else p
+
+
+def limit_of(levels, values, p=2):
+    """Of the last two levels, at this order."""
+    return values[-1] + (values[-1] - values[-2]) * remainder(p, 1 / np.array(levels))
 
 
 class Benchmark:
@@ -42,12 +57,22 @@ class Benchmark:
         os.makedirs(self.output, exist_ok=True)
         mesh = os.path.join(self.output, f"{self.name}-{level}.h5")
         if not os.path.exists(mesh):
-            script = os.path.join(ROOT, "meshes", f"make_{self.name.replace('-', '_')}.py")
-            subprocess.run([sys.executable, script, mesh + ".msh", *more, str(level)], check=True)
-            subprocess.run([os.path.join(self.programs, "tunica-mesh"), "convert", mesh + ".msh", mesh], check=True,
-                           stdout=subprocess.DEVNULL)
-            os.remove(mesh + ".msh")
+            self.write_mesh(mesh, level, *more)
         return mesh
+
+    def write_mesh(self, mesh, level, *more):
+        script = os.path.join(ROOT, "meshes", f"make_{self.name.replace('-', '_')}.py")
+        subprocess.run([sys.executable, script, mesh + ".msh", *more, str(level)], check=True)
+        name, *options = self.conversion(level)
+        self.tunica_mesh(name, mesh + ".msh", mesh, *options)
+        os.remove(mesh + ".msh")
+
+    def conversion(self, level):
+        """The command of tunica-mesh that makes a mesh of what the script has written, and its options."""
+        return ["convert"]
+
+    def tunica_mesh(self, *words):
+        subprocess.run([os.path.join(self.programs, "tunica-mesh"), *map(str, words)], check=True, stdout=subprocess.DEVNULL)
 
     def run(self):
         for level in self.levels:
@@ -66,6 +91,10 @@ class Benchmark:
         status = subprocess.run(words, env=ENVIRONMENT, check=False).returncode
         if status not in statuses:
             raise subprocess.CalledProcessError(status, words)
+
+    def errors(self, level):
+        """Quantity -> error, in parts of what has been published."""
+        return {name: value / self.exact[name] - 1 for name, value in self.values(level).items()}
 
     def size(self, level):
         sizes = self.record(level, self.variants_of(level)[-1])["sizes"]

@@ -5,7 +5,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from benchmark import Benchmark, arrays_of
+from benchmark import Benchmark, arrays_of, limit_of, order_of
 from pages import has_ended
 
 PLACES = ("¼", "½", "¾")
@@ -53,25 +53,6 @@ def extremum(t, y, least, most, sign):
     k = inside[np.argmin(sign * y[inside])]
     a, b, c = np.polyfit(t[k - 1:k + 2] - t[k], y[k - 1:k + 2], 2)
     return c - b * b / (4 * a), t[k] - b / (2 * a)
-
-
-def limit_of(levels, values):
-    """Of the last two levels, at second order."""
-    (m, n), (coarse, fine) = levels[-2:], values[-2:]
-    return fine + (fine - coarse) * m ** 2 / (n ** 2 - m ** 2)
-
-
-def order_of(levels, values):
-    """p of F_m = F + c m^-p through the last three levels; None where differences do not fall."""
-    (k, m, n), (f, g, h) = levels[-3:], values[-3:]
-    if (f - g) * (g - h) <= 0:
-        return None
-    low, high = 0.01, 10.0
-    while high - low > 1e-6:
-        p = 0.5 * (low + high)
-        is_below = (k ** -p - m ** -p) / (m ** -p - n ** -p) < (f - g) / (g - h)
-        low, high = (p, high) if is_below else (low, p)
-    return p
 
 
 class CollapsibleChannel(Benchmark):

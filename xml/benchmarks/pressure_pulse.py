@@ -1,7 +1,4 @@
 """A pressure that acts for 3 ms runs along an elastic tube as a pulse."""
-import os
-import subprocess
-
 import numpy as np
 
 from benchmark import Benchmark, arrays_of
@@ -22,16 +19,10 @@ class PressurePulse(Benchmark):
         """The outermost of the lumen are as thin as the boundary layer of the pulse."""
         return {"rings": 3 + 2 * level, "ring-grading": 0.15}
 
-    def make_mesh(self, level):
-        os.makedirs(self.output, exist_ok=True)
-        mesh = os.path.join(self.output, f"{self.name}-{level}.h5")
-        if not os.path.exists(mesh):
-            sizes = {"radius": 5, "media": 1, "length": 50, "around": 16 * level, "axial": 32 * level, "media-layers": 1 + level,
-                     "adventitia-layers": 0, **self.layers(level)}
-            words = [word for key, value in sizes.items() for word in ("--" + key, str(value))]
-            subprocess.run([os.path.join(self.programs, "tunica-mesh"), "tube", mesh, *words], check=True,
-                           stdout=subprocess.DEVNULL)
-        return mesh
+    def write_mesh(self, mesh, level):
+        sizes = {"radius": 5, "media": 1, "length": 50, "around": 16 * level, "axial": 32 * level, "media-layers": 1 + level,
+                 "adventitia-layers": 0, **self.layers(level)}
+        self.tunica_mesh("tube", mesh, *(word for key, value in sizes.items() for word in ("--" + key, value)))
 
     def settings(self, level, _):
         return {"Mesh/file": self.make_mesh(level), "Time/step size": 0.1 / level, "Time/steps": 200 * level}
@@ -41,9 +32,6 @@ class PressurePulse(Benchmark):
         time, radial, axial = columns["time"], columns[RADIAL], columns[AXIAL]
         found = {"largest u_r": np.max(radial), "least u_z": np.min(axial[time < 6.5])}
         return {**found, "least u_r after 14 ms": np.min(radial[time > 14])} if time[-1] > 14 else found
-
-    def errors(self, level):
-        return {name: value / self.exact[name] - 1 for name, value in self.values(level).items()}
 
     def section(self):
         lines = ["3dTube of the tutorials of solids4foam (P. Cardiff et al., arXiv:1808.10736): radius 5 mm, wall 1 mm, "

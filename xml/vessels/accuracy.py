@@ -7,9 +7,9 @@ import h5py
 import numpy as np
 
 from flat_elements import SCRIPTS, make
-from pages import BUILT, IS_INSTALLED, ROOT, columns_of, command, commits_of, has_ended, record_of, table_text, write_commit
+from pages import MODULES, columns_of, command, commits_of, has_ended, record_of, table_text, write_commit
 
-sys.path.append(os.path.join(BUILT, "bin") if IS_INSTALLED else os.path.join(ROOT, "drivers"))
+sys.path.append(MODULES)
 
 BEAT, BEATS_BEFORE = 800.0, 2  # ms
 STEPS = (10.0, 5.0, 2.5, 1.0, 0.5, 0.1)  # ms, on the mesh that ships
