@@ -20,7 +20,7 @@ struct FluidFields {
   std::vector<Vec3> u_old;
   std::vector<Vec3> w;
   std::vector<Vec3> f;
-  std::vector<double> on_wall = {};  ///< 1 where it sticks, else 0; empty: 0 everywhere
+  std::vector<double> on_wall = {};  ///< ω, see kernels/fluid_up.cpp; empty: 0 everywhere
   std::vector<Vec3> subscale = {};   ///< ũ' per element; empty where subscales have no inertia
   std::vector<Vec3> viscous = {};    ///< q per element; empty where it is left out
 };

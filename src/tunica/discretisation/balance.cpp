@@ -18,7 +18,8 @@ namespace tunica::discretisation {
 //   mass       −Σ_a R_p[a] = ∮_∂ u·n da                  of a wall: ∫ J − 1 + (p + p')/κ dV
 //   momentum   Σ_a R_u[a] = I − L,   hence   I = L + A + B + D
 //
-//   I  inertia ∫ ρ (u̇ + (c·∇)u) dV        L  loads of the surfaces' terms
+//   I  inertia ∫ ρ (u̇ + (c·∇)u) dV, and that of tracked subscales on walls (kernels/fluid_up.cpp)
+//   L  loads of the surfaces' terms
 //   A  Σ_{a∉Γ} (1 − P_a) R_u[a]            B  Σ_{a∈Γ} R_u[a], of a wall the fluid's nodal force
 //   D  Σ_{a∉Γ} P_a R_u[a], of a wall over all nodes: the error of the solver
 //

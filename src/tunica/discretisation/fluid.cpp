@@ -30,9 +30,9 @@ Fluid::Fluid(const FluidOptions& options, const fields::FieldMesh& mesh)
   elements_.coefficients.has_dynamic_subscales = options_.has_dynamic_subscales;
   elements_.coefficients.has_skew_convection = options_.has_skew_convection;
   elements_.coefficients.has_mean_residual = options_.has_mean_residual;
+  if (options_.has_inertia_on_walls) mark_walls();
   // u' and q of the steps before stay with their elements: the scheme makes ũ' of the one and the
   // extrapolated force of the other.
-  if (options_.has_inertia_on_walls) find_walls();
   if (options_.has_dynamic_subscales)
     subscales_ = remember("subscales",
                           [this] { return assembly::fluid_subscales(*mesh_, elements_, local_); });
@@ -66,12 +66,18 @@ void Fluid::find_open_surfaces() {
 }
 
 // ω_a = 1: the force on a wall has the inertia of the subscales beside it.
-void Fluid::find_walls() {
+void Fluid::mark_walls() {
   local_.on_wall.assign(mesh_->n_nodes(), 0.0);
+  for (const int s : walls())
+    for (int a = 0; a < mesh_->n_nodes(); ++a)
+      if (mesh_->is_on(a, s)) local_.on_wall[a] = 1.0;
+}
+
+std::vector<int> Fluid::walls() const {
+  std::vector<int> surfaces;
   for (std::size_t s = 0; s < mesh_->surfaces.size(); ++s)
-    if (surfaces_.sticks(static_cast<int>(s)))
-      for (int a = 0; a < mesh_->n_nodes(); ++a)
-        if (mesh_->is_on(a, static_cast<int>(s))) local_.on_wall[a] = 1.0;
+    if (surfaces_.sticks(static_cast<int>(s))) surfaces.push_back(static_cast<int>(s));
+  return surfaces;
 }
 
 std::vector<int> Fluid::open_surfaces() const {

@@ -100,7 +100,9 @@ private:
   /// Forces on the given ones of all surfaces, this rank's part.
   std::vector<Vec3> forces(const algebra::BlockVector& x, const std::vector<int>& surfaces);
   void find_open_surfaces();
-  void find_walls();
+  void mark_walls();
+  /// The surfaces that the fluid sticks to.
+  std::vector<int> walls() const;
   void add_faces(Balance& balance) const;
   void observe_open_surfaces(const assembly::FluidFields& state, Observables& found) const;
 

@@ -168,10 +168,7 @@ std::vector<Vec3> Fluid::forces(const algebra::BlockVector& x, const std::vector
 // the force.
 
 std::vector<Vec3> Fluid::wall_shear_stress(const algebra::BlockVector& x) {
-  const int n_surfaces = static_cast<int>(mesh_->surfaces.size());
-  std::vector<int> walls;
-  for (int s = 0; s < n_surfaces; ++s)
-    if (surfaces_.sticks(s)) walls.push_back(s);
+  const std::vector<int> walls = this->walls();
   if (walls.empty() || !has_been_ready()) return std::vector<Vec3>(mesh_->n_owned);
   const std::vector<Vec3> r = reaction(x);
   const std::vector<Vec3> taken = boundary::shared_reactions(*mesh_, surfaces_, r, tractions());

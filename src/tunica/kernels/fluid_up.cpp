@@ -380,19 +380,21 @@ double fluid_stabilisation_power(const Tet4& T, const FluidState& s, const Fluid
                                  double tau) {
   const Point<double> x = evaluate(T, s, c, tau);
   const Vec3 grad_p = x.h + c.density * c.inv_dt * s.subscale + s.viscous;
-  Vec3 q_sum{0, 0, 0}, r_sum{0, 0, 0};
-  double products = 0.0;
+  Vec3 q_sum{0, 0, 0}, r_sum{0, 0, 0}, on_walls{0, 0, 0};  // Σ_a ω_a u_a/(4Δt)
+  double products = 0.0, past = 0.0;
+  for (int a = 0; a < 4; ++a) {
+    on_walls += 0.25 * c.inv_dt * s.on_wall[a] * s.u[a];
+    past += dot(s.u[a], x.past[a]);
+  }
   for (int k = 0; k < 4; ++k) {
-    const Vec3 q = x.G * (s.u[k] - s.w[k]) + 1.0 / c.density * grad_p;
+    // Σ_a σ_a u_a + ∇p/ρ
+    const Vec3 q = x.G * (s.u[k] - s.w[k]) - on_walls + 1.0 / c.density * grad_p;
     const Vec3 r = x.m[k] + x.h;
     q_sum += q;
     r_sum += r;
     products += dot(q, r);
   }
-  double on_walls = 0.0;  // Σ_a u_a·R_u[a] of what walls have of u', whose mean is (τ/16) V Σr
-  for (int a = 0; a < 4; ++a)
-    on_walls -= dot(s.u[a], c.inv_dt * s.on_wall[a] * tau * T.volume / 16.0 * r_sum + x.past[a]);
-  return x.sums * dot(q_sum, r_sum) + x.products * products + on_walls;
+  return x.sums * dot(q_sum, r_sum) + x.products * products - past;
 }
 
 }  // namespace tunica::kernels

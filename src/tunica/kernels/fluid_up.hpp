@@ -16,7 +16,8 @@ struct FluidStateOf {
   std::array<Vec3Of<Real>, 4> u_old;  ///< velocity of the previous step [mm/ms]
   std::array<Vec3Of<Real>, 4> w;      ///< mesh velocity [mm/ms]
   std::array<Vec3Of<Real>, 4> f;      ///< body force per mass [mm/ms²], zero but for tests
-  std::array<Real, 4> on_wall{};      ///< 1 at vertices where the fluid sticks to a wall, else 0
+  std::array<Real, 4>
+      on_wall{};            ///< ω, see fluid_up.cpp: 1 where rows have the inertia of u', else 0
   Vec3Of<Real> subscale{};  ///< ũ', velocity of the past that the mesh does not resolve [mm/ms]
   Vec3Of<Real> viscous{};   ///< q = div 2με, which linear velocities do not have [kPa/mm]
 };
@@ -77,8 +78,8 @@ void fluid_up_shape_jacobian(const Tet4& T, const FluidState& s, const FluidCoef
 /// The subscale u' of the new time, constant on the element [mm/ms]; see fluid_up.cpp.
 Vec3 fluid_subscale(const Tet4& T, const FluidState& s, const FluidCoefficients& c, double tau);
 
-/// Power that SUPG and PSPG take out: τ ∫ (G c + ∇p/ρ)·(m + h) dV in the symbols of
-/// fluid_up.cpp [kPa mm³/ms].
+/// Power that SUPG and PSPG take out, and the inertia of u' on walls, in the symbols of
+/// fluid_up.cpp: τ ∫ (Σ_a σ_a u_a + ∇p/ρ)·(m + h) dV − Σ_a ω_a ρ V/4 u_a·ũ'/Δt [kPa mm³/ms].
 double fluid_stabilisation_power(const Tet4& T, const FluidState& s, const FluidCoefficients& c,
                                  double tau);
 
