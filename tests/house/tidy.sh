@@ -1,7 +1,7 @@
 #!/bin/bash
 # clang-tidy finds nothing in the sources of these folders; .clang-tidy says what it looks for.
-# Files are read as they are compiled one by one: where some are compiled together the build does
-# not know them by name, and flags would be guessed.
+# Sources that are compiled together are read together (by an include that it finds suspicious), so that Trilinos' headers are read a tenth
+# as often; those that the build keeps apart are read one by one.
 # Usage: tidy.sh CLANG_TIDY SCRATCH FOLDER...
 set -euo pipefail
 tool=$1
@@ -11,9 +11,18 @@ if ! "$tool" --version; then
   echo "clang-tidy is missing; on Debian it is in the package clang-tidy"
   exit 1
 fi
-cmake -S . -B "$scratch" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=OFF \
-  -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
+cmake -S . -B "$scratch" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
+  -DCMAKE_UNITY_BUILD_BATCH_SIZE=12 -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
 sed -i 's/ -fno-ipa-[a-z-]*//g' "$scratch/compile_commands.json"  # GCC's alone
-find "$@" -name '*.cpp' -print0 | sort -z |
-  xargs -0 -n 1 -P "$(env -u OMP_NUM_THREADS nproc)" \
-    "$tool" -p "$scratch" --quiet --warnings-as-errors='*' 2> >(grep -v ' warnings generated\.$' >&2)
+
+# What is compiled of each folder: a folder may be part of one that stands in the list of sources.
+units=$(sed -n 's/^ *"file": "\(.*\)".*/\1/p' "$scratch/compile_commands.json" | sort -u)
+together=$(grep '/unity_[0-9]*_cxx\.cxx$' <<<"$units")
+chosen=()
+for source in $(find "$@" -name '*.cpp'); do
+  unit=$(grep -lF "\"$PWD/$source\"" $together || echo "$PWD/$source")
+  chosen+=("$unit")
+done
+printf '%s\n' "${chosen[@]}" | sort -u | tr '\n' '\0' |
+  xargs -0 -n 1 -P "$(env -u OMP_NUM_THREADS nproc)" "$tool" -p "$scratch" --quiet \
+    --config-file=.clang-tidy --checks=-bugprone-suspicious-include --warnings-as-errors='*' 2> >(grep -v ' warnings generated\.$' >&2)
