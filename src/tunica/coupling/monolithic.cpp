@@ -102,15 +102,17 @@ void Monolithic::watch_newton(const NewtonWatch& watch) {
 }
 
 fields::State Monolithic::save() const {
-  fields::State state;
+  const fields::BlockOperator& K = problem_.last_jacobian();
+  fields::State state = fields::state_on(K.mesh());
   state.texts["scheme"] = scheme_name;
-  problems::save_solver(problem_.present_solver(), state);
+  problems::save_solver(problem_.present_solver(), K.split(), state);
   if (rule_) rule_->save(state);
   return state;
 }
 
 std::string Monolithic::restore(const fields::State& state) {
-  problems::restore_solver(state, problem_.linear_solver());
+  const fields::BlockOperator& K = problem_.last_jacobian();
+  problems::restore_solver(state, K.space(), K.split(), problem_.linear_solver());
   // A step that is repeated since it failed keeps what the failure has taught.
   if (rule_ && step_ != failed_step_ && state.numbers.count("geometry") > 0) rule_->restore(state);
   return "";

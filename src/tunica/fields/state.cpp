@@ -84,6 +84,32 @@ void assign_rows(const State::Array& rows, const SplitMesh& split, Vector& v) {
     view(a, 0) = rows.values[split.n_copies * split.node[a] + split.copy[a]];
 }
 
+namespace {
+
+bool is_split(const algebra::Block& block, const SplitMesh* split) {
+  return split != nullptr && block.components == 1;
+}
+
+}  // namespace
+
+State::Array rows_of(const algebra::BlockVector& x, int block, const SplitMesh* split) {
+  const algebra::Block& of = (*x.space())[block];
+  return is_split(of, split) ? rows_of(x[block], *split) : rows_of(x[block], of.components);
+}
+
+void assign_rows(const State::Array& rows, int block, const SplitMesh* split,
+                 algebra::BlockVector& x) {
+  if (is_split((*x.space())[block], split))
+    assign_rows(rows, *split, x[block]);
+  else
+    assign_rows(rows, x[block]);
+}
+
+// A row has as many scalars as the vertex with the most copies.
+int row_length(const algebra::Block& block, const SplitMesh* split) {
+  return is_split(block, split) ? split->n_copies : block.components;
+}
+
 Places Places::of_this_rank(std::vector<GlobalOrdinal> numbers, const CommPtr& comm) {
   Places places;
   places.numbers_ = std::move(numbers);

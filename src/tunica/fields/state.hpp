@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tunica/algebra/block_vector.hpp"
 #include "tunica/base/tensor.hpp"
 #include "tunica/base/types.hpp"
 
@@ -105,5 +106,11 @@ void assign_rows(const State::Array& rows, Vector& v);
 /// if it has fewer than others.
 State::Array rows_of(const Vector& v, const SplitMesh& split);
 void assign_rows(const State::Array& rows, const SplitMesh& split, Vector& v);
+/// Of a block of unknowns; split carries the scalars where it is not null.
+State::Array rows_of(const algebra::BlockVector& x, int block, const SplitMesh* split);
+void assign_rows(const State::Array& rows, int block, const SplitMesh* split,
+                 algebra::BlockVector& x);
+/// Numbers in a row of the block.
+int row_length(const algebra::Block& block, const SplitMesh* split);
 
 }  // namespace tunica::fields

@@ -51,6 +51,12 @@ public:
   /// and what its set-ups have learnt. Empty if it is the first, and has learnt nothing.
   virtual std::vector<double> save() const { return {}; }
   virtual void restore(const std::vector<double>& numbers) { static_cast<void>(numbers); }
+  /// Vectors that forget() keeps: solutions with which the next set-up begins. To be restored after
+  /// the numbers.
+  virtual std::vector<algebra::BlockVector> save_vectors() const { return {}; }
+  virtual void restore_vectors(const std::vector<algebra::BlockVector>& vectors) {
+    static_cast<void>(vectors);
+  }
 
   /// Solves from a zero start. Throws SetupFailure on all ranks where that cannot be set up, and
   /// StopRequest where a signal wants to end the program. Collective.

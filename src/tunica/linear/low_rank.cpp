@@ -70,12 +70,11 @@ bool LowRankInverse::refresh(const Teuchos::RCP<const Operator>& P_inverse, cons
   correction_ = form_.take();
   algebra::LowRank& L = correction_;
   const int n = L.rank();
-  std::vector<Teuchos::RCP<Vector>> Z;
+  for (int j = static_cast<int>(Z_.size()); j < n; ++j) Z_.emplace_back(L[j].w[0].getMap());
   std::vector<double> VZ(static_cast<std::size_t>(n) * n);
   for (int j = 0; j < n; ++j) {
-    Z.push_back(Teuchos::rcp(new Vector(L[j].w[0].getMap())));
-    solve(L[j].w[0], *Z[j]);  // K z_j = w_j
-    for (int i = 0; i < n; ++i) VZ[i * n + j] = L[i].v[0].dot(*Z[j]);
+    solve(L[j].w[0], Z_[j]);  // K z_j = w_j
+    for (int i = 0; i < n; ++i) VZ[i * n + j] = L[i].v[0].dot(Z_[j]);
   }
   // Each rank computes D by itself, and all take it or none.
   const std::vector<double> D = core(L, VZ);
@@ -85,9 +84,14 @@ bool LowRankInverse::refresh(const Teuchos::RCP<const Operator>& P_inverse, cons
   for (int j = 0; j < n; ++j) {
     L[j].scale = is_regular ? -1.0 : 0.0;
     L[j].w[0].putScalar(0.0);
-    for (int i = 0; is_regular && i < n; ++i) L[j].w[0].update(D[i * n + j], *Z[i], 1.0);
+    for (int i = 0; is_regular && i < n; ++i) L[j].w[0].update(D[i * n + j], Z_[i], 1.0);
   }
   return is_regular;
+}
+
+void LowRankInverse::set_solutions(std::vector<Vector> Z) {
+  Z_ = std::move(Z);
+  if (static_cast<int>(Z_.size()) != correction_.rank()) Z_.clear();  // of a case with others
 }
 
 void LowRankInverse::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode,

@@ -53,7 +53,7 @@ private:
 /// Krylov method, or a fixed point, does as it would without the part of low rank.
 class LowRankInverse final : public Operator {
 public:
-  /// z ≈ K⁻¹ w.
+  /// z ≈ K⁻¹ w; z holds that of the set-up before, or zeros.
   using Solve = std::function<void(const Vector& w, Vector& z)>;
 
   explicit LowRankInverse(LowRankForm form) : form_(std::move(form)), correction_(form_.take()) {}
@@ -61,6 +61,11 @@ public:
   /// Sets up for the present values with one solve for each product. False where the sum is
   /// singular or a solve gives no numbers: then the object is P⁻¹ alone. Collective.
   bool refresh(const Teuchos::RCP<const Operator>& P_inverse, const Solve& solve);
+
+  /// The columns of Z; none before the first set-up.
+  const std::vector<Vector>& solutions() const { return Z_; }
+  /// Takes those of another run for the next set-up, as many as it has solves, or none.
+  void set_solutions(std::vector<Vector> Z);
 
   void apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode = Teuchos::NO_TRANS,
              Scalar alpha = 1.0, Scalar beta = 0.0) const override;
@@ -71,6 +76,7 @@ private:
   LowRankForm form_;
   Teuchos::RCP<const Operator> P_inverse_;
   algebra::LowRank correction_;  ///< −Z D Vᵀ
+  std::vector<Vector> Z_;
 };
 
 }  // namespace tunica::linear

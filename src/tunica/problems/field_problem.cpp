@@ -26,8 +26,9 @@ void FieldProblem::watch_solves(SolveWatch watch) {
 // Blocks by their names, a row for each vertex, so that a state does not depend on the ranks.
 fields::State FieldProblem::save() const {
   fields::State state = fields::state_on(mesh());
-  for (int b = 0; b < x_.n_blocks(); ++b) state.arrays[(*space())[b].name] = rows_of(x_, b);
-  if (solver_) save_solver(*solver_, state);
+  for (int b = 0; b < x_.n_blocks(); ++b)
+    state.arrays[(*space())[b].name] = fields::rows_of(x_, b, split());
+  if (solver_) save_solver(*solver_, split(), state);
   field_->save_history(state);
   return state;
 }
@@ -35,27 +36,13 @@ fields::State FieldProblem::save() const {
 std::string FieldProblem::restore(const fields::State& state) {
   for (int b = 0; b < x_.n_blocks(); ++b) {
     const algebra::Block& block = (*space())[b];
-    // A row has as many scalars as the vertex with the most copies.
-    const int columns = is_split(block) ? split()->n_copies : block.components;
-    assign_rows(state.array(block.name, columns), b, x_);
+    const int length = fields::row_length(block, split());
+    fields::assign_rows(state.array(block.name, length), b, split(), x_);
   }
   // Numbers of a solver need one to go to; without any it is made when it is first asked for.
-  if (solver_ || has_solver(state)) restore_solver(state, linear_solver());
+  if (solver_ || has_solver(state, *space()))
+    restore_solver(state, space(), split(), linear_solver());
   return field_->restore_history(state, x_);
-}
-
-fields::State::Array FieldProblem::rows_of(const algebra::BlockVector& x, int block) const {
-  const algebra::Block& of = (*space())[block];
-  return is_split(of) ? fields::rows_of(x[block], *split())
-                      : fields::rows_of(x[block], of.components);
-}
-
-void FieldProblem::assign_rows(const fields::State::Array& rows, int block,
-                               algebra::BlockVector& x) const {
-  if (is_split((*space())[block]))
-    fields::assign_rows(rows, *split(), x[block]);
-  else
-    fields::assign_rows(rows, x[block]);
 }
 
 std::map<std::string, fields::Restartable*> FieldProblem::inner_parts() {

@@ -56,10 +56,6 @@ public:
   /// Accepts the present state as that of the new time.
   virtual void end_step() { field_->end_step(x_); }
 
-  /// A block of values as rows of the owned nodes, and back.
-  fields::State::Array rows_of(const algebra::BlockVector& x, int block) const;
-  void assign_rows(const fields::State::Array& rows, int block, algebra::BlockVector& x) const;
-
   // Restartable: the state, and what is remembered from step to step
   fields::State save() const override;
   std::string restore(const fields::State& state) override;
@@ -92,11 +88,6 @@ protected:
   algebra::BlockVector x_;
 
 private:
-  /// The block stands on the nodes of split().
-  bool is_split(const algebra::Block& block) const {
-    return split() != nullptr && block.components == 1;
-  }
-
   std::unique_ptr<discretisation::MixedField> field_;
   nonlinear::NewtonOptions newton_;
   nonlinear::JacobianRule rule_;

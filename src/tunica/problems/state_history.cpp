@@ -7,7 +7,7 @@ StateHistory::StateHistory(const FieldProblem& field, int degree)
     : field_(&field), degree_(degree) {
   const algebra::BlockVector& x = field.state();
   for (int b = 0; b < x.n_blocks(); ++b) {
-    const fields::State::Array rows = field.rows_of(x, b);
+    const fields::State::Array rows = fields::rows_of(x, b, field.split());
     blocks_.emplace_back(fields::Places::owned_nodes(field.mesh()), rows.columns,
                          std::vector<std::string>(), degree + 1);
     blocks_.back().start_from(rows.values);
@@ -17,7 +17,7 @@ StateHistory::StateHistory(const FieldProblem& field, int degree)
 void StateHistory::accept() {
   int b = 0;
   for (stepping::Timeline& block : blocks_)
-    block.push(field_->rows_of(field_->state(), b++).values);
+    block.push(fields::rows_of(field_->state(), b++, field_->split()).values);
 }
 
 // x⁰ = Σ_k c_k xⁿ⁻ᵏ, each block by itself
@@ -25,7 +25,8 @@ algebra::BlockVector StateHistory::extrapolated(const stepping::StepSizes& sizes
   algebra::BlockVector x(field_->space());
   int b = 0;
   for (const stepping::Timeline& block : blocks_)
-    field_->assign_rows({block.width(), block.extrapolated(degree_, sizes)}, b++, x);
+    fields::assign_rows({block.width(), block.extrapolated(degree_, sizes)}, b++, field_->split(),
+                        x);
   return x;
 }
 
@@ -42,7 +43,7 @@ std::string StateHistory::restore(const fields::State& state) {
   int b = 0;
   for (stepping::Timeline& block : blocks_) {
     block.restore_past((*field_->space())[b].name + " ", state,
-                       field_->rows_of(field_->state(), b).values);
+                       fields::rows_of(field_->state(), b, field_->split()).values);
     ++b;
   }
   return "";

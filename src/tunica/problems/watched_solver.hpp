@@ -16,9 +16,12 @@ std::unique_ptr<linear::LinearSolver> watched(std::unique_ptr<linear::LinearSolv
                                               SolveWatch watch);
 
 /// Saves the state of a solver for a checkpoint, and restores it.
-void save_solver(const linear::LinearSolver& solver, fields::State& state);
-bool has_solver(const fields::State& state);
-void restore_solver(const fields::State& state, linear::LinearSolver& solver);
+/// split: carries the scalars of its unknowns where it is not null.
+void save_solver(const linear::LinearSolver& solver, const fields::SplitMesh* split,
+                 fields::State& state);
+bool has_solver(const fields::State& state, const algebra::BlockSpace& space);
+void restore_solver(const fields::State& state, const algebra::BlockSpacePtr& space,
+                    const fields::SplitMesh* split, linear::LinearSolver& solver);
 
 /// A problem whose linear systems can be looked at.
 class SystemSource {

@@ -159,4 +159,32 @@ TEUCHOS_UNIT_TEST(low_rank, new_values_are_taken_over) {
   }
 }
 
+// Z of an earlier matrix, with which a set-up begins, is part of the state that is handed on.
+TEUCHOS_UNIT_TEST(low_rank, a_solver_goes_on_where_another_has_stopped) {
+  Coupled c({3.0, 1e4});
+  const auto b = test::scattered(c.tube.wall, 1);
+  const auto list = list_of("gcr", "ilu");
+  const auto first = linear::make_linear_solver(list, c.jacobian.K);
+  TEST_ASSERT(first->save_vectors().empty());
+  algebra::BlockVector x = c.blocks.zero(), y = c.blocks.zero(), z = c.blocks.zero();
+  first->matrix_changed();
+  first->solve(b, x, 1e-3);
+  const auto second = linear::make_linear_solver(list, c.jacobian.K);
+  second->restore(first->save());
+  second->restore_vectors(first->save_vectors());
+  TEST_EQUALITY(second->save_vectors().size(), 2);
+  c.jacobian.set(0.006);
+  const auto fresh = linear::make_linear_solver(list, c.jacobian.K);
+  first->forget();
+  for (linear::LinearSolver* solver : {first.get(), second.get(), fresh.get()})
+    solver->matrix_changed();
+  first->solve(b, x, 1e-3);
+  second->solve(b, y, 1e-3);
+  fresh->solve(b, z, 1e-3);
+  TEST_EQUALITY(test::relative_difference(y, x), 0.0);
+  TEST_INEQUALITY(test::relative_difference(z, x), 0.0);
+  second->restore_vectors({x});  // of a matrix with one product
+  TEST_ASSERT(second->save_vectors().empty());
+}
+
 }  // namespace

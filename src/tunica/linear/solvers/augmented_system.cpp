@@ -35,6 +35,14 @@ bool AugmentedSystem::refresh_inverse(const Teuchos::RCP<const Operator>& P_inve
   return sum_inverse_.is_null() || sum_inverse_->refresh(P_inverse, solve);
 }
 
+std::vector<Vector> AugmentedSystem::solutions() const {
+  return sum_inverse_.is_null() ? std::vector<Vector>() : sum_inverse_->solutions();
+}
+
+void AugmentedSystem::set_solutions(std::vector<Vector> Z) {
+  if (!sum_inverse_.is_null()) sum_inverse_->set_solutions(std::move(Z));
+}
+
 // (I − Z D Vᵀ) P⁻¹ where K has products
 Teuchos::RCP<const Operator> AugmentedSystem::inverse(
     const Teuchos::RCP<const Operator>& P_inverse) const {

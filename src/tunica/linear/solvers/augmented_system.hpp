@@ -27,6 +27,9 @@ public:
   /// Collective.
   bool refresh_inverse(const Teuchos::RCP<const Operator>& P_inverse,
                        const LowRankInverse::Solve& solve);
+  /// What its set-up keeps for the next, see LowRankInverse; none without a part of low rank.
+  std::vector<Vector> solutions() const;
+  void set_solutions(std::vector<Vector> Z);
   /// P_inverse as extended by refresh_inverse(); P_inverse itself if there is no low-rank part.
   Teuchos::RCP<const Operator> inverse(const Teuchos::RCP<const Operator>& P_inverse) const;
 

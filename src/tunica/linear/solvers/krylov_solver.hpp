@@ -24,12 +24,16 @@ public:
   void forget() override;
   std::vector<double> save() const override { return system_->save(); }
   void restore(const std::vector<double>& numbers) override { system_->restore(numbers); }
+  std::vector<algebra::BlockVector> save_vectors() const override;
+  void restore_vectors(const std::vector<algebra::BlockVector>& vectors) override;
   SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                     double tolerance) override;
 
 private:
   void refresh_matrix();
   void refresh(SolveReport& report);
+  /// z ≈ A⁻¹ w of the blocks, from the z that is there.
+  void solve_blocks(const Vector& w, Vector& z);
   /// Iterations of one attempt.
   int iterate(SolveReport& report);
   void refine(KrylovOptions options, const Teuchos::RCP<const Operator>& K, SolveReport& report);
@@ -38,6 +42,7 @@ private:
     return augmented_.inverse(system_->preconditioner());
   }
 
+  algebra::BlockSpacePtr space_;
   std::string preconditioner_;
   KrylovOptions options_;
   Teuchos::RCP<StagnationRule> stagnation_ = Teuchos::rcp(new StagnationRule);

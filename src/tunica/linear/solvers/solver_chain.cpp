@@ -142,6 +142,15 @@ void SolverChain::restore(const std::vector<double>& numbers) {
   if (numbers.size() > 3) present().restore({numbers.begin() + 3, numbers.end()});
 }
 
+std::vector<algebra::BlockVector> SolverChain::save_vectors() const {
+  const auto& solver = links_[present_].solver;
+  return solver ? solver->save_vectors() : std::vector<algebra::BlockVector>();
+}
+
+void SolverChain::restore_vectors(const std::vector<algebra::BlockVector>& vectors) {
+  if (!vectors.empty() || links_[present_].solver) present().restore_vectors(vectors);
+}
+
 SolveReport SolverChain::try_present(const algebra::BlockVector& b, algebra::BlockVector& x,
                                      double tolerance) {
   present().give_up_by(rule());

@@ -24,6 +24,8 @@ public:
   void forget() override;
   std::vector<double> save() const override;
   void restore(const std::vector<double>& numbers) override;
+  std::vector<algebra::BlockVector> save_vectors() const override;
+  void restore_vectors(const std::vector<algebra::BlockVector>& vectors) override;
   SolveReport solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                     double tolerance) override;
 
