@@ -145,6 +145,8 @@ fields::State CheckpointFile::read(const std::string& part,
     if (is_of(part, name)) state.texts[name.substr(prefix)] = value;
   for (const auto& [name, values] : numbers_)
     if (is_of(part, name)) state.numbers[name.substr(prefix)] = values;
+  const auto is_mine = [&](const auto& array) { return is_of(part, array.first); };
+  if (std::none_of(arrays_.begin(), arrays_.end(), is_mine)) return state;  // nothing has a place
 
   // Each rank reads its portion, whoever wants the rows.
   std::optional<io::Hdf5Reader> in;
