@@ -61,11 +61,13 @@ class Benchmark:
         return mesh
 
     def write_mesh(self, mesh, level, *more):
-        script = os.path.join(ROOT, "meshes", f"make_{self.name.replace('-', '_')}.py")
-        subprocess.run([sys.executable, script, mesh + ".msh", *more, str(level)], check=True)
+        subprocess.run([sys.executable, os.path.join(ROOT, "meshes", self.script()), mesh + ".msh", *more, str(level)], check=True)
         name, *options = self.conversion(level)
         self.tunica_mesh(name, mesh + ".msh", mesh, *options)
         os.remove(mesh + ".msh")
+
+    def script(self):
+        return f"make_{self.name.replace('-', '_')}.py"
 
     def conversion(self, level):
         """The command of tunica-mesh that makes a mesh of what the script has written, and its options."""
