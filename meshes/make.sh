@@ -22,8 +22,10 @@ python3 "$folder/make_elastic_tube.py" "$plain"
 python3 "$folder/make_collapsible_channel.py" "$plain"
 "$tool" convert "$plain" "$folder/collapsible-channel.h5" --overwrite on
 rm "$plain"
-"$tool" tube "$folder/pressure-pulse.h5" --radius 5 --media 1 --length 50 --around 16 --axial 32 --rings 5 --ring-grading 0.15 \
-  --media-layers 2 --adventitia-layers 0 --overwrite on
+tube=$(mktemp --suffix .h5)
+"$tool" tube "$tube" --radius 5 --length 50 --around 16 --axial 32 --rings 5 --ring-grading 0.15 --wall off --overwrite on
+"$tool" wall "$tube" "$folder/pressure-pulse.h5" --surfaces interface --layers media=1:2 --overwrite on
+rm "$tube"
 "$quarter" "$folder/quarter-tube.h5"
 
 # Planes and lumens by Gmsh, slabs and walls by tunica-mesh. Another version of Gmsh makes other elements.

@@ -1,6 +1,4 @@
 """The benchmarks of Turek and Hron: a flow bends an elastic beam behind a cylinder, or makes it swing."""
-import os
-
 import numpy as np
 
 from benchmark import Benchmark, arrays_of
