@@ -26,7 +26,7 @@ def lower_half(m):
     turns = np.linspace(-math.pi, 0.0, 4 * cells(6) + 1)
     rim = np.stack([np.cos(turns), np.sin(turns)], 1)
     square = HALF * rim / abs(rim).max(1)[:, None]
-    parts = extruded.graded([0.0, 1.0], [cells(6)], [4.0])
+    parts = extruded.graded([0.0, 1.0], [cells(6)], [6.0])
     rings = np.vstack([RADIUS * rim + part * (square - RADIUS * rim) for part in parts]) + (X, Y)
     quarter = len(turns) // 4
     x = np.concatenate([extruded.graded([0.0, X - HALF], [cells(6)], [0.3])[:-1], X + square[quarter:-quarter, 0],

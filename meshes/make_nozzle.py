@@ -22,12 +22,10 @@ STRIP = (-22.0, -18.0)  # the surface "throat"
 
 def disc(sides, rings, beyond):
     """A quarter of the unit disc, of squares in the middle and rings around them, and rings as far as radius WIDE/NARROW beyond.
-    Vertices, how many belong to the disc, and the triangles of both."""
+    Vertices, and the triangles of the disc and beyond it."""
     s, t = (axis.ravel() for axis in np.meshgrid(*2 * [np.linspace(0.0, 1.0, sides + 1)], indexing="ij"))
-    size = np.maximum(s, t)
-    angle = np.arctan2(t, s)
-    # Halfway between a square and a disc: corners of 90 degrees in a square would leave flat cells beside them in the rings.
-    shrink = 0.45 * (1 + size / np.maximum(np.hypot(s, t), 1e-30)) / 2 * 1.15
+    # Between a square and a disc: a corner of 90 degrees would leave flat cells beside it in the rings.
+    shrink = 0.26 * (1 + np.maximum(s, t) / np.maximum(np.hypot(s, t), 1e-30))
     vertices = [np.stack([s, t], 1) * shrink[:, None]]
     number = np.arange((sides + 1) ** 2).reshape(sides + 1, sides + 1)
     edge = np.concatenate([number[-1], number[-2::-1, -1]])
@@ -42,7 +40,7 @@ def disc(sides, rings, beyond):
     around = extruded.grid_triangles(len(rows), len(edge))
     is_beyond = around.max(1) >= (rings + 1) * len(edge)
     around = rows.ravel()[around]
-    return np.concatenate(vertices), rows[rings].max() + 1, np.concatenate([within, around[~is_beyond]]), around[is_beyond]
+    return np.concatenate(vertices), np.concatenate([within, around[~is_beyond]]), around[is_beyond]
 
 
 def radius(z):
@@ -60,7 +58,7 @@ def levels(m):
 
 
 def main(path, m):
-    vertices, n_disc, within, beyond = disc(round(4 * m), round(4 * m), round(6 * m))
+    vertices, within, beyond = disc(round(4 * m), round(4 * m), round(6 * m))
     before, after = levels(m)
     z = np.concatenate([before, after[1:]])
     points = np.vstack([np.column_stack([radius(at) * vertices, np.full(len(vertices), at)]) for at in z])

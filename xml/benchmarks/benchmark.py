@@ -111,9 +111,9 @@ class SteadyFlow(Benchmark):
         super().run_one(level, variant, program, statuses)
 
     def beginning(self, level):
-        """Where there is a coarser mesh."""
+        """Where there is a coarser mesh; the first step then may be long."""
         coarser = [m for m in self.levels if m < level and self.is_done(m)]
-        return {"Time/initial state": self.folder(coarser[-1])} if coarser else {}
+        return {"Time/initial state": self.folder(coarser[-1]), "Time/step size": 200} if coarser else {}
 
     def size(self, level):
         return f"{self.record(level)['sizes']['fluid tetrahedra']:,}"
