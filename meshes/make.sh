@@ -21,6 +21,10 @@ python3 "$folder/make_elastic_tube.py" "$plain"
 "$tool" convert "$plain" "$folder/elastic-tube.h5" --overwrite on
 python3 "$folder/make_collapsible_channel.py" "$plain"
 "$tool" convert "$plain" "$folder/collapsible-channel.h5" --overwrite on
+python3 "$folder/make_nozzle.py" "$plain"
+"$tool" convert "$plain" "$folder/nozzle.h5" --overwrite on
+python3 "$folder/make_cylinder.py" "$plain" "$folder/../xml/benchmarks/cylinder-inlet.csv"
+"$tool" convert "$plain" "$folder/cylinder.h5" --overwrite on
 rm "$plain"
 tube=$(mktemp --suffix .h5)
 "$tool" tube "$tube" --radius 5 --length 50 --around 16 --axial 32 --rings 5 --ring-grading 0.15 --wall off --overwrite on

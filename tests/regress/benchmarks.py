@@ -68,6 +68,16 @@ def check_swing(verdict, reproduce, wanted):
     verdict.claim(abs(change) < 0.02, f"swinging-beam: within the last periods the amplitude changes by {100 * change:+.2f} %")
 
 
+def check_flows(verdict, reproduce, wanted):
+    """Between rigid walls, on the coarsest meshes of the page."""
+    for kind, bands in ((reproduce.Nozzle, {"": 0.07}), (reproduce.Cylinder, {"lift": 0.6, "pressure": 0.06, "": 0.012})):
+        flow = kind(wanted)
+        flow.levels = [1]
+        flow.run()
+        within(verdict, flow, 1, bands)
+        yield flow
+
+
 def within(verdict, benchmark, level, bands):
     for name, error in benchmark.errors(level).items():
         band = next(value for part, value in bands.items() if part in name)
@@ -85,6 +95,7 @@ def main(programs, folder):
     check_pulse(verdict, reproduce, wanted)
     if LONG:
         check_swing(verdict, reproduce, wanted)
+    flows = [*check_flows(verdict, reproduce, wanted)]
     wanted.finest = 2
     ring = reproduce.Ring(wanted)
     ring.variants = ("1",)
@@ -106,7 +117,7 @@ def main(programs, folder):
     verdict.claim(math.log2(one / two) > 1.9, f"the ring's frequency has order {math.log2(one / two):.2f}")
     k = tube.wave.k * 1e3
     verdict.claim(abs(k - (0.1439783707 - 0.0207265897j)) < 1e-9, f"the wave number is {k:.10f}, as published")
-    reproduce.write_page([obstacle, tube, ring, beam, channel], str(folder))
+    reproduce.write_page([obstacle, tube, ring, beam, channel, *flows], str(folder))
     verdict.claim((folder / "RESULTS.md").stat().st_size > 1500 and (folder / "figures" / "errors.png").exists(),
                   "a page and its figure are written")
     return verdict.status()

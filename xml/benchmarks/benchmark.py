@@ -101,3 +101,19 @@ class Benchmark:
     def size(self, level):
         sizes = self.record(level, self.variants_of(level)[-1])["sizes"]
         return f"{sizes['fluid tetrahedra']:,} + {sizes['wall tetrahedra']:,}"
+
+
+class SteadyFlow(Benchmark):
+    """Of a fluid between rigid walls. Meshes begin with the flow of the next coarser one."""
+    levels = (1, 2, 3)
+
+    def run_one(self, level, variant, program="tunica-fluid", statuses=(0,)):
+        super().run_one(level, variant, program, statuses)
+
+    def beginning(self, level):
+        """Where there is a coarser mesh; the first step then may be long."""
+        coarser = [m for m in self.levels if m < level and self.is_done(m)]
+        return {"Time/initial state": self.folder(coarser[-1]), "Time/step size": 200} if coarser else {}
+
+    def size(self, level):
+        return f"{self.record(level)['sizes']['fluid tetrahedra']:,}"
