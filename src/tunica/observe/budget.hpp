@@ -88,6 +88,7 @@ private:
 
   bool has_begun_;  ///< what was before the step is known
   double step_size_ = 0.0;
+  double weight_ = 0.0;  ///< of the step in totals
   discretisation::Observables row_;
   Numbers before_;  ///< what was stored, and instants, at the end of the last step
   Numbers totals_, sizes_,

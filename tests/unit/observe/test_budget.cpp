@@ -1,5 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
+#include <limits>
 
 #include "tunica/observe/budget.hpp"
 #include "unit/discretisation/few_tets.hpp"
@@ -85,6 +86,17 @@ TEUCHOS_UNIT_TEST(budget, same_flow_without_gain_keeps_mass) {
   TEST_COMPARE(mass.part, <, 1e-14);
   TEST_FLOATING_EQUALITY(mass.whole, step * area, 1e-6);
   TEST_INEQUALITY(observe::text_of(mass).find("within 1e-06"), std::string::npos);
+}
+
+// As searches for a steady state end: what flowed in finite steps counts for nothing beside it.
+TEUCHOS_UNIT_TEST(budget, an_infinite_step_outweighs_all_before) {
+  Flow flow(closed_list());
+  flow.make_step(1);
+  flow.budget.add(std::numeric_limits<double>::infinity(), true, flow.fluid.observe());
+  const Verdict mass = verdict_of(flow.budget, "mass");
+  TEST_FLOATING_EQUALITY(mass.whole, area, 1e-6);
+  TEST_COMPARE(mass.part, <, 1e-14);
+  for (const Verdict& one : flow.budget.verdicts()) TEST_ASSERT(!std::isnan(one.part));
 }
 
 // What comes in is what is taken out, stored or left, term by term.
