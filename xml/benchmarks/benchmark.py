@@ -5,7 +5,7 @@ import sys
 
 import numpy as np
 
-from pages import ENVIRONMENT, MODULES, ROOT, columns_of, command, has_ended, record_of
+from pages import ENVIRONMENT, MODULES, ROOT, columns_of, command, commits_of, has_ended, record_of, write_commit
 
 sys.path.append(MODULES)
 from certify.richardson import order_of_ratio, remainder
@@ -93,6 +93,12 @@ class Benchmark:
         status = subprocess.run(words, env=ENVIRONMENT, check=False).returncode
         if status not in statuses:
             raise subprocess.CalledProcessError(status, words)
+        write_commit(self.folder(level, variant))
+
+    def commits(self):
+        """Of the sources with which its runs were made."""
+        found = commits_of(self.output) if os.path.isdir(self.output) else {}
+        return [commit for commit, names in found.items() if any(name.startswith(self.name + "-") for name in names)]
 
     def errors(self, level):
         """Quantity -> error, in parts of what has been published."""

@@ -33,7 +33,7 @@ bool do_all_fail_alike(const Comm& comm, int stage) {
 }  // namespace
 
 std::vector<std::uint64_t> told_by_failed_ranks(const Comm& comm, Tidings what, std::uint64_t mine,
-                                                std::chrono::seconds patience) {
+                                                std::chrono::seconds limit) {
   const MPI_Comm channel = side_channel(comm);
   if (channel == MPI_COMM_NULL) return {mine};
   static std::array<std::uint64_t, 3> sent{};  // by tag, to ranks that may never take it
@@ -45,7 +45,7 @@ std::vector<std::uint64_t> told_by_failed_ranks(const Comm& comm, Tidings what, 
     MPI_Request unused = MPI_REQUEST_NULL;
     if (to != rank) MPI_Isend(&sent.at(tag), 1, MPI_UINT64_T, to, tag, channel, &unused);
   }
-  const auto end = std::chrono::steady_clock::now() + patience;
+  const auto end = std::chrono::steady_clock::now() + limit;
   for (int heard = 1; heard < size && std::chrono::steady_clock::now() < end;) {
     int is_there = 0;
     MPI_Status envelope;

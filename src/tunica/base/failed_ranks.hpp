@@ -16,7 +16,7 @@ enum class Tidings { ending = 1, exception = 2 };
 /// not heard of in time. Nothing of it is collective, but for side_channel() that was called
 /// before.
 std::vector<std::uint64_t> told_by_failed_ranks(const Comm& comm, Tidings what, std::uint64_t mine,
-                                                std::chrono::seconds patience);
+                                                std::chrono::seconds limit);
 
 /// One-line summary of the current exception.
 std::string words_of_exception();
