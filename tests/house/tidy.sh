@@ -1,7 +1,8 @@
 #!/bin/bash
 # clang-tidy finds nothing in the sources of these folders; .clang-tidy says what it looks for.
-# Sources that are compiled together are read together, by includes and with names that it finds suspicious:
-# Trilinos' headers are read once for six. Those that the build keeps apart are read one by one.
+# Sources that are compiled together are read together, so that Trilinos' headers are read once for
+# six; what it says of such includes, and of names in two of them, is left out. Those that the build
+# keeps apart are read one by one.
 # Usage: tidy.sh CLANG_TIDY SCRATCH FOLDER...
 set -euo pipefail
 tool=$1
@@ -25,4 +26,5 @@ for source in $(find "$@" -name '*.cpp'); do
 done
 printf '%s\n' "${chosen[@]}" | sort -u | tr '\n' '\0' |
   xargs -0 -n 1 -P "$(env -u OMP_NUM_THREADS nproc)" "$tool" -p "$scratch" --quiet \
-    --config-file=.clang-tidy --checks=-bugprone-suspicious-include,-clang-diagnostic-shadow --warnings-as-errors='*' 2> >(grep -v ' warnings generated\.$' >&2)
+    --config-file=.clang-tidy --checks=-bugprone-suspicious-include,-clang-diagnostic-shadow \
+    --warnings-as-errors='*' 2> >(grep -v ' warnings generated\.$' >&2)
