@@ -26,5 +26,5 @@ for source in $(find "$@" -name '*.cpp'); do
 done
 printf '%s\n' "${chosen[@]}" | sort -u | tr '\n' '\0' |
   xargs -0 -n 1 -P "$(env -u OMP_NUM_THREADS nproc)" "$tool" -p "$scratch" --quiet \
-    --config-file=.clang-tidy --checks=-bugprone-suspicious-include,-clang-diagnostic-shadow \
+    --config-file=.clang-tidy --checks=-bugprone-suspicious-include --extra-arg=-Wno-shadow \
     --warnings-as-errors='*' 2> >(grep -v ' warnings generated\.$' >&2)

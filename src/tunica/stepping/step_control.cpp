@@ -195,6 +195,17 @@ StepControlOptions step_control_options(const Teuchos::ParameterList& time) {
 
 namespace {
 
+// What becomes of the error of a step, and of the one before, in the size of the next.
+void add_controller(params::Table& table) {
+  table
+      .number("safety", 0.9, params::Range{0.0, 1.0, true, false}, "1",
+              "part of the predicted step that is taken")
+      .number("integral gain", 0.6, params::Range{0.0, 1.0, true, false}, "1",
+              "weight of the last error in the choice of the next step")
+      .number("proportional gain", 0.2, params::between(0.0, 1.0), "1",
+              "weight of the change of the error");
+}
+
 params::Table adaptive_table() {
   const params::Range below_one{0.0, 1.0, true, true};
   params::Table table("steps as long as the error estimate permits");
@@ -218,13 +229,9 @@ params::Table adaptive_table() {
       .number("largest growth", 2.0, params::Range{1.0, 2.4, true, false}, "1",
               "a step is at most so many times as long as the one before; BDF2 bears 1 + sqrt(2)")
       .number("largest cut", 0.1, below_one, "1",
-              "and at least this multiple, also if it is repeated")
-      .number("safety", 0.9, params::Range{0.0, 1.0, true, false}, "1",
-              "part of the predicted step that is taken")
-      .number("integral gain", 0.6, params::Range{0.0, 1.0, true, false}, "1",
-              "weight of the last error in the choice of the next step")
-      .number("proportional gain", 0.2, params::between(0.0, 1.0), "1",
-              "weight of the change of the error")
+              "and at least this multiple, also if it is repeated");
+  add_controller(table);
+  table
       .flag("hit kinks", true,
             "steps end where the amplitude of a load has a kink or a jump, and the time scheme "
             "begins anew there; without it the error estimate must find them")

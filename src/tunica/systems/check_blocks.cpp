@@ -74,7 +74,7 @@ std::string fill_empty_rows(Blocks& blocks, OfUnknowns& known_in) {
 }
 
 // In a saddle-point problem the symmetric parts of A and C are both positive, so that K has −C.
-std::string doubt_sign_of_C(const Blocks& blocks) {
+std::string doubt_sign_of_c(const Blocks& blocks) {
   const auto trace = [](const MatrixRows& block) {
     double sum = 0.0;
     for (std::size_t i = 0; i < block.n_local_rows(); ++i) sum += block.values[diagonal(block, i)];

@@ -10,6 +10,6 @@ namespace tunica::systems {
 std::string fill_empty_rows(Blocks& blocks, OfUnknowns& known_in);
 
 /// A note where C has the sign that it has within K; empty where it has not. Collective.
-std::string doubt_sign_of_C(const Blocks& blocks);
+std::string doubt_sign_of_c(const Blocks& blocks);
 
 }  // namespace tunica::systems

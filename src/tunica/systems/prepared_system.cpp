@@ -108,7 +108,7 @@ System prepared_system(Blocks given, const Teuchos::ParameterList& options,
   Blocks blocks = given;
   Preparation preparation(blocks);
   for (const std::string& remark :
-       {doubt_sign_of_C(blocks), fill_empty_rows(blocks, preparation.known_in)})
+       {doubt_sign_of_c(blocks), fill_empty_rows(blocks, preparation.known_in)})
     if (!remark.empty()) preparation.remarks.push_back(remark);
   prepare(blocks, options, preparation);
   const VectorOrder vectors = find_components(blocks.A, blocks.n_rows(1), options);
