@@ -8,6 +8,9 @@ namespace tunica::stepping {
 
 namespace {
 
+/// Infinite steps within which the change has to be halved; if not, finite ones are taken.
+constexpr int halving_steps = 10;
+
 double largest_of(const Teuchos::ParameterList& time) {
   const double largest = time.get<double>("largest step");
   return largest > 0.0 ? largest : std::numeric_limits<double>::infinity();
@@ -36,7 +39,7 @@ bool PseudoTime::cut() {
 
 void PseudoTime::advance(double change) {
   is_steady_ = size_ >= largest_ && change <= 1.0;
-  if (size_ >= largest_) return;
+  if (size_ >= largest_) return watch_infinite_steps(change);
   const double rate = change / size_;
   double growth = last_rate_ > 0.0 ? last_rate_ / rate : smallest_growth_;
   growth = cuts_ > 0 ? 1.0 : std::clamp(growth, smallest_growth_, largest_growth_);
@@ -46,8 +49,21 @@ void PseudoTime::advance(double change) {
   cuts_ = 0;
 }
 
+// Infinite steps are Newton's method but for the recovered residual, which lags by one step. Where
+// that keeps them from settling, steps as long as the last finite one do.
+void PseudoTime::watch_infinite_steps(double change) {
+  if (!std::isinf(size_)) return;
+  ++since_halved_;
+  if (change <= 0.5 * halved_change_) {
+    halved_change_ = change;
+    since_halved_ = 0;
+  }
+  if (since_halved_ >= halving_steps) largest_ = size_ = last_grown_;
+}
+
 std::vector<double> PseudoTime::save() const {
-  return {size_, last_grown_, infinite_below_, last_rate_, is_steady_ ? 1.0 : 0.0};
+  return {size_,    last_grown_,    infinite_below_,    last_rate_, is_steady_ ? 1.0 : 0.0,
+          largest_, halved_change_, since_halved_ * 1.0};
 }
 
 void PseudoTime::restore(const std::vector<double>& numbers) {
@@ -56,6 +72,10 @@ void PseudoTime::restore(const std::vector<double>& numbers) {
   infinite_below_ = numbers.at(2);
   last_rate_ = numbers.at(3);
   is_steady_ = numbers.at(4) != 0.0;
+  if (numbers.size() == 5) return;  // of an earlier version
+  largest_ = numbers.at(5);
+  halved_change_ = numbers.at(6);
+  since_halved_ = static_cast<int>(numbers.at(7));
 }
 
 params::Table steady_table() {

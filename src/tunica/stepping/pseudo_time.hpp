@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <vector>
 
 #include "tunica/params/table.hpp"
@@ -11,8 +12,8 @@ namespace tunica::stepping {
 ///
 /// r is what the time derivative leaves of the steady equations. Once a step changes x by little,
 /// the next ones are infinite, or as long as is permitted: Newton's method for the steady
-/// equations, from a state nearby. Where such a step fails, shorter ones go on. Source: [MK],
-/// switched evolution relaxation.
+/// equations, from a state nearby. Where such a step fails, or infinite ones do not settle, shorter
+/// ones go on. Source: [MK], switched evolution relaxation.
 class PseudoTime {
 public:
   /// From a resolved "Time" list of a steady flow.
@@ -32,6 +33,8 @@ public:
   void restore(const std::vector<double>& numbers);
 
 private:
+  void watch_infinite_steps(double change);
+
   double largest_;  ///< infinite where nothing forbids it
   double size_, last_grown_;
   double smallest_growth_, largest_growth_;
@@ -39,6 +42,9 @@ private:
   int most_cuts_;
   double last_rate_ = 0.0;
   int cuts_ = 0;  ///< of the present step
+  /// Of infinite steps: the change that was last half of the one before it, and how many steps ago.
+  double halved_change_ = std::numeric_limits<double>::infinity();
+  int since_halved_ = 0;
   bool is_steady_ = false;
 };
 

@@ -216,6 +216,24 @@ TEUCHOS_UNIT_TEST(pseudo_time, an_infinite_step_that_fails_makes_room_for_finite
   TEST_ASSERT(std::isinf(other.clock().step_size()));
 }
 
+TEUCHOS_UNIT_TEST(pseudo_time, infinite_steps_that_do_not_settle_give_way_to_finite_ones) {
+  StepControl control = adaptive(steady_list()), other = adaptive(steady_list());
+  control.advance(900.0);
+  for (const double change : {90.0, 50.0, 40.0}) control.advance(change);
+  for (int k = 0; k < 9; ++k) control.advance(39.0 - k);
+  TEST_ASSERT(std::isinf(control.clock().step_size()));
+  other.restore(control.save());
+  for (StepControl* each : {&control, &other}) {
+    each->advance(30.0);  // the tenth, of which none is half of 40
+    TEST_EQUALITY(each->clock().step_size(), 2.5);
+    each->advance(20.0);
+    TEST_EQUALITY(each->clock().step_size(), 2.5);
+    TEST_ASSERT(!each->is_steady());
+    each->advance(0.9);
+    TEST_ASSERT(each->is_steady());
+  }
+}
+
 TEUCHOS_UNIT_TEST(pseudo_time, steps_grow_up_to_the_largest_which_is_judged) {
   Teuchos::ParameterList list = steady_list();
   list.set("largest step", 40.0);
