@@ -16,8 +16,7 @@ struct FluidStateOf {
   std::array<Vec3Of<Real>, 4> u_old;  ///< velocity of the previous step [mm/ms]
   std::array<Vec3Of<Real>, 4> w;      ///< mesh velocity [mm/ms]
   std::array<Vec3Of<Real>, 4> f;      ///< body force per mass [mm/ms²], zero but for tests
-  std::array<Real, 4>
-      on_wall{};            ///< ω, see fluid_up.cpp: 1 where rows have the inertia of u', else 0
+  std::array<Real, 4> on_wall{};      ///< ω of fluid_up.cpp: 1 where rows have the inertia of u'
   Vec3Of<Real> subscale{};  ///< ũ', velocity of the past that the mesh does not resolve [mm/ms]
   Vec3Of<Real> viscous{};   ///< q = div 2με, which linear velocities do not have [kPa/mm]
 };

@@ -60,11 +60,13 @@ double Budget::at(const Numbers& numbers, const std::string& name) {
   return found == numbers.end() ? 0.0 : found->second;
 }
 
+double Budget::weight() const { return std::isinf(step_size_) ? 1.0 : step_size_; }
+
 void Budget::mean(const std::string& column, double value) {
   row_.push_back({column, has_begun_ ? value : std::nan("")});
   if (!has_begun_) return;
-  totals_[column] += weight_ * value;
-  sizes_[column] += weight_ * std::abs(value);
+  totals_[column] += weight() * value;
+  sizes_[column] += weight() * std::abs(value);
 }
 
 double Budget::over_step(const std::string& name, double now) {
@@ -78,8 +80,8 @@ void Budget::instant(const std::string& column, double value) {
   row_.push_back({column, value});
   const double mean_value = over_step(column, value);
   if (!has_begun_) return;
-  totals_[column] += weight_ * mean_value;
-  sizes_[column] += weight_ * std::abs(mean_value);
+  totals_[column] += weight() * mean_value;
+  sizes_[column] += weight() * std::abs(mean_value);
 }
 
 double Budget::change(const std::string& name, double now) {
@@ -193,12 +195,9 @@ discretisation::Observables Budget::add(double step_size, bool is_converged,
   sum_over_ranks();
   row_.clear();
   step_size_ = step_size;
-  weight_ = step_size;
   // An infinite step of a search for a steady state outweighs all before it.
-  if (std::isinf(step_size)) {
-    weight_ = 1.0;
+  if (std::isinf(step_size))
     for (auto& [column, size] : sizes_) totals_[column] = size = 0.0;
-  }
   if (fluid_ != nullptr) add_mass();
   add_forces();
   if (has_energy_) add_energy(observed);

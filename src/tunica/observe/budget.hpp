@@ -77,6 +77,8 @@ private:
   double change(const std::string& name, double now);
   void worst(const std::string& name, double value);
   double total(const std::string& column) const { return at(totals_, column); }
+  /// Of the step in totals.
+  double weight() const;
   double size(const std::string& column) const { return at(sizes_, column); }
   static double at(const Numbers& numbers, const std::string& name);
 
@@ -88,7 +90,6 @@ private:
 
   bool has_begun_;  ///< what was before the step is known
   double step_size_ = 0.0;
-  double weight_ = 0.0;  ///< of the step in totals
   discretisation::Observables row_;
   Numbers before_;  ///< what was stored, and instants, at the end of the last step
   Numbers totals_, sizes_,
