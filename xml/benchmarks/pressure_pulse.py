@@ -24,8 +24,8 @@ class PressurePulse(Benchmark):
         return {"rings": 3 + 2 * level, "ring-grading": 0.15}
 
     def write_mesh(self, mesh, level):
-        """A tube for the lumen, on which the wall is grown: all tetrahedra of a tube's own wall would not have an edge through it, which
-        makes thin ones stiff in bending."""
+        """A tube for the lumen, on which the wall is grown: every sixth tetrahedron of a tube's own wall has no edge through its layer, so
+        that thin ones bend too stiffly."""
         sizes = {"radius": 5, "length": 50, "around": 16 * level, "axial": 32 * level, "wall": "off", **self.layers(level)}
         self.tunica_mesh("tube", mesh + ".lumen.h5", *(word for key, value in sizes.items() for word in ("--" + key, value)))
         self.tunica_mesh("wall", mesh + ".lumen.h5", mesh, "--surfaces", "interface", "--layers", f"media=1:{1 + level}")
