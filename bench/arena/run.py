@@ -229,7 +229,8 @@ def main():
     wanted = arguments()
     if wanted.overwrite and not wanted.report:
         shutil.rmtree(wanted.output, ignore_errors=True)
-    os.makedirs(wanted.systems, exist_ok=True)
+    for folder in (wanted.systems, wanted.page or wanted.output):
+        os.makedirs(folder, exist_ok=True)
     path = os.path.join(wanted.output, "results.jsonl")
     if not wanted.report:
         book = Book(path)

@@ -133,9 +133,10 @@ void check(int width, double tolerance, Teuchos::FancyOStream& out, bool& succes
                 x.data());
   for (int i = 0; i < n; ++i) TEST_COMPARE(std::abs(x[i] - expected[i]), <, tolerance);
   const std::vector<double> wide(x.begin(), x.end());
-  std::vector<double> r(b.begin(), b.end());
-  subtract_product(smoothers::NodeMatrix<Real>{e.pattern(), e.matrix.data()}, wide.data(),
-                   r.data());
+  const std::vector<double> given(b.begin(), b.end());
+  std::vector<double> r(n);
+  find_residual(smoothers::NodeMatrix<Real>{e.pattern(), e.matrix.data()}, given.data(),
+                wide.data(), r.data());
   for (int i = 0; i < n; ++i) {
     double rest = b[i];
     for (int j = 0; j < n; ++j) rest -= e.K[n * i + j] * x[j];

@@ -27,8 +27,8 @@ constexpr double well_above_rounding = 1e-6;
 /// Relative residual to which A Z = W is solved where K = A + W S Vᵀ has a part of low rank.
 constexpr double accuracy_of_Z = 0.4;
 
-bool is_true(const KrylovResult& result, bool has_exact_products, double tolerance) {
-  return result.iterations <= (has_exact_products ? 2 : 1) && tolerance >= well_above_rounding &&
+bool is_true(const KrylovResult& result, double tolerance) {
+  return result.iterations <= 2 && tolerance >= well_above_rounding &&
          result.recurrence_residual <= tolerance;
 }
 
@@ -196,7 +196,7 @@ int KrylovSolver::iterate(SolveReport& report) {
   report.iterations += result.iterations;
   report.recurrence_residual = result.recurrence_residual;
   report.has_stagnated = result.has_stagnated;
-  report.true_residual = is_by_itself && is_true(result, !augmented_.has_action(), report.tolerance)
+  report.true_residual = is_by_itself && is_true(result, report.tolerance)
                              ? result.recurrence_residual
                              : relative_residual(*augmented_.matrix(), b_, x_);
   // Where the method itself has not got there, its cap or its rule has ended it.

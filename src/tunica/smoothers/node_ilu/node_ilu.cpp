@@ -9,6 +9,7 @@
 
 #include "tunica/algebra/columns.hpp"
 #include "tunica/base/agreement.hpp"
+#include "tunica/base/large_pages.hpp"
 #include "tunica/smoothers/dense/dense.hpp"
 #include "tunica/smoothers/node_ilu/node_blocks.hpp"
 #include "tunica/smoothers/node_ilu/node_ilu_sweeps.hpp"
@@ -36,6 +37,10 @@ public:
   /// Copies what is kept of a block; returns where the next one is.
   template <class Stored>
   Stored* keep(int row, int column, const double* block, Stored* kept) const {
+    if (size(row, column) == whole) {
+      for (int i = 0; i < whole; ++i) keep_number(block[i], kept[i]);
+      return kept + whole;
+    }
     for (int c = width_ - unknowns_[column]; c < width_; ++c)
       for (int i = width_ - unknowns_[row]; i < width_; ++i)
         keep_number(block[width_ * c + i], *kept++);
@@ -44,6 +49,10 @@ public:
   /// Makes a block of what is kept of it, and zeros; returns where the next one is.
   template <class Stored>
   const Stored* fill_in(int row, int column, const Stored* kept, double* block) const {
+    if (size(row, column) == whole) {
+      for (int i = 0; i < whole; ++i) block[i] = number(kept[i]);
+      return kept + whole;
+    }
     std::fill_n(block, width_ * width_, 0.0);
     for (int c = width_ - unknowns_[column]; c < width_; ++c)
       for (int i = width_ - unknowns_[row]; i < width_; ++i)
@@ -52,6 +61,9 @@ public:
   }
 
 private:
+  /// Of the widest blocks, which are kept as they are: most of them in three dimensions.
+  static constexpr int whole = 16;
+
   int width_;
   const std::uint8_t* unknowns_;
 };
@@ -105,10 +117,10 @@ public:
   void residual(const MultiVector& b, const MultiVector& x, MultiVector& r) override {
     algebra::check_columns("NodeIlu", b, x);
     for (std::size_t c = 0; c < b.getNumVectors(); ++c) {
-      gather(*b.getVector(c), r_);
+      gather(*b.getVector(c), b_);
       gather(*x.getVector(c), x_);
       fetch_ghosts(x_);
-      subtract_product_with_x();
+      find_residual_of_x();
       scatter(r_, *r.getVectorNonConst(c));
     }
   }
@@ -147,14 +159,14 @@ private:
     else
       gather(x, x_);
     for (const double damping : dampings) {
-      r_ = b_;
       if (!is_zero) {
         fetch_ghosts(x_);
-        subtract_product_with_x();
+        find_residual_of_x();
       }
+      std::vector<double>& r = is_zero ? b_ : r_;
       // Rows of ghosts are not whole here: their owners' residuals take their place.
-      fetch_ghosts(r_);
-      for (std::size_t i = 0; i < r_.size(); ++i) move_[i] = static_cast<Real>(r_[i]);
+      fetch_ghosts(r);
+      for (std::size_t i = 0; i < r.size(); ++i) move_[i] = static_cast<Real>(r[i]);
       solve_factors(factors(), move_.data());
       const auto n_own = static_cast<std::size_t>(blocks_.width()) * blocks_.n_own_nodes();
       for (std::size_t i = 0; i < n_own; ++i) x_[i] += damping * move_[i];
@@ -163,11 +175,10 @@ private:
     scatter(x_, x);
   }
 
-  /// r ← r − K x
-  void subtract_product_with_x() {
-    subtract_product(
-        NodeMatrix<Real>{pattern(blocks_.graph(), blocks_.n_own_nodes()), matrix_.data()},
-        x_.data(), r_.data());
+  /// r = b − K x
+  void find_residual_of_x() {
+    find_residual(NodeMatrix<Real>{pattern(blocks_.graph(), blocks_.n_own_nodes()), matrix_.data()},
+                  b_.data(), x_.data(), r_.data());
   }
 
   NodeFactors<Stored, Real> factors() const {
@@ -197,6 +208,10 @@ private:
     upper_values_.resize(upper);
     inverses_.resize(size() * blocks_.n_nodes());
     matrix_.resize(matrix);
+    use_large_pages(lower_values_);
+    use_large_pages(upper_values_);
+    use_large_pages(inverses_);
+    use_large_pages(matrix_);
   }
 
   /// work(node) for the columns of a row.
@@ -241,17 +256,27 @@ private:
       slot_of_node_[column] = static_cast<int>(row_nodes_.size());
       row_nodes_.push_back(column);
     });
+    double* const unfilled = filled_ ? unfilled_.data() : row_.data();
+    blocks_.read(node, unfilled);
+    if (node < blocks_.n_own_nodes()) {
+      const double* block = unfilled;
+      for_columns(blocks_.graph(), node, [&](int column) {
+        next_kept_ = parts_.keep(node, column, block, next_kept_);
+        block += size();
+      });
+    }
+    if (filled_) spread_row(node);
+    // D_i ← (1 + s) D_i before the elimination; K itself keeps its values for r = b − K x.
+    double* const own = row_.data() + size() * slot_of_node_[node];
+    for (std::size_t i = 0; i < size(); ++i) own[i] *= 1.0 + shift_;
+  }
+
+  /// From the blocks that K has to those of the factors.
+  void spread_row(int node) {
     std::fill_n(row_.begin(), size() * row_nodes_.size(), 0.0);
-    blocks_.read(node, unfilled_.data());
     const double* block = unfilled_.data();
-    const bool is_own = node < blocks_.n_own_nodes();
     for_columns(blocks_.graph(), node, [&](int column) {
-      if (is_own) next_kept_ = parts_.keep(node, column, block, next_kept_);
-      double* const to = row_.data() + size() * slot_of_node_[column];
-      std::copy_n(block, size(), to);
-      // D_i ← (1 + s) D_i before the elimination; K itself keeps its values for r = b − K x.
-      if (column == node)
-        for (std::size_t i = 0; i < size(); ++i) to[i] *= 1.0 + shift_;
+      std::copy_n(block, size(), row_.data() + size() * slot_of_node_[column]);
       block += size();
     });
   }
@@ -272,10 +297,10 @@ private:
 
   bool has_ghosts() const { return K_->getComm()->getSize() > 1; }
 
+  /// Unknowns that nodes lack stay zero, and those of ghosts what they were.
   void gather(const MultiVector& rows, std::vector<double>& values) const {
     const auto& places = blocks_.place_of_row();
     const auto from = rows.getLocalViewHost(read_only);
-    std::fill(values.begin(), values.end(), 0.0);
     for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = from(i, 0);
   }
 

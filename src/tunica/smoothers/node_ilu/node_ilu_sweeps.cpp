@@ -29,6 +29,14 @@ template <class Real>
 [[gnu::always_inline]] inline void load(const Real* from, Four<Real>& to) {
   std::memcpy(&to, from, sizeof(to));
 }
+/// Number by number, of which compilers make one instruction; of __builtin_convertvector they make
+/// four.
+[[gnu::always_inline]] inline void as_doubles(const Four<float>& from, Four<double>& to) {
+  to = Four<double>{from[0], from[1], from[2], from[3]};
+}
+[[gnu::always_inline]] inline void as_doubles(const Four<double>& from, Four<double>& to) {
+  to = from;
+}
 /// Columns of four numbers, one after the other.
 template <int columns, class Real>
 [[gnu::always_inline]] inline void load_columns(const Real* from, Four<Real> (&to)[columns]) {
@@ -39,7 +47,7 @@ template <int columns>
   for (int c = 0; c < columns; ++c) {
     Four<float> column;
     load(from + 4 * c, column);
-    to[c] = __builtin_convertvector(column, Four<double>);
+    as_doubles(column, to[c]);
   }
 }
 /// Two columns at a time: zeros that are put in between make floats of halves.
@@ -101,15 +109,15 @@ struct RowSum<4, 4, Real> {
   }
 };
 
-/// y_i −= Σ_k M_ik x_k for the blocks of a row from and up to these columns. Returns where the
+/// y_i = b_i − Σ_k M_ik x_k for the blocks of a row from and up to these columns. Returns where the
 /// next row's blocks are.
 template <int width, int rows, class Stored, class Real>
 [[gnu::always_inline]] inline const Stored* subtract_row(const BlockPattern& pattern,
                                                          std::size_t first, std::size_t last,
                                                          const Stored* M, const Real* x,
-                                                         Real* y_i) {
+                                                         const Real* b_i, Real* y_i) {
   RowSum<width, rows, Real> sum;
-  sum.begin(y_i);
+  sum.begin(b_i);
   for (std::size_t k = first; k < last; ++k) {
     const int node = pattern.columns[k];
     const Real* const x_k = x + static_cast<std::size_t>(width) * node;
@@ -126,15 +134,17 @@ template <int width, int rows, class Stored, class Real>
   return M;
 }
 
-/// The same for a row of either kind; y has values of all nodes.
+/// The same for a row of either kind; b and y have values of all nodes.
 template <int width, class Stored, class Real>
 [[gnu::always_inline]] inline const Stored* subtract_row(const BlockPattern& pattern, int node,
                                                          std::size_t first, std::size_t last,
-                                                         const Stored* M, const Real* x, Real* y) {
-  Real* const y_i = y + static_cast<std::size_t>(width) * node;
+                                                         const Stored* M, const Real* x,
+                                                         const Real* b, Real* y) {
+  const auto place = static_cast<std::size_t>(width) * node;
   if (pattern.unknowns[node] == width)
-    return subtract_row<width, width>(pattern, first, last, M, x, y_i);
-  return subtract_row<width, 1>(pattern, first, last, M, x, y_i + width - 1);
+    return subtract_row<width, width>(pattern, first, last, M, x, b + place, y + place);
+  return subtract_row<width, 1>(pattern, first, last, M, x, b + place + width - 1,
+                                y + place + width - 1);
 }
 
 /// y ← M y.
@@ -158,12 +168,13 @@ template <int width, class Stored, class Real>
   // y_i = x_i − Σ_k<i L_ik y_k
   const Stored* lower = f.lower;
   for (int node = 0; node < pattern.n_nodes; ++node)
-    lower = subtract_row<width>(pattern, node, pattern.start[node], f.diagonal[node], lower, x, x);
+    lower =
+        subtract_row<width>(pattern, node, pattern.start[node], f.diagonal[node], lower, x, x, x);
   // x_i = D_i⁻¹ (y_i − Σ_k>i U_ik x_k)
   const Stored* upper = f.upper;
   for (int node = pattern.n_nodes - 1; node >= 0; --node) {
     upper = subtract_row<width>(pattern, node, f.diagonal[node] + 1, pattern.start[node + 1], upper,
-                                x, x);
+                                x, x, x);
     const Real* const inverse = f.inverses + static_cast<std::size_t>(width) * width * node;
     Real* const x_i = x + static_cast<std::size_t>(width) * node;
     if (pattern.unknowns[node] == width)
@@ -181,20 +192,20 @@ template <class Stored, class Real>
 }
 
 template <int width, class Real>
-[[gnu::always_inline]] inline void subtract_rows(const NodeMatrix<Real>& K, const double* x,
-                                                 double* r) {
+[[gnu::always_inline]] inline void find_rows(const NodeMatrix<Real>& K, const double* b,
+                                             const double* x, double* r) {
   const Real* values = K.values;
   for (int node = 0; node < K.pattern.n_nodes; ++node)
     values = subtract_row<width>(K.pattern, node, K.pattern.start[node], K.pattern.start[node + 1],
-                                 values, x, r);
+                                 values, x, b, r);
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void subtract_any(const NodeMatrix<Real>& K, const double* x,
-                                                double* r) {
-  if (K.pattern.width == 4) return subtract_rows<4>(K, x, r);
-  if (K.pattern.width == 3) return subtract_rows<3>(K, x, r);
-  subtract_rows<2>(K, x, r);
+[[gnu::always_inline]] inline void find_any(const NodeMatrix<Real>& K, const double* b,
+                                            const double* x, double* r) {
+  if (K.pattern.width == 4) return find_rows<4>(K, b, x, r);
+  if (K.pattern.width == 3) return find_rows<3>(K, b, x, r);
+  find_rows<2>(K, b, x, r);
 }
 
 template <int width>
@@ -207,12 +218,6 @@ template <int width>
   }
 }
 
-[[gnu::always_inline]] inline void as_doubles(const Four<float>& from, Four<double>& to) {
-  to = __builtin_convertvector(from, Four<double>);
-}
-[[gnu::always_inline]] inline void as_doubles(const Four<double>& from, Four<double>& to) {
-  to = from;
-}
 template <class Stored>
 [[gnu::always_inline]] inline void subtract_whole_block(const double* F, const Stored* B,
                                                         double* C) {
@@ -300,11 +305,13 @@ TUNICA_CLONES void solve_factors(const NodeFactors<double, double>& factors, dou
   solve_any(factors, x);
 }
 
-TUNICA_CLONES void subtract_product(const NodeMatrix<float>& K, const double* x, double* r) {
-  subtract_any(K, x, r);
+TUNICA_CLONES void find_residual(const NodeMatrix<float>& K, const double* b, const double* x,
+                                 double* r) {
+  find_any(K, b, x, r);
 }
-TUNICA_CLONES void subtract_product(const NodeMatrix<double>& K, const double* x, double* r) {
-  subtract_any(K, x, r);
+TUNICA_CLONES void find_residual(const NodeMatrix<double>& K, const double* b, const double* x,
+                                 double* r) {
+  find_any(K, b, x, r);
 }
 
 TUNICA_CLONES void subtract_product(int width, const double* A, const double* B, double* C) {

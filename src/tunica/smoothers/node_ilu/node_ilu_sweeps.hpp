@@ -55,9 +55,9 @@ void solve_factors(const NodeFactors<Half, float>& factors, float* x);
 void solve_factors(const NodeFactors<float, float>& factors, float* x);
 void solve_factors(const NodeFactors<double, double>& factors, double* x);
 
-/// r −= K x; x has values of all columns' nodes.
-void subtract_product(const NodeMatrix<float>& K, const double* x, double* r);
-void subtract_product(const NodeMatrix<double>& K, const double* x, double* r);
+/// r = b − K x for the nodes that have rows; x has values of all columns' nodes.
+void find_residual(const NodeMatrix<float>& K, const double* b, const double* x, double* r);
+void find_residual(const NodeMatrix<double>& K, const double* b, const double* x, double* r);
 
 /// The blocks of a row of U behind the diagonal, in these columns of the pattern.
 template <class Stored>
