@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "tunica/app/guard.hpp"
+#include "tunica/app/large_pages.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
@@ -201,6 +202,7 @@ int run_alternative(const Program& program, const setup::CommandLine& command,
 
 int run_program(int argc, char** argv, const Program& program, const March& march,
                 const std::optional<Alternative>& alternative) {
+  use_large_pages(argv);
   const Session session;
   const CommPtr comm = all_ranks();
   const bool is_root = comm->getRank() == 0;

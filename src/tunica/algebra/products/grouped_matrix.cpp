@@ -1,7 +1,6 @@
 #include "tunica/algebra/products/grouped_matrix.hpp"
 
 #include "tunica/algebra/products/groups.hpp"
-#include "tunica/base/large_pages.hpp"
 #include "tunica/base/pack.hpp"
 
 namespace tunica::algebra {
@@ -76,9 +75,6 @@ GroupedMatrix::GroupedMatrix(const Teuchos::RCP<const CrsMatrix>& A) : A_(A) {
   start_ = groups_of_rows(
                n_rows(graph), [&](int i) { return graph.row_map(i); }, graph.entries.data())
                .start;
-  const auto values = A->getLocalMatrixHost().values;
-  use_large_pages(values.data(), values.extent(0) * sizeof(double));
-  use_large_pages(graph.entries.data(), graph.entries.extent(0) * sizeof(int));
 }
 
 void GroupedMatrix::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp mode, Scalar alpha,

@@ -9,7 +9,6 @@
 
 #include "tunica/algebra/columns.hpp"
 #include "tunica/base/agreement.hpp"
-#include "tunica/base/large_pages.hpp"
 #include "tunica/smoothers/dense/dense.hpp"
 #include "tunica/smoothers/node_ilu/node_blocks.hpp"
 #include "tunica/smoothers/node_ilu/node_ilu_sweeps.hpp"
@@ -208,10 +207,6 @@ private:
     upper_values_.resize(upper);
     inverses_.resize(size() * blocks_.n_nodes());
     matrix_.resize(matrix);
-    use_large_pages(lower_values_);
-    use_large_pages(upper_values_);
-    use_large_pages(inverses_);
-    use_large_pages(matrix_);
   }
 
   /// work(node) for the columns of a row.

@@ -109,6 +109,10 @@ struct RowSum<4, 4, Real> {
   }
 };
 
+/// Bytes. Blocks are asked for so far ahead of their use: from memory that other programs use, too,
+/// solves took 3.9 ms for 5.7 and products 6.6 for 7.5 (factors and matrix of 30 and 60 MB).
+constexpr int ahead = 4096;
+
 /// y_i = b_i − Σ_k M_ik x_k for the blocks of a row from and up to these columns. Returns where the
 /// next row's blocks are.
 template <int width, int rows, class Stored, class Real>
@@ -120,6 +124,7 @@ template <int width, int rows, class Stored, class Real>
   sum.begin(b_i);
   for (std::size_t k = first; k < last; ++k) {
     const int node = pattern.columns[k];
+    __builtin_prefetch(reinterpret_cast<const char*>(M) + ahead);
     const Real* const x_k = x + static_cast<std::size_t>(width) * node;
     // Widths are constants of the compiler: blocks of 4, 3 or 2, or the scalar alone.
     if (pattern.unknowns[node] == width) {
