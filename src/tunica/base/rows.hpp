@@ -55,9 +55,13 @@ std::vector<Item> fetch(const Comm& comm, const std::vector<Number>& rows,
   return exchange(comm, answers, asked.counts).items;
 }
 
-/// Place of a number among ascending ones; -1 where it is none of them.
+/// Place of a number among ascending ones that differ; -1 where it is none of them.
 template <class Number>
 int place_of(Number number, const std::vector<Number>& ascending) {
+  if (ascending.empty() || number < ascending.front()) return -1;
+  // Mostly they follow each other without gaps.
+  const auto guess = static_cast<std::size_t>(number - ascending.front());
+  if (guess < ascending.size() && ascending[guess] == number) return static_cast<int>(guess);
   const auto found = std::lower_bound(ascending.begin(), ascending.end(), number);
   return found != ascending.end() && *found == number ? static_cast<int>(found - ascending.begin())
                                                       : -1;

@@ -1,6 +1,7 @@
 #include "tunica/mesh/faces.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "tunica/base/error.hpp"
@@ -91,26 +92,51 @@ std::vector<int> portions(const Excerpt& part) {
   return ends;
 }
 
+/// work(vertices outward, tetrahedron) for the sides whose lowest vertex is in a range.
+template <class Work>
+void for_sides(const Excerpt& part, int first, int end, const Work& work) {
+  const Mesh& mesh = part.mesh;
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto& tet = mesh.tets[t];
+    for (const auto& f : tet_faces) {
+      const std::array<int, 3> v{tet[f[0]], tet[f[1]], tet[f[2]]};
+      const int lowest = std::min({v[0], v[1], v[2]});
+      if (lowest >= first && lowest < end && part.has(lowest)) work(v, static_cast<int>(t));
+    }
+  }
+}
+
+/// The sides of a range, sorted by vertices and tetrahedra: each into the bucket of its lowest
+/// vertex, of which none is large.
+void find_sides(const Excerpt& part, int first, int end, std::vector<Side>& sides) {
+  std::vector<std::size_t> next(end - first + 1, 0);
+  for_sides(part, first, end, [&](const std::array<int, 3>& v, int) {
+    ++next[std::min({v[0], v[1], v[2]}) - first + 1];
+  });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  sides.resize(next.back());
+  for_sides(part, first, end, [&](const std::array<int, 3>& v, int tet) {
+    const Side side = make_side(v, tet);
+    sides[next[side.vertices[0] - first]++] = side;
+  });
+  // Now next[i] is where bucket i ends.
+  std::size_t begin = 0;
+  for (int i = 0; i < end - first; begin = next[i++])
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin),
+              sides.begin() + static_cast<std::ptrdiff_t>(next[i]),
+              [](const Side& a, const Side& b) {
+                return std::tie(a.vertices, a.tet) < std::tie(b.vertices, b.tet);
+              });
+}
+
 }  // namespace
 
 void for_each_face(const Excerpt& part, const std::string& name,
                    const std::function<void(const Face&)>& visit) {
-  const Mesh& mesh = part.mesh;
   std::vector<Side> sides;
   int first = 0;
   for (const int end : portions(part)) {
-    sides.clear();
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-      const auto& tet = mesh.tets[t];
-      for (const auto& f : tet_faces) {
-        const int lowest = std::min({tet[f[0]], tet[f[1]], tet[f[2]]});
-        if (lowest < first || lowest >= end || !part.has(lowest)) continue;
-        sides.push_back(make_side({tet[f[0]], tet[f[1]], tet[f[2]]}, static_cast<int>(t)));
-      }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-      return std::tie(a.vertices, a.tet) < std::tie(b.vertices, b.tet);
-    });
+    find_sides(part, first, end, sides);
     FaceBuilder builder(part, name, visit);
     for (const Side& side : sides) builder.add(side);
     builder.finish();
