@@ -73,70 +73,70 @@ private:
   Face face_{};
 };
 
+/// work(side) for all sides of which the part has the lowest vertex, in the order of tetrahedra.
+template <class Work>
+void for_sides(const Excerpt& part, const Work& work) {
+  const auto& tets = part.mesh.tets;
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    for (const auto& f : tet_faces) {
+      const Side side =
+          make_side({tets[t][f[0]], tets[t][f[1]], tets[t][f[2]]}, static_cast<int>(t));
+      if (part.has(side.vertices[0])) work(side);
+    }
+}
+
+/// By vertex: the sides of which it is the lowest.
+std::vector<std::size_t> count_sides(const Excerpt& part) {
+  std::vector<std::size_t> counts(part.mesh.vertices.size(), 0);
+  for_sides(part, [&](const Side& side) { ++counts[side.vertices[0]]; });
+  return counts;
+}
+
 /// Up to which lowest vertices the sides of faces are taken at a time.
-std::vector<int> portions(const Excerpt& part) {
-  const Mesh& mesh = part.mesh;
-  std::vector<int> sides(mesh.vertices.size(), 0);
-  for (const auto& tet : mesh.tets)
-    for (const auto& f : tet_faces) ++sides[std::min({tet[f[0]], tet[f[1]], tet[f[2]]})];
+std::vector<int> portions(const std::vector<std::size_t>& counts) {
   std::vector<int> ends;
   std::size_t taken = 0;
-  for (std::size_t v = 0; v < sides.size(); ++v) {
-    if (!part.has(static_cast<int>(v))) continue;
-    taken += static_cast<std::size_t>(sides[v]);
+  for (std::size_t v = 0; v < counts.size(); ++v) {
+    taken += counts[v];
     if (taken < sides_at_once) continue;
     ends.push_back(static_cast<int>(v) + 1);
     taken = 0;
   }
-  ends.push_back(static_cast<int>(sides.size()));
+  ends.push_back(static_cast<int>(counts.size()));
   return ends;
 }
 
-/// work(vertices outward, tetrahedron) for the sides whose lowest vertex is in a range.
-template <class Work>
-void for_sides(const Excerpt& part, int first, int end, const Work& work) {
-  const Mesh& mesh = part.mesh;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    const auto& tet = mesh.tets[t];
-    for (const auto& f : tet_faces) {
-      const std::array<int, 3> v{tet[f[0]], tet[f[1]], tet[f[2]]};
-      const int lowest = std::min({v[0], v[1], v[2]});
-      if (lowest >= first && lowest < end && part.has(lowest)) work(v, static_cast<int>(t));
-    }
-  }
-}
-
-/// The sides of a range, sorted by vertices and tetrahedra: each into the bucket of its lowest
-/// vertex, of which none is large.
-void find_sides(const Excerpt& part, int first, int end, std::vector<Side>& sides) {
+/// The sides of a range of lowest vertices, sorted by vertices and tetrahedra: each into the bucket
+/// of its lowest vertex, of which none is large.
+void find_sides(const Excerpt& part, const std::vector<std::size_t>& counts, int first, int end,
+                std::vector<Side>& sides) {
   std::vector<std::size_t> next(end - first + 1, 0);
-  for_sides(part, first, end, [&](const std::array<int, 3>& v, int) {
-    ++next[std::min({v[0], v[1], v[2]}) - first + 1];
-  });
-  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::partial_sum(counts.begin() + first, counts.begin() + end, next.begin() + 1);
   sides.resize(next.back());
-  for_sides(part, first, end, [&](const std::array<int, 3>& v, int tet) {
-    const Side side = make_side(v, tet);
-    sides[next[side.vertices[0] - first]++] = side;
+  for_sides(part, [&](const Side& side) {
+    const int lowest = side.vertices[0];
+    if (lowest >= first && lowest < end) sides[next[lowest - first]++] = side;
   });
   // Now next[i] is where bucket i ends.
-  std::size_t begin = 0;
-  for (int i = 0; i < end - first; begin = next[i++])
-    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin),
-              sides.begin() + static_cast<std::ptrdiff_t>(next[i]),
-              [](const Side& a, const Side& b) {
-                return std::tie(a.vertices, a.tet) < std::tie(b.vertices, b.tet);
-              });
+  auto begin = sides.begin();
+  for (int i = 0; i < end - first; ++i) {
+    const auto last = sides.begin() + static_cast<std::ptrdiff_t>(next[i]);
+    std::sort(begin, last, [](const Side& a, const Side& b) {
+      return std::tie(a.vertices, a.tet) < std::tie(b.vertices, b.tet);
+    });
+    begin = last;
+  }
 }
 
 }  // namespace
 
 void for_each_face(const Excerpt& part, const std::string& name,
                    const std::function<void(const Face&)>& visit) {
+  const std::vector<std::size_t> counts = count_sides(part);
   std::vector<Side> sides;
   int first = 0;
-  for (const int end : portions(part)) {
-    find_sides(part, first, end, sides);
+  for (const int end : portions(counts)) {
+    find_sides(part, counts, first, end, sides);
     FaceBuilder builder(part, name, visit);
     for (const Side& side : sides) builder.add(side);
     builder.finish();

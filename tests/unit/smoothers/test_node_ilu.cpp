@@ -214,7 +214,6 @@ Teuchos::RCP<CrsMatrix> without(const CrsMatrix& K, const std::function<bool(Glo
 }
 
 // Every third node has a pressure alone: what is left out of its blocks must not matter.
-
 TEUCHOS_UNIT_TEST(node_ilu, a_scalar_alone_is_as_with_unit_rows_for_the_rest) {
   const WallMatrix wall;
   const auto is_in = [](GlobalOrdinal i) { return i % 4 == 3 || i / 4 % 3 != 0; };
@@ -247,6 +246,20 @@ TEUCHOS_UNIT_TEST(node_ilu, a_scalar_alone_is_as_with_unit_rows_for_the_rest) {
       reference->smooth_from_zero(1.0, filled_up(b), expected);
       TEST_COMPARE(largest_distance(filled_up(x), expected), <, tolerance);
     }
+}
+
+TEUCHOS_UNIT_TEST(node_ilu, forgets_what_was_no_number) {
+  const WallMatrix wall(test::alone());
+  const auto K = part_of(*wall.K(), [](int i) { return i % 4 == 3 && i / 4 % 3 != 0 ? -1 : i; });
+  const auto factors = smoothers::make_node_ilu(*K, {}, {});
+  factors->refresh();
+  std::vector<Vector> x;
+  for (const double value : {1.0, Teuchos::ScalarTraits<double>::nan(), 1.0}) {
+    Vector b(K->getRowMap());
+    b.putScalar(value);
+    factors->smooth(0.7, b, x.emplace_back(b.getMap()));
+  }
+  TEST_EQUALITY(largest_distance(x[2], x[0]), 0.0);
 }
 
 TEUCHOS_UNIT_TEST(node_ilu, ranks_may_have_no_rows) {

@@ -36,10 +36,6 @@ public:
   /// Copies what is kept of a block; returns where the next one is.
   template <class Stored>
   Stored* keep(int row, int column, const double* block, Stored* kept) const {
-    if (size(row, column) == whole) {
-      for (int i = 0; i < whole; ++i) keep_number(block[i], kept[i]);
-      return kept + whole;
-    }
     for (int c = width_ - unknowns_[column]; c < width_; ++c)
       for (int i = width_ - unknowns_[row]; i < width_; ++i)
         keep_number(block[width_ * c + i], *kept++);
@@ -48,10 +44,6 @@ public:
   /// Makes a block of what is kept of it, and zeros; returns where the next one is.
   template <class Stored>
   const Stored* fill_in(int row, int column, const Stored* kept, double* block) const {
-    if (size(row, column) == whole) {
-      for (int i = 0; i < whole; ++i) block[i] = number(kept[i]);
-      return kept + whole;
-    }
     std::fill_n(block, width_ * width_, 0.0);
     for (int c = width_ - unknowns_[column]; c < width_; ++c)
       for (int i = width_ - unknowns_[row]; i < width_; ++i)
@@ -60,9 +52,6 @@ public:
   }
 
 private:
-  /// Of the widest blocks, which are kept as they are: most of them in three dimensions.
-  static constexpr int whole = 16;
-
   int width_;
   const std::uint8_t* unknowns_;
 };
@@ -117,6 +106,7 @@ public:
     algebra::check_columns("NodeIlu", b, x);
     for (std::size_t c = 0; c < b.getNumVectors(); ++c) {
       gather(*b.getVector(c), b_);
+      std::fill(x_.begin(), x_.end(), 0.0);
       gather(*x.getVector(c), x_);
       fetch_ghosts(x_);
       find_residual_of_x();
@@ -153,10 +143,8 @@ private:
                     MultiVector& x) {
     gather(b, b_);
     bool is_zero = start == Start::zero;  // r = b: the first product is saved
-    if (is_zero)
-      std::fill(x_.begin(), x_.end(), 0.0);
-    else
-      gather(x, x_);
+    std::fill(x_.begin(), x_.end(), 0.0);
+    if (!is_zero) gather(x, x_);
     for (const double damping : dampings) {
       if (!is_zero) {
         fetch_ghosts(x_);
@@ -292,7 +280,8 @@ private:
 
   bool has_ghosts() const { return K_->getComm()->getSize() > 1; }
 
-  /// Unknowns that nodes lack stay zero, and those of ghosts what they were.
+  /// Unknowns that nodes lack, and those of ghosts, stay what they were. Only x_ can have got there
+  /// what is no number.
   void gather(const MultiVector& rows, std::vector<double>& values) const {
     const auto& places = blocks_.place_of_row();
     const auto from = rows.getLocalViewHost(read_only);
