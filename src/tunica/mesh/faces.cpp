@@ -86,18 +86,18 @@ void for_sides(const Excerpt& part, const Work& work) {
 }
 
 /// By vertex: the sides of which it is the lowest.
-std::vector<std::size_t> count_sides(const Excerpt& part) {
-  std::vector<std::size_t> counts(part.mesh.vertices.size(), 0);
+std::vector<int> count_sides(const Excerpt& part) {
+  std::vector<int> counts(part.mesh.vertices.size(), 0);
   for_sides(part, [&](const Side& side) { ++counts[side.vertices[0]]; });
   return counts;
 }
 
 /// Up to which lowest vertices the sides of faces are taken at a time.
-std::vector<int> portions(const std::vector<std::size_t>& counts) {
+std::vector<int> portions(const std::vector<int>& counts) {
   std::vector<int> ends;
   std::size_t taken = 0;
   for (std::size_t v = 0; v < counts.size(); ++v) {
-    taken += counts[v];
+    taken += static_cast<std::size_t>(counts[v]);
     if (taken < sides_at_once) continue;
     ends.push_back(static_cast<int>(v) + 1);
     taken = 0;
@@ -108,9 +108,9 @@ std::vector<int> portions(const std::vector<std::size_t>& counts) {
 
 /// The sides of a range of lowest vertices, sorted by vertices and tetrahedra: each into the bucket
 /// of its lowest vertex, of which none is large.
-void find_sides(const Excerpt& part, const std::vector<std::size_t>& counts, int first, int end,
+void find_sides(const Excerpt& part, const std::vector<int>& counts, int first, int end,
                 std::vector<Side>& sides) {
-  std::vector<std::size_t> next(end - first + 1, 0);
+  std::vector<int> next(end - first + 1, 0);
   std::partial_sum(counts.begin() + first, counts.begin() + end, next.begin() + 1);
   sides.resize(next.back());
   for_sides(part, [&](const Side& side) {
@@ -120,7 +120,7 @@ void find_sides(const Excerpt& part, const std::vector<std::size_t>& counts, int
   // Now next[i] is where bucket i ends.
   auto begin = sides.begin();
   for (int i = 0; i < end - first; ++i) {
-    const auto last = sides.begin() + static_cast<std::ptrdiff_t>(next[i]);
+    const auto last = sides.begin() + next[i];
     std::sort(begin, last, [](const Side& a, const Side& b) {
       return std::tie(a.vertices, a.tet) < std::tie(b.vertices, b.tet);
     });
@@ -132,7 +132,7 @@ void find_sides(const Excerpt& part, const std::vector<std::size_t>& counts, int
 
 void for_each_face(const Excerpt& part, const std::string& name,
                    const std::function<void(const Face&)>& visit) {
-  const std::vector<std::size_t> counts = count_sides(part);
+  const std::vector<int> counts = count_sides(part);
   std::vector<Side> sides;
   int first = 0;
   for (const int end : portions(counts)) {
