@@ -57,6 +57,8 @@ std::vector<int> add_nodes(const mesh::Share& share, const std::vector<GlobalOrd
       }
   std::sort(nodes.begin() + field.n_owned, nodes.end(),
             [&numbers](int a, int b) { return numbers[a] < numbers[b]; });
+  field.vertex.reserve(nodes.size());
+  field.x.reserve(nodes.size());
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     local[nodes[a]] = static_cast<int>(a);
     field.vertex.push_back(share.numbers.vertices[nodes[a]]);
@@ -196,6 +198,10 @@ FieldMesh make_field_mesh(const mesh::Share& share, const std::vector<int>& regi
     if (is_in[mesh.tet_region[e]]) tets.push_back(static_cast<int>(e));
   const std::vector<GlobalOrdinal> vertex_numbers = number_nodes(share, is_in);
   const std::vector<int> local = add_nodes(share, vertex_numbers, tets, field);
+  field.tets.reserve(tets.size());
+  field.region.reserve(tets.size());
+  field.tet_number.reserve(tets.size());
+  field.is_owned.reserve(tets.size());
   for (const int e : tets) {
     const auto& t = mesh.tets[e];
     field.tets.push_back({local[t[0]], local[t[1]], local[t[2]], local[t[3]]});
@@ -205,6 +211,7 @@ FieldMesh make_field_mesh(const mesh::Share& share, const std::vector<int>& regi
   }
   for (const mesh::TetVectors& all : mesh.tet_vectors) {
     auto& mine = field.tet_vectors.emplace_back(mesh::TetVectors{all.name, {}});
+    mine.values.reserve(tets.size());
     for (const int e : tets) mine.values.push_back(all.values[e]);
   }
   const std::vector<int> boundary = boundary_of(share, is_in);

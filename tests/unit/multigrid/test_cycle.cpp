@@ -2,6 +2,7 @@
 
 #include "tunica/base/trilinos.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
+#include "tunica/multigrid/muelu/transfer_matrix.hpp"
 #include "unit/fields/small_tube.hpp"
 #include "unit/multigrid/grid_blocks.hpp"
 
@@ -112,6 +113,58 @@ TEUCHOS_UNIT_TEST(cycle, starts_from_zero_whatever_the_result_held) {
   M.apply(b, y);
   y.update(-1.0, x, 1.0);
   TEST_EQUALITY(y.normInf(), 0.0);
+}
+
+/// The list of the default cycle with a matrix for the restriction, as MueLu's own factory makes
+/// it.
+Teuchos::ParameterList with_restriction(Teuchos::ParameterList list) {
+  Teuchos::ParameterList& factories = list.sublist("Factories");
+  factories.sublist("Transpose").set("factory", "TransPFactory").set("P", "Nodes");
+  // Factories are made in the order of the list: those that others name come first.
+  const Teuchos::ParameterList galerkin = factories.sublist("Galerkin");
+  factories.remove("Galerkin");
+  factories.sublist("Galerkin") = galerkin;
+  factories.sublist("Galerkin").set("R", "Transpose");
+  list.sublist("Hierarchy").set("transpose: use implicit", false);
+  list.sublist("Hierarchy").sublist("All").set("R", "Transpose");
+  return list;
+}
+
+TEUCHOS_UNIT_TEST(cycle, a_restriction_that_is_not_stored_does_the_same) {
+  const System system({9, 9, 9, false});
+  const Teuchos::ParameterList list = multigrid::nodal_cycle_list(1, 5);
+  const multigrid::Cycle M(system.A, system.coarsening, list);
+  const multigrid::Cycle stored(system.A, system.coarsening, with_restriction(list));
+  TEST_COMPARE(M.levels().unknowns.size(), >, 2);
+  const Vector b = rough(system.A->getRangeMap(), 3);
+  Vector x(b.getMap()), y(b.getMap());
+  M.apply(b, x);
+  stored.apply(b, y);
+  y.update(-1.0, x, 1.0);
+  TEST_COMPARE(y.normInf(), <, 1e-13 * x.normInf());
+}
+
+TEUCHOS_UNIT_TEST(transfer_matrix, products_are_those_of_the_matrix) {
+  const System system({5, 6, 4, false});
+  const auto P = system.coarsening->prolongator(0, *system.A->getRowMap());
+  const multigrid::TransferMatrix transfer(Teuchos::rcp_const_cast<CrsMatrix>(P));
+  using Wrapper = Xpetra::TpetraMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
+  for (const auto mode : {Teuchos::NO_TRANS, Teuchos::TRANS}) {
+    const bool is_plain = mode == Teuchos::NO_TRANS;
+    MultiVector x(is_plain ? P->getDomainMap() : P->getRangeMap(), 2);
+    MultiVector y(is_plain ? P->getRangeMap() : P->getDomainMap(), 2);
+    x.randomize();
+    y.randomize();
+    MultiVector expected(y, Teuchos::Copy);
+    P->apply(x, expected, mode, 0.7, -0.3);
+    const Wrapper from(Teuchos::rcpFromRef(x));
+    Wrapper to(Teuchos::rcpFromRef(y));
+    transfer.apply(from, to, mode, 0.7, -0.3);
+    expected.update(-1.0, y, 1.0);
+    std::vector<double> off(2);
+    expected.normInf(Teuchos::arrayViewFromVector(off));
+    TEST_COMPARE(std::max(off[0], off[1]), <, 1e-14);
+  }
 }
 
 TEUCHOS_UNIT_TEST(cycle, with_one_level_it_is_a_direct_solver) {

@@ -154,7 +154,10 @@ TEUCHOS_UNIT_TEST(cycle, lists_with_parts_of_muelu_are_set_up_anew) {
   WallMatrix wall;
   const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(*wall.jacobian.K.space()));
   Teuchos::ParameterList list = list_with([](auto& s) { s.set("factory", "VankaSmoother"); });
-  list.sublist("Factories").sublist("Galerkin").set("factory", "RAPFactory");
+  list.sublist("Factories")
+      .sublist("Galerkin")
+      .set("factory", "RAPFactory")
+      .set("transpose: use implicit", true);
   multigrid::Cycle cycle(wall.K(), nodes, list);
   TEST_ASSERT(!cycle.keeps_graphs());
   wall.jacobian.set(0.03);

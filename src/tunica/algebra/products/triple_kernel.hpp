@@ -21,8 +21,8 @@ public:
   /// The graph of C: columns ascend in each row.
   const std::vector<std::size_t>& row_start() const { return row_start_; }
   const std::vector<int>& columns() const { return columns_; }
-  /// Once the graph is of no more use.
-  void forget_columns() { columns_ = {}; }
+  /// Once the graph is of no more use. An empty list in braces would leave the storage.
+  void forget_columns() { columns_ = std::vector<int>(); }
 
   /// Adds to C, each of whose rows has its values at the given place.
   void add(const Matrix& A, const Matrix& P, const std::vector<double*>& rows_of_C) const;

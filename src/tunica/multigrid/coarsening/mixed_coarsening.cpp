@@ -19,7 +19,8 @@ namespace {
 class Expansion {
 public:
   Expansion(NodalCoarsening& nodes, int level, int stride, int first, int count, const Map& fine)
-      : P_(nodes.prolongator(level)), stride_(stride), first_(first), count_(count) {
+      : nodes_(&nodes), level_(level), P_(nodes.prolongator(level)), stride_(stride), first_(first),
+        count_(count) {
     // Bit i of a node's number says that it has unknown i. As numbers these travel to the coarse
     // nodes and to the ghosts among the columns of P.
     Vector owns(P_->getRowMap()), coarse_owns(P_->getDomainMap());
@@ -29,7 +30,6 @@ public:
         if (fine.isNodeGlobalElement(number(P_->getRowMap()->getGlobalElement(a), i)))
           has(a, 0) += 1 << i;
     const std::vector<int>& rows = nodes.coarse_rows(level);
-    rigid_ = nodes.rigid(level);
     const auto coarse_has = coarse_owns.getLocalViewHost(overwrite_all);
     for (std::size_t c = 0; c < rows.size(); ++c) coarse_has(c, 0) = has(rows[c], 0);
     fine_ = flags(owns);
@@ -41,7 +41,9 @@ public:
   void use_rotations() {
     const bool are_whole =
         std::all_of(coarse_.begin(), coarse_.end(), [](int has) { return has == 7; });
-    turns_ = rigid_ != nullptr && count_ == 3 && all_agree(*P_->getComm(), are_whole);
+    if (count_ != 3 || !all_agree(*P_->getComm(), are_whole)) return;
+    rigid_ = nodes_->rigid(level_);
+    turns_ = rigid_ != nullptr;
   }
 
   /// Of the rows of the fine map that are its own.
@@ -115,6 +117,8 @@ private:
     return all;
   }
 
+  NodalCoarsening* nodes_;
+  int level_;
   Teuchos::RCP<const CrsMatrix> P_;
   int stride_, first_, count_;
   std::shared_ptr<const RigidInterpolation> rigid_;
@@ -228,9 +232,9 @@ void MixedCoarsening::check_mixed(int level, const CrsMatrix& K) {
                                       std::to_string(dofs) + " unknowns per node, the scalar last");
 }
 
-// The unknowns of a level are the columns of the prolongator that leads to it.
+// The unknowns of a level are the columns of any prolongator that leads to it.
 const Teuchos::RCP<const Map>& MixedCoarsening::map(int level, int block) {
-  if (level > 0) prolongator(level - 1, block);
+  if (maps_.count({level, block}) == 0) prolongator(level - 1, block);
   return maps_.at({level, block});
 }
 

@@ -165,12 +165,19 @@ Teuchos::RCP<const CrsMatrix> averaging(const CrsGraph& nodes, const CoarseNumbe
   return P;
 }
 
-/// Coarse nodes are neighbours where any of their children are. GP: by fine node, the coarse nodes
-/// that are parents of any of its neighbours.
-Teuchos::RCP<const CrsGraph> coarse_graph(const CrsMatrix& P, const CrsMatrix& GP) {
-  // Entries of Pᵀ G P, G the graph of the fine nodes
+/// G P, G the graph of the fine nodes: by fine node, the coarse nodes that are parents of any of
+/// its neighbours.
+CrsMatrix parents_of_neighbours(const Teuchos::RCP<const CrsGraph>& nodes, const CrsMatrix& P) {
+  CrsMatrix GP(nodes->getRowMap(), 0);
+  algebra::multiply_graphs(*algebra::matrix_on(nodes, 1.0), P, GP);
+  return GP;
+}
+
+/// Coarse nodes are neighbours where any of their children are: the entries of Pᵀ G P.
+Teuchos::RCP<const CrsGraph> coarse_graph(const Teuchos::RCP<const CrsGraph>& nodes,
+                                          const CrsMatrix& P) {
   CrsMatrix PtGP(P.getDomainMap(), 0);
-  Tpetra::MatrixMatrix::Multiply(P, true, GP, false, PtGP);
+  Tpetra::MatrixMatrix::Multiply(P, true, parents_of_neighbours(nodes, P), false, PtGP);
   return PtGP.getCrsGraph();
 }
 
@@ -235,8 +242,7 @@ std::vector<char> NodalCoarsening::chosen_nodes(const Level& level,
 }
 
 // One level: the set of nodes that stay, their numbers, P, and the graph of Pᵀ G P. Followers pick
-// nodes with staying hosts first, other nodes those between fields. GP serves twice: for the coarse
-// graph, and for the coarse nodes around a fine one by which rotations are fitted.
+// nodes with staying hosts first, other nodes those between fields.
 void NodalCoarsening::coarsen() {
   Level& level = levels_.back();
   Hosts hosts;
@@ -257,20 +263,21 @@ void NodalCoarsening::coarsen() {
   level.P = averaging(*level.nodes, coarse, flags_between(*level.nodes, level.between));
   level.numbers = coarse.of_row;
   level.coarse_rows = coarse.rows;
-  CrsMatrix GP(level.nodes->getRowMap(), 0);
-  algebra::multiply_graphs(*algebra::matrix_on(level.nodes, 1.0), *level.P, GP);
-  Level next{coarse_graph(*level.P, GP), at_rows(*level.order, coarse),
-             leader_ ? at_rows(*hosts.coarse, coarse) : Teuchos::null,
-             level.between.is_null() ? Teuchos::null : at_rows(*level.between, coarse),
-             at_rows(level.places, coarse)};
-  if (!level.places.coordinates.is_null()) {
-    RigidSource source{*level.nodes, *level.P, GP, level.places, next.places, coarse.rows};
-    source.fine_between = level.between;
-    source.coarse_between = next.between;
-    level.rigid = std::make_shared<const RigidInterpolation>(rigid_interpolation(source));
-  }
-  levels_.push_back(std::move(next));
-  level.nodes = Teuchos::null;
+  levels_.push_back({coarse_graph(level.nodes, *level.P), at_rows(*level.order, coarse),
+                     leader_ ? at_rows(*hosts.coarse, coarse) : Teuchos::null,
+                     level.between.is_null() ? Teuchos::null : at_rows(*level.between, coarse),
+                     at_rows(level.places, coarse)});
+  if (level.places.coordinates.is_null()) level.nodes = Teuchos::null;
+}
+
+std::shared_ptr<const RigidInterpolation> NodalCoarsening::rigid(int level) {
+  const Level &fine = at(level), &coarse = levels_[level + 1];
+  if (fine.places.coordinates.is_null()) return nullptr;
+  const CrsMatrix around = parents_of_neighbours(fine.nodes, *fine.P);
+  RigidSource source{*fine.nodes, *fine.P, around, fine.places, coarse.places, fine.coarse_rows};
+  source.fine_between = fine.between;
+  source.coarse_between = coarse.between;
+  return std::make_shared<const RigidInterpolation>(rigid_interpolation(source));
 }
 
 Teuchos::RCP<const Vector> NodalCoarsening::hosts(int level) {

@@ -38,8 +38,8 @@ public:
   Teuchos::RCP<const CrsMatrix> prolongator(int level) { return at(level).P; }
 
   /// Interpolation of displacements that is exact for rigid motions; null where no places are
-  /// known. Collective as prolongator() is.
-  std::shared_ptr<const RigidInterpolation> rigid(int level) { return at(level).rigid; }
+  /// known. It is large, needed for one matrix and not kept: made at each call. Collective.
+  std::shared_ptr<const RigidInterpolation> rigid(int level);
 
   /// The numbers of the hosts on this level, -1 for none; null without leader. Collective as
   /// prolongator() is.
@@ -53,12 +53,11 @@ public:
 
 private:
   struct Level {
-    Teuchos::RCP<const CrsGraph> nodes;  ///< null once the next level is made
+    Teuchos::RCP<const CrsGraph> nodes;  ///< without places null once the next level is made
     Teuchos::RCP<const Vector> order;
     Teuchos::RCP<const Vector> hosts;    ///< numbers on this level; null without leader
     Teuchos::RCP<const Vector> between;  ///< null: no nodes
     algebra::NodePlaces places{};
-    std::shared_ptr<const RigidInterpolation> rigid{};
     Teuchos::RCP<const CrsMatrix> P{};     ///< from the next level; null where it is not made yet
     Teuchos::RCP<const Vector> numbers{};  ///< on the next level, -1 where it lacks the node
     std::vector<int> coarse_rows{};

@@ -1,5 +1,6 @@
 #include "tunica/multigrid/galerkin/galerkin_product.hpp"
 
+#include <Tpetra_RowMatrixTransposer.hpp>
 #include <cmath>
 
 #include "tunica/base/trilinos.hpp"
@@ -36,11 +37,15 @@ GalerkinProduct::GalerkinProduct(const Teuchos::RCP<const CrsMatrix>& R,
       A_(A), numbering_(numbering), stabilisation_(stabilisation) {
   if (stabilised_) A_ = stabilised_->matrix();
   // Pᵀ A P in one go saves the storage of A P.
-  if (algebra::TripleProduct::serves(*A_, *P) && is_transpose(*R, *P)) {
+  if (algebra::TripleProduct::serves(*A_, *P) && (R_.is_null() || is_transpose(*R_, *P))) {
     triple_.emplace(*A_, *P);
   } else {
+    if (R_.is_null())
+      R_ = Tpetra::RowMatrixTransposer<Scalar, LocalOrdinal, GlobalOrdinal, Node>(
+               Teuchos::rcp_const_cast<CrsMatrix>(P_))
+               .createTranspose();
     AP_.emplace(*A_, *P);
-    RAP_.emplace(*R, *AP_->matrix());
+    RAP_.emplace(*R_, *AP_->matrix());
   }
   take_values();
 }

@@ -20,7 +20,7 @@ struct Stabilisation {
 /// stabilisation if asked for.
 class GalerkinProduct : public algebra::Refreshable {
 public:
-  /// The matrices must not change but for the values of A. Collective.
+  /// The matrices must not change but for the values of A. R: Pᵀ where it is null. Collective.
   GalerkinProduct(const Teuchos::RCP<const CrsMatrix>& R, const Teuchos::RCP<const CrsMatrix>& A,
                   const Teuchos::RCP<const CrsMatrix>& P, const algebra::DofLayout& numbering,
                   const Stabilisation& stabilisation);

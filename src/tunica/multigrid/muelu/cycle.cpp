@@ -242,21 +242,22 @@ constexpr int coarsest_mixed = 1500;  ///< unknowns
 /// The levels of the nodal coarsening with a smoother named "Sweeps".
 Teuchos::ParameterList nodal_levels(const Teuchos::ParameterList& sweeps, int coarse_size) {
   Teuchos::ParameterList list("MueLu");
-  // P by nodes, R = Pᵀ, A_l+1 = R A_l P; sweeps before and behind, sparse LU at the coarsest level
+  // P by nodes, R = Pᵀ (not stored), A_l+1 = R A_l P; sweeps before and behind, sparse LU at the
+  // coarsest level
   Teuchos::ParameterList& factories = list.sublist("Factories");
   factories.sublist("Nodes").set("factory", "NodalPFactory");
-  factories.sublist("Transpose").set("factory", "TransPFactory").set("P", "Nodes");
   factories.sublist("Galerkin")
       .set("factory", "GalerkinFactory")
       .set("P", "Nodes")
-      .set("R", "Transpose");
+      .set("R", "NoFactory");
   factories.sublist("Sweeps") = sweeps;
   factories.sublist("Coarsest").set("factory", "SparseLUSolver");
   Teuchos::ParameterList& hierarchy = list.sublist("Hierarchy");
   hierarchy.set("max levels", 10).set("coarse: max size", coarse_size).set("verbosity", "None");
+  hierarchy.set("transpose: use implicit", true);
   hierarchy.sublist("All")
       .set("P", "Nodes")
-      .set("R", "Transpose")
+      .set("R", "NoFactory")
       .set("A", "Galerkin")
       .set("Smoother", "Sweeps")
       .set("CoarseSolver", "Coarsest");

@@ -11,6 +11,11 @@ namespace {
 
 constexpr const char* kept_as = "Galerkin Product";
 
+/// R = Pᵀ without a matrix of its own: the list says "NoFactory".
+bool is_implicit(const GalerkinFactory& factory) {
+  return factory.GetFactory("R") == MueLu::NoFactory::getRCP();
+}
+
 }  // namespace
 
 Teuchos::RCP<const Teuchos::ParameterList> GalerkinFactory::GetValidParameterList() const {
@@ -25,13 +30,14 @@ Teuchos::RCP<const Teuchos::ParameterList> GalerkinFactory::GetValidParameterLis
 void GalerkinFactory::DeclareInput(MueLu::Level& fine, MueLu::Level& coarse) const {
   Input(fine, "A");
   Input(coarse, "P");
-  Input(coarse, "R");
+  if (!is_implicit(*this)) Input(coarse, "R");
 }
 
 void GalerkinFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   const auto A = unwrapped(Get<Teuchos::RCP<XMatrix>>(fine, "A"));
   const auto P = unwrapped(Get<Teuchos::RCP<XMatrix>>(coarse, "P"));
-  const auto R = unwrapped(Get<Teuchos::RCP<XMatrix>>(coarse, "R"));
+  Teuchos::RCP<const CrsMatrix> R;
+  if (!is_implicit(*this)) R = unwrapped(Get<Teuchos::RCP<XMatrix>>(coarse, "R"));
   // A_c = R A P, with more of −C in its scalar block. Only a mixed matrix has such a block.
   const Stabilisation stabilisation{GetParameterList().get<double>("stabilisation scaling"),
                                     GetParameterList().get<double>("schur stabilisation")};

@@ -8,7 +8,8 @@ namespace tunica::multigrid {
 
 /// "GalerkinFactory" of a MueLu list: the coarse operator R A P, with the stabilisation block C of
 /// a mixed matrix multiplied by "stabilisation scaling" (1.0) on each coarser level. Its graphs are
-/// found once: see GalerkinProduct, which it leaves on the coarse level.
+/// found once: see GalerkinProduct, which it leaves on the coarse level. "R" may be "NoFactory":
+/// then R = Pᵀ needs no storage, and the hierarchy wants "transpose: use implicit", too.
 ///
 /// On a mesh of twice the size C ~ h² ought to be four times what Galerkin's product makes of it;
 /// less leaves the coarse system short of stability [LY1, section 5]. Where C is zero, "schur

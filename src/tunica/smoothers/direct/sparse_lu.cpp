@@ -123,8 +123,8 @@ public:
     alone_ = Teuchos::rcp(
         new CrsMatrix(map, map, starts, columns, Teuchos::ArrayRCP<Scalar>(entries_.size(), 0.0)));
     alone_->expertStaticFillComplete(map, map);
-    lengths_ = {};
-    entries_ = {};
+    lengths_ = std::vector<int>();
+    entries_ = std::vector<GlobalOrdinal>();
     return alone_;
   }
 
