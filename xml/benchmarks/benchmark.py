@@ -1,5 +1,6 @@
 """What a benchmark of this folder is: a case, run on meshes of several levels, and what its folders hold."""
 import os
+import resource
 import subprocess
 import sys
 
@@ -94,10 +95,14 @@ class Benchmark:
         words = [self.case(variant), "--output", self.folder(level, variant)]
         # Where the folder holds a run that has not ended, the program says so and stops.
         words = command(os.path.join(self.programs, program), words, settings)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
         status = subprocess.run(words, env=ENVIRONMENT, check=False).returncode
         if status not in statuses:
             raise subprocess.CalledProcessError(status, words)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
         write_commit(self.folder(level, variant))
+        with open(self.folder(level, variant) + ".cpu", "w", encoding="utf-8") as file:
+            file.write(f"{after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime:.4g}\n")
 
     def commits(self):
         """Of the sources with which its runs were made."""

@@ -149,12 +149,24 @@ void Fluid::add_faces(Balance& b) const {
   }
 }
 
+// R_a ← R_a − ∫ ρ f N_a dV = R_a − ρ V/20 (f_a + Σ_b f_b)
+void Solid::add_body_force(std::vector<Vec3>& rows) const {
+  for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
+    Vec3 sum{};
+    for (const int a : mesh_->tets[e]) sum += body_force(a);
+    const double weight = 0.05 * elements_.layer(e).density * elements_.geometry[e].volume;
+    for (const int a : mesh_->tets[e])
+      if (a < mesh_->n_owned) rows[a] += -weight * (sum + body_force(a));
+  }
+}
+
 // The fluid's force is one of the wall's nodal forces, so that no node of it is on an interface.
 Balance Solid::balance(const algebra::BlockVector& x) {
   read(x);
   assemble(nullptr);
   assembly::NodalResidual of_surfaces(*mesh_, split());
   surfaces_.add(surroundings(), of_surfaces, nullptr);
+  add_body_force(of_surfaces.u);
   Balance b;
   add_nodes({fixed_, R_.u, of_surfaces.u, v_, std::vector<char>(mesh_->n_owned)}, b);
   for (int a = 0; a < mesh_->n_owned; ++a) {

@@ -23,7 +23,7 @@ inline void add_vector(const std::string& name, const std::string& unit,
 /// What the equations of a field say of a step as a whole, at its end: sums over the nodes and
 /// elements that this rank owns; see balance.cpp. Forces act on the field [mN].
 struct Balance {
-  Vec3 loads{};                 ///< of the terms of its surfaces
+  Vec3 loads{};                 ///< of the terms of its surfaces, and of body forces
   Vec3 reactions{};             ///< of what prescribes its velocity or displacement
   Vec3 interface {};            ///< of the other field
   Vec3 error{};                 ///< that is left where nothing is prescribed

@@ -140,12 +140,16 @@ bool Solid::is_nearly_incompressible(std::size_t element) const {
 // r and r' of the scheme for unit density, and f beside r: the kernel's histories are ρ r, ρ r'.
 void Solid::set_inertia_loads() {
   local_.r = fields::as_vectors(scheme_->inertia_loads(timeline_));
-  if (body_force_)
-    for (int a = 0; a < mesh_->n_nodes(); ++a) local_.r[a] += body_force_(mesh_->x[a], time_);
+  for (int a = 0; a < mesh_->n_nodes(); ++a) local_.r[a] += body_force(a);
   if (!subscales_) return;
   local_.subscale_r = fields::as_vectors(scheme_->inertia_loads(*subscales_));
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e)
     if (!is_nearly_incompressible(e)) local_.subscale_r[e] = Vec3{};
+}
+
+Vec3 Solid::body_force(int node) const {
+  const Vec3& f = options_.body_force;
+  return body_force_ ? f + body_force_(mesh_->x[node], time_) : f;
 }
 
 void Solid::begin_step(const stepping::Clock& clock) {

@@ -1,5 +1,7 @@
 #include "tunica/discretisation/solid_options.hpp"
 
+#include <Teuchos_Array.hpp>
+
 #include "tunica/base/error.hpp"
 #include "tunica/boundary/registry.hpp"
 #include "tunica/discretisation/law_keys.hpp"
@@ -88,6 +90,9 @@ void add_solid_keys(params::Table& table) {
               "with inertia, or a sequence of equilibria");
   stepping::add_wall_scheme_keys(table);
   table
+      .numbers("body force", std::vector<double>{0.0, 0.0, 0.0}, params::any(), 3, "mm/ms^2",
+               "force per mass that acts on all of the wall, such as gravity, 9.81e-3, or what is "
+               "left of it where a fluid at rest carries the rest")
       .choice("stabilisation", "dynamic", {"dynamic", "inertial", "paper"},
               "subscales of PSPG: time-dependent, which keep the pressure stable as the time step "
               "shrinks (dynamic); quasi-static, with inertia in the parameter 1/(4 mu/h^2 + "
@@ -128,6 +133,8 @@ SolidOptions solid_options(const Teuchos::ParameterList& list) {
   options.has_doubled_pressure = list.get<std::string>("pressure at layers") == "doubled";
   options.layer_factor =
       options.has_doubled_pressure ? 1.0 : list.get<double>("stabilisation at layers");
+  const auto& force = list.get<Teuchos::Array<double>>("body force");
+  options.body_force = {force[0], force[1], force[2]};
   options.has_prestress = list.sublist("Prestress").get<double>("pressure") != 0.0;
   // Between materials σ' jumps: where the pressure does not, ∇p cannot follow.
   const auto& residual = list.get<std::string>("stabilisation residual");

@@ -38,6 +38,7 @@ struct SolidOptions {
   double layer_factor;         ///< else: multiplies τ at the boundary of two materials
   double volumetric_factor;    ///< τ_v of the volumetric subscale in parts of μ_l
   bool has_prestress;          ///< in its mesh
+  Vec3 body_force;             ///< per mass [mm/ms²]
   std::vector<boundary::Condition> conditions;
   std::function<std::unique_ptr<stepping::TimeScheme>()> make_scheme;
 

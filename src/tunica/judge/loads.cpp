@@ -183,6 +183,7 @@ void visit_wall(const problems::SolidSettings& wall, const std::vector<double>& 
     if (peak > 0.0) loads.are_zero = false;
   }
   note_pressure(wall.prestress.pressure, "Wall / Prestress", loads);
+  if (norm(wall.options.body_force) > 0.0) loads.are_zero = false;
 }
 
 void note_difference(const std::vector<Course>& pressing, const std::vector<double>& times,

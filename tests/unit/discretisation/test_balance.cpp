@@ -161,6 +161,7 @@ Teuchos::ParameterList pulled_wall() {
   list.set<std::string>("time scheme", "implicit euler").set("volumetric stabilisation", 0.0);
   test::condition(list, "x_low", "clamped");
   test::set_vector(test::condition(list, "x_high", "traction"), "traction", {2.0, 0.5, 0.1});
+  test::set_vector(list, "body force", {0.3, -0.2, 0.1});
   return test::resolved(list, problems::solid_table());
 }
 
@@ -178,7 +179,7 @@ TEUCHOS_UNIT_TEST(balance, forces_on_a_wall_are_its_inertia_and_its_volume_is_ke
   const std::vector<Vec3> d = fields::ghosted_vectors(mesh, x[0]);
   const std::vector<double> p = fields::ghosted_scalars(mesh, x[1]);
   Vec3 inertia{};
-  double error = 0.0, volume = 0.0, counted = 0.0;
+  double error = 0.0, volume = 0.0, undeformed = 0.0, counted = 0.0;
   for (std::size_t e = 0; e < mesh.tets.size(); ++e) {
     if (!mesh.is_owned[e]) continue;
     const auto T = kernels::make_tet4(assembly::gather(mesh.x, mesh.tets[e]));
@@ -188,12 +189,15 @@ TEUCHOS_UNIT_TEST(balance, forces_on_a_wall_are_its_inertia_and_its_volume_is_ke
     inertia += 0.25 * rho * T.volume / (dt * dt) * sum_of_nodes(de);
     error += T.volume * (J - 1.0 + 0.25 * (pe[0] + pe[1] + pe[2] + pe[3]) / 500.0);
     volume += T.volume * J;
+    undeformed += T.volume;
     counted += 1.0;
   }
   const Vec3 forces = b.loads + b.reactions + b.interface + b.error;
   for (int i = 0; i < 3; ++i)
     TEST_FLOATING_EQUALITY(forces[i], global_sum(*mesh.comm, inertia[i]), 1e-11);
-  TEST_FLOATING_EQUALITY(b.loads[0], 2.0 * 0.3 * 0.4, 1e-12);
+  const double mass = rho * global_sum(*mesh.comm, undeformed);
+  TEST_FLOATING_EQUALITY(b.loads[0], 2.0 * 0.3 * 0.4 + mass * 0.3, 1e-12);
+  TEST_FLOATING_EQUALITY(b.loads[1], 0.5 * 0.3 * 0.4 - mass * 0.2, 1e-12);
   TEST_FLOATING_EQUALITY(b.interface[2], -0.03 * mesh.node_map->getGlobalNumElements(), 1e-12);
   TEST_FLOATING_EQUALITY(b.volume_error, global_sum(*mesh.comm, error), 1e-12);
   TEST_FLOATING_EQUALITY(b.volume, global_sum(*mesh.comm, volume), 1e-12);

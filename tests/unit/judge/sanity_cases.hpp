@@ -37,6 +37,7 @@ struct TubeCase {
   std::string c10 = "33.3333333333";
   std::string prestress = "0";
   std::string ends = condition("struct_in", "clamped") + condition("struct_out", "clamped");
+  std::string wall;  ///< further keys of it
 
   Teuchos::ParameterList resolved() const {
     const std::string interface = condition("interface", "interface");
@@ -48,7 +49,7 @@ struct TubeCase {
                                         "<Parameter name=\"steps\" type=\"int\" value=\"100\"/>") +
                     sublist("Fluid", number("density", density) + number("viscosity", viscosity) +
                                          sublist("Surfaces", inlet + outlet + interface)) +
-                    sublist("Wall", sublist("Prestress", number("pressure", prestress)) +
+                    sublist("Wall", wall + sublist("Prestress", number("pressure", prestress)) +
                                         sublist("Layers", sublist("media", law) +
                                                               sublist("adventitia", law)) +
                                         sublist("Surfaces", ends + interface))));

@@ -147,9 +147,9 @@ TEUCHOS_UNIT_TEST(solid_problem, a_wall_that_falls_freely_has_the_energy_of_its_
   auto list = test::wall_list();
   list.set("time scheme", std::string("newmark"));
   list.sublist("Newmark").set("beta", 0.25).set("gamma", 0.5);
-  SolidProblem wall(resolved(list), tube.wall);
   const Vec3 g{0.1, 0.0, -0.2};
-  wall.field().set_body_force([g](const Vec3&, double) { return g; });
+  test::set_vector(list, "body force", g);
+  SolidProblem wall(resolved(list), tube.wall);
   wall.begin_step(stepping::Clock(0.5, 1));
   TEST_ASSERT(wall.solve().is_converged);
   wall.end_step();
