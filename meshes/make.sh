@@ -34,13 +34,15 @@ rm "$tube"
 
 # Planes and lumens by Gmsh, slabs and walls by tunica-mesh. Another version of Gmsh makes other elements.
 if ! python3 -c "import gmsh" 2>/dev/null; then
-  echo "make.sh: without python3-gmsh turek-hron.h5 and the meshes of vessels stay as they are"
+  echo "make.sh: without python3-gmsh turek-hron.h5, silicone-flap.h5 and the meshes of vessels stay as they are"
   exit 0
 fi
 lumen=$(mktemp --suffix .msh)
 trap 'rm -f "$lumen"' EXIT
 python3 "$folder/make_turek_hron.py" "$lumen"
 "$tool" slab "$lumen" "$folder/turek-hron.h5" --thickness 5 --overwrite on
+python3 "$folder/make_silicone_flap.py" "$lumen" 0.5
+"$tool" convert "$lumen" "$folder/silicone-flap.h5" --overwrite on
 python3 "$folder/make_bend.py" "$lumen"
 "$tool" wall "$lumen" "$folder/bend.h5" --layers media=0.3:2,adventitia=0.15:1 --overwrite on
 python3 "$folder/make_bulge.py" "$lumen"

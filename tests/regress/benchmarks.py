@@ -68,6 +68,19 @@ def check_swing(verdict, reproduce, wanted):
     verdict.claim(abs(change) < 0.02, f"swinging-beam: within the last periods the amplitude changes by {100 * change:+.2f} %")
 
 
+def check_flap(verdict, reproduce, wanted):
+    """A flap that a body force bends far: too stiff with two elements through it. By night between jets, too, on a mesh whose flap bends
+    as much less without them."""
+    flap = reproduce.SiliconeFlap(wanted)
+    flap.levels = [0.5]
+    flap.run_one(0.5, "alone")
+    tip = flap.centreline(0.5, "alone")[0][-1]
+    verdict.claim(-0.28 < tip / flap.exact["tip without flow"] - 1 < 0, f"silicone-flap, without flow: {tip:.2f} mm of 29.5")
+    if LONG:
+        flap.run()
+        within(verdict, flap, 0.5, {"tip without flow": 0.28, "tip": 0.12})
+
+
 def check_flows(verdict, reproduce, wanted):
     """Between rigid walls, on the coarsest meshes of the page."""
     for kind, bands in ((reproduce.Nozzle, {"": 0.07}), (reproduce.Cylinder, {"lift": 0.6, "pressure": 0.06, "": 0.012})):
@@ -95,6 +108,7 @@ def main(programs, folder):
     check_pulse(verdict, reproduce, wanted)
     if LONG:
         check_swing(verdict, reproduce, wanted)
+    check_flap(verdict, reproduce, wanted)
     flows = [*check_flows(verdict, reproduce, wanted)]
     wanted.finest = 2
     ring = reproduce.Ring(wanted)

@@ -73,7 +73,8 @@ TripleKernel::TripleKernel(const Graph& A, const Graph& P, std::vector<int> diag
   find_places();
 }
 
-// A row of C has the columns that A P has in any row of its children.
+// A row of C has the columns that A P has in any row of its children. The unknowns of a coarse node
+// mostly have the same groups of children, so that one list of columns serves them all.
 void TripleKernel::find_graph(const Graph& A, const Graph& P, int n_coarse) {
   std::vector<std::size_t> start{0};
   std::vector<int> columns, met(n_coarse, -1);
@@ -83,18 +84,30 @@ void TripleKernel::find_graph(const Graph& A, const Graph& P, int n_coarse) {
   }
   const TransposedGraph Pt(P, diagonal_, n_coarse);
   met.assign(n_coarse, -1);
-  row_start_.assign(1, 0);
-  for (int i = 0, last = -1; i < n_coarse; ++i, last = -1) {
-    for (std::size_t k = Pt.start[i]; k < Pt.start[i + 1]; ++k) {
-      const int g = rows_.of[Pt.columns[k]];
-      if (std::exchange(last, g) == g) continue;
-      for (std::size_t j = start[g]; j < start[g + 1]; ++j)
-        if (std::exchange(met[columns[j]], i) != i) columns_.push_back(columns[j]);
+  std::vector<std::size_t> list_start{0};
+  std::vector<int> lists, list_of(n_coarse), children, last;
+  for (int i = 0; i < n_coarse; ++i) {
+    children.clear();
+    for (std::size_t k = Pt.start[i]; k < Pt.start[i + 1]; ++k)
+      if (const int g = rows_.of[Pt.columns[k]]; children.empty() || children.back() != g)
+        children.push_back(g);
+    if (i == 0 || children != last) {
+      for (const int g : children)
+        for (std::size_t j = start[g]; j < start[g + 1]; ++j)
+          if (std::exchange(met[columns[j]], i) != i) lists.push_back(columns[j]);
+      std::sort(lists.begin() + static_cast<std::ptrdiff_t>(list_start.back()), lists.end());
+      list_start.push_back(lists.size());
+      last = children;
     }
-    std::sort(columns_.begin() + static_cast<std::ptrdiff_t>(row_start_.back()), columns_.end());
-    row_start_.push_back(columns_.size());
+    list_of[i] = static_cast<int>(list_start.size()) - 2;
   }
-  columns_.shrink_to_fit();
+  row_start_.assign(1, 0);
+  for (const int l : list_of)
+    row_start_.push_back(row_start_.back() + list_start[l + 1] - list_start[l]);
+  columns_.reserve(row_start_.back());
+  for (const int l : list_of)
+    columns_.insert(columns_.end(), lists.begin() + static_cast<std::ptrdiff_t>(list_start[l]),
+                    lists.begin() + static_cast<std::ptrdiff_t>(list_start[l + 1]));
 }
 
 // Of a group of rows, the groups of columns of A P and the groups of rows of C it adds to.
