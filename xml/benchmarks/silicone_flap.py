@@ -18,8 +18,12 @@ class SiliconeFlap(Benchmark):
     title = "Two jets bend a flap of silicone"
     exact = {"tip": TIP[""], "tip without flow": TIP["alone"]}
 
-    def settings(self, level, _):
-        return {"Mesh/file": self.make_mesh(level)}
+    def settings(self, level, variant):
+        settings = {"Mesh/file": self.make_mesh(level)}
+        coarser = [m for m in self.levels if m < level and self.is_done(m)]
+        if coarser and not variant:  # bent as it is there, a flap bears long steps from the first on
+            settings.update({"Time/initial state": self.folder(coarser[-1]), "Time/step size": 50})
+        return settings
 
     def case(self, variant):
         return os.path.join(HERE, f"{self.name}{variant and '-'}{variant}.xml")
