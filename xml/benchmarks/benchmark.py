@@ -57,6 +57,15 @@ class Benchmark:
     def complete_levels(self):
         return [m for m in self.levels if len(self.done(m)) == len(self.variants_of(m))]
 
+    def finest_run(self):
+        """Level and variant of that whose cost is shown, a coupled one; None without runs."""
+        for level in reversed(self.levels):
+            variants = self.variants_of(level)
+            main = "" if "" in variants else variants[0]
+            if self.is_done(level, main):
+                return level, main
+        return None
+
     def make_mesh(self, level, *more):
         """The mesh of a level, once; what else its script writes is named by more."""
         os.makedirs(self.output, exist_ok=True)

@@ -35,15 +35,14 @@ def cost_of(folder):
 
 
 def update(benchmarks, page):
-    """Rows of costs.csv: of these benchmarks' finest levels with runs anew, of others as they are; by benchmark."""
+    """Rows of costs.csv: of the finest run of these benchmarks anew, of others as they are; by benchmark."""
     path = os.path.join(page, "costs.csv")
     costs = {row["benchmark"]: row for row in rows_of(path)}
     for benchmark in benchmarks:
-        if levels := benchmark.complete_levels():
-            folder = benchmark.folder(levels[-1], benchmark.done(levels[-1])[0])
-            unknowns, steps, seconds = cost_of(folder)
+        if found := benchmark.finest_run():
+            unknowns, steps, seconds = cost_of(benchmark.folder(*found))
             commits = benchmark.commits()
-            costs[benchmark.name] = dict(zip(KEYS, (benchmark.name, f"{levels[-1]:g}", str(unknowns), str(steps), f"{seconds:.4g}",
+            costs[benchmark.name] = dict(zip(KEYS, (benchmark.name, f"{found[0]:g}", str(unknowns), str(steps), f"{seconds:.4g}",
                                                     commits[-1] if commits else "")))
     with open(path, "w", encoding="utf-8", newline="") as file:
         rows = csv.DictWriter(file, KEYS, lineterminator="\n")
@@ -58,16 +57,16 @@ def errors_text(errors):
 
 def section(titles, errors, costs):
     """titles: name -> title; errors: name -> level -> quantity -> error; costs: as update() returns them."""
-    lines = ["## Leaderboard", "", "Ours on the finest mesh above, others as they have been published. Core-seconds are those of the whole "
+    lines = ["## Leaderboard", "", "Ours on the finest meshes above, others as they have been published. Core-seconds are those of the whole "
              "march by its steps; of steady flows a step is one in pseudo-time. The machine is a virtual one of 2.6 GHz whose "
              "memory others use, too.", "",
              "| benchmark | code | size | off by | core-s a step | core-s a step and million unknowns |", "|---|---|---|---|---|---|"]
     for name in (name for name in titles if name in errors):
-        finest = max(errors[name])
+        finest = {quantity: error for level in sorted(errors[name]) for quantity, error in errors[name][level].items()}
         size = step = relative = ""
         if name in costs:
             unknowns, seconds = int(costs[name]["unknowns"]), float(costs[name]["seconds"]) / int(costs[name]["steps"])
             size, step, relative = f"{unknowns:,} unknowns", f"{seconds:.3g}", f"{1e6 * seconds / unknowns:.3g}"
-        lines.append(f"| {titles[name]} | **Tunica** | {size} | {errors_text(errors[name][finest])} | {step} | {relative} |")
+        lines.append(f"| {titles[name]} | **Tunica** | {size} | {errors_text(finest)} | {step} | {relative} |")
         lines += [f"| | {who} | {of_size} | {errors_text(off)} | | |" for who, of_size, off in OTHERS.get(name, ())]
     return [*lines, ""]
