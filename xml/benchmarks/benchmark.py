@@ -33,6 +33,7 @@ def limit_of(levels, values, p=2):
 class Benchmark:
     """A case, on meshes of several levels: m of them is the one with m times as many cells along each axis."""
     levels, variants = (1, 2), ("",)
+    main = ""  # the variant whose cost is shown
 
     def __init__(self, wanted):
         self.programs, self.output = wanted.programs, wanted.output
@@ -58,13 +59,9 @@ class Benchmark:
         return [m for m in self.levels if len(self.done(m)) == len(self.variants_of(m))]
 
     def finest_run(self):
-        """Level and variant of that whose cost is shown, a coupled one; None without runs."""
-        for level in reversed(self.levels):
-            variants = self.variants_of(level)
-            main = "" if "" in variants else variants[0]
-            if self.is_done(level, main):
-                return level, main
-        return None
+        """Level and variant of that whose cost is shown; None without runs."""
+        levels = [level for level in self.levels if self.is_done(level, self.main)]
+        return (levels[-1], self.main) if levels else None
 
     def make_mesh(self, level, *more):
         """The mesh of a level, once; what else its script writes is named by more."""
