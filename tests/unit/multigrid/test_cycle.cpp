@@ -155,8 +155,9 @@ TEUCHOS_UNIT_TEST(transfer_matrix, products_are_those_of_the_matrix) {
     MultiVector y(is_plain ? P->getRangeMap() : P->getDomainMap(), 2);
     x.randomize();
     y.randomize();
-    MultiVector expected(y, Teuchos::Copy);
-    P->apply(x, expected, mode, 0.7, -0.3);
+    MultiVector product(y.getMap(), 2), expected(y, Teuchos::Copy);
+    P->apply(x, product, mode);
+    expected.update(0.7, product, -0.3);
     const Wrapper from(Teuchos::rcpFromRef(x));
     Wrapper to(Teuchos::rcpFromRef(y));
     transfer.apply(from, to, mode, 0.7, -0.3);

@@ -67,7 +67,8 @@ void add_transposed_product(const CrsMatrix& P, const MultiVector& X, MultiVecto
       }
     }
   }
-  if (!importer.is_null()) Y.doExport(*on_columns, *importer, Tpetra::ADD);
+  // ADD would overwrite what Y has of its own.
+  if (!importer.is_null()) Y.doExport(*on_columns, *importer, Tpetra::ADD_ASSIGN);
 }
 
 }  // namespace
