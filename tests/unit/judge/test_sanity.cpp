@@ -246,8 +246,8 @@ TEUCHOS_UNIT_TEST(sanity, loads_that_do_nothing_or_are_not_seen_are_doubted) {
   tube.wall = "<Parameter name='body force' type='Array(double)' value='{0, 9.81e-3, 0}'/>";
   TEST_ASSERT(!doubts(tube, "all loads are zero", out));
   tube = {};
-  tube.inlet =
-      condition("inlet", "velocity from file", test::text("file", TUNICA_MESHES "/tube-tiny.h5"));
+  const std::string file = test::text("file", TUNICA_MESHES "/tube-tiny.h5");
+  tube.inlet = condition("inlet", "velocity from file", file);
   TEST_ASSERT(!doubts(tube, "all loads are zero", out));
   const auto with_flow = [&](const std::string& amplitude) {
     tube.inlet = condition("inlet", "flow rate", number("flow rate", "2") + amplitude);
@@ -258,8 +258,7 @@ TEUCHOS_UNIT_TEST(sanity, loads_that_do_nothing_or_are_not_seen_are_doubted) {
   TEST_ASSERT(doubts(tube, "which the run does not resolve", out));
   with_flow(test::table_of("0, 10, 20, 30", "0, 0, 1, 0"));
   TEST_ASSERT(!doubts(tube, "which the run does not resolve", out));
-  // The spline through 0, 1, 0 with slopes of zero at its ends stays in the table; one with a long
-  // gap in its period does not.
+  // A spline through 0, 1, 0 stays in the table; one with a long gap in its period does not.
   const std::string spline = test::text("interpolation", "spline");
   with_flow(test::table_of("0, 30, 60", "0, 1, 0", spline));
   TEST_ASSERT(!doubts(tube, "exceeds the values of its table", out));
