@@ -2,7 +2,6 @@
 
 #include "tunica/base/trilinos.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
-#include "tunica/multigrid/muelu/transfer_matrix.hpp"
 #include "unit/fields/small_tube.hpp"
 #include "unit/multigrid/grid_blocks.hpp"
 
@@ -142,30 +141,6 @@ TEUCHOS_UNIT_TEST(cycle, a_restriction_that_is_not_stored_does_the_same) {
   stored.apply(b, y);
   y.update(-1.0, x, 1.0);
   TEST_COMPARE(y.normInf(), <, 1e-13 * x.normInf());
-}
-
-TEUCHOS_UNIT_TEST(transfer_matrix, products_are_those_of_the_matrix) {
-  const System system({5, 6, 4, false});
-  const auto P = system.coarsening->prolongator(0, *system.A->getRowMap());
-  const multigrid::TransferMatrix transfer(Teuchos::rcp_const_cast<CrsMatrix>(P));
-  using Wrapper = Xpetra::TpetraMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
-  for (const auto mode : {Teuchos::NO_TRANS, Teuchos::TRANS}) {
-    const bool is_plain = mode == Teuchos::NO_TRANS;
-    MultiVector x(is_plain ? P->getDomainMap() : P->getRangeMap(), 2);
-    MultiVector y(is_plain ? P->getRangeMap() : P->getDomainMap(), 2);
-    x.randomize();
-    y.randomize();
-    MultiVector product(y.getMap(), 2), expected(y, Teuchos::Copy);
-    P->apply(x, product, mode);
-    expected.update(0.7, product, -0.3);
-    const Wrapper from(Teuchos::rcpFromRef(x));
-    Wrapper to(Teuchos::rcpFromRef(y));
-    transfer.apply(from, to, mode, 0.7, -0.3);
-    expected.update(-1.0, y, 1.0);
-    std::vector<double> off(2);
-    expected.normInf(Teuchos::arrayViewFromVector(off));
-    TEST_COMPARE(std::max(off[0], off[1]), <, 1e-14);
-  }
 }
 
 TEUCHOS_UNIT_TEST(cycle, with_one_level_it_is_a_direct_solver) {

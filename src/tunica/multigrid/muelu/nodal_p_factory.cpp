@@ -2,7 +2,6 @@
 
 #include <MueLu_NoFactory.hpp>
 
-#include "tunica/multigrid/muelu/transfer_matrix.hpp"
 #include "tunica/multigrid/muelu/xpetra.hpp"
 
 namespace tunica::multigrid {
@@ -29,7 +28,7 @@ void NodalPFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   const auto P = Teuchos::rcp_const_cast<CrsMatrix>(
       coarsening_->prolongator(fine.GetLevelID(), *Xpetra::toTpetra(A->getRangeMap()),
                                GetParameterList().get<bool>("rotations")));
-  Set<Teuchos::RCP<XMatrix>>(coarse, "P", Teuchos::rcp(new TransferMatrix(P)));
+  Set(coarse, "P", wrapped(P));
   // The mark of a prolongator that does not depend on values, so that new ones leave it as it is.
   coarse.Set(marker, true, MueLu::NoFactory::get());
 }
