@@ -151,12 +151,14 @@ void Fluid::add_faces(Balance& b) const {
 
 // R_a ← R_a − ∫ ρ f N_a dV = R_a − ρ V/20 (f_a + Σ_b f_b)
 void Solid::add_body_force(std::vector<Vec3>& rows) const {
+  if (!body_force_) return;
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e) {
-    Vec3 sum{};
-    for (const int a : mesh_->tets[e]) sum += body_force(a);
+    std::array<Vec3, 4> f;
+    for (int i = 0; i < 4; ++i) f[i] = body_force_(mesh_->x[mesh_->tets[e][i]], time_);
     const double weight = 0.05 * elements_.layer(e).density * elements_.geometry[e].volume;
-    for (const int a : mesh_->tets[e])
-      if (a < mesh_->n_owned) rows[a] += -weight * (sum + body_force(a));
+    for (int i = 0; i < 4; ++i)
+      if (const int a = mesh_->tets[e][i]; a < mesh_->n_owned)
+        rows[a] += -weight * (f[0] + f[1] + f[2] + f[3] + f[i]);
   }
 }
 

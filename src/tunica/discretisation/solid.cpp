@@ -34,6 +34,8 @@ Solid::Solid(const SolidOptions& options, const fields::FieldMesh& mesh,
                         true}),
       options_(options), prestretch_(mesh, [this] { follow_prestretch(); }),
       nodal_force_(mesh.n_owned) {
+  if (norm(options_.body_force) > 0.0)
+    body_force_ = [f = options_.body_force](const Vec3&, double) { return f; };
   local_.r.assign(mesh.n_nodes(), Vec3{});
   local_.d.resize(mesh.n_nodes());
   past_.resize(mesh.n_nodes());
@@ -140,16 +142,12 @@ bool Solid::is_nearly_incompressible(std::size_t element) const {
 // r and r' of the scheme for unit density, and f beside r: the kernel's histories are ρ r, ρ r'.
 void Solid::set_inertia_loads() {
   local_.r = fields::as_vectors(scheme_->inertia_loads(timeline_));
-  for (int a = 0; a < mesh_->n_nodes(); ++a) local_.r[a] += body_force(a);
+  if (body_force_)
+    for (int a = 0; a < mesh_->n_nodes(); ++a) local_.r[a] += body_force_(mesh_->x[a], time_);
   if (!subscales_) return;
   local_.subscale_r = fields::as_vectors(scheme_->inertia_loads(*subscales_));
   for (std::size_t e = 0; e < mesh_->tets.size(); ++e)
     if (!is_nearly_incompressible(e)) local_.subscale_r[e] = Vec3{};
-}
-
-Vec3 Solid::body_force(int node) const {
-  const Vec3& f = options_.body_force;
-  return body_force_ ? f + body_force_(mesh_->x[node], time_) : f;
 }
 
 void Solid::begin_step(const stepping::Clock& clock) {

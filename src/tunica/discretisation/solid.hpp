@@ -58,7 +58,7 @@ public:
   /// Laws forget how the wall came to x, as if it had been there for long. Collective.
   void settle(const algebra::BlockVector& x);
 
-  /// Per mass at the undeformed position [mm/ms²], beside that of the options; for verification.
+  /// Per mass at the undeformed position [mm/ms²], instead of the options'; for verification.
   void set_body_force(boundary::VectorField f) { body_force_ = std::move(f); }
 
   /// A number for each region of the mesh, from 0, the same where pressures are continuous from
@@ -98,7 +98,6 @@ private:
   /// Gives the laws what they remember before a step of this size.
   void begin_laws(double step);
   void set_inertia_loads();
-  Vec3 body_force(int node) const;  ///< per mass [mm/ms²]
   void add_body_force(std::vector<Vec3>& rows) const;
   /// Force that drives the subscales in addition to the linear residual, at the displacement d.
   std::vector<Vec3> stress_force_at(const std::vector<Vec3>& d) const;
