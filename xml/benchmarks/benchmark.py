@@ -120,8 +120,9 @@ class Benchmark:
         return {name: value / self.exact[name] - 1 for name, value in self.values(level).items()}
 
     def size(self, level):
-        sizes = self.record(level, self.done(level)[-1])["sizes"]
-        return f"{sizes['fluid tetrahedra']:,} + {sizes['wall tetrahedra']:,}"
+        """Tetrahedra of the fluid and of the wall, of the fields that were run."""
+        sizes = self.record(level, self.main if self.is_done(level, self.main) else self.done(level)[-1])["sizes"]
+        return " + ".join(f"{sizes[key]:,}" for key in ("fluid tetrahedra", "wall tetrahedra") if key in sizes)
 
 
 class SteadyFlow(Benchmark):
@@ -135,6 +136,3 @@ class SteadyFlow(Benchmark):
         """Where there is a coarser mesh; the first step then may be long."""
         coarser = [m for m in self.levels if m < level and self.is_done(m)]
         return {"Time/initial state": self.folder(coarser[-1]), "Time/step size": 200} if coarser else {}
-
-    def size(self, level):
-        return f"{self.record(level)['sizes']['fluid tetrahedra']:,}"

@@ -2,7 +2,7 @@
 import csv
 import os
 
-from pages import record_of, rows_of
+from pages import commits_of, record_of, rows_of
 
 # Who, of what size, and what is off, in parts; by benchmark. Costs of theirs are not published.
 OTHERS = {
@@ -40,10 +40,11 @@ def update(benchmarks, page):
     costs = {row["benchmark"]: row for row in rows_of(path)}
     for benchmark in benchmarks:
         if found := benchmark.finest_run():
-            unknowns, steps, seconds = cost_of(benchmark.folder(*found))
-            commits = benchmark.commits()
+            folder = benchmark.folder(*found)
+            unknowns, steps, seconds = cost_of(folder)
+            commits = [commit for commit, names in commits_of(benchmark.output).items() if os.path.basename(folder) in names]
             costs[benchmark.name] = dict(zip(KEYS, (benchmark.name, f"{found[0]:g}", str(unknowns), str(steps), f"{seconds:.4g}",
-                                                    commits[-1] if commits else "")))
+                                                    "".join(commits))))
     with open(path, "w", encoding="utf-8", newline="") as file:
         rows = csv.DictWriter(file, KEYS, lineterminator="\n")
         rows.writeheader()
@@ -57,9 +58,9 @@ def errors_text(errors):
 
 def section(titles, errors, costs):
     """titles: name -> title; errors: name -> level -> quantity -> error; costs: as update() returns them."""
-    lines = ["## Leaderboard", "", "Ours on the finest meshes above, others as they have been published. Core-seconds are those of the whole "
-             "march by its steps; of steady flows a step is one in pseudo-time. The machine is a virtual one of 2.6 GHz whose "
-             "memory others use, too.", "",
+    lines = ["## Leaderboard", "", "Ours on the finest meshes above, others as they have been published. Core-seconds are a whole "
+             "run's processor time by its steps, or where that was not kept the time of its march by the clock; of steady flows a step "
+             "is one in pseudo-time. The machine is a virtual one of 2.6 GHz whose memory others use, too.", "",
              "| benchmark | code | size | off by | core-s a step | core-s a step and million unknowns |", "|---|---|---|---|---|---|"]
     for name in (name for name in titles if name in errors):
         finest = {quantity: error for level in sorted(errors[name]) for quantity, error in errors[name][level].items()}
