@@ -82,6 +82,10 @@ PrestressBalance::PrestressBalance(const SolidSettings& settings, const SolidPro
     : wall_(in_equilibrium(settings), wall.mesh(), wall.field().frames()),
       tolerance_(settings.prestress.linear_tolerance) {
   wall_.field().stay_on_mesh();
+  // λ f, as all loads
+  const Vec3 f = settings.options.body_force;
+  if (norm(f) > 0.0)
+    wall_.field().set_body_force([f](const Vec3&, double part) { return part * f; });
 }
 
 Outcome PrestressBalance::residual(double load, const algebra::BlockVector& state,

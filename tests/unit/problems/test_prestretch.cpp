@@ -6,6 +6,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/kernels/deformation.hpp"
+#include "tunica/problems/prestress_balance.hpp"
 #include "tunica/problems/solid_problem.hpp"
 #include "tunica/problems/surface_radius.hpp"
 #include "unit/problems/lists.hpp"
@@ -188,6 +189,29 @@ TEUCHOS_UNIT_TEST(prestretch, radius_of_a_tube_is_found_from_its_inside) {
   exact = global_max(*tube.wall.comm, exact);
   out << radius << " of " << exact << "\n";
   TEST_COMPARE(std::abs(radius - exact), <, 0.1 * exact);
+}
+
+// Where the wall lies without stress, R is what loads make of it: λ times as much at a part λ of
+// them.
+TEUCHOS_UNIT_TEST(prestretch, a_body_force_is_raised_with_the_other_loads) {
+  const SmallTube tube;
+  auto list = artery("static");
+  const auto at = [&](double load) {
+    const SolidProblem wall(list, tube.wall);
+    problems::PrestressBalance balance(list, wall);
+    algebra::BlockVector R(wall.state().space());
+    TEST_ASSERT(!balance.residual(load, wall.state(), R).is_failure());
+    return R;
+  };
+  const auto pressed = at(1.0);
+  test::set_vector(list, "body force", {0.1, 0.2, -0.3});
+  const auto all = at(1.0), half = at(0.5), none = at(0.0);
+  TEST_COMPARE(none[0].normInf(), <, 1e-14 * all[0].normInf());
+  Vector difference(half[0], Teuchos::Copy);
+  difference.update(-0.5, all[0], 1.0);
+  TEST_COMPARE(difference.normInf(), <, 1e-14 * all[0].normInf());
+  difference.update(1.0, all[0], -1.0, pressed[0], 0.0);
+  TEST_COMPARE(difference.normInf(), >, 0.0);
 }
 
 }  // namespace
