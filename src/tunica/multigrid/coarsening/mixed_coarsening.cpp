@@ -41,17 +41,14 @@ public:
   void use_rotations() {
     const bool are_whole =
         std::all_of(coarse_.begin(), coarse_.end(), [](int has) { return has == 7; });
-    if (count_ != 3 || !all_agree(*P_->getComm(), are_whole)) return;
-    rigid_ = nodes_->rigid(level_);
-    turns_ = rigid_ != nullptr;
+    if (count_ == 3 && all_agree(*P_->getComm(), are_whole)) rigid_ = nodes_->rigid(level_);
   }
 
   /// Of the rows of the fine map that are its own.
   void count_entries(const Map& fine, std::vector<std::size_t>& counts) const {
     const auto local = P_->getLocalMatrixHost();
     for (int a = 0; a < local.numRows(); ++a) {
-      const bool is_rigid = turns_ && fine_[a] == 7 && rigid_->has(a);
-      const auto n = is_rigid ? 3 * (rigid_->start[a + 1] - rigid_->start[a])
+      const auto n = turns(a) ? 3 * (rigid_->start[a + 1] - rigid_->start[a])
                               : static_cast<std::size_t>(local.rowConst(a).length);
       for (int i = 0; i < count_; ++i)
         if (fine_[a] >> i & 1)
@@ -72,7 +69,7 @@ public:
     // u_i = Σ_k B_ik u_k with blocks of 3×3 where rotations are interpolated; else each unknown is
     // the mean of the parents that have it, so that rows sum to one
     for (int a = 0; a < local.numRows(); ++a) {
-      if (turns_ && fine_[a] == 7 && rigid_->has(a)) {
+      if (turns(a)) {
         insert_rigid(a, result);
         continue;
       }
@@ -93,6 +90,9 @@ public:
   }
 
 private:
+  /// Its displacements follow rotations.
+  bool turns(int a) const { return rigid_ != nullptr && fine_[a] == 7 && rigid_->has(a); }
+
   // The three rows of a node from its blocks, each with the components of all coarse nodes k.
   void insert_rigid(int a, CrsMatrix& result) const {
     const GlobalOrdinal node = P_->getRowMap()->getGlobalElement(a);
@@ -121,9 +121,8 @@ private:
   int level_;
   Teuchos::RCP<const CrsMatrix> P_;
   int stride_, first_, count_;
-  std::shared_ptr<const RigidInterpolation> rigid_;
-  bool turns_ = false;
-  std::vector<int> fine_, coarse_, columns_;  ///< bit i: the node has unknown i
+  std::shared_ptr<const RigidInterpolation> rigid_;  ///< null: none turns
+  std::vector<int> fine_, coarse_, columns_;         ///< bit i: the node has unknown i
 };
 
 /// Flags of the nodes between the parts of a coupled system, which its space names last.
