@@ -11,8 +11,8 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/failed_ranks.hpp"
 #include "tunica/base/out_of_memory.hpp"
+#include "tunica/io/fatal_signals.hpp"
 #include "tunica/io/messages.hpp"
-#include "tunica/run/fatal_signals.hpp"
 
 namespace tunica::app {
 
@@ -95,7 +95,7 @@ int with_output(const std::string& program, int status) {
 
 void watch_ends(const std::string& program, int rank) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
-  run::catch_fatal_signals(program, rank);
+  io::catch_fatal_signals(program, rank, run::exit_fault);
   set_memory_aside();
   std::set_terminate(terminated);
   MPI_Errhandler handler;

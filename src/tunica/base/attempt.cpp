@@ -91,22 +91,31 @@ int new_key() {
   return key;
 }
 
-}  // namespace
+/// A rank on its way out must not be taken for one that agrees on its work.
+struct Channels {
+  MPI_Comm work = MPI_COMM_NULL, leaving = MPI_COMM_NULL;
+};
 
-MPI_Comm side_channel(const Comm& comm) {
+/// Made by the first call, as long as the communicator lives; null ones where there is one rank.
+Channels channels_of(const Comm& comm) {
   const auto* const mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
-  if (mpi == nullptr || comm.getSize() == 1) return MPI_COMM_NULL;
+  if (mpi == nullptr || comm.getSize() == 1) return {};
   static const int key = new_key();
   const MPI_Comm parent = *mpi->getRawMpiComm();
   void* kept = nullptr;
   int is_there = 0;
   MPI_Comm_get_attr(parent, key, static_cast<void*>(&kept), &is_there);
-  if (is_there != 0) return *static_cast<MPI_Comm*>(kept);
-  auto channel = std::make_unique<MPI_Comm>();
-  MPI_Comm_dup(parent, channel.get());
-  MPI_Comm_set_attr(parent, key, channel.get());
-  return *channel.release();  // as long as the parent
+  if (is_there != 0) return *static_cast<Channels*>(kept);
+  auto channels = std::make_unique<Channels>();
+  MPI_Comm_dup(parent, &channels->work);
+  MPI_Comm_dup(parent, &channels->leaving);
+  MPI_Comm_set_attr(parent, key, channels.get());
+  return *channels.release();
 }
+
+}  // namespace
+
+MPI_Comm side_channel(const Comm& comm) { return channels_of(comm).work; }
 
 Outcome attempt(const Comm& comm, const std::string& doing, const std::function<void()>& work) {
   side_channel(comm);  // while all are here
@@ -116,7 +125,7 @@ Outcome attempt(const Comm& comm, const std::string& doing, const std::function<
 }
 
 bool all_meet(const Comm& comm) {
-  const MPI_Comm channel = side_channel(comm);
+  const MPI_Comm channel = channels_of(comm).leaving;
   return channel == MPI_COMM_NULL || largest(channel, 0, patience).has_value();
 }
 

@@ -2,6 +2,7 @@
 #include <hdf5.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tunica::io {
@@ -16,6 +17,11 @@ public:
   }
   Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.id_), close_(other.close_) {
     other.id_ = H5I_INVALID_HID;
+  }
+  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
   }
   Hdf5Handle(const Hdf5Handle&) = delete;
   Hdf5Handle& operator=(const Hdf5Handle&) = delete;

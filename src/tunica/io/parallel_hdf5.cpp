@@ -12,12 +12,17 @@
 #include "tunica/base/attempt.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/exchange.hpp"
+#include "tunica/io/fatal_signals.hpp"
 
 namespace tunica::io {
 
 namespace {
 
 constexpr hsize_t rows_of_chunk = 16384;
+
+/// How long file systems may take. Open MPI goes on where a rank finds no memory for what a file
+/// needs, and ranks then wait for each other in different places.
+constexpr unsigned patience = 600;
 
 /// Takes room behind the end of a file, which HDF5 gives back on closing as far as it is not
 /// needed; where the file system cannot say whether it has room, a write will. A failure leaves the
@@ -40,15 +45,15 @@ Outcome take_room(const std::string& path, long long bytes) {
                           (is_restored ? "" : "; the file's end is undefined"));
 }
 
-hid_t open(const std::string& path, Hdf5File::Mode mode, long long bytes_to_come,
-           const CommPtr& comm) {
-  const bool is_new = mode == Hdf5File::Mode::create;
-  const bool takes_room = !is_new && comm->getRank() == 0;
+void find_room(const std::string& path, long long bytes, const Comm& comm) {
   const Outcome room =
-      agreed(*comm, takes_room ? take_room(path, bytes_to_come) : Outcome::success());
+      agreed(comm, comm.getRank() == 0 ? take_room(path, bytes) : Outcome::success());
   if (room.is_failure()) throw NoRoom(room.reason());
+}
+
+hid_t open(const std::string& path, bool is_new, const Comm& comm) {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_mpio(access, mpi_comm(*comm), MPI_INFO_NULL);
+  H5Pset_fapl_mpio(access, mpi_comm(comm), MPI_INFO_NULL);
   H5Pset_all_coll_metadata_ops(access, true);
   H5Pset_coll_metadata_write(access, true);
   return is_new ? H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
@@ -63,17 +68,32 @@ hid_t with_parents() {
 
 }  // namespace
 
+void Hdf5File::together(const std::string& action, const std::function<void()>& work) {
+  const std::string doing = action + " " + path_;
+  const Deadline deadline(patience, "the ranks did not end " + doing + " together within " +
+                                        std::to_string(patience) + " s");
+  const Outcome outcome = attempt(*comm_, doing, work);
+  if (outcome.is_failure()) throw MachineFault(outcome.reason());
+}
+
 template <class Result>
-Result Hdf5File::noted(Result result, const std::string& action) {
-  if (result < 0 && failure_.empty()) failure_ = hdf5_failure(path_, action);
+Result Hdf5File::checked(Result result, const std::string& action) const {
+  if (result < 0) throw MachineFault(hdf5_failure(path_, action));
   return result;
 }
 
 Hdf5File::Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, const CommPtr& comm)
-    : path_(path), comm_(comm), file_(open(path, mode, bytes_to_come, comm), H5Fclose) {
-  side_channel(*comm_);  // for the destructor
-  noted<hid_t>(file_, mode == Mode::create ? "create" : "open");
-  throw_if_any<MachineFault>(*comm_, failure_);
+    : path_(path), comm_(comm), file_(H5I_INVALID_HID, H5Fclose) {
+  const bool is_new = mode == Mode::create;
+  if (!is_new) find_room(path, bytes_to_come, *comm);
+  try {
+    together(is_new ? "creating" : "opening", [&] {
+      file_ = Hdf5Handle(checked(open(path, is_new, *comm), is_new ? "create" : "open"), H5Fclose);
+    });
+  } catch (...) {
+    file_.leave_open();
+    throw;
+  }
 }
 
 Hdf5File::~Hdf5File() {
@@ -81,20 +101,24 @@ Hdf5File::~Hdf5File() {
 }
 
 void Hdf5File::make_group(const std::string& name) {
-  const Hdf5Handle parents(with_parents(), H5Pclose);
-  const Hdf5Handle group(
-      noted(H5Gcreate2(file_, name.c_str(), parents, H5P_DEFAULT, H5P_DEFAULT), "create " + name),
-      H5Gclose);
+  together("creating a group of", [&] {
+    const Hdf5Handle parents(with_parents(), H5Pclose);
+    const Hdf5Handle group(
+        checked(H5Gcreate2(file_, name.c_str(), parents, H5P_DEFAULT, H5P_DEFAULT),
+                "create " + name),
+        H5Gclose);
+  });
 }
 
 std::vector<std::string> Hdf5File::groups() {
   std::vector<std::string> names;
-  noted(hdf5_names(file_, names), "list the groups");
+  together("listing", [&] { checked(hdf5_names(file_, names), "list the groups"); });
   return names;
 }
 
 void Hdf5File::remove(const std::string& name) {
-  noted(H5Ldelete(file_, name.c_str(), H5P_DEFAULT), "remove " + name);
+  together("removing a part of",
+           [&] { checked(H5Ldelete(file_, name.c_str(), H5P_DEFAULT), "remove " + name); });
 }
 
 void Hdf5File::attribute(const std::string& object, const std::string& name, double value) {
@@ -132,16 +156,18 @@ void Hdf5File::write(const std::string& name, const Rows& rows, const int* value
 
 void Hdf5File::attribute_any(const std::string& object, const std::string& name, hid_t type,
                              const void* value) {
-  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Hdf5Handle entry(noted(H5Acreate_by_name(file_, object.c_str(), name.c_str(), type, space,
-                                                 H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                               "create attribute " + name),
-                         H5Aclose);
-  noted(H5Awrite(entry, type, value), "write attribute " + name);
+  together("writing an attribute of", [&] {
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Hdf5Handle entry(checked(H5Acreate_by_name(file_, object.c_str(), name.c_str(), type,
+                                                     space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                                   "create attribute " + name),
+                           H5Aclose);
+    checked(H5Awrite(entry, type, value), "write attribute " + name);
+  });
 }
 
 Hdf5Handle Hdf5File::make_dataset(const std::string& name, long long total, int columns,
-                                  hid_t type) {
+                                  hid_t type) const {
   const std::array<hsize_t, 2> whole{static_cast<hsize_t>(total), static_cast<hsize_t>(columns)};
   const Hdf5Handle on_disk(H5Screate_simple(columns == 1 ? 1 : 2, whole.data(), nullptr), H5Sclose);
   const Hdf5Handle parents(with_parents(), H5Pclose);
@@ -149,17 +175,17 @@ Hdf5Handle Hdf5File::make_dataset(const std::string& name, long long total, int 
   H5Pset_fill_time(storage, H5D_FILL_TIME_NEVER);  // every row is written
   if (compression_ > 0 && total > 0) {
     const std::array<hsize_t, 2> chunk{std::min<hsize_t>(whole[0], rows_of_chunk), whole[1]};
-    noted(H5Pset_chunk(storage, columns == 1 ? 1 : 2, chunk.data()), "cut " + name);
+    checked(H5Pset_chunk(storage, columns == 1 ? 1 : 2, chunk.data()), "cut " + name);
     H5Pset_shuffle(storage);
-    noted(H5Pset_deflate(storage, static_cast<unsigned>(compression_)), "compress " + name);
+    checked(H5Pset_deflate(storage, static_cast<unsigned>(compression_)), "compress " + name);
   }
-  return {noted(H5Dcreate2(file_, name.c_str(), type, on_disk, parents, storage, H5P_DEFAULT),
-                "create " + name),
+  return {checked(H5Dcreate2(file_, name.c_str(), type, on_disk, parents, storage, H5P_DEFAULT),
+                  "create " + name),
           H5Dclose};
 }
 
 void Hdf5File::write_rows(hid_t dataset, const std::string& name, const Rows& rows, hid_t type,
-                          const void* values) {
+                          const void* values) const {
   if (rows.total == 0) return;
   const int rank = rows.columns == 1 ? 1 : 2;
   const auto width = static_cast<hsize_t>(rows.columns);
@@ -176,29 +202,32 @@ void Hdf5File::write_rows(hid_t dataset, const std::string& name, const Rows& ro
   }
   const Hdf5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
   H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
-  noted(H5Dwrite(dataset, type, in_memory, on_disk, transfer, values), "write " + name);
+  checked(H5Dwrite(dataset, type, in_memory, on_disk, transfer, values), "write " + name);
 }
 
 void Hdf5File::write_any(const std::string& name, const Rows& rows, hid_t type,
                          const void* values) {
-  const Hdf5Handle dataset = make_dataset(name, rows.total, rows.columns, type);
-  write_rows(dataset, name, rows, type, values);
+  together("writing", [&] {
+    const Hdf5Handle dataset = make_dataset(name, rows.total, rows.columns, type);
+    write_rows(dataset, name, rows, type, values);
+  });
 }
 
 void Hdf5File::write(const std::string& name, long long total, int columns,
                      const std::vector<Part>& parts) {
-  const Hdf5Handle dataset = make_dataset(name, total, columns, H5T_NATIVE_DOUBLE);
-  for (const Part& part : parts)
-    write_rows(dataset, name, {total, part.first, part.count, columns}, H5T_NATIVE_DOUBLE,
-               part.values);
+  together("writing", [&] {
+    const Hdf5Handle dataset = make_dataset(name, total, columns, H5T_NATIVE_DOUBLE);
+    for (const Part& part : parts)
+      write_rows(dataset, name, {total, part.first, part.count, columns}, H5T_NATIVE_DOUBLE,
+                 part.values);
+  });
 }
 
-void Hdf5File::check() const { throw_if_any<MachineFault>(*comm_, failure_); }
-
 void Hdf5File::close() {
-  noted(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush");
-  noted(file_.close(), "close");
-  check();
+  together("closing", [this] {
+    checked(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush");
+    checked(file_.close(), "close");
+  });
 }
 
 }  // namespace tunica::io

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,10 @@ public:
 
 /// A parallel HDF5 file, written by all ranks together. Every member is collective.
 ///
-/// A call that fails on one rank must not leave the others waiting: failures are kept, later
-/// calls go on, and close() throws on all ranks. One rank alone composes small files in memory
-/// instead, see hdf5_arrays.hpp.
+/// Every member ends with an agreement of the ranks and throws MachineFault on all where it has
+/// failed on some, so that none goes on to what others do not come to. A rank that fails while the
+/// others wait for it inside HDF5 throws after some seconds, alone: the run has to end. One rank
+/// alone composes small files in memory instead, see hdf5_arrays.hpp.
 class Hdf5File {
 public:
   enum class Mode { create, extend };
@@ -37,9 +39,9 @@ public:
     const double* values;
   };
 
-  /// Throws MachineFault on all ranks if the file cannot be created or opened, NoRoom if the
-  /// disk has no room for the bytes to come. Room is taken beforehand because Open MPI does not
-  /// return from a collective write in which one rank meets a full disk.
+  /// Throws NoRoom on all ranks if the disk has no room for the bytes to come. Room is taken
+  /// beforehand because Open MPI does not return from a collective write in which one rank meets a
+  /// full disk.
   Hdf5File(const std::string& path, Mode mode, long long bytes_to_come, const CommPtr& comm);
   /// Closes without a word about failures: the way out of an exception. A rank that throws alone
   /// leaves the file open: closing takes all ranks.
@@ -69,26 +71,25 @@ public:
   /// Strings that all ranks know, of fixed length as Hdf5Reader reads them.
   void write(const std::string& name, const std::vector<std::string>& values);
 
-  /// Throws MachineFault on all ranks if anything has failed on any so far.
-  void check() const;
-  /// Flushes and closes. Throws MachineFault on all ranks if anything has failed on any.
+  /// Flushes and closes.
   void close();
 
 private:
-  Hdf5Handle make_dataset(const std::string& name, long long total, int columns, hid_t type);
+  Hdf5Handle make_dataset(const std::string& name, long long total, int columns, hid_t type) const;
   void write_rows(hid_t dataset, const std::string& name, const Rows& rows, hid_t type,
-                  const void* values);
+                  const void* values) const;
   void write_any(const std::string& name, const Rows& rows, hid_t type, const void* values);
   void attribute_any(const std::string& object, const std::string& name, hid_t type,
                      const void* value);
-  /// Keeps the first failure. Negative return values of HDF5 are failures.
+  /// Does work of all ranks and agrees on its end.
+  void together(const std::string& action, const std::function<void()>& work);
+  /// Throws MachineFault, on this rank, for a negative result, which is how HDF5 fails.
   template <class Result>
-  Result noted(Result result, const std::string& action);
+  Result checked(Result result, const std::string& action) const;
 
   Hdf5Silence silence_;
   std::string path_;
   CommPtr comm_;
-  std::string failure_;
   int compression_ = 0;
   Hdf5Handle file_;  ///< closes without a word on the way out of an exception
 };

@@ -275,8 +275,7 @@ void FieldWriter::write_blocks(const std::string& group) const {
                   at_cells);
     }
   }
-  file.check();  // a step that lacks something must not get its time
-  file.attribute(group, time_name, time_);
+  file.attribute(group, time_name, time_);  // last: a step that lacks something must not get it
   file.close();
 }
 

@@ -9,10 +9,10 @@
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/stop_signals.hpp"
+#include "tunica/io/fatal_signals.hpp"
 #include "tunica/io/messages.hpp"
 #include "tunica/output/checkpoint.hpp"
 #include "tunica/output/checkpoint_series.hpp"
-#include "tunica/run/fatal_signals.hpp"
 
 namespace tunica::run {
 
@@ -71,7 +71,7 @@ Outcome Checkpoints::guard(const std::function<Outcome()>& make_step) {
   } catch (...) {
     if (has_news())
       do_if_all_fail_alike(*comm_, march_->last_ended(), [this] {
-        const Deadline deadline(patience_with_checkpoint, words_of_exception());
+        const io::Deadline deadline(patience_with_checkpoint, words_of_exception());
         write_last_ended();
       });
     throw;

@@ -1,4 +1,4 @@
-#include "tunica/run/fatal_signals.hpp"
+#include "tunica/io/fatal_signals.hpp"
 
 #include <unistd.h>
 
@@ -9,9 +9,8 @@
 #include <string>
 
 #include "tunica/base/fault_point.hpp"
-#include "tunica/run/exit_status.hpp"
 
-namespace tunica::run {
+namespace tunica::io {
 
 namespace {
 
@@ -24,6 +23,7 @@ struct Prepared {
   std::array<struct sigaction, fatal.size()> before{};
   std::array<char, 65536> stack{};  ///< the other one may be at its end
   std::string words;                ///< of a Deadline
+  int rank = 0, exit_status = 1;
 };
 
 Prepared& prepared() {
@@ -35,13 +35,14 @@ void print(const char* text) {
   if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;  // nobody to tell
 }
 
-void give_up(int) { ::_exit(exit_fault); }
+void give_up(int) { ::_exit(prepared().exit_status); }
 
 void end_late(int) {
+  if (prepared().rank > 0) ::sleep(1);  // of several that wait one speaks, and its end ends all
   print(prepared().beginning.data());
   print(prepared().words.c_str());
   print("\n");
-  ::_exit(exit_fault);
+  ::_exit(prepared().exit_status);
 }
 
 void handle(int signal, siginfo_t* info, void* context) {
@@ -57,20 +58,20 @@ void handle(int signal, siginfo_t* info, void* context) {
     if (fatal[k] == signal && (before.sa_flags & SA_SIGINFO) != 0 && before.sa_sigaction != nullptr)
       before.sa_sigaction(signal, info, context);
   }
-  ::_exit(exit_fault);
+  ::_exit(prepared().exit_status);
 }
 
 }  // namespace
 
-void catch_fatal_signals(const std::string& program, int rank) {
-#ifdef __SANITIZE_ADDRESS__
-  static_cast<void>(program);
-  static_cast<void>(rank);
-  static_cast<void>(handle);  // the sanitizer tells more
-#else
+void catch_fatal_signals(const std::string& program, int rank, int exit_status) {
   Prepared& mine = prepared();
   std::snprintf(mine.beginning.data(), mine.beginning.size(), "%s: rank %d: ", program.c_str(),
                 rank);
+  mine.rank = rank;
+  mine.exit_status = exit_status;
+#ifdef __SANITIZE_ADDRESS__
+  static_cast<void>(handle);  // the sanitizer tells more
+#else
   stack_t stack{};
   stack.ss_sp = mine.stack.data();
   stack.ss_size = mine.stack.size();
@@ -82,12 +83,17 @@ void catch_fatal_signals(const std::string& program, int rank) {
 #endif
 }
 
-Deadline::Deadline(unsigned seconds, const std::string& words) {
+Deadline::Deadline(unsigned seconds, const std::string& words)
+    : outer_words_(prepared().words), outer_seconds_(::alarm(0)) {
   prepared().words = words;
   std::signal(SIGALRM, end_late);
   ::alarm(seconds);
 }
 
-Deadline::~Deadline() { ::alarm(0); }
+Deadline::~Deadline() {
+  ::alarm(0);
+  prepared().words = outer_words_;
+  ::alarm(outer_seconds_);
+}
 
-}  // namespace tunica::run
+}  // namespace tunica::io
