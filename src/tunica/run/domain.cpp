@@ -223,7 +223,8 @@ void print_expectations(const setup::Case& the_case, const Domain& domain) {
   const bool is_root = domain.comm->getRank() == 0;
   if (is_root) judge::print_table(judge::sanity_of(the_case, domain.vessel));
   if (!domain.common) return;
-  const std::string cost = text_of(judge::expected_cost(*domain.common), domain.comm->getSize());
+  const std::string cost = text_of(judge::expected_cost(domain.mesh("fluid"), domain.mesh("wall")),
+                                   domain.comm->getSize());
   if (is_root) io::print_line(cost);
 }
 
