@@ -63,8 +63,10 @@ private:
   bool accepts_unconverged_;
   std::optional<GeometryRule> rule_;  ///< where the geometry is "automatic"
   int step_ = 0, failed_step_ = -1;   ///< the last one, and the last whose first attempt failed
+  int predictor_order_;
   problems::FluidProblem* fluid_;
   problems::SolidProblem* wall_;
+  problems::MeshMotion* motion_;
   problems::StateHistory fluid_states_, wall_states_;
 };
 

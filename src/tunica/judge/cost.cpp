@@ -10,7 +10,7 @@ namespace tunica::judge {
 namespace {
 
 constexpr double program = 115.0;                        // m₀ [MB]
-constexpr double per_fluid = 6.0e-3, per_wall = 1.3e-3;  // m₁, m₂ [MB]
+constexpr double per_fluid = 5.9e-3, per_wall = 0.7e-3;  // m₁, m₂ [MB]
 constexpr double shared = 1.2;                           // a, on several ranks
 constexpr double seconds_per_tetrahedron = 2.2e-5;       // s₁
 

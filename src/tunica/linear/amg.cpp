@@ -18,7 +18,7 @@ Teuchos::ParameterList amg_list() {
   sweeps.sublist("ParameterList").set("relaxation: type", "Symmetric Gauss-Seidel");
   factories.sublist("Coarsest").set("factory", "SparseLUSolver");
   Teuchos::ParameterList& hierarchy = list.sublist("Hierarchy");
-  hierarchy.set("max levels", 10).set("coarse: max size", 500).set("verbosity", "None");
+  hierarchy.set("max levels", 10).set("coarse: max size", 2000).set("verbosity", "None");
   hierarchy.sublist("All").set("Smoother", "Sweeps").set("CoarseSolver", "Coarsest");
   return list;
 }

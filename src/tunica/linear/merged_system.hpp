@@ -20,6 +20,11 @@ public:
   virtual multigrid::Levels levels() const { return {}; }
   /// Estimated bytes of the factors of a direct solver. Collective.
   virtual double expected_bytes() const { return 0.0; }
+  /// As PreconditionedSystem has it.
+  virtual void note(int iterations, double reduction) {
+    static_cast<void>(iterations);
+    static_cast<void>(reduction);
+  }
   /// As LinearSolver has them.
   virtual std::vector<double> save() const { return {}; }
   virtual void restore(const std::vector<double>& numbers) { static_cast<void>(numbers); }
@@ -44,6 +49,9 @@ public:
   void refresh_preconditioner() override { preconditioner_->refresh(); }
   double expected_bytes() const override { return preconditioner_->expected_bytes(); }
   multigrid::Levels levels() const override { return preconditioner_->levels(); }
+  void note(int iterations, double reduction) override {
+    preconditioner_->note(iterations, reduction);
+  }
   std::vector<double> save() const override { return preconditioner_->save(); }
   void restore(const std::vector<double>& numbers) override { preconditioner_->restore(numbers); }
   void gather(const algebra::BlockVector& x, MultiVector& all) const override { K_.merge(x, all); }

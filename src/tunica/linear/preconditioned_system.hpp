@@ -29,6 +29,12 @@ public:
   /// Levels of the multigrid hierarchy as it was set up last, none by default. Collective.
   virtual multigrid::Levels levels() const { return {}; }
 
+  /// Iterations that a solve has taken, and the part of the residual that it has left.
+  virtual void note(int iterations, double reduction) {
+    static_cast<void>(iterations);
+    static_cast<void>(reduction);
+  }
+
   /// What set-ups have taught the preconditioner, as LinearSolver has it.
   virtual std::vector<double> save() const { return {}; }
   virtual void restore(const std::vector<double>& numbers) { static_cast<void>(numbers); }

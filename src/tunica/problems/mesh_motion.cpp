@@ -9,6 +9,9 @@ namespace tunica::problems {
 
 namespace {
 
+/// Steps from which the next one may be guessed.
+constexpr int most_guessed_from = 3;
+
 // The whole boundary is given to the volume: surfaces that follow have been found before it.
 std::vector<char> nodes_of_surfaces(const fields::FieldMesh& mesh) {
   std::vector<char> is_given(mesh.n_nodes());
@@ -29,7 +32,8 @@ MeshMotion::MeshMotion(const MeshMotionSettings& settings, const fields::FieldMe
                        const stepping::TimeScheme& scheme)
     : mesh_(&mesh), is_interface_(mesh.n_owned, 0), surfaces_(settings, mesh, interface, staying),
       volume_(settings, mesh, nodes_of_surfaces(mesh), discretisation::Extent::volume),
-      scheme_(&scheme), timeline_(fields::Places::nodes(mesh), 3, scheme.remembers()),
+      scheme_(&scheme),
+      timeline_(fields::Places::nodes(mesh), 3, scheme.remembers(), most_guessed_from),
       d_(mesh.n_nodes()) {
   for (int a = 0; a < mesh.n_owned; ++a) is_interface_[a] = mesh.is_on_any(a, interface);
 }
@@ -84,6 +88,22 @@ void MeshMotion::extend_increment(double tolerance, const Vector& interface, Vec
   algebra::from_columns(total, d);
 }
 
+// E Σ_k c_k dⁿ⁻ᵏ = Σ_k c_k d_fⁿ⁻ᵏ
+void MeshMotion::begin_extrapolated(int degree, const stepping::StepSizes& sizes) {
+  begin_with(timeline_.extrapolated(degree, sizes));
+}
+
+void MeshMotion::begin_with(const stepping::Rows& local) {
+  MultiVector values(mesh_->node_map, 3);
+  {
+    const auto view = values.getLocalViewHost(overwrite_all);
+    for (int a = 0; a < mesh_->n_owned; ++a)
+      for (int i = 0; i < 3; ++i) view(a, i) = local[3 * a + i];
+  }
+  surfaces_.start_from(values);
+  volume_.problem().start_from(values);
+}
+
 fields::State MeshMotion::save() const {
   fields::State state = fields::state_on(*mesh_);
   state.arrays["displacement"] = fields::rows_of(d_, mesh_->n_owned);
@@ -92,19 +112,11 @@ fields::State MeshMotion::save() const {
 }
 
 std::string MeshMotion::restore(const fields::State& state) {
-  const fields::State::Array& rows = state.array("displacement", 3);
   const stepping::Rows local = fields::Places::nodes(*mesh_).local_rows(state, "displacement", 3);
   d_ = fields::as_vectors(local);
   timeline_.restore_past("", state, local);
-  MultiVector last(mesh_->node_map, 3);
-  {
-    const auto view = last.getLocalViewHost(overwrite_all);
-    for (int a = 0; a < mesh_->n_owned; ++a)
-      for (int i = 0; i < 3; ++i) view(a, i) = rows.values[3 * a + i];
-  }
   // d_f is where iterative solvers begin: with it a restarted run makes the same iterations.
-  surfaces_.start_from(last);
-  volume_.problem().start_from(last);
+  begin_with(local);
   return "";
 }
 

@@ -22,6 +22,10 @@ public:
   Outcome extend(const std::vector<Vec3>& interface_displacement,
                  const ExtensionAccuracy& accuracy = {});
 
+  /// The next extend() begins with the polynomial of the degree through the last steps at the end
+  /// of the present one, which is the extension of an interface that is guessed in the same way.
+  void begin_extrapolated(int degree, const stepping::StepSizes& sizes);
+
   /// Increment of the owned nodes for an increment of the interface's displacement, solved to a
   /// relative residual; other entries of the given increment are ignored. Collective.
   void extend_increment(double tolerance, const Vector& interface, Vector& d);
@@ -46,6 +50,8 @@ public:
   std::string restore(const fields::State& state) override;
 
 private:
+  void begin_with(const stepping::Rows& local);
+
   const fields::FieldMesh* mesh_;
   std::vector<char> is_interface_;  ///< per owned node
   FollowingSurfaces surfaces_;

@@ -110,7 +110,7 @@ Teuchos::RCP<CrsMatrix> laplacian_on_grid(GlobalOrdinal n) {
 }
 
 TEUCHOS_UNIT_TEST(scalar_solver, factors_do_what_conjugate_gradients_do_not) {
-  const auto K = laplacian_on_grid(40);  // more than the coarsest level of a cycle
+  const auto K = laplacian_on_grid(60);  // more than the coarsest level of a cycle
   MultiVector B(K->getRowMap(), 2), X(K->getRowMap(), 2);
   B.randomize();
   Teuchos::ParameterList list;

@@ -1,4 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
 
 #include "tunica/multigrid/muelu/cycle.hpp"
 #include "unit/algebra/distance.hpp"
@@ -164,6 +165,64 @@ TEUCHOS_UNIT_TEST(cycle, lists_with_parts_of_muelu_are_set_up_anew) {
   cycle.refresh();
   TEST_COMPARE(distance(cycle, multigrid::Cycle(wall.K(), nodes, list), wall.scattered(5)), <,
                1e-12);
+}
+
+/// The space of the wall's blocks with the places of its nodes.
+algebra::BlockSpace with_places(const WallMatrix& wall) {
+  const fields::FieldMesh& mesh = wall.mesh();
+  const auto x = Teuchos::rcp(new MultiVector(mesh.node_map, 3));
+  const auto in_solid = Teuchos::rcp(new Vector(mesh.node_map));
+  {
+    const auto place = x->getLocalViewHost(overwrite_all);
+    for (int a = 0; a < mesh.n_owned; ++a)
+      for (int i = 0; i < 3; ++i) place(a, i) = mesh.x[a][i];
+  }
+  in_solid->putScalar(1.0);
+  std::vector<algebra::Block> blocks;
+  for (int b = 0; b < wall.jacobian.K.space()->n_blocks(); ++b) {
+    blocks.push_back((*wall.jacobian.K.space())[b]);
+    blocks.back().nodes.places = {x, in_solid};
+  }
+  return algebra::BlockSpace(blocks);
+}
+
+TEUCHOS_UNIT_TEST(cycle, takes_rotations_where_it_contracts_badly_without) {
+  const WallMatrix wall;
+  const Teuchos::RCP<CrsMatrix> K = wall.K();
+  const auto nodes = Teuchos::rcp(new multigrid::MixedCoarsening(with_places(wall)));
+  const auto list = [](bool has_rotations, double from) {
+    Teuchos::ParameterList made = multigrid::mixed_cycle_list(1);
+    made.sublist("Hierarchy").set("coarse: max size", 40);
+    made.sublist("Factories")
+        .sublist("Nodes")
+        .set("rotations", has_rotations)
+        .set("rotations from", from);
+    return made;
+  };
+  const multigrid::Cycle without(K, nodes, list(false, 0.0)), with(K, nodes, list(true, 0.0));
+  const Vector b = wall.scattered(5);
+  TEST_COMPARE(distance(with, without, b), >, 1e-3);
+  multigrid::Cycle cycle(K, nodes, list(true, 0.3));
+  // 0.2 an iteration is good enough, and few iterations tell nothing.
+  for (int solve = 0; solve < 3; ++solve) {
+    cycle.note(4, std::pow(0.2, 4));
+    cycle.refresh();
+    cycle.note(7, 0.5);
+    cycle.refresh();
+  }
+  TEST_EQUALITY(distance(cycle, without, b), 0.0);
+  TEST_ASSERT(cycle.memory().empty());
+  cycle.note(4, std::pow(0.4, 4));
+  cycle.note(4, std::pow(0.4, 4));
+  TEST_EQUALITY(distance(cycle, without, b), 0.0);  // until it is set up again
+  // Nor does one that goes on from its numbers lose what it has been told.
+  multigrid::Cycle later(K, nodes, list(true, 0.3));
+  later.recall(cycle.memory());
+  for (multigrid::Cycle* const one : {&cycle, &later}) {
+    one->refresh();
+    TEST_EQUALITY(distance(*one, with, b), 0.0);
+    TEST_EQUALITY(one->memory().size(), 1 + 3 * one->levels().smoothers.size());
+  }
 }
 
 TEUCHOS_UNIT_TEST(cycle, honours_the_factors_of_apply) {

@@ -86,7 +86,7 @@ TEUCHOS_UNIT_TEST(mesh_motion, a_linear_field_on_the_whole_boundary_is_reproduce
 // What is left undone is a part of the increment, and gone when it has been asked for often enough.
 TEUCHOS_UNIT_TEST(mesh_motion, an_increment_is_followed_as_well_as_is_asked) {
   std::vector<double> planes;
-  for (int k = 0; k <= 120; ++k) planes.push_back(0.5 * k);  // else one level solves it
+  for (int k = 0; k <= 500; ++k) planes.push_back(0.5 * k);  // else one level solves it
   const Block block(planes);
   std::vector<int> all(block.mesh.surfaces.size());
   std::iota(all.begin(), all.end(), 0);

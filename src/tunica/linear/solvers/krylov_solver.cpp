@@ -100,6 +100,7 @@ SolveReport KrylovSolver::solve(const algebra::BlockVector& b, algebra::BlockVec
   }
   // The reduction is that of the last attempt, which has begun at this residual.
   rule_.note(iterations, report.true_residual / start, report.is_converged);
+  system_->note(iterations, report.true_residual / start);
   system_->scatter(x_, x);
   report.levels = system_->levels();
   return report;

@@ -5,6 +5,7 @@
 #include <MueLu_ParameterListInterpreter.hpp>
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "tunica/algebra/columns.hpp"
@@ -34,6 +35,28 @@ using Wrapper = Xpetra::TpetraMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, N
 /// and 18, 5.2 and 5.4 s; six layers of 15, 52 and 44, 7.1 and 6.8 s. With flatness 6 W takes 9 %
 /// of the iterations away and 8 % longer.
 constexpr double flat = 10.0;
+
+/// Iterations that tell how well a cycle contracts.
+constexpr int telling = 8;
+
+constexpr const char* rotations = NodalPFactory::rotations;
+constexpr const char* rotations_from = NodalPFactory::rotations_from;
+
+bool waits_with_rotations(const Teuchos::ParameterList& factory) {
+  return factory.isType<double>(rotations_from) && factory.isType<bool>(rotations) &&
+         factory.get<bool>(rotations);
+}
+
+/// The largest of the list's factories; 0 where none waits.
+double contraction_for_rotations(const Teuchos::ParameterList& muelu) {
+  double largest = 0.0;
+  if (!muelu.isSublist("Factories")) return largest;
+  const Teuchos::ParameterList& factories = muelu.sublist("Factories");
+  for (const auto& entry : factories)
+    if (factories.isSublist(entry.first) && waits_with_rotations(factories.sublist(entry.first)))
+      largest = std::max(largest, factories.sublist(entry.first).get<double>(rotations_from));
+  return largest;
+}
 
 const std::string cannot_work_on_blocks =
     "a smoother or another factory of the list cannot work on a matrix of blocks: ";
@@ -78,7 +101,8 @@ struct Cycle::Parts {
 
 Cycle::Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsening>& coarsening,
              const Teuchos::ParameterList& muelu, bool is_blocked)
-    : A_(A), coarsening_(coarsening), muelu_(muelu), is_blocked_(is_blocked) {
+    : A_(A), coarsening_(coarsening), muelu_(muelu), is_blocked_(is_blocked),
+      rotations_from_(contraction_for_rotations(muelu)) {
   check_matrix_kind(muelu, is_blocked);
   set_up();
 }
@@ -88,11 +112,21 @@ Cycle::Cycle(const Teuchos::RCP<CrsMatrix>& A, int components, const Teuchos::Pa
 
 Cycle::~Cycle() = default;
 
+Teuchos::ParameterList Cycle::present_list() const {
+  Teuchos::ParameterList list(muelu_);
+  if (!(rotations_from_ > 0.0) || has_rotations_) return list;
+  Teuchos::ParameterList& factories = list.sublist("Factories");
+  for (const auto& entry : muelu_.sublist("Factories"))
+    if (factories.isSublist(entry.first) && waits_with_rotations(factories.sublist(entry.first)))
+      factories.sublist(entry.first).set(rotations, false);
+  return list;
+}
+
 // The levels as the list has them; W cycles where solids have flat elements, unless it says
 // otherwise.
 void Cycle::set_up() {
   parts_ = std::make_unique<Parts>();
-  Teuchos::ParameterList list(muelu_);
+  Teuchos::ParameterList list = present_list();
   Teuchos::ParameterList& levels = list.sublist("Hierarchy");
   if (!levels.isParameter("cycle type") && coarsening_->flatness() > flat)
     levels.set("cycle type", "W");
@@ -132,7 +166,11 @@ void Cycle::iterate(const MultiVector& b, MultiVector& x) const {
 
 // Numeric work where all parts can follow; else, graphs included, all anew.
 void Cycle::refresh() {
-  if (!keeps_graphs()) return set_up();
+  iterations_ = 0;
+  logarithm_ = 0.0;
+  const bool turns = wants_rotations_ && !has_rotations_;
+  has_rotations_ = wants_rotations_;
+  if (turns || !keeps_graphs()) return set_up();
   for (algebra::Refreshable* part : parts_->refreshable) part->refresh();
   parts_->levels.smoothers = smoother_states();
 }
@@ -175,24 +213,42 @@ std::vector<SmootherState> Cycle::smoother_states() const {
   return states;
 }
 
-// Three numbers a level. A cycle that is set up anew each time learns nothing.
+// ρ = (Π_s |r|/|b|)^(1/Σ_s m_s) over the solves s, of m_s iterations, since the last set-up
+void Cycle::note(int iterations, double reduction) {
+  if (!(rotations_from_ > 0.0) || !(reduction > 0.0)) return;
+  iterations_ += iterations;
+  logarithm_ += std::log(reduction);
+  if (iterations_ >= telling && logarithm_ > iterations_ * std::log(rotations_from_))
+    wants_rotations_ = true;
+}
+
+// Whether rotations are wanted, then three numbers a level. Smoothers of a cycle that is set up
+// anew each time learn nothing.
 std::vector<double> Cycle::memory() const {
-  std::vector<double> numbers;
-  bool is_fresh = true;
+  std::vector<double> numbers = {wants_rotations_ ? 1.0 : 0.0};
+  if (wants_rotations_ && !has_rotations_) return numbers;  // all else will be new
+  bool is_fresh = !wants_rotations_;
   for (const NodalIluSmoother* smoother : ilu_smoothers()) {
     const NodalIluSmoother::Memory& memory = smoother->memory();
     is_fresh = is_fresh && NodalIluSmoother::is_fresh(memory);
     for (const int number : {memory.attempt, memory.refreshes, memory.patience})
       numbers.push_back(number);
   }
-  return is_fresh || !keeps_graphs() ? std::vector<double>() : numbers;
+  if (is_fresh || (!wants_rotations_ && !keeps_graphs())) return {};
+  return numbers;
 }
 
 void Cycle::recall(const std::vector<double>& memory) {
+  if (memory.empty()) return;
+  wants_rotations_ = memory.front() != 0.0;
+  if (wants_rotations_ && !has_rotations_) {
+    has_rotations_ = true;
+    set_up();
+  }
   const std::vector<NodalIluSmoother*> smoothers = ilu_smoothers();
-  if (memory.size() != 3 * smoothers.size() || !keeps_graphs()) return;
+  if (memory.size() != 1 + 3 * smoothers.size() || !keeps_graphs()) return;
   for (std::size_t k = 0; k < smoothers.size(); ++k) {
-    const auto number = [&](std::size_t i) { return static_cast<int>(memory[3 * k + i]); };
+    const auto number = [&](std::size_t i) { return static_cast<int>(memory[1 + 3 * k + i]); };
     smoothers[k]->recall({number(0), number(1), number(2)});
   }
 }
@@ -277,11 +333,15 @@ Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
 }
 
 // Rotations change nothing where no node belongs to a solid.
-Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial) {
+Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial,
+                                        double rotations_from_contraction) {
   Teuchos::ParameterList smoother;
   smoother.set("factory", "NodalIluSmoother").set("sweeps", sweeps).set("polynomial", polynomial);
   Teuchos::ParameterList list = nodal_levels(smoother, coarsest_mixed);
-  list.sublist("Factories").sublist("Nodes").set("rotations", true);
+  list.sublist("Factories")
+      .sublist("Nodes")
+      .set(rotations, true)
+      .set(rotations_from, rotations_from_contraction);
   return list;
 }
 

@@ -48,10 +48,15 @@ public:
   /// True where refresh() finds no graphs again.
   bool keeps_graphs() const;
 
-  /// What the smoothers have learnt over set-ups and a new cycle would not know, as numbers for a
-  /// checkpoint; empty where they have learnt nothing. With it the set-ups of a new cycle go on as
-  /// those of this one would: recall(), then refresh(). Numbers of another hierarchy are left
-  /// aside.
+  /// What a solve with the cycle has taken, and the part of the residual that it has left. Where
+  /// "NodalPFactory" waits for it ("rotations from"), cycles that contract badly interpolate
+  /// rotations from the next refresh() on, which then finds the levels anew.
+  void note(int iterations, double reduction);
+
+  /// What the cycle and its smoothers have learnt over set-ups and a new cycle would not know, as
+  /// numbers for a checkpoint; empty where they have learnt nothing. With it the set-ups of a new
+  /// cycle go on as those of this one would: recall(), then refresh(). Numbers of another hierarchy
+  /// are left aside. recall() is collective.
   std::vector<double> memory() const;
   void recall(const std::vector<double>& memory);
 
@@ -68,6 +73,7 @@ private:
   struct Parts;
 
   void set_up();
+  Teuchos::ParameterList present_list() const;
   Levels count_levels() const;
   std::vector<NodalIluSmoother*> ilu_smoothers() const;
   std::vector<SmootherState> smoother_states() const;
@@ -78,6 +84,10 @@ private:
   Teuchos::ParameterList muelu_;
   bool is_blocked_;
   std::unique_ptr<Parts> parts_;
+  double rotations_from_;  ///< contraction; 0: the list says whether there are any
+  bool wants_rotations_ = false, has_rotations_ = false;  ///< where that is not 0
+  int iterations_ = 0;                                    ///< since the last set-up
+  double logarithm_ = 0.0;                                ///< of what they have left of residuals
 };
 
 /// Builds the factories of such a list without a matrix. Throws tunica::Error for what MueLu
@@ -90,8 +100,9 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked = fal
 Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
 
 /// The default list for a mixed system, smoothed by incomplete factors in node blocks. polynomial:
-/// as NodalIluSmoother has it.
-Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial = "power");
+/// as NodalIluSmoother has it; rotations_from: as NodalPFactory.
+Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial = "power",
+                                        double rotations_from = 0.0);
 
 /// A list for a mixed system, smoothed by Braess and Sarazin's sweeps with so many of Gauss-Seidel
 /// for the Schur complement, which requires no C and no order of the nodes. Coarse levels get a C

@@ -15,7 +15,10 @@ constexpr const char* marker = "Nodal Prolongator";
 Teuchos::RCP<const Teuchos::ParameterList> NodalPFactory::GetValidParameterList() const {
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
   list->set<Teuchos::RCP<const MueLu::FactoryBase>>("A", Teuchos::null, "the matrix to coarsen");
-  list->set("rotations", false, "displacements of solids: exact for rigid motions");
+  list->set(rotations, false, "displacements of solids: exact for rigid motions");
+  list->set(rotations_from, 0.0,
+            "only once a cycle without them has contracted by no more than this factor, in the "
+            "mean of the iterations between two set-ups; 0: from the start");
   return list;
 }
 
@@ -27,7 +30,7 @@ void NodalPFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   // Xpetra asks for a matrix it may change; MueLu leaves prolongators alone.
   const auto P = Teuchos::rcp_const_cast<CrsMatrix>(
       coarsening_->prolongator(fine.GetLevelID(), *Xpetra::toTpetra(A->getRangeMap()),
-                               GetParameterList().get<bool>("rotations")));
+                               GetParameterList().get<bool>(rotations)));
   Set(coarse, "P", wrapped(P));
   // The mark of a prolongator that does not depend on values, so that new ones leave it as it is.
   coarse.Set(marker, true, MueLu::NoFactory::get());

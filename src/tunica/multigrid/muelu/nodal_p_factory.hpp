@@ -6,10 +6,14 @@
 namespace tunica::multigrid {
 
 /// "NodalPFactory" of a MueLu list: the prolongator of a MixedCoarsening for the block, or for
-/// both, that "A" is. Its key: "rotations" (false), by which displacements of solids are
-/// interpolated so that rigid motions are exact (RigidInterpolation).
+/// both, that "A" is. Its keys: "rotations" (false), by which displacements of solids are
+/// interpolated so that rigid motions are exact (RigidInterpolation), and "rotations from" (0), for
+/// which see Cycle::note().
 class NodalPFactory : public MueLu::TwoLevelFactoryBase {
 public:
+  static constexpr const char* rotations = "rotations";
+  static constexpr const char* rotations_from = "rotations from";
+
   /// Before Build().
   void set_coarsening(const Teuchos::RCP<MixedCoarsening>& coarsening) { coarsening_ = coarsening; }
 
