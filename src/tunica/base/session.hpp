@@ -13,7 +13,7 @@ class Session {
 public:
   Session() : scope_(&count_, &names_) {
     warm_up_blas();
-    warm_up_files();
+    if (Tpetra::getDefaultComm()->getSize() > 1) warm_up_files();
   }
 
 private:

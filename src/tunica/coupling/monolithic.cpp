@@ -9,7 +9,7 @@ namespace tunica::coupling {
 
 // As for the wall, whose stiffness K has: 6 + 6 and 2 + 2 sweeps in block LU, three of Chebyshev's
 // in the cycle, whose coarse levels know of rotations where it contracts badly without: in steps in
-// which inertia outweighs bending they only cost, a third of the time and a sixth of the memory of
+// which inertia outweighs bending they only cost, a fifth of a step and a seventh of the memory of
 // a tube with 350,000 tetrahedra. What P misses, as how the domain follows, ten recycled directions
 // of GCR keep.
 params::Table monolithic_solver_table() {

@@ -202,8 +202,7 @@ bool CoupledProblem::is_domain_of_wall() const {
 Outcome CoupledProblem::residual(const algebra::BlockVector& x, algebra::BlockVector& F) {
   read(x);
   if (!is_extrapolated_) {
-    if (!is_domain_of_wall())
-      if (const Outcome outcome = follow_wall(mesh_accuracy_); outcome.is_failure()) return outcome;
+    if (const Outcome outcome = follow_wall(mesh_accuracy_); outcome.is_failure()) return outcome;
     fluid_->field().prescribe(fluid_x_);  // a flow rate through an opening that has changed
   }
   const Stopwatch flowing;

@@ -43,8 +43,8 @@ constexpr const char* rotations = NodalPFactory::rotations;
 constexpr const char* rotations_from = NodalPFactory::rotations_from;
 
 bool waits_with_rotations(const Teuchos::ParameterList& factory) {
-  return factory.isType<double>(rotations_from) && factory.isType<bool>(rotations) &&
-         factory.get<bool>(rotations);
+  return factory.isType<double>(rotations_from) && factory.get<double>(rotations_from) > 0.0 &&
+         factory.isType<bool>(rotations) && factory.get<bool>(rotations);
 }
 
 /// The largest of the list's factories; 0 where none waits.
