@@ -8,15 +8,15 @@ namespace tunica::coupling {
 /// follows the wall, where this is to be found out. The answer is the same either way. With them
 /// Newton's method takes half the steps in a vessel that is bent, and as many as without in a
 /// straight tube; but each product with the Jacobian then moves the mesh. The work of a step is
-/// counted in products without them: of n Newton steps with m_k Krylov iterations
+/// counted in iterations without them: of n Newton steps with m_k Krylov iterations
 ///
-///   W = c n + (1 + s) Σ_k m_k,   s = 0 without shape derivatives.
+///   W = c n + (1 + s) Σ_k m_k + a,   s = a = 0 without shape derivatives.
 ///
 /// The rule goes one way, tries the other for two steps every so often, and takes that if they need
-/// clearly less than the two before. As long as its way wins it tries half as often each time. It
-/// begins without. A solve without them goes over to them where it takes many Newton steps; the
-/// rule then tries them at once, and a trial without them is over. There is no clock in it: runs
-/// can be repeated, and ranks agree.
+/// less than the two before, clearly less where it is the one with derivatives. As long as its way
+/// wins it tries half as often each time. It begins without. A solve without them goes over to them
+/// where it takes many Newton steps; the rule then tries them at once, and a trial without them is
+/// over. There is no clock in it: runs can be repeated, and ranks agree.
 class GeometryRule {
 public:
   bool wants_derivatives() const { return present_ != is_trial(); }

@@ -9,27 +9,29 @@
 #include "tunica/io/progress.hpp"
 #include "tunica/linear/amg.hpp"
 #include "tunica/linear/direct/direct_factor.hpp"
-#include "tunica/linear/krylov.hpp"
+#include "tunica/linear/solvers/conjugate_gradients.hpp"
 
 namespace tunica::linear {
 
 namespace {
 
-/// Of each column.
-struct Norms {
-  Norms(const CrsMatrix& K, const MultiVector& B, const MultiVector& X)
-      : r(B.getNumVectors()), b(B.getNumVectors()) {
-    MultiVector R(B, Teuchos::Copy);
-    K.apply(X, R, Teuchos::NO_TRANS, -1.0, 1.0);
-    R.norm2(Teuchos::arrayViewFromVector(r));
-    B.norm2(Teuchos::arrayViewFromVector(b));
-  }
-  std::vector<double> r, b;  ///< |B − K X|, |B|
-};
+using Norms = std::vector<double>;  ///< of each column
 
-// max_j |b_j − K x_j|/|b_j| over the columns; what is no number is infinite
-double largest_residual(const CrsMatrix& K, const MultiVector& B, const MultiVector& X) {
-  const auto [r, b] = Norms(K, B, X);
+Norms norms(const MultiVector& X) {
+  Norms found(X.getNumVectors());
+  X.norm2(Teuchos::arrayViewFromVector(found));
+  return found;
+}
+
+// R = B − K X
+MultiVector residual_of(const CrsMatrix& K, const MultiVector& B, const MultiVector& X) {
+  MultiVector R(B, Teuchos::Copy);
+  K.apply(X, R, Teuchos::NO_TRANS, -1.0, 1.0);
+  return R;
+}
+
+// max_j |r_j|/|b_j| over the columns; what is no number is infinite
+double largest_ratio(const Norms& r, const Norms& b) {
   double largest = 0.0;
   for (std::size_t j = 0; j < r.size(); ++j) {
     if (!std::isfinite(r[j])) return std::numeric_limits<double>::infinity();
@@ -38,9 +40,8 @@ double largest_residual(const CrsMatrix& K, const MultiVector& B, const MultiVec
   return largest;
 }
 
-// (Σ_j |b_j − K x_j|² / Σ_j |b_j|²)^½: a column that is next to zero does not count for itself
-double common_residual(const CrsMatrix& K, const MultiVector& B, const MultiVector& X) {
-  const auto [r, b] = Norms(K, B, X);
+// (Σ_j |r_j|² / Σ_j |b_j|²)^½: a column that is next to zero does not count for itself
+double common_ratio(const Norms& r, const Norms& b) {
   const double of_b = std::inner_product(b.begin(), b.end(), b.begin(), 0.0);
   const double of_r = std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
   return of_b > 0.0 ? std::sqrt(of_r / of_b) : 0.0;
@@ -51,14 +52,11 @@ public:
   explicit DirectScalarSolver(const Teuchos::RCP<CrsMatrix>& K) : K_(K), factor_(K) {
     factor_.refresh();
   }
-  double solve_to(double, const MultiVector& B, MultiVector& X) override {
+  // Factors need no start, and reach their tolerance whatever else is asked for.
+  ScalarAnswer solve_to(const ScalarGoal& goal, const MultiVector& B, MultiVector& X) override {
     factor_.apply(B, X);
-    return largest_residual(*K_, B, X);
+    return {largest_ratio(norms(residual_of(*K_, B, X)), norms(B)), goal.tolerance};
   }
-  double residual(const MultiVector& B, const MultiVector& X) const override {
-    return common_residual(*K_, B, X);
-  }
-  // Factors reach it, whatever else is asked for.
   double tolerance() const override { return 1e-10; }
 
 private:
@@ -72,37 +70,59 @@ public:
   /// preconditioner: of K.
   CgSolver(const Teuchos::ParameterList& options, const Teuchos::RCP<CrsMatrix>& K,
            const Teuchos::RCP<Operator>& preconditioner)
-      : K_(K), options_{"CG", options.get<int>("max iterations"), 0},
+      : K_(K), max_iterations_(options.get<int>("max iterations")),
         tolerance_(options.get<double>("tolerance")), preconditioner_(preconditioner),
         may_factor_(K->getGlobalNumRows() <=
                     static_cast<Tpetra::global_size_t>(options.get<int>("direct unknowns"))) {}
 
-  double solve_to(double tolerance, const MultiVector& B, MultiVector& X) override {
-    // Columns together share their messages; where there are none, Tpetra is quicker one by one.
-    if (K_->getComm()->getSize() > 1)
-      solve_krylov(options_, K_, preconditioner_, B, X, tolerance);
-    else
-      for (std::size_t j = 0; j < B.getNumVectors(); ++j)
-        solve_krylov(options_, K_, preconditioner_, *B.getVector(j), *X.getVectorNonConst(j),
-                     tolerance);
-    // The recurrence of CG estimates the true residual: twice the goal is good enough.
-    const double residual = largest_residual(*K_, B, X);
-    if (residual <= 2.0 * tolerance || !may_factor_) return residual;
+  ScalarAnswer solve_to(const ScalarGoal& goal, const MultiVector& B, MultiVector& X) override {
+    // R = B − K X, to fall to max(τ, reduction · min(0.01, |R|/|B|)) |b| in each column
+    MultiVector R = goal.starts_from_zero ? MultiVector(B, Teuchos::Copy) : residual_of(*K_, B, X);
+    const Norms b = norms(B), start = norms(R);
+    constexpr double most = 0.01;
+    const double change = common_ratio(start, b);
+    const double wanted =
+        std::max(goal.tolerance, goal.reduction * (change < most ? change : most));
+    Norms goals(b);
+    for (double& size : goals) size *= wanted;
+    // K x = 0 has the solution zero, which no iteration reaches.
+    for (std::size_t j = 0; j < b.size(); ++j)
+      if (b[j] == 0.0)
+        for (MultiVector* V : {&R, &X}) V->getVectorNonConst(j)->putScalar(0.0);
+    iterate(goals, start, R, X);
+    // Round-off parts what the recurrence says from the truth at 1e-12 or so.
+    constexpr double trusted = 1e-9;
+    if (wanted < trusted) R = residual_of(*K_, B, X);
+    const ScalarAnswer answer{largest_ratio(norms(R), b), wanted};
+    if (answer.is_good() || !may_factor_) return answer;
     if (!factors_) {
       io::announce(
           "conjugate gradients do not reach their tolerance; sparse LU factors are used instead");
       factors_ = std::make_unique<DirectScalarSolver>(K_);
     }
-    return factors_->solve_to(tolerance, B, X);
-  }
-  double residual(const MultiVector& B, const MultiVector& X) const override {
-    return common_residual(*K_, B, X);
+    return factors_->solve_to({wanted}, B, X);
   }
   double tolerance() const override { return tolerance_; }
 
 private:
+  // Columns together share their messages; where there are none, Tpetra is quicker one by one.
+  void iterate(const Norms& goals, const Norms& start, MultiVector& R, MultiVector& X) const {
+    const auto is_open = [&](std::size_t j) { return goals[j] > 0.0 && !(start[j] <= goals[j]); };
+    bool any = false;
+    for (std::size_t j = 0; j < goals.size(); ++j) any = any || is_open(j);
+    if (!any) return;
+    if (K_->getComm()->getSize() > 1) {
+      conjugate_gradients(*K_, *preconditioner_, goals, max_iterations_, R, X);
+      return;
+    }
+    for (std::size_t j = 0; j < goals.size(); ++j)
+      if (is_open(j))
+        conjugate_gradients(*K_, *preconditioner_, {goals[j]}, max_iterations_,
+                            *R.getVectorNonConst(j), *X.getVectorNonConst(j));
+  }
+
   Teuchos::RCP<CrsMatrix> K_;
-  KrylovOptions options_;
+  int max_iterations_;
   double tolerance_;
   Teuchos::RCP<Operator> preconditioner_;
   bool may_factor_;
@@ -141,18 +161,12 @@ public:
   VectorSolver(std::unique_ptr<ScalarSolver> solver, const Teuchos::RCP<const Map>& map)
       : solver_(std::move(solver)), b_(map, 1), x_(map, 1) {}
 
-  double solve_to(double tolerance, const MultiVector& B, MultiVector& X) override {
+  ScalarAnswer solve_to(const ScalarGoal& goal, const MultiVector& B, MultiVector& X) override {
     algebra::from_columns(B, b_);
     algebra::from_columns(X, x_);
-    const double residual = solver_->solve_to(tolerance, b_, x_);
+    const ScalarAnswer answer = solver_->solve_to(goal, b_, x_);
     algebra::to_columns(x_, X);
-    return residual;
-  }
-  double residual(const MultiVector& B, const MultiVector& X) const override {
-    Vector b(b_.getMap()), x(x_.getMap());
-    algebra::from_columns(B, b);
-    algebra::from_columns(X, x);
-    return solver_->residual(b, x);
+    return answer;
   }
   double tolerance() const override { return solver_->tolerance(); }
 

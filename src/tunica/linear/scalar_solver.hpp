@@ -6,17 +6,33 @@
 
 namespace tunica::linear {
 
+/// What a solve is to reach, of each column.
+struct ScalarGoal {
+  double tolerance;  ///< |b − K x|/|b|
+  /// Enough, where that is more: this part of the residual of the start, of all columns together,
+  /// of which no more than a hundredth of |B| counts.
+  double reduction = 0.0;
+  bool starts_from_zero = false;  ///< X holds zeros: they need not be multiplied by K
+};
+
+/// Relative residuals: the one that is left and the one that was wanted.
+struct ScalarAnswer {
+  double residual, wanted;
+  /// Iterative solvers stop by an estimate of the residual, of which twice is permitted.
+  bool is_good() const { return residual <= 2.0 * wanted; }
+};
+
 /// Solves with one symmetric positive definite matrix that never changes, as mesh motion does, for
 /// any number of columns; or for the three components of a vector, which are columns too.
 class ScalarSolver {
 public:
   virtual ~ScalarSolver() = default;
   /// X = K⁻¹ B for every column, started from the X given. Returns the relative residual.
-  double solve(const MultiVector& B, MultiVector& X) { return solve_to(tolerance(), B, X); }
-  /// Solves to another relative residual.
-  virtual double solve_to(double tolerance, const MultiVector& B, MultiVector& X) = 0;
-  /// |B − K X| / |B| over all columns together, 0 for B = 0.
-  virtual double residual(const MultiVector& B, const MultiVector& X) const = 0;
+  double solve(const MultiVector& B, MultiVector& X) {
+    return solve_to({tolerance()}, B, X).residual;
+  }
+  /// Solves to another goal. Collective.
+  virtual ScalarAnswer solve_to(const ScalarGoal& goal, const MultiVector& B, MultiVector& X) = 0;
   /// The relative residual that solve() aims at.
   virtual double tolerance() const = 0;
 };

@@ -1,7 +1,5 @@
 #include "tunica/problems/extension_problem.hpp"
 
-#include <algorithm>
-
 #include "tunica/algebra/picked_matrix.hpp"
 #include "tunica/base/told_apart.hpp"
 
@@ -60,19 +58,12 @@ MultiVector ExtensionProblem::right_side(const MultiVector& given) const {
 
 Outcome ExtensionProblem::extend(MultiVector& values, const ExtensionAccuracy& accuracy) {
   if (!solver_) return Outcome::success();
-  // |L φ₀ − b| ≤ max(τ, reduction · min(0.01, what the last φ₀ leaves)) |b|: no better than the
-  // interface itself will be known
-  const MultiVector b = right_side(values);
-  double wanted = accuracy.tolerance.value_or(solver_->tolerance());
-  if (accuracy.reduction > 0.0) {
-    constexpr double most = 0.01;
-    const double change = solver_->residual(b, solution_);
-    wanted = std::max(wanted, accuracy.reduction * (change < most ? change : most));
-  }
-  const double residual = solver_->solve_to(wanted, b, solution_);
-  // Iterative solvers stop by an estimate of the residual, of which twice is permitted.
-  if (!(residual <= 2.0 * wanted)) {
-    const auto [left, most] = told_apart(residual, wanted);
+  // no better than the interface itself will be known
+  const linear::ScalarAnswer answer =
+      solver_->solve_to({accuracy.tolerance.value_or(solver_->tolerance()), accuracy.reduction},
+                        right_side(values), solution_);
+  if (!answer.is_good()) {
+    const auto [left, most] = told_apart(answer.residual, answer.wanted);
     solution_.putScalar(0.0);  // it may be no number, and is the next start
     return Outcome::failure("the linear solver left a relative residual of " + left +
                             " instead of " + most);
@@ -86,7 +77,7 @@ Outcome ExtensionProblem::extend(MultiVector& values, const ExtensionAccuracy& a
 void ExtensionProblem::extend_roughly(double tolerance, MultiVector& values) const {
   if (!solver_) return;
   MultiVector phi(solution_.getMap(), values.getNumVectors());
-  solver_->solve_to(tolerance, right_side(values), phi);
+  solver_->solve_to({tolerance, 0.0, true}, right_side(values), phi);
   algebra::add_rows(free_, 1.0, phi, values);
 }
 
