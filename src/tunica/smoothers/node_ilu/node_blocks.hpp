@@ -46,6 +46,10 @@ public:
   /// this order; null where the rank is alone.
   const std::vector<int>& ghost_places() const { return ghost_places_; }
   const Teuchos::RCP<const Import>& ghost_import() const { return import_; }
+  /// The rows of other ranks' unknowns in this order, with all their columns; null where the rank
+  /// is alone. Places of these columns; -1 where they lead beyond the nodes.
+  const Teuchos::RCP<CrsMatrix>& ghost_rows() const { return ghosts_; }
+  const std::vector<int>& ghost_column_places() const { return other_.places; }
   /// Bytes beside those of K on this rank.
   double bytes() const;
 

@@ -10,6 +10,7 @@
 #include "tunica/algebra/columns.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/smoothers/dense/dense.hpp"
+#include "tunica/smoothers/node_ilu/ghost_rows.hpp"
 #include "tunica/smoothers/node_ilu/node_blocks.hpp"
 #include "tunica/smoothers/node_ilu/node_ilu_sweeps.hpp"
 
@@ -72,14 +73,15 @@ public:
     b_.resize(x_.size());
     r_.resize(x_.size());
     move_.resize(x_.size());
-    if (!has_ghosts()) return;
-    own_ = Teuchos::rcp(new Vector(blocks_.ghost_import()->getSourceMap()));
-    ghosts_ = Teuchos::rcp(new Vector(blocks_.ghost_import()->getTargetMap()));
+    if (K.getComm()->getSize() == 1) return;
+    ghosts_.emplace(blocks_);
+    x_.resize(x_.size() + ghosts_->n_beyond());
   }
 
   void refresh(double shift) override {
     shift_ = shift;
     blocks_.refresh();
+    if (ghosts_) ghosts_->refresh();
     next_lower_ = lower_values_.data();
     next_kept_ = matrix_.data();
     int singular = -1;
@@ -108,7 +110,7 @@ public:
       gather(*b.getVector(c), b_);
       std::fill(x_.begin(), x_.end(), 0.0);
       gather(*x.getVector(c), x_);
-      fetch_ghosts(x_);
+      if (ghosts_) ghosts_->fetch(x_);
       find_residual_of_x();
       scatter(r_, *r.getVectorNonConst(c));
     }
@@ -122,7 +124,7 @@ public:
                                sizeof(Real) * n_values + 3 * sizeof(double) * x_.size() +
                                sizeof(std::size_t) * n_places +
                                sizeof(int) * (filled_ ? filled_->columns.size() : 0)) +
-           blocks_.bytes();
+           blocks_.bytes() + (ghosts_ ? ghosts_->bytes() : 0.0);
   }
 
 private:
@@ -142,24 +144,30 @@ private:
   void sweep_column(const std::vector<double>& dampings, Start start, const MultiVector& b,
                     MultiVector& x) {
     gather(b, b_);
-    bool is_zero = start == Start::zero;  // r = b: the first product is saved
     std::fill(x_.begin(), x_.end(), 0.0);
-    if (!is_zero) gather(x, x_);
-    for (const double damping : dampings) {
-      if (!is_zero) {
-        fetch_ghosts(x_);
-        find_residual_of_x();
-      }
-      std::vector<double>& r = is_zero ? b_ : r_;
-      // Rows of ghosts are not whole here: their owners' residuals take their place.
-      fetch_ghosts(r);
-      for (std::size_t i = 0; i < r.size(); ++i) move_[i] = static_cast<Real>(r[i]);
+    if (start == Start::given) gather(x, x_);
+    for (std::size_t k = 0; k < dampings.size(); ++k) {
+      // Of x = 0 r = b: the first product is saved.
+      const bool is_zero = k == 0 && start == Start::zero;
+      if (ghosts_) fetch_ghosts(is_zero, k == 0);
+      if (!is_zero) find_residual_of_x();
+      const std::vector<double>& r = is_zero ? b_ : r_;
+      for (std::size_t i = 0; i < move_.size(); ++i) move_[i] = static_cast<Real>(r[i]);
       solve_factors(factors(), move_.data());
       const auto n_own = static_cast<std::size_t>(blocks_.width()) * blocks_.n_own_nodes();
-      for (std::size_t i = 0; i < n_own; ++i) x_[i] += damping * move_[i];
-      is_zero = false;
+      for (std::size_t i = 0; i < n_own; ++i) x_[i] += dampings[k] * move_[i];
     }
     scatter(x_, x);
+  }
+
+  // One message a sweep: b of the ghosts' rows, whose residuals are found here, once.
+  void fetch_ghosts(bool is_zero, bool is_first) {
+    if (is_zero) return ghosts_->fetch(b_);
+    if (is_first)
+      ghosts_->fetch_halo(x_, b_);
+    else
+      ghosts_->fetch_halo(x_);
+    ghosts_->find_residual(b_, x_, r_);
   }
 
   /// r = b − K x
@@ -278,8 +286,6 @@ private:
                    factor, slot_of_node_.data(), row_.data());
   }
 
-  bool has_ghosts() const { return K_->getComm()->getSize() > 1; }
-
   /// Unknowns that nodes lack, and those of ghosts, stay what they were. Only x_ can have got there
   /// what is no number.
   void gather(const MultiVector& rows, std::vector<double>& values) const {
@@ -294,16 +300,6 @@ private:
     for (std::size_t i = 0; i < places.size(); ++i) to(i, 0) = values[places[i]];
   }
 
-  /// Values of other ranks' nodes, from their owners.
-  void fetch_ghosts(std::vector<double>& values) {
-    if (!has_ghosts()) return;
-    scatter(values, *own_);
-    ghosts_->doImport(*own_, *blocks_.ghost_import(), insert);
-    const auto from = ghosts_->getLocalViewHost(read_only);
-    const auto& places = blocks_.ghost_places();
-    for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = from(i, 0);
-  }
-
   const CrsMatrix* K_;
   NodeBlocks blocks_;
   Parts parts_;
@@ -311,11 +307,11 @@ private:
   std::optional<RowGraph> filled_;
   std::vector<std::size_t> diagonal_, upper_start_;
   std::vector<Stored> lower_values_, upper_values_;
-  std::vector<Real> inverses_;         ///< of the diagonal blocks
-  std::vector<Real> matrix_;           ///< of the own nodes
-  std::vector<double> x_, b_, r_;      ///< by places
-  std::vector<Real> move_;             ///< (L U)⁻¹ r
-  Teuchos::RCP<Vector> own_, ghosts_;  ///< what travels; null on one rank
+  std::vector<Real> inverses_;             ///< of the diagonal blocks
+  std::vector<Real> matrix_;               ///< of the own nodes
+  std::vector<double> x_, b_, r_;          ///< by places
+  std::vector<Real> move_;                 ///< (L U)⁻¹ r
+  std::optional<GhostRows<Real>> ghosts_;  ///< of several ranks
   // of eliminate():
   Stored* next_lower_ = nullptr;
   Real* next_kept_ = nullptr;
