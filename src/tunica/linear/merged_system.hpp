@@ -21,9 +21,10 @@ public:
   /// Estimated bytes of the factors of a direct solver. Collective.
   virtual double expected_bytes() const { return 0.0; }
   /// As PreconditionedSystem has it.
-  virtual void note(int iterations, double reduction) {
+  virtual bool note(int iterations, double reduction) {
     static_cast<void>(iterations);
     static_cast<void>(reduction);
+    return false;
   }
   /// As LinearSolver has them.
   virtual std::vector<double> save() const { return {}; }
@@ -49,8 +50,8 @@ public:
   void refresh_preconditioner() override { preconditioner_->refresh(); }
   double expected_bytes() const override { return preconditioner_->expected_bytes(); }
   multigrid::Levels levels() const override { return preconditioner_->levels(); }
-  void note(int iterations, double reduction) override {
-    preconditioner_->note(iterations, reduction);
+  bool note(int iterations, double reduction) override {
+    return preconditioner_->note(iterations, reduction);
   }
   std::vector<double> save() const override { return preconditioner_->save(); }
   void restore(const std::vector<double>& numbers) override { preconditioner_->restore(numbers); }

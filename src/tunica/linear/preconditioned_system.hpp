@@ -29,10 +29,12 @@ public:
   /// Levels of the multigrid hierarchy as it was set up last, none by default. Collective.
   virtual multigrid::Levels levels() const { return {}; }
 
-  /// Iterations that a solve has taken, and the part of the residual that it has left.
-  virtual void note(int iterations, double reduction) {
+  /// Iterations that a solve has taken, and the part of the residual that it has left. True where
+  /// the next set-up makes a better preconditioner, which a solve that has failed may try at once.
+  virtual bool note(int iterations, double reduction) {
     static_cast<void>(iterations);
     static_cast<void>(reduction);
+    return false;
   }
 
   /// What set-ups have taught the preconditioner, as LinearSolver has it.

@@ -11,9 +11,10 @@ namespace tunica::test {
 /// indefinite block system.
 class WallJacobian {
 public:
-  explicit WallJacobian(const SmallTube& tube)
-      : mesh_(&tube.wall), law_(materials::make_law("mooney-rivlin", {})), K(tube.wall),
-        fixed_(tube.wall.n_nodes()) {
+  /// parts: with those of a solid multigrid can interpolate rotations.
+  explicit WallJacobian(const SmallTube& tube, const fields::MeshParts& parts = {})
+      : mesh_(&tube.wall), law_(materials::make_law("mooney-rivlin", {})),
+        K(tube.wall, fields::mixed_blocks, nullptr, parts), fixed_(tube.wall.n_nodes()) {
     elements_.geometry = assembly::ElementGeometry(tube.wall, tube.wall.x);
     const std::size_t n = tube.wall.tets.size();
     elements_.layers = {{law_.get(), 1.2, {1.2 / (0.625 * 0.125 * 0.125), 1e-5, 0.0}}};

@@ -162,6 +162,30 @@ TEUCHOS_UNIT_TEST(solver_chain, a_breakdown_is_followed_by_the_next) {
   TEST_EQUALITY(report.preconditioner, "direct");
 }
 
+TEUCHOS_UNIT_TEST(solver_chain, a_cycle_that_stagnates_tries_rotations_first) {
+  const SmallTube tube;
+  const std::size_t n_regions = tube.wall.regions.size();
+  const test::WallJacobian jacobian(
+      tube, {{"wall", "between"}, std::vector<int>(n_regions, 0), std::vector<char>(n_regions, 1)});
+  const auto b = test::scattered(tube.wall, 3);
+  const auto solved = [&](double rotations_from) {
+    Teuchos::ParameterList list;
+    list.set("preconditioner", "multigrid").set("max iterations", 8);
+    list.sublist("MueLu") = multigrid::mixed_cycle_list(1, "power", rotations_from);
+    list.sublist("MueLu").sublist("Factories").sublist("Nodes").set("rotations", true);
+    list.sublist("MueLu").sublist("Hierarchy").set("coarse: max size", 40);
+    linear::linear_solver_table().resolve(list, "Linear Solver", "");
+    const auto solver = linear::make_linear_solver(list, jacobian.K);
+    algebra::BlockVector x(jacobian.K.space());
+    solver->matrix_changed();
+    return solver->solve(b, x, 1e-14);
+  };
+  TEST_EQUALITY(solved(0.999).iterations, 8);  // fast enough
+  const auto report = solved(1e-6);
+  TEST_COMPARE(report.iterations, >, 8);
+  TEST_COMPARE(report.true_residual, <, solved(0.999).true_residual);
+}
+
 TEUCHOS_UNIT_TEST(solver_chain, an_unknown_name_in_the_list_is_an_error) {
   Teuchos::ParameterList list;
   list.set("fallbacks", Teuchos::Array<std::string>(Names{"vanka", "indirect"}));

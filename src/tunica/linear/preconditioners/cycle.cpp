@@ -36,8 +36,8 @@ public:
   multigrid::Levels levels() const override {
     return cycle_.is_null() ? multigrid::Levels() : cycle_->levels();
   }
-  void note(int iterations, double reduction) override {
-    if (!cycle_.is_null()) cycle_->note(iterations, reduction);
+  bool note(int iterations, double reduction) override {
+    return !cycle_.is_null() && cycle_->note(iterations, reduction);
   }
   std::vector<double> save() const override {
     return cycle_.is_null() ? memory_ : cycle_->memory();

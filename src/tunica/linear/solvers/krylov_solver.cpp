@@ -74,8 +74,8 @@ void KrylovSolver::forget() {
   is_behind_ = true;
 }
 
-// With the present preconditioner, if the rule lets it serve; where an old one does not finish,
-// with a new one.
+// With the present preconditioner, if the rule lets it serve; where an old one does not finish, or
+// a new one that a set-up would make better, with a new one.
 SolveReport KrylovSolver::solve(const algebra::BlockVector& b, algebra::BlockVector& x,
                                 double tolerance) {
   SolveReport report;
@@ -88,7 +88,7 @@ SolveReport KrylovSolver::solve(const algebra::BlockVector& b, algebra::BlockVec
   x_.putScalar(0.0);
   int iterations = iterate(report);
   double start = 1.0;  // |b − K x| / |b|
-  if (!report.is_converged && is_behind_) {
+  const auto try_anew = [&] {
     // GCR's residual never grows, and it goes on from there; methods of Belos reduce what they
     // find.
     if (options_.method == "GCR")
@@ -97,10 +97,14 @@ SolveReport KrylovSolver::solve(const algebra::BlockVector& b, algebra::BlockVec
       x_.putScalar(0.0);
     refresh(report);
     iterations = iterate(report);
-  }
+  };
+  if (!report.is_converged && is_behind_) try_anew();
   // The reduction is that of the last attempt, which has begun at this residual.
+  if (system_->note(iterations, report.true_residual / start) && !report.is_converged) {
+    try_anew();
+    system_->note(iterations, report.true_residual / start);
+  }
   rule_.note(iterations, report.true_residual / start, report.is_converged);
-  system_->note(iterations, report.true_residual / start);
   system_->scatter(x_, x);
   report.levels = system_->levels();
   return report;

@@ -214,12 +214,13 @@ std::vector<SmootherState> Cycle::smoother_states() const {
 }
 
 // ρ = (Π_s |r|/|b|)^(1/Σ_s m_s) over the solves s, of m_s iterations, since the last set-up
-void Cycle::note(int iterations, double reduction) {
-  if (!(rotations_from_ > 0.0) || !(reduction > 0.0)) return;
+bool Cycle::note(int iterations, double reduction) {
+  if (!(rotations_from_ > 0.0) || !(reduction > 0.0)) return false;
   iterations_ += iterations;
   logarithm_ += std::log(reduction);
   if (iterations_ >= telling && logarithm_ > iterations_ * std::log(rotations_from_))
     wants_rotations_ = true;
+  return wants_rotations_ && !has_rotations_;
 }
 
 // Whether rotations are wanted, then three numbers a level. Smoothers of a cycle that is set up

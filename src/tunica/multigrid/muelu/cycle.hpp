@@ -50,8 +50,8 @@ public:
 
   /// What a solve with the cycle has taken, and the part of the residual that it has left. Where
   /// "NodalPFactory" waits for it ("rotations from"), cycles that contract badly interpolate
-  /// rotations from the next refresh() on, which then finds the levels anew.
-  void note(int iterations, double reduction);
+  /// rotations from the next refresh() on, which then finds the levels anew: true where it is to.
+  bool note(int iterations, double reduction);
 
   /// What the cycle and its smoothers have learnt over set-ups and a new cycle would not know, as
   /// numbers for a checkpoint; empty where they have learnt nothing. With it the set-ups of a new
