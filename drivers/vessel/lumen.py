@@ -100,8 +100,9 @@ def table_of(draft, table_draft, options):
 
 def check(mesh, options):
     if mesh.regions != ["fluid"]:
-        raise BadInput(f"{options.lumen}: its regions are {', '.join(mesh.regions)}, expected the lumen alone, \"fluid\". "
-                       "tunica-import --fluid MESH OUT.h5 names it")
+        way = ("Give a mesh or the surface of the lumen: the wall is made here" if len(mesh.regions) > 1 else
+               "tunica-import --fluid MESH OUT.h5 names it")
+        raise BadInput(f"{options.lumen}: its regions are {', '.join(mesh.regions)}, expected the lumen alone, \"fluid\". {way}")
     if options.lumen_wall not in mesh.surfaces:
         raise BadInput(f"{options.lumen}: has no surface \"{options.lumen_wall}\" on which a wall could grow; --lumen-wall "
                        f"names it. {nearest(options.lumen_wall, mesh.surfaces)}")

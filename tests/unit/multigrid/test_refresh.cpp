@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
+#include "tunica/base/error.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 #include "unit/algebra/distance.hpp"
 #include "unit/smoothers/wall_matrix.hpp"
@@ -199,6 +200,8 @@ TEUCHOS_UNIT_TEST(cycle, takes_rotations_where_it_contracts_badly_without) {
         .set("rotations from", from);
     return made;
   };
+  TEST_NOTHROW(multigrid::check_cycle_list(list(true, 0.3)));
+  TEST_THROW(multigrid::check_cycle_list(list(true, 1.5)), Error);
   const multigrid::Cycle without(K, nodes, list(false, 0.0)), with(K, nodes, list(true, 0.0));
   const Vector b = wall.scattered(5);
   TEST_COMPARE(distance(with, without, b), >, 1e-3);
