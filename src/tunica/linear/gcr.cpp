@@ -24,6 +24,9 @@ double norm(const MultiVector& v) {
 
 using Columns = std::vector<Teuchos::RCP<MultiVector>>;
 
+/// Iterations for nothing, one after the other, before it is ended.
+constexpr int most_standing = 3;
+
 /// Entries that stay in the nearest cache while all columns pass over them.
 constexpr int piece = 1024;
 
@@ -154,9 +157,13 @@ Belos::ReturnType Gcr::solve() {
   }
   const auto stagnation = list_->get<Teuchos::RCP<StagnationRule>>("Stagnation");
   std::vector<double> history{relative_residual_};
+  int standing = 0;
   for (iterations_ = 0; relative_residual_ > tolerance && iterations_ < cap;) {
     if (basis.size() >= kept) basis.clear();
-    if (!iterate(basis, r, x, scale)) break;
+    const bool stands = standing > 0 && basis.size() > 0;
+    const MultiVector& source = stands ? basis.last_image() : r;
+    standing = iterate(source, basis, r, x, scale) ? 0 : standing + 1;
+    if (standing > most_standing || !std::isfinite(relative_residual_)) break;
     history.push_back(relative_residual_);
     has_stagnated_ = !stagnation.is_null() && relative_residual_ > tolerance &&
                      stagnation->gives_up(history, tolerance);
@@ -177,16 +184,18 @@ std::string Gcr::how_far() const {
   return text.str();
 }
 
-bool Gcr::iterate(Directions& basis, MultiVector& r, MultiVector& x, double scale) {
+bool Gcr::iterate(const MultiVector& source, Directions& basis, MultiVector& r, MultiVector& x,
+                  double scale) {
+  ++iterations_;
   const auto z = Teuchos::rcp(new MultiVector(r.getMap(), 1));
   const auto q = Teuchos::rcp(new MultiVector(r.getMap(), 1));
   {
     const io::ProgressScope scope(how_far());  // of solves within P and A
     if (problem_->getRightPrec().is_null())
-      z->assign(r);
+      z->assign(source);
     else
-      problem_->getRightPrec()->apply(r, *z);  // z = P⁻¹ r
-    problem_->getOperator()->apply(*z, *q);    // q = A z
+      problem_->getRightPrec()->apply(source, *z);  // z = P⁻¹ r
+    problem_->getOperator()->apply(*z, *q);         // q = A z
   }
   if (!basis.add(z, q)) return false;
   // x ← x + (qᵀr) z, r ← r − (qᵀr) q
@@ -194,7 +203,6 @@ bool Gcr::iterate(Directions& basis, MultiVector& r, MultiVector& x, double scal
   if (wishes > 0.0) stop_if_urgent(*r.getMap()->getComm());
   const double before = relative_residual_;
   relative_residual_ = norm(r) / scale;
-  ++iterations_;
   io::report_progress([this] { return how_far(); });
   return relative_residual_ < before * (1.0 - 1e-12);  // else stagnation, or not a number
 }

@@ -13,6 +13,7 @@ using BelosProblem = Belos::LinearProblem<Scalar, MultiVector, Operator>;
 class Directions {
 public:
   int size() const { return static_cast<int>(z_.size()); }
+  const MultiVector& last_image() const { return *q_.back(); }
   void clear() { keep_last(0); }
   /// Those that were added last.
   void keep_last(int number);
@@ -44,9 +45,10 @@ private:
 ///   r  residual   z  search direction   q  its image   P  right preconditioner, may change
 ///
 /// minimises |r| over the kept directions; after "Num Blocks" of them it begins anew. One right
-/// side. Stagnation (q vanishes, or qᵀr no longer changes r) ends it as not converged; so does
-/// what "Stagnation" (solvers/stagnation.hpp) says of the residuals. Each iteration asks all ranks
-/// whether a signal wants to end the program, and throws StopRequest then.
+/// side. Where r stands still (q vanishes, or qᵀr no longer changes r), z = P⁻¹ q of the last q
+/// goes on, as in flexible GMRES; a few such iterations for nothing end it as not converged. So
+/// does what "Stagnation" (solvers/stagnation.hpp) says of the residuals. Each iteration asks all
+/// ranks whether a signal wants to end the program, and throws StopRequest then.
 ///
 /// With "Recycled Directions", of which the caller knows that they are A's, it begins with those,
 /// and leaves there the last "Num Recycled Blocks" of all: a direction in which P is poor is found
@@ -74,8 +76,9 @@ public:
 
 private:
   std::string how_far() const;
-  /// One iteration; false where nothing more can be gained.
-  bool iterate(Directions& basis, MultiVector& r, MultiVector& x, double scale);
+  /// One iteration, along P⁻¹ of the source; false where it has gained nothing.
+  bool iterate(const MultiVector& source, Directions& basis, MultiVector& r, MultiVector& x,
+               double scale);
 
   Teuchos::RCP<Teuchos::ParameterList> list_;
   Teuchos::RCP<BelosProblem> problem_;

@@ -27,6 +27,10 @@ constexpr double well_above_rounding = 1e-6;
 /// Relative residual to which A Z = W is solved where K = A + W S Vᵀ has a part of low rank.
 constexpr double accuracy_of_Z = 0.4;
 
+/// Z helps, but no solve depends on it: where a preconditioner does not get there, what has been
+/// reached is taken.
+const StagnationRule patience_for_Z{10, 0.7, 10.0};
+
 bool is_true(const KrylovResult& result, double tolerance) {
   return result.iterations <= 2 && tolerance >= well_above_rounding &&
          result.recurrence_residual <= tolerance;
@@ -151,7 +155,8 @@ void KrylovSolver::solve_blocks(const Vector& w, Vector& z) {
   // A dz = r, so far that |w − A (z + dz)| is small against |w|
   const double tolerance = accuracy_of_Z * w.norm2() / r.norm2();
   if (tolerance >= 1.0) return;
-  const KrylovOptions gcr{"GCR", options_.max_iterations, options_.max_iterations};
+  KrylovOptions gcr{"GCR", options_.max_iterations, options_.max_iterations};
+  gcr.stagnation = Teuchos::rcp(new StagnationRule(patience_for_Z));
   solve_krylov(gcr, system_->matrix(), system_->preconditioner(), r, dz, tolerance);
   z.update(1.0, dz, 1.0);
 }
