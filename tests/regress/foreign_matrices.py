@@ -99,9 +99,9 @@ def orders():
 
 def write(folder, K, b):
     folder.mkdir(parents=True, exist_ok=True)
-    taylor_hood.write_matrix(folder / "K.mtx", K, N, N)
+    taylor_hood.write_matrix(folder / "K.mtx", K, len(b), len(b))
     with open(folder / "b.mtx", "w") as file:
-        file.write(f"%%MatrixMarket matrix array real general\n{N} 1\n")
+        file.write(f"%%MatrixMarket matrix array real general\n{len(b)} 1\n")
         file.writelines(f"{value:.17g}\n" for value in b)
 
 
@@ -221,6 +221,40 @@ def check_cavity(verdict, programs, scratch, K):
                       "cavity: a net inflow is said" if net_inflow else "cavity: no net inflow is said")
 
 
+def control(n, weight):
+    """min |y - y_d|^2/2 + weight |q|^2/2 with -laplace y = q by finite differences inside a square: y and q of each node,
+    then the multipliers."""
+    h2, N_q, K, b = 1.0 / (n + 1) ** 2, n * n, {}, [0.0] * (3 * n * n)
+    for i in range(N_q):
+        p = 2 * N_q + i
+        taylor_hood.add(K, 2 * i, 2 * i, h2)
+        taylor_hood.add(K, 2 * i + 1, 2 * i + 1, weight * h2)
+        b[2 * i] = h2 * (i % n) / n
+        stencil = {2 * i: 4.0, 2 * i + 1: -h2}
+        stencil.update({2 * j: -1.0 for j, inside in ((i - n, i >= n), (i + n, i + n < N_q), (i - 1, i % n > 0),
+                                                      (i + 1, i % n < n - 1)) if inside})
+        for j, value in stencil.items():
+            taylor_hood.add(K, p, j, value)
+            taylor_hood.add(K, j, p, value)
+    return K, b
+
+
+def check_own_rows(verdict, programs, scratch):
+    """Fields are scaled for the solve; the answer is one of the rows as they are given, too, where the large ones have b = 0."""
+    folder = scratch / "control"
+    K, b = control(40, 1e-4)
+    n_vectors = 2 * len(b) // 3
+    K, b = scaled(K, b, [1.0] * n_vectors + [100.0] * (len(b) - n_vectors))
+    write(folder, K, b)
+    tried = Tried(programs, folder, settings=ITERATIVE)
+    if not verdict.claim(tried.is_good, f"control: {tried.run.err}"):
+        return
+    rest = [value - sum(entry * tried.x[j] for j, entry in K[i].items()) for i, value in enumerate(b)]
+    left = (sum(r * r for r in rest) / sum(value * value for value in b)) ** 0.5
+    verdict.claim(left < 3e-8 and tried.verdicts[-1] == "converged",
+                  f"control: {tried.names[-1]} leaves {left:.1e} of |b| in the rows of the file")
+
+
 def check_same_case(verdict, programs, scratch):
     """What is printed as the case of a run solves the same."""
     folder = scratch / "rows"
@@ -247,6 +281,7 @@ def main():
     check_units(verdict, programs, scratch, K, exact, count)
     check_orders(verdict, programs, scratch, K, exact, count)
     check_cavity(verdict, programs, scratch, K)
+    check_own_rows(verdict, programs, scratch)
     check_same_case(verdict, programs, scratch)
     check_overruled(verdict, programs, scratch)
     sys.exit(verdict.status())

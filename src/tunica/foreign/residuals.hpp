@@ -38,7 +38,8 @@ using Judge = std::function<Residuals(const algebra::BlockVector& x, algebra::Bl
 Judge judge_of(const algebra::BlockMatrix& K, const algebra::BlockVector& b);
 /// Of the system as another program gives it, in the rows of unknowns that are not known, each
 /// divided as Preparation says: with entries that were left out as rounding, and without what makes
-/// K regular. The system must outlive it.
+/// K regular. The relative residual is the larger one of these rows and of the same as they are
+/// given. The system must outlive it.
 Judge judge_of(const systems::System& system);
 
 }  // namespace tunica::foreign
