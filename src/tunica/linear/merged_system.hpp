@@ -26,6 +26,7 @@ public:
     static_cast<void>(reduction);
     return false;
   }
+  virtual bool may_improve() const { return false; }
   /// As LinearSolver has them.
   virtual std::vector<double> save() const { return {}; }
   virtual void restore(const std::vector<double>& numbers) { static_cast<void>(numbers); }
@@ -53,6 +54,7 @@ public:
   bool note(int iterations, double reduction) override {
     return preconditioner_->note(iterations, reduction);
   }
+  bool may_improve() const override { return preconditioner_->may_improve(); }
   std::vector<double> save() const override { return preconditioner_->save(); }
   void restore(const std::vector<double>& numbers) override { preconditioner_->restore(numbers); }
   void gather(const algebra::BlockVector& x, MultiVector& all) const override { K_.merge(x, all); }

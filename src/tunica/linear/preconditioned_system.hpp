@@ -37,6 +37,9 @@ public:
     return false;
   }
 
+  /// Whether note() may become true: a solve that is slow need not be gone through with.
+  virtual bool may_improve() const { return false; }
+
   /// What set-ups have taught the preconditioner, as LinearSolver has it.
   virtual std::vector<double> save() const { return {}; }
   virtual void restore(const std::vector<double>& numbers) { static_cast<void>(numbers); }

@@ -39,6 +39,7 @@ public:
   bool note(int iterations, double reduction) override {
     return !cycle_.is_null() && cycle_->note(iterations, reduction);
   }
+  bool may_improve() const override { return !cycle_.is_null() && cycle_->may_take_rotations(); }
   std::vector<double> save() const override {
     return cycle_.is_null() ? memory_ : cycle_->memory();
   }

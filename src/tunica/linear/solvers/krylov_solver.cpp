@@ -24,6 +24,9 @@ bool is_solved(double true_residual, double tolerance) {
 /// x = Σ_k α_k z_k would give. The rounding of products does not count down to this tolerance.
 constexpr double well_above_rounding = 1e-6;
 
+/// Of a solve whose preconditioner a set-up may make better, and then takes few iterations more.
+const StagnationRule patience_for_better{8, 0.1, 4.0};
+
 /// Relative residual to which A Z = W is solved where K = A + W S Vᵀ has a part of low rank.
 constexpr double accuracy_of_Z = 0.4;
 
@@ -90,22 +93,24 @@ SolveReport KrylovSolver::solve(const algebra::BlockVector& b, algebra::BlockVec
   if (is_stale_) refresh_matrix();
   if (is_behind_ && rule_.wants_new()) refresh(report);
   x_.putScalar(0.0);
-  int iterations = iterate(report);
+  int iterations = iterate(report, true);
   double start = 1.0;  // |b − K x| / |b|
-  const auto try_anew = [&] {
+  const auto try_again = [&](bool with_new) {
     // GCR's residual never grows, and it goes on from there; methods of Belos reduce what they
     // find.
     if (options_.method == "GCR")
       start = report.true_residual;
     else
       x_.putScalar(0.0);
-    refresh(report);
-    iterations = iterate(report);
+    if (with_new) refresh(report);
+    iterations = iterate(report, with_new);
   };
-  if (!report.is_converged && is_behind_) try_anew();
+  if (!report.is_converged && is_behind_) try_again(true);
   // The reduction is that of the last attempt, which has begun at this residual.
-  if (system_->note(iterations, report.true_residual / start) && !report.is_converged) {
-    try_anew();
+  const bool is_better = system_->note(iterations, report.true_residual / start);
+  const bool was_hasty = report.has_stagnated && system_->may_improve() && !is_better;
+  if (!report.is_converged && (is_better || was_hasty)) {
+    try_again(is_better);
     system_->note(iterations, report.true_residual / start);
   }
   rule_.note(iterations, report.true_residual / start, report.is_converged);
@@ -184,9 +189,9 @@ void KrylovSolver::refine(KrylovOptions options, const Teuchos::RCP<const Operat
   }
 }
 
-// One attempt. An old preconditioner ends where a new one would be faster, a new one where the next
-// of the chain would.
-int KrylovSolver::iterate(SolveReport& report) {
+// One attempt. An old preconditioner ends where a new one would be faster, a new one where one that
+// a set-up makes better would (may_wait), or the next of the chain.
+int KrylovSolver::iterate(SolveReport& report, bool may_wait) {
   const Stopwatch watch;
   const TrafficScope scope(Work::solve);
   KrylovOptions options = options_;
@@ -195,6 +200,8 @@ int KrylovSolver::iterate(SolveReport& report) {
     options.max_iterations =
         static_cast<int>(std::min<double>(options.max_iterations, rule_.cap(report.tolerance)));
     options.stagnation = Teuchos::rcp(new StagnationRule(rule_.when_to_give_up()));
+  } else if (may_wait && system_->may_improve()) {
+    options.stagnation = Teuchos::rcp(new StagnationRule(patience_for_better));
   } else {
     options.stagnation = stagnation_;
   }

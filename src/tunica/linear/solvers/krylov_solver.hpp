@@ -35,7 +35,7 @@ private:
   /// z ≈ A⁻¹ w of the blocks, from the z that is there.
   void solve_blocks(const Vector& w, Vector& z);
   /// Iterations of one attempt.
-  int iterate(SolveReport& report);
+  int iterate(SolveReport& report, bool may_wait);
   void refine(KrylovOptions options, const Teuchos::RCP<const Operator>& K, SolveReport& report);
   bool recycles() const { return !options_.recycled.is_null(); }
   Teuchos::RCP<const Operator> preconditioner() const {

@@ -52,6 +52,8 @@ public:
   /// "NodalPFactory" waits for it ("rotations from"), cycles that contract badly interpolate
   /// rotations from the next refresh() on, which then finds the levels anew: true where it is to.
   bool note(int iterations, double reduction);
+  /// Whether it has none, and may want them.
+  bool may_take_rotations() const { return rotations_from_ > 0.0 && !has_rotations_; }
 
   /// What the cycle and its smoothers have learnt over set-ups and a new cycle would not know, as
   /// numbers for a checkpoint; empty where they have learnt nothing. With it the set-ups of a new
