@@ -11,14 +11,18 @@ template <class Real>
 GhostRows<Real>::GhostRows(const NodeBlocks& blocks)
     : blocks_(&blocks), halo_places_(blocks.ghost_places()) {
   const CrsMatrix& rows = *blocks.ghost_rows();
-  // Columns that no place stands for get one behind all others.
+  // Columns that no place stands for get one behind all others. Of a node that is known, own rows
+  // need not reach each unknown.
   std::vector<int> places(blocks.ghost_column_places());
   const int known = blocks.width() * blocks.n_nodes();
+  std::vector<char> is_fetched(known, 0);
+  for (const std::vector<int>* some : {&blocks.place_of_row(), &blocks.ghost_places()})
+    for (const int place : *some) is_fetched[place] = 1;
   const auto own = global_numbers(*rows.getRowMap());
   std::vector<GlobalOrdinal> halo(own.begin(), own.end());
   for (std::size_t c = 0; c < places.size(); ++c) {
-    if (places[c] >= 0) continue;
-    places[c] = known + static_cast<int>(beyond_++);
+    if (places[c] >= 0 && is_fetched[places[c]]) continue;
+    if (places[c] < 0) places[c] = known + static_cast<int>(beyond_++);
     halo.push_back(rows.getColMap()->getGlobalElement(static_cast<int>(c)));
     halo_places_.push_back(places[c]);
   }
