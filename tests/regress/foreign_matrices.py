@@ -1,5 +1,5 @@
 """tunica-solvers on one matrix and one right-hand side as other programs write them: with prescribed values in rows of
-their own, penalties, rounding for entries, other units, an undetermined pressure, and unknowns in any order.
+their own, penalties, rounding for entries, other units, an undetermined pressure, a diagonal, and unknowns in any order.
 
 Usage: foreign_matrices.py FOLDER_OF_PROGRAMS SCRATCH
 """
@@ -227,12 +227,13 @@ def control(n, weight):
     h2, N_q, K, b = 1.0 / (n + 1) ** 2, n * n, {}, [0.0] * (3 * n * n)
     for i in range(N_q):
         p = 2 * N_q + i
-        taylor_hood.add(K, 2 * i, 2 * i, h2)
-        taylor_hood.add(K, 2 * i + 1, 2 * i + 1, weight * h2)
+        near = [j for j, inside in ((i - n, i >= n), (i + n, i + n < N_q), (i - 1, i % n > 0), (i + 1, i % n < n - 1)) if inside]
+        for j in (i, *near):  # mass
+            share = h2 * (0.5 if j == i else 0.125)
+            taylor_hood.add(K, 2 * i, 2 * j, share)
+            taylor_hood.add(K, 2 * i + 1, 2 * j + 1, weight * share)
         b[2 * i] = h2 * (i % n) / n
-        stencil = {2 * i: 4.0, 2 * i + 1: -h2}
-        stencil.update({2 * j: -1.0 for j, inside in ((i - n, i >= n), (i + n, i + n < N_q), (i - 1, i % n > 0),
-                                                      (i + 1, i % n < n - 1)) if inside})
+        stencil = {2 * i: 4.0, 2 * i + 1: -h2, **{2 * j: -1.0 for j in near}}
         for j, value in stencil.items():
             taylor_hood.add(K, p, j, value)
             taylor_hood.add(K, j, p, value)
@@ -253,6 +254,42 @@ def check_own_rows(verdict, programs, scratch):
     left = (sum(r * r for r in rest) / sum(value * value for value in b)) ** 0.5
     verdict.claim(left < 3e-8 and tried.verdicts[-1] == "converged",
                   f"control: {tried.names[-1]} leaves {left:.1e} of |b| in the rows of the file")
+
+
+def finite_volumes(n):
+    """Flow through a porous square: fluxes through the inner faces, A diagonal, then pressures of the cells."""
+    faces = [(j * n + i, j * n + i + 1) for j in range(n) for i in range(n - 1)]
+    faces += [(j * n + i, j * n + i + n) for j in range(n - 1) for i in range(n)]
+    chance, K = random.Random(3), {}
+    for f, (one, other) in enumerate(faces):
+        taylor_hood.add(K, f, f, 10 ** chance.uniform(-1, 1))
+        for cell, sign in ((one, 1.0), (other, -1.0)):
+            taylor_hood.add(K, f, len(faces) + cell, sign)
+            taylor_hood.add(K, len(faces) + cell, f, sign)
+    return K, [0.0] * len(faces) + [1.0] + [0.0] * (n * n - 2) + [-1.0]
+
+
+MULTIGRID_ALONE = """<ParameterList name="Case"><ParameterList name="System">
+<Parameter name="K" type="string" value="K.mtx"/><Parameter name="rhs" type="string" value="b.mtx"/></ParameterList>
+<ParameterList name="Solvers"><ParameterList name="Settings"><ParameterList name="cycles">
+<Parameter name="preconditioner" type="string" value="multigrid"/>
+</ParameterList></ParameterList></ParameterList></ParameterList>
+"""
+
+
+def check_diagonal(verdict, programs, scratch):
+    """Where A is diagonal there is nothing to coarsen in it: its Schur complement is exact."""
+    folder = scratch / "volumes"
+    K, b = finite_volumes(45)
+    write(folder, K, b)
+    tried = Tried(programs, folder, settings=ITERATIVE)
+    if verdict.claim(tried.is_good, f"finite volumes: {tried.run.err}"):
+        verdict.claim(tried.names == ["field by field"] and tried.iterations <= 60 and tried.verdicts == ["converged"],
+                      f"finite volumes: {tried.names[-1]} takes {tried.iterations:g} iterations")
+    (folder / "cycles.xml").write_text(MULTIGRID_ALONE)
+    tried = Tried(programs, folder, case=folder / "cycles.xml")
+    verdict.claim(tried.run.status == 2 and "coarsening stands still" in tried.run.out + tried.run.err,
+                  "levels that keep all unknowns are refused")
 
 
 def check_same_case(verdict, programs, scratch):
@@ -282,6 +319,7 @@ def main():
     check_orders(verdict, programs, scratch, K, exact, count)
     check_cavity(verdict, programs, scratch, K)
     check_own_rows(verdict, programs, scratch)
+    check_diagonal(verdict, programs, scratch)
     check_same_case(verdict, programs, scratch)
     check_overruled(verdict, programs, scratch)
     sys.exit(verdict.status())

@@ -2,6 +2,7 @@
 
 #include <Teuchos_Array.hpp>
 
+#include "tunica/algebra/is_diagonal.hpp"
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
@@ -79,6 +80,9 @@ DefaultChoice iterative(const algebra::BlockMatrix& K) {
   const auto by_braess =
       with_cycle("multigrid, Braess-Sarazin", multigrid::braess_sarazin_cycle_list(2, 4));
   const auto by_fields = with_preconditioner("field by field", "block");
+  // C + B2 A⁻¹ B1ᵀ is exact, and there is nothing to coarsen in A.
+  if (algebra::is_diagonal(*K(0, 0)))
+    return {{by_fields, by_braess, incomplete_factors()}, "A is diagonal"};
   if (stabilised_part(K) > 0.5)
     return {{by_factors, by_braess, by_fields, incomplete_factors()}, "C stabilises"};
   return {{by_braess, by_fields, incomplete_factors()}, c_is_zero};

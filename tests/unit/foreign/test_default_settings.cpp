@@ -15,13 +15,25 @@ Teuchos::RCP<CrsMatrix> diagonal_matrix(const Teuchos::RCP<const Map>& map, doub
   return A;
 }
 
-/// Blocks of diagonals; c: of C.
-algebra::BlockMatrix blocks(bool has_scalars, double c) {
+/// A of pairs.
+Teuchos::RCP<CrsMatrix> coupled_matrix(const Teuchos::RCP<const Map>& map) {
+  const auto A = Teuchos::rcp(new CrsMatrix(map, 2));
+  for (const GlobalOrdinal row : global_numbers(*map)) {
+    const GlobalOrdinal both[] = {row, row % 2 == 0 ? row + 1 : row - 1};
+    const double values[] = {2.0, -1.0};
+    A->insertGlobalValues(row, 2, values, both);
+  }
+  A->fillComplete();
+  return A;
+}
+
+/// Blocks of diagonals, but for A; c: of C.
+algebra::BlockMatrix blocks(bool has_scalars, double c, bool is_coupled = true) {
   const auto map = Teuchos::rcp(new Map(8, 0, Tpetra::getDefaultComm()));
   std::vector<algebra::Block> of_space{{"vector", map, 1, {}}};
   if (has_scalars) of_space.push_back({"scalar", map, 1, {}});
   algebra::BlockMatrix K(std::make_shared<const algebra::BlockSpace>(of_space));
-  K.set(0, 0, diagonal_matrix(map, 2.0));
+  K.set(0, 0, is_coupled ? coupled_matrix(map) : diagonal_matrix(map, 2.0));
   if (!has_scalars) return K;
   K.set(0, 1, diagonal_matrix(map, 1.0));
   K.set(1, 0, diagonal_matrix(map, 1.0));
@@ -47,6 +59,9 @@ TEUCHOS_UNIT_TEST(default_settings, follow_what_the_matrix_is) {
   TEST_ASSERT(names(zero) == (Names{"multigrid, Braess-Sarazin", "field by field", "ILU(1)",
                                     "direct at any cost"}));
   TEST_EQUALITY(foreign::in_words(zero), "\"multigrid, Braess-Sarazin\" (C is zero)");
+  const auto diagonal = foreign::default_settings(blocks(true, 0.0, false), 0.0);
+  TEST_EQUALITY(names(diagonal).front(), "field by field");
+  TEST_EQUALITY(diagonal.reason, "A is diagonal");
   TEST_ASSERT(names(foreign::default_settings(blocks(false, 0.0), 0.0)) ==
               (Names{"multigrid, Gauss-Seidel", "ILU(1)", "direct at any cost"}));
 }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "tunica/algebra/columns.hpp"
+#include "tunica/algebra/is_diagonal.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/out_of_memory.hpp"
@@ -143,6 +144,8 @@ void Cycle::set_up() {
   Teuchos::ParameterList& levels = list.sublist("Hierarchy");
   if (!levels.isParameter("cycle type") && coarsening_->flatness() > flat)
     levels.set("cycle type", "W");
+  // Nothing is coarse about a diagonal: its factors are exact.
+  if (!is_blocked_ && algebra::is_diagonal(*A_)) levels.set("max levels", 1);
   Interpreter interpreter(list, A_->getComm(), make_factory_factory(coarsening_));
   parts_->hierarchy = interpreter.CreateHierarchy();
   Hierarchy& hierarchy = *parts_->hierarchy;

@@ -1,6 +1,8 @@
 #include "tunica/multigrid/muelu/nodal_p_factory.hpp"
 
 #include <MueLu_NoFactory.hpp>
+#include <stdexcept>
+#include <string>
 
 #include "tunica/multigrid/muelu/xpetra.hpp"
 
@@ -9,6 +11,19 @@ namespace tunica::multigrid {
 namespace {
 
 constexpr const char* marker = "Nodal Prolongator";
+
+/// Levels that keep more of the unknowns only fill up; small ones do no harm.
+constexpr double most_kept = 0.8;
+constexpr Tpetra::global_size_t harmless = 5000;
+
+void check_reduction(const CrsMatrix& P, int level) {
+  const auto fine = P.getRangeMap()->getGlobalNumElements(),
+             kept = P.getDomainMap()->getGlobalNumElements();
+  if (fine <= harmless || static_cast<double>(kept) <= most_kept * static_cast<double>(fine))
+    return;
+  throw std::runtime_error("coarsening stands still: level " + std::to_string(level) + " keeps " +
+                           std::to_string(kept) + " of " + std::to_string(fine) + " unknowns");
+}
 
 }  // namespace
 
@@ -31,6 +46,7 @@ void NodalPFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   const auto P = Teuchos::rcp_const_cast<CrsMatrix>(
       coarsening_->prolongator(fine.GetLevelID(), *Xpetra::toTpetra(A->getRangeMap()),
                                GetParameterList().get<bool>(rotations)));
+  check_reduction(*P, coarse.GetLevelID());
   Set(coarse, "P", wrapped(P));
   // The mark of a prolongator that does not depend on values, so that new ones leave it as it is.
   coarse.Set(marker, true, MueLu::NoFactory::get());
