@@ -34,6 +34,9 @@ GhostRows<Real>::GhostRows(const NodeBlocks& blocks)
   for (std::size_t k = 0; k < start_.back(); ++k)
     columns_.push_back(places[local.graph.entries(k)]);
   values_.resize(columns_.size());
+  ghosts_ = parcel(*blocks.ghost_import(), 1);
+  of_x_ = parcel(*halo_, 1);
+  of_x_and_b_ = parcel(*halo_, 2);
 }
 
 template <class Real>
@@ -44,17 +47,16 @@ void GhostRows<Real>::refresh() {
 }
 
 template <class Real>
-void GhostRows<Real>::fetch(const Import& import,
-                            const std::vector<std::vector<double>*>& all) const {
-  MultiVector own(import.getSourceMap(), all.size()), ghosts(import.getTargetMap(), all.size());
+void GhostRows<Real>::fetch(const Import& import, Parcel& parcel,
+                            const std::vector<std::vector<double>*>& all) {
   {
-    const auto to = own.getLocalViewHost(overwrite_all);
+    const auto to = parcel.own.getLocalViewHost(overwrite_all);
     const std::vector<int>& places = blocks_->place_of_row();
     for (std::size_t j = 0; j < all.size(); ++j)
       for (std::size_t i = 0; i < places.size(); ++i) to(i, j) = (*all[j])[places[i]];
   }
-  ghosts.doImport(own, import, insert);
-  const auto from = ghosts.getLocalViewHost(read_only);
+  parcel.fetched.doImport(parcel.own, import, insert);
+  const auto from = parcel.fetched.getLocalViewHost(read_only);
   for (std::size_t j = 0; j < all.size(); ++j)
     for (std::size_t i = 0; i < from.extent(0); ++i)
       // Only x has places beyond.

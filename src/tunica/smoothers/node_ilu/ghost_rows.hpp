@@ -17,19 +17,30 @@ public:
 
   /// Takes over the values that blocks has fetched.
   void refresh();
-  /// Values of other ranks, from their owners: of x those that own rows reach. Collective.
-  void fetch(std::vector<double>& x) const { fetch(*blocks_->ghost_import(), {&x}); }
+  /// Values of other ranks that own rows reach, from their owners. Collective.
+  void fetch(std::vector<double>& values) { fetch(*blocks_->ghost_import(), ghosts_, {&values}); }
   /// Of x those that own rows and ghosts' rows reach. Collective.
-  void fetch_halo(std::vector<double>& x) const { fetch(*halo_, {&x}); }
+  void fetch_halo(std::vector<double>& x) { fetch(*halo_, of_x_, {&x}); }
   /// The same, and b of the ghosts' rows, in the same message. Collective.
-  void fetch_halo(std::vector<double>& x, std::vector<double>& b) const { fetch(*halo_, {&x, &b}); }
+  void fetch_halo(std::vector<double>& x, std::vector<double>& b) {
+    fetch(*halo_, of_x_and_b_, {&x, &b});
+  }
   /// r = b − K x of the ghosts' rows
   void find_residual(const std::vector<double>& b, const std::vector<double>& x,
                      std::vector<double>& r) const;
   double bytes() const;
 
 private:
-  void fetch(const Import& import, const std::vector<std::vector<double>*>& all) const;
+  /// What travels, own and fetched: kept, as each sweep sends.
+  struct Parcel {
+    MultiVector own, fetched;
+  };
+
+  static Parcel parcel(const Import& import, std::size_t columns) {
+    return {MultiVector(import.getSourceMap(), columns),
+            MultiVector(import.getTargetMap(), columns)};
+  }
+  void fetch(const Import& import, Parcel& parcel, const std::vector<std::vector<double>*>& all);
 
   const NodeBlocks* blocks_;
   std::size_t beyond_ = 0;
@@ -38,6 +49,7 @@ private:
   std::vector<std::size_t> start_;   ///< of the rows
   std::vector<int> columns_;         ///< places
   std::vector<Real> values_;
+  Parcel ghosts_, of_x_, of_x_and_b_;
 };
 
 }  // namespace tunica::smoothers
