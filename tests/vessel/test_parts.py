@@ -231,8 +231,8 @@ class Units(unittest.TestCase):
     def test_cost_is_that_of_tunica_check(self):
         with open(os.path.join(ROOT, "src", "tunica", "judge", "cost.cpp"), encoding="utf-8") as file:
             theirs = {name: float(value) for name, value in re.findall(r"(\w+) = ([-+.e0-9]+)[,;]", file.read())}
-        self.assertEqual((theirs["program"], theirs["seconds_per_tetrahedron"]),
-                         (plan.MB_OF_PROGRAM, plan.SECONDS_A_TETRAHEDRON))
+        self.assertEqual((theirs["program"], theirs["seconds_per_tetrahedron"], theirs["shared"]),
+                         (plan.MB_OF_PROGRAM, plan.SECONDS_A_TETRAHEDRON, plan.SHARED))
         self.assertAlmostEqual((theirs["per_fluid"] + theirs["per_wall"]) / 2, plan.MB_A_TETRAHEDRON)
 
 

@@ -18,8 +18,6 @@ Teuchos::RCP<Teuchos::ParameterList> belos_list(const KrylovOptions& options, do
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
   list->set("Maximum Iterations", options.max_iterations);
   list->set("Convergence Tolerance", tolerance);
-  // CG starts from a guess; Belos would reduce the guess's residual, however small, further.
-  if (options.method == "CG") list->set("Implicit Residual Scaling", "Norm of RHS");
   // Recycled directions stand in the basis beside those of a cycle.
   if (options.restart > 0) {
     list->set("Num Blocks",

@@ -11,7 +11,6 @@
 #include "tunica/algebra/columns.hpp"
 #include "tunica/algebra/is_diagonal.hpp"
 #include "tunica/base/error.hpp"
-#include "tunica/base/formatted.hpp"
 #include "tunica/base/out_of_memory.hpp"
 #include "tunica/multigrid/coarsening/matrix_coarsening.hpp"
 #include "tunica/multigrid/muelu/blocked_matrix.hpp"
@@ -47,18 +46,6 @@ constexpr const char* rotations_from = NodalPFactory::rotations_from;
 bool waits_with_rotations(const Teuchos::ParameterList& factory) {
   return factory.isType<double>(rotations_from) && factory.get<double>(rotations_from) > 0.0 &&
          factory.isType<bool>(rotations) && factory.get<bool>(rotations);
-}
-
-void check_contractions(const Teuchos::ParameterList& factories) {
-  for (const auto& entry : factories) {
-    if (!factories.isSublist(entry.first)) continue;
-    const Teuchos::ParameterList& factory = factories.sublist(entry.first);
-    if (!factory.isType<double>(rotations_from)) continue;
-    const double from = factory.get<double>(rotations_from);
-    TUNICA_CHECK(from >= 0.0 && from < 1.0,
-                 formatted("Factories / %s / %s: is %g, expected a contraction between 0 and 1.",
-                           entry.first.c_str(), rotations_from, from));
-  }
 }
 
 /// The largest of the list's factories; 0 where none waits.
@@ -290,7 +277,6 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked) {
   TUNICA_CHECK(list.isSublist("Hierarchy") && list.isSublist("Factories"),
                "the list lacks \"Factories\" or \"Hierarchy\"; a mixed matrix needs a MueLu list "
                "in the form of factories.");
-  check_contractions(list.sublist("Factories"));
   // The interpreter builds all factories, and throws at a name or a key that none has.
   std::string cause;
   try {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tunica/base/formatted.hpp"
 #include "tunica/multigrid/muelu/xpetra.hpp"
 
 namespace tunica::multigrid {
@@ -35,6 +36,15 @@ Teuchos::RCP<const Teuchos::ParameterList> NodalPFactory::GetValidParameterList(
             "only once a cycle without them has contracted by no more than this factor, in the "
             "mean of the iterations between two set-ups; 0: from the start");
   return list;
+}
+
+void NodalPFactory::SetParameterList(const Teuchos::ParameterList& list) {
+  MueLu::TwoLevelFactoryBase::SetParameterList(list);
+  const double from = GetParameterList().get<double>(rotations_from);
+  if (!(from >= 0.0 && from < 1.0))
+    throw std::invalid_argument(
+        formatted("NodalPFactory: \"%s\" is %g, expected a contraction between 0 and 1.",
+                  rotations_from, from));
 }
 
 void NodalPFactory::DeclareInput(MueLu::Level& fine, MueLu::Level&) const { Input(fine, "A"); }

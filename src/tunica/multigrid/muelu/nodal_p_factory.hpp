@@ -18,6 +18,8 @@ public:
   void set_coarsening(const Teuchos::RCP<MixedCoarsening>& coarsening) { coarsening_ = coarsening; }
 
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
+  /// Throws std::invalid_argument for a contraction that is none.
+  void SetParameterList(const Teuchos::ParameterList& list) override;
   void DeclareInput(MueLu::Level& fine, MueLu::Level& coarse) const override;
   void Build(MueLu::Level& fine, MueLu::Level& coarse) const override;
 
