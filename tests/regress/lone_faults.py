@@ -46,9 +46,20 @@ def messages(run_):
     return [line for line in run_.err.splitlines() if line.startswith("tunica")]
 
 
+def run_with_fault(programs, folder, words, fault):
+    """A run in which MPI itself does not start, with no word of the program, shows nothing of it: one more."""
+    hurt = run(programs, folder, "hurt", ["--restart", "--steps", 2, *words], fault)
+    if hurt.status == 3 or hurt.out or messages(hurt):
+        return hurt
+    print(f"MPI did not start the program, after {hurt.seconds:.1f} s with status {hurt.status}:\n{hurt.err}")
+    return run(programs, folder, "hurt", ["--restart", "--steps", 2, *words], fault)
+
+
 def fails(verdict, name, hurt, place):
     told = messages(hurt)
     print(f"{name}: {hurt.seconds:.1f} s: {' | '.join(told)}")
+    if hurt.status != 3 or len(told) != 1:
+        print(f"{name}: out:\n{hurt.out}\nerr:\n{hurt.err}")
     verdict.claim(hurt.status == 3, f"{name}: exit status {hurt.status} is 3")
     verdict.claim(len(told) == 1 and place in told[0], f"{name}: one message names the place")
     verdict.claim(hurt.seconds < SECONDS, f"{name}: the run ends within {SECONDS:.0f} s")
@@ -70,7 +81,7 @@ def main(programs, scratch, places):
     for place, kinds, words in PLACES:
         for kind in kinds if not places or place in places else []:
             name = f"{place} ({kind})"
-            hurt = run(programs, folder, "hurt", ["--restart", "--steps", 2, *words], f"{place}:1:{kind}")
+            hurt = run_with_fault(programs, folder, words, f"{place}:1:{kind}")
             fails(verdict, name, hurt, place)
             verdict.claim(place in BEFORE_THE_CHECKPOINT_IS_READ or "restart after step 1" in hurt.out,
                           f"{name}: it hits a run that goes on after step 1")
