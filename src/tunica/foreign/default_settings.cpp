@@ -17,6 +17,12 @@ constexpr long long most_factored = 300000;
 
 const char* const first_direct = "direct";
 const char* const c_is_zero = "C is zero";
+const char* const c_is_small = "few scalars";
+
+/// Iterations that may be to come before sparse LU is tried, and the operations per entry for which
+/// it takes as long: a cycle takes as long as 180 to 340.
+constexpr int most_to_come = 100;
+constexpr double operations_of_cycles = 200.0 * most_to_come;
 
 /// Part of the scalar rows with entries in B2 that have a diagonal in C.
 double stabilised_part(const algebra::BlockMatrix& K) {
@@ -57,6 +63,12 @@ SolverSetting with_cycle(const std::string& name, const Teuchos::ParameterList& 
   return resolved(name, list);
 }
 
+/// The setting, given up for another where it is slow.
+SolverSetting with_patience(SolverSetting setting) {
+  setting.list.set(linear::give_up_at, most_to_come);
+  return setting;
+}
+
 SolverSetting incomplete_factors() {
   Teuchos::ParameterList list;
   list.set("method", "gmres").set("preconditioner", "ilu").set("fill level", 1);
@@ -67,6 +79,13 @@ SolverSetting direct(const std::string& name, double most_operations) {
   Teuchos::ParameterList list;
   list.set("method", "direct").set("most operations", most_operations);
   return resolved(name, list);
+}
+
+/// Of elements as Taylor and Hood's, with several times as many vectors as scalars, C is small, and
+/// the incomplete factors of the nodes grow.
+bool are_scalars_few(const algebra::BlockMatrix& K) {
+  const int components = (*K.space())[0].components;
+  return 2 * components * K(1, 1)->getGlobalNumRows() < K(0, 0)->getGlobalNumRows();
 }
 
 /// Iterative settings, the likeliest first.
@@ -83,9 +102,9 @@ DefaultChoice iterative(const algebra::BlockMatrix& K) {
   // C + B2 A⁻¹ B1ᵀ is exact, and there is nothing to coarsen in A.
   if (algebra::is_diagonal(*K(0, 0)))
     return {{by_fields, by_braess, incomplete_factors()}, "A is diagonal"};
-  if (stabilised_part(K) > 0.5)
-    return {{by_factors, by_braess, by_fields, incomplete_factors()}, "C stabilises"};
-  return {{by_braess, by_fields, incomplete_factors()}, c_is_zero};
+  if (stabilised_part(K) <= 0.5) return {{by_braess, by_fields, incomplete_factors()}, c_is_zero};
+  if (are_scalars_few(K)) return {{by_braess, by_fields, incomplete_factors()}, c_is_small};
+  return {{by_factors, by_braess, by_fields, incomplete_factors()}, "C stabilises"};
 }
 
 }  // namespace
@@ -117,10 +136,15 @@ void add_settings_keys(params::Table& table) {
 
 DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations) {
   DefaultChoice choice = iterative(K);
+  std::vector<SolverSetting>& all = choice.settings;
   if (direct_operations > 0.0) {
     // Sweeps by Braess and Sarazin take about twice as long as others.
-    const double most = choice.reason == c_is_zero ? 2.0 * direct_operations : direct_operations;
-    choice.settings.insert(choice.settings.begin(), direct(first_direct, most));
+    const bool has_braess = choice.reason == c_is_zero || choice.reason == c_is_small;
+    const double most = has_braess ? 2.0 * direct_operations : direct_operations;
+    const SolverSetting slow = all.front();
+    all.insert(all.begin(), {direct(first_direct, most), with_patience(slow),
+                             direct("direct where that is slow", operations_of_cycles)});
+    all[3].name = slow.name + " to the end";
   }
   if (K.n_unknowns() <= most_factored) choice.settings.push_back(direct("direct at any cost", 0.0));
   return choice;

@@ -31,6 +31,10 @@ params::Table inner_krylov_table(const SolverDefaults& defaults, bool has_restar
 params::Table krylov_table(const SolverDefaults& defaults, bool has_restart,
                            bool has_recycling = false) {
   params::Table table = inner_krylov_table(defaults, has_restart, has_recycling);
+  if (has_recycling)
+    table.integer(give_up_at, 0, params::between(0, 1e6),
+                  "without \"fallbacks\", a solve that gains no factor 10 in 20 iterations ends "
+                  "where at that pace more than so many are to come; 0: at \"max iterations\"");
   add_fallback_keys(table, defaults.fallbacks);
   return table;
 }

@@ -64,6 +64,9 @@ public:
                             double tolerance) = 0;
 };
 
+/// Key of GCR: iterations that may be to come where it is slow; 0: any.
+inline constexpr const char* give_up_at = "give up at";
+
 /// The keys of a "Linear Solver" list.
 params::Table linear_solver_table(const SolverDefaults& defaults = {});
 

@@ -15,6 +15,16 @@ Teuchos::RCP<CrsMatrix> diagonal_matrix(const Teuchos::RCP<const Map>& map, doub
   return A;
 }
 
+/// As far as both reach.
+Teuchos::RCP<CrsMatrix> diagonal_matrix(const Teuchos::RCP<const Map>& rows,
+                                        const Teuchos::RCP<const Map>& columns, double value) {
+  const auto A = Teuchos::rcp(new CrsMatrix(rows, 1));
+  for (const GlobalOrdinal row : global_numbers(*rows))
+    if (row <= columns->getMaxAllGlobalIndex()) A->insertGlobalValues(row, 1, &value, &row);
+  A->fillComplete(columns, rows);
+  return A;
+}
+
 /// A of pairs.
 Teuchos::RCP<CrsMatrix> coupled_matrix(const Teuchos::RCP<const Map>& map) {
   const auto A = Teuchos::rcp(new CrsMatrix(map, 2));
@@ -27,17 +37,19 @@ Teuchos::RCP<CrsMatrix> coupled_matrix(const Teuchos::RCP<const Map>& map) {
   return A;
 }
 
-/// Blocks of diagonals, but for A; c: of C.
-algebra::BlockMatrix blocks(bool has_scalars, double c, bool is_coupled = true) {
-  const auto map = Teuchos::rcp(new Map(8, 0, Tpetra::getDefaultComm()));
-  std::vector<algebra::Block> of_space{{"vector", map, 1, {}}};
-  if (has_scalars) of_space.push_back({"scalar", map, 1, {}});
+/// Blocks of diagonals, but for A; c: of C. With share vectors for each scalar.
+algebra::BlockMatrix blocks(bool has_scalars, double c, bool is_coupled = true, int share = 1) {
+  const CommPtr comm = Tpetra::getDefaultComm();
+  const auto vectors = Teuchos::rcp(new Map(8 * share, 0, comm)),
+             scalars = Teuchos::rcp(new Map(8, 0, comm));
+  std::vector<algebra::Block> of_space{{"vector", vectors, 1, {}}};
+  if (has_scalars) of_space.push_back({"scalar", scalars, 1, {}});
   algebra::BlockMatrix K(std::make_shared<const algebra::BlockSpace>(of_space));
-  K.set(0, 0, is_coupled ? coupled_matrix(map) : diagonal_matrix(map, 2.0));
+  K.set(0, 0, is_coupled ? coupled_matrix(vectors) : diagonal_matrix(vectors, 2.0));
   if (!has_scalars) return K;
-  K.set(0, 1, diagonal_matrix(map, 1.0));
-  K.set(1, 0, diagonal_matrix(map, 1.0));
-  K.set(1, 1, diagonal_matrix(map, -c));
+  K.set(0, 1, diagonal_matrix(vectors, scalars, 1.0));
+  K.set(1, 0, diagonal_matrix(scalars, vectors, 1.0));
+  K.set(1, 1, diagonal_matrix(scalars, -c));
   return K;
 }
 
@@ -59,6 +71,9 @@ TEUCHOS_UNIT_TEST(default_settings, follow_what_the_matrix_is) {
   TEST_ASSERT(names(zero) == (Names{"multigrid, Braess-Sarazin", "field by field", "ILU(1)",
                                     "direct at any cost"}));
   TEST_EQUALITY(foreign::in_words(zero), "\"multigrid, Braess-Sarazin\" (C is zero)");
+  const auto few = foreign::default_settings(blocks(true, 1.0, true, 3), 0.0);
+  TEST_EQUALITY(names(few).front(), "multigrid, Braess-Sarazin");
+  TEST_EQUALITY(few.reason, "few scalars");
   const auto diagonal = foreign::default_settings(blocks(true, 0.0, false), 0.0);
   TEST_EQUALITY(names(diagonal).front(), "field by field");
   TEST_EQUALITY(diagonal.reason, "A is diagonal");
@@ -68,8 +83,14 @@ TEUCHOS_UNIT_TEST(default_settings, follow_what_the_matrix_is) {
 
 TEUCHOS_UNIT_TEST(default_settings, factors_come_first_while_they_are_few_for_the_matrix) {
   const auto choice = foreign::default_settings(blocks(true, 0.0), 1500.0);
-  TEST_ASSERT(names(choice) == (Names{"direct", "multigrid, Braess-Sarazin", "field by field",
-                                      "ILU(1)", "direct at any cost"}));
+  TEST_ASSERT(names(choice) ==
+              (Names{"direct", "multigrid, Braess-Sarazin", "direct where that is slow",
+                     "multigrid, Braess-Sarazin to the end", "field by field", "ILU(1)",
+                     "direct at any cost"}));
+  // What is slow is given up where the factors that come next take less, and not the second time.
+  TEST_EQUALITY(choice.settings[1].list.get<int>("give up at"), 100);
+  TEST_EQUALITY(choice.settings[2].list.get<double>("most operations"), 20000.0);
+  TEST_EQUALITY(choice.settings[3].list.get<int>("give up at"), 0);
   TEST_EQUALITY(choice.settings.front().list.get<double>("most operations"), 3000.0);
   const auto stabilised = foreign::default_settings(blocks(true, 1.0), 1500.0);
   TEST_EQUALITY(stabilised.settings.front().list.get<double>("most operations"), 1500.0);

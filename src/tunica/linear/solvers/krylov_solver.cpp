@@ -54,6 +54,8 @@ KrylovSolver::KrylovSolver(const Teuchos::ParameterList& options, const algebra:
           [this](const MultiVector& all, algebra::BlockVector& x) { system_->scatter(all, x); }),
       b_(system_->map(), 1), x_(system_->map(), 1) {
   if (options.isParameter("recycle")) options_.most_recycled = options.get<int>("recycle");
+  if (options.isParameter(give_up_at) && options.get<int>(give_up_at) > 0)
+    *stagnation_ = {20, 0.1, static_cast<double>(options.get<int>(give_up_at))};
   if (options_.most_recycled > 0) options_.recycled = Teuchos::rcp(new Directions);
   for (char& c : options_.method) c = static_cast<char>(std::toupper(c));
 }
