@@ -15,6 +15,9 @@ namespace {
 /// fallbacks).
 constexpr long long most_factored = 300000;
 
+/// Contraction of an iteration from which on known rotations are interpolated, as of vessels.
+constexpr double rotations_from = 0.25;
+
 const char* const first_direct = "direct";
 const char* const c_is_zero = "C is zero";
 const char* const c_is_small = "few scalars";
@@ -88,14 +91,24 @@ bool are_scalars_few(const algebra::BlockMatrix& K) {
   return 2 * components * K(1, 1)->getGlobalNumRows() < K(0, 0)->getGlobalNumRows();
 }
 
+/// The first setting, given up where it is slow; factors; the first one to its end.
+void insert_factors_of_slow(std::vector<SolverSetting>& all) {
+  const SolverSetting first = all.front();
+  all.front().name += " to the end";
+  all.insert(all.begin(),
+             {with_patience(first), direct("direct where that is slow", operations_of_cycles)});
+}
+
 /// Iterative settings, the likeliest first.
 DefaultChoice iterative(const algebra::BlockMatrix& K) {
   if (K.n_blocks() == 1)
     return {{with_cycle("multigrid, Gauss-Seidel", multigrid::nodal_cycle_list(2, 500)),
              incomplete_factors()},
             "one field"};
+  const bool has_places = !(*K.space())[0].nodes.places.coordinates.is_null();
   const auto by_factors =
-      with_cycle("multigrid, incomplete factors", multigrid::mixed_cycle_list(2));
+      with_cycle("multigrid, incomplete factors",
+                 multigrid::mixed_cycle_list(2, "power", has_places ? rotations_from : 0.0));
   const auto by_braess =
       with_cycle("multigrid, Braess-Sarazin", multigrid::braess_sarazin_cycle_list(2, 4));
   const auto by_fields = with_preconditioner("field by field", "block");
@@ -141,10 +154,9 @@ DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_oper
     // Sweeps by Braess and Sarazin take about twice as long as others.
     const bool has_braess = choice.reason == c_is_zero || choice.reason == c_is_small;
     const double most = has_braess ? 2.0 * direct_operations : direct_operations;
-    const SolverSetting slow = all.front();
-    all.insert(all.begin(), {direct(first_direct, most), with_patience(slow),
-                             direct("direct where that is slow", operations_of_cycles)});
-    all[3].name = slow.name + " to the end";
+    // In space factors of whatever is large take more than any number of cycles.
+    if ((*K.space())[0].components < 3) insert_factors_of_slow(all);
+    all.insert(all.begin(), direct(first_direct, most));
   }
   if (K.n_unknowns() <= most_factored) choice.settings.push_back(direct("direct at any cost", 0.0));
   return choice;

@@ -34,8 +34,8 @@ struct DefaultChoice {
 /// 300,000 unknowns. Between: multigrid for all unknowns, smoothed by incomplete factors where C
 /// stabilises, by Braess and Sarazin's sweeps where it is zero or scalars are few; the fields in
 /// turn (block LU), which come first where A is diagonal; incomplete factors. For one field
-/// multigrid with Gauss-Seidel. The first of these is given up where it is slow and sparse LU takes
-/// at most 20,000 operations per entry. Collective.
+/// multigrid with Gauss-Seidel. The first of these is given up where it is slow, vectors have fewer
+/// than three components and sparse LU takes at most 20,000 operations per entry. Collective.
 DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations);
 
 /// `"direct" unless factors are large, "field by field" (C is zero), …`

@@ -77,6 +77,23 @@ Teuchos::RCP<Vector> dealt(const std::vector<double>& values, const Deal& rows) 
   return result;
 }
 
+algebra::NodePlaces dealt(const std::vector<ColumnRows>& coordinates, const algebra::Nodes& nodes) {
+  const Teuchos::RCP<const Map> map = nodes.graph->getRowMap();
+  const ColumnRows& first = coordinates.front();
+  MultiVector portions(Teuchos::rcp(new Map(first.n_rows, first.values.size(), 0, map->getComm())),
+                       coordinates.size());
+  {
+    const auto to = portions.getLocalViewHost(overwrite_all);
+    for (std::size_t j = 0; j < coordinates.size(); ++j)
+      for (std::size_t a = 0; a < to.extent(0); ++a) to(a, j) = coordinates[j].values[a];
+  }
+  const auto places = Teuchos::rcp(new MultiVector(map, coordinates.size()));
+  places->doImport(portions, Import(portions.getMap(), map), insert);
+  const auto in_solid = Teuchos::rcp(new Vector(map));
+  in_solid->putScalar(1.0);
+  return {places, in_solid};
+}
+
 algebra::Nodes dealt(NodeGraph graph, const std::vector<int>& ranks) {
   std::vector<GlobalOrdinal> numbers;
   std::vector<int> ranks_of_numbers;

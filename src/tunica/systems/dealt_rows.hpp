@@ -1,5 +1,6 @@
 #pragma once
 #include "tunica/algebra/block_space.hpp"
+#include "tunica/systems/matrix_files.hpp"
 #include "tunica/systems/matrix_rows.hpp"
 #include "tunica/systems/node_graph.hpp"
 
@@ -22,5 +23,8 @@ Teuchos::RCP<Vector> dealt(const std::vector<double>& values, const Deal& rows);
 /// Without the nodes that are not even their own neighbours. ranks: of each node of the portion.
 /// Collective.
 algebra::Nodes dealt(NodeGraph graph, const std::vector<int>& ranks);
+/// Columns of coordinates, a row per node of the portion, taken to the ranks of the nodes: those of
+/// a solid. Collective.
+algebra::NodePlaces dealt(const std::vector<ColumnRows>& coordinates, const algebra::Nodes& nodes);
 
 }  // namespace tunica::systems

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "tunica/base/agreement.hpp"
+#include "tunica/base/formatted.hpp"
 #include "tunica/systems/matrix_market_reader.hpp"
 
 namespace tunica::systems {
@@ -100,27 +101,37 @@ MatrixRows read_matrix(const std::string& path, const CommPtr& comm, std::size_t
   return collector.take();
 }
 
-ColumnRows read_column(const std::string& path, const CommPtr& comm, std::size_t lines_at_once) {
+std::vector<ColumnRows> read_columns(const std::string& path, const CommPtr& comm, int least,
+                                     int most, std::size_t lines_at_once) {
   std::optional<MatrixMarketReader> reader;  // on rank 0
-  ColumnRows column;
+  Sizes sizes(2);
   on_root(*comm, [&] {
     reader.emplace(path, "array");
-    const Sizes sizes = reader->sizes(2);
-    if (sizes[1] != 1)
-      reader->refuse("there are " + std::to_string(sizes[1]) + " columns, expected one");
-    column.n_rows = sizes[0];
+    sizes = reader->sizes(2);
+    const std::string wanted = least < most ? formatted("%d to %d", least, most)
+                               : most == 1  ? "one"
+                                            : std::to_string(most);
+    if (sizes[1] < least || sizes[1] > most)
+      reader->refuse("there are " + std::to_string(sizes[1]) + " columns, expected " + wanted);
   });
-  Teuchos::broadcast(*comm, 0, 1, &column.n_rows);
-  const std::string promise = std::to_string(column.n_rows) + " numbers, as the line of sizes says";
-  read_lines(
-      *comm, column.n_rows, lines_at_once,
-      [&](long long count) { return next_numbers(*reader, count, promise); },
-      [&](const std::vector<double>& numbers, long long first) {
-        const std::vector<double> mine = spread(*comm, numbers, first, column.n_rows);
-        column.values.insert(column.values.end(), mine.begin(), mine.end());
-      });
+  Teuchos::broadcast(*comm, 0, 2, sizes.data());
+  const std::string promise =
+      std::to_string(sizes[0] * sizes[1]) + " numbers, as the line of sizes says";
+  std::vector<ColumnRows> columns(sizes[1], ColumnRows{sizes[0], {}});
+  for (ColumnRows& column : columns)
+    read_lines(
+        *comm, column.n_rows, lines_at_once,
+        [&](long long count) { return next_numbers(*reader, count, promise); },
+        [&](const std::vector<double>& numbers, long long first) {
+          const std::vector<double> mine = spread(*comm, numbers, first, column.n_rows);
+          column.values.insert(column.values.end(), mine.begin(), mine.end());
+        });
   on_root(*comm, [&] { reader->end_file("expected " + promise); });
-  return column;
+  return columns;
+}
+
+ColumnRows read_column(const std::string& path, const CommPtr& comm, std::size_t lines_at_once) {
+  return read_columns(path, comm, 1, 1, lines_at_once).front();
 }
 
 }  // namespace tunica::systems

@@ -1,5 +1,6 @@
 #include "tunica/systems/prepared_system.hpp"
 
+#include "tunica/base/error.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/systems/check_blocks.hpp"
 #include "tunica/systems/dealt_rows.hpp"
@@ -28,7 +29,24 @@ struct Places {
   const Deal& deal(int field) const { return field == 0 ? vectors : scalars; }
 };
 
-Places places_of(const Blocks& blocks, const NodeTable& table) {
+/// None where no file has them.
+algebra::NodePlaces places_in_space(const Teuchos::ParameterList& options, const NodeTable& table,
+                                    const algebra::Nodes& nodes, std::size_t lines_at_once) {
+  const auto& file = options.get<std::string>("coordinates");
+  if (file.empty()) return {};
+  TUNICA_CHECK(table.components == 3,
+               "System: \"coordinates\" are for vectors of three components, these have " +
+                   std::to_string(table.components) + ".");
+  const std::vector<ColumnRows> columns =
+      read_columns(file, nodes.graph->getComm(), 3, 3, lines_at_once);
+  TUNICA_CHECK(columns.front().n_rows == table.n_nodes,
+               file + ": " + std::to_string(columns.front().n_rows) +
+                   " rows, expected one for each of " + std::to_string(table.n_nodes) + " nodes.");
+  return dealt(columns, nodes);
+}
+
+Places places_of(const Blocks& blocks, const NodeTable& table,
+                 const Teuchos::ParameterList& options, std::size_t lines_at_once) {
   const CommPtr comm = blocks.A.comm;
   const NodeGraph graph = vector_graph(blocks, table);
   const NodePartition parts = partition_nodes(graph, blocks.B2, table);
@@ -36,7 +54,8 @@ Places places_of(const Blocks& blocks, const NodeTable& table) {
   std::vector<GlobalOrdinal> numbers;
   for (std::size_t k = 0; k < table.vector_node.size(); ++k)
     numbers.push_back(table.components * table.vector_node[k] + table.component[k]);
-  const algebra::Nodes at_vectors = dealt(graph, parts.vector_nodes);
+  algebra::Nodes at_vectors = dealt(graph, parts.vector_nodes);
+  at_vectors.places = places_in_space(options, table, at_vectors, lines_at_once);
   return {Deal(numbers, parts.vectors, comm),
           Deal(table.scalar_node, parts.scalars, comm),
           at_vectors,
@@ -119,7 +138,7 @@ System prepared_system(Blocks given, const Teuchos::ParameterList& options,
   with_order.setParameters(found);
   const NodeTable table =
       make_node_table(with_order, blocks.n_rows(0), blocks.n_rows(1), blocks.A.comm, lines_at_once);
-  const Places places = places_of(blocks, table);
+  const Places places = places_of(blocks, table, options, lines_at_once);
   System system = deal_out(std::move(given), std::move(blocks), preparation, places);
   system.remarks = std::move(preparation.remarks);
   system.notes = std::move(preparation.notes);

@@ -107,6 +107,10 @@ void add_matrix_keys(params::Table& table) {
             "text file, for systems in no such order: a line for each unknown, those of A first, "
             "with the number of its node and, for vector unknowns, the component (counted from 0; "
             "without it in the order of the lines)")
+      .file("coordinates", "",
+            "dense array in the Matrix Market format with three columns and a row for each node in "
+            "the "
+            "order of their numbers, of solids: where multigrid is slow it interpolates rotations")
       .number("negligible", 1e-14, params::Range{0.0, 1e-3, false, false}, "1",
               "entries of at most this part of the largest one of their row and of their column "
               "are left out; 0: none")

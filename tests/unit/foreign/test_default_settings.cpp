@@ -38,11 +38,12 @@ Teuchos::RCP<CrsMatrix> coupled_matrix(const Teuchos::RCP<const Map>& map) {
 }
 
 /// Blocks of diagonals, but for A; c: of C. With share vectors for each scalar.
-algebra::BlockMatrix blocks(bool has_scalars, double c, bool is_coupled = true, int share = 1) {
+algebra::BlockMatrix blocks(bool has_scalars, double c, bool is_coupled = true, int share = 1,
+                            int components = 1) {
   const CommPtr comm = Tpetra::getDefaultComm();
   const auto vectors = Teuchos::rcp(new Map(8 * share, 0, comm)),
              scalars = Teuchos::rcp(new Map(8, 0, comm));
-  std::vector<algebra::Block> of_space{{"vector", vectors, 1, {}}};
+  std::vector<algebra::Block> of_space{{"vector", vectors, components, {}}};
   if (has_scalars) of_space.push_back({"scalar", scalars, 1, {}});
   algebra::BlockMatrix K(std::make_shared<const algebra::BlockSpace>(of_space));
   K.set(0, 0, is_coupled ? coupled_matrix(vectors) : diagonal_matrix(vectors, 2.0));
@@ -91,6 +92,9 @@ TEUCHOS_UNIT_TEST(default_settings, factors_come_first_while_they_are_few_for_th
   TEST_EQUALITY(choice.settings[1].list.get<int>("give up at"), 100);
   TEST_EQUALITY(choice.settings[2].list.get<double>("most operations"), 20000.0);
   TEST_EQUALITY(choice.settings[3].list.get<int>("give up at"), 0);
+  TEST_ASSERT(names(foreign::default_settings(blocks(true, 0.0, true, 3, 3), 1500.0)) ==
+              (Names{"direct", "multigrid, Braess-Sarazin", "field by field", "ILU(1)",
+                     "direct at any cost"}));
   TEST_EQUALITY(choice.settings.front().list.get<double>("most operations"), 3000.0);
   const auto stabilised = foreign::default_settings(blocks(true, 1.0), 1500.0);
   TEST_EQUALITY(stabilised.settings.front().list.get<double>("most operations"), 1500.0);

@@ -63,7 +63,7 @@ public:
   explicit Files(const Order& vectors = natural(n_vector),
                  const Order& scalars = natural(n_nodes)) {
     options.set("components", 2).set<std::string>("order", "by node").set("C factor", 1.0);
-    for (const char* optional : {"K", "B1T", "C", "node map"})
+    for (const char* optional : {"K", "B1T", "C", "node map", "coordinates"})
       options.set<std::string>(optional, "");
     // As it stands in the files; test_preparation.cpp has what is made of it.
     options.set("negligible", 0.0).set("known values", false).set("null space", false);
@@ -261,6 +261,41 @@ TEUCHOS_UNIT_TEST(read_system, a_solution_goes_back_to_the_order_of_the_files) {
   TEST_EQUALITY(view.extent(0), world()->getRank() == 0 ? std::size_t{n_vector + n_nodes} : 0U);
   for (std::size_t i = 0; i < view.extent(0); ++i)
     TEST_EQUALITY(view(i, 0), i < n_vector ? vectors[i] : 100.0 + (i - n_vector));
+}
+
+/// Column j of row a: a + 10 j.
+std::string dense(int rows, int columns) {
+  std::string text = "%%MatrixMarket matrix array real general\n" + std::to_string(rows) + " " +
+                     std::to_string(columns) + "\n";
+  for (int j = 0; j < columns; ++j)
+    for (int a = 0; a < rows; ++a) text += std::to_string(a + 10 * j) + "\n";
+  return text;
+}
+
+TEUCHOS_UNIT_TEST(read_system, coordinates_go_to_the_ranks_of_their_nodes) {
+  Files files(natural(n_vector), natural(n_vector / 3));
+  files.options.set("components", 3);
+  files.set("coordinates", dense(n_vector / 3, 3));
+  const System system = read_system(files.options, world(), at_once);
+  for (const int block : {0, 1}) {
+    const algebra::Nodes& nodes = (*system.K.space())[block].nodes;
+    const auto x = nodes.places.coordinates->getLocalViewHost(read_only);
+    const auto in_solid = nodes.places.in_solid->getLocalViewHost(read_only);
+    TEST_EQUALITY(x.extent(0), n_local(*nodes.graph->getRowMap()));
+    for (std::size_t a = 0; a < x.extent(0); ++a) {
+      const auto node = nodes.graph->getRowMap()->getGlobalElement(static_cast<LocalOrdinal>(a));
+      for (int j = 0; j < 3; ++j) TEST_EQUALITY(x(a, j), static_cast<double>(node + 10 * j));
+      TEST_EQUALITY(in_solid(a, 0), 1.0);
+    }
+  }
+  const auto reason = [&](int rows, int columns, int components) {
+    files.set("coordinates", dense(rows, columns));
+    files.options.set("components", components);
+    return refusal([&] { read_system(files.options, world(), at_once); });
+  };
+  TEST_ASSERT(says(reason(5, 3, 3), "5 rows, expected one for each of 6 nodes"));
+  TEST_ASSERT(says(reason(6, 2, 3), "there are 2 columns, expected 3"));
+  TEST_ASSERT(says(reason(9, 3, 2), "vectors of three components, these have 2"));
 }
 
 TEUCHOS_UNIT_TEST(read_system, what_does_not_fit_is_told_to_all_ranks) {
