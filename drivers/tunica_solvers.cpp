@@ -15,6 +15,7 @@
 #include "tunica/compare/system_capture.hpp"
 #include "tunica/compare/system_export.hpp"
 #include "tunica/coupling/registry.hpp"
+#include "tunica/foreign/given_operators.hpp"
 #include "tunica/io/matrix_market.hpp"
 #include "tunica/io/messages.hpp"
 #include "tunica/params/read_xml.hpp"
@@ -138,7 +139,8 @@ std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList
     linear.field = "system";
     linear.K = &system->K;
     linear.b = &system->b;
-    linear.operators = &linear::no_operators();
+    const foreign::GivenOperators operators(*system);
+    linear.operators = &operators;
     linear.of_files = system.get();
     const auto best = table.run(linear);
     table.print();

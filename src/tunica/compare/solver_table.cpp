@@ -155,7 +155,8 @@ SolverTable::SolverTable(const Teuchos::ParameterList& list, const output::RunFo
 
 std::vector<SolverSetting> SolverTable::settings_for(const LinearSystem& system) const {
   if (!is_chosen_) return settings_.at(system.field);
-  const foreign::DefaultChoice choice = foreign::default_settings(*system.K, direct_operations_);
+  const foreign::DefaultChoice choice =
+      foreign::default_settings(*system.K, direct_operations_, *system.operators);
   if (is_root_) io::print_line("settings: " + foreign::in_words(choice));
   return choice.settings;
 }

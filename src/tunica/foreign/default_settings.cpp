@@ -66,6 +66,14 @@ SolverSetting with_cycle(const std::string& name, const Teuchos::ParameterList& 
   return resolved(name, list);
 }
 
+/// Block LU with what the user knows of S.
+SolverSetting by_given_schur() {
+  Teuchos::ParameterList list;
+  list.set("method", "gcr").set("preconditioner", "block");
+  list.sublist("Stratimikos") = linear::default_block_preconditioner(1, 1, "Given");
+  return resolved("field by field, S given", list);
+}
+
 /// The setting, given up for another where it is slow.
 SolverSetting with_patience(SolverSetting setting) {
   setting.list.set(linear::give_up_at, most_to_come);
@@ -100,7 +108,7 @@ void insert_factors_of_slow(std::vector<SolverSetting>& all) {
 }
 
 /// Iterative settings, the likeliest first.
-DefaultChoice iterative(const algebra::BlockMatrix& K) {
+DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperators& operators) {
   if (K.n_blocks() == 1)
     return {{with_cycle("multigrid, Gauss-Seidel", multigrid::nodal_cycle_list(2, 500)),
              incomplete_factors()},
@@ -112,6 +120,8 @@ DefaultChoice iterative(const algebra::BlockMatrix& K) {
   const auto by_braess =
       with_cycle("multigrid, Braess-Sarazin", multigrid::braess_sarazin_cycle_list(2, 4));
   const auto by_fields = with_preconditioner("field by field", "block");
+  if (!operators.operator_names().empty())
+    return {{by_given_schur(), by_braess, by_fields, incomplete_factors()}, "S is given"};
   // C + B2 A⁻¹ B1ᵀ is exact, and there is nothing to coarsen in A.
   if (algebra::is_diagonal(*K(0, 0)))
     return {{by_fields, by_braess, incomplete_factors()}, "A is diagonal"};
@@ -147,8 +157,9 @@ void add_settings_keys(params::Table& table) {
                std::string(settings_sentence) + "; none: chosen by the matrix");
 }
 
-DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations) {
-  DefaultChoice choice = iterative(K);
+DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations,
+                               const linear::NamedOperators& operators) {
+  DefaultChoice choice = iterative(K, operators);
   std::vector<SolverSetting>& all = choice.settings;
   if (direct_operations > 0.0) {
     // Sweeps by Braess and Sarazin take about twice as long as others.

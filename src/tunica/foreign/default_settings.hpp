@@ -36,7 +36,8 @@ struct DefaultChoice {
 /// turn (block LU), which come first where A is diagonal; incomplete factors. For one field
 /// multigrid with Gauss-Seidel. The first of these is given up where it is slow, vectors have fewer
 /// than three components and sparse LU takes at most 20,000 operations per entry. Collective.
-DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations);
+DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations,
+                               const linear::NamedOperators& operators = linear::no_operators());
 
 /// `"direct" unless factors are large, "field by field" (C is zero), …`
 std::string in_words(const DefaultChoice& choice);

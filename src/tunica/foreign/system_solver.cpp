@@ -20,16 +20,19 @@ std::vector<SolverSetting> settings_for(const systems::System& system,
   for (auto it = entries.begin(); it != entries.end(); ++it)
     settings.push_back({entries.name(it), entries.sublist(entries.name(it))});
   if (settings.empty())
-    settings = default_settings(system.K, solvers.get<double>("direct operations")).settings;
+    settings =
+        default_settings(system.K, solvers.get<double>("direct operations"), GivenOperators(system))
+            .settings;
   return settings;
 }
 
 /// The next setting is where one falls back to.
 std::unique_ptr<linear::LinearSolver> solver_of(const SolverSetting& setting,
-                                                const algebra::BlockMatrix& K) {
+                                                const algebra::BlockMatrix& K,
+                                                const linear::NamedOperators& operators) {
   Teuchos::ParameterList alone(setting.list);
   alone.set("fallbacks", Teuchos::Array<std::string>());
-  return linear::make_linear_solver(alone, K);
+  return linear::make_linear_solver(alone, K, operators);
 }
 
 bool is_nearer(const linear::SolveReport& one, const std::optional<Answer>& best) {
@@ -39,7 +42,7 @@ bool is_nearer(const linear::SolveReport& one, const std::optional<Answer>& best
 }  // namespace
 
 SystemSolver::SystemSolver(const systems::System& system, const Teuchos::ParameterList& solvers)
-    : system_(&system), tolerance_(solvers.get<double>("tolerance")),
+    : system_(&system), operators_(system), tolerance_(solvers.get<double>("tolerance")),
       settings_(settings_for(system, solvers)) {}
 
 std::string SystemSolver::told(const Outcome& failure) const {
@@ -50,7 +53,7 @@ bool SystemSolver::prepare_next() {
   for (; present_ < settings_.size(); ++present_) {
     const SolverSetting& setting = settings_[present_];
     const Outcome outcome = attempt(*system_->K.comm(), "setting up \"" + setting.name + "\"", [&] {
-      solver_ = solver_of(setting, system_->K);
+      solver_ = solver_of(setting, system_->K, operators_);
       solver_->prepare();
     });
     if (outcome.is_success()) return true;

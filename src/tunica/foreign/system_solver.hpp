@@ -6,6 +6,7 @@
 
 #include "tunica/base/outcome.hpp"
 #include "tunica/foreign/default_settings.hpp"
+#include "tunica/foreign/given_operators.hpp"
 #include "tunica/foreign/residuals.hpp"
 
 namespace tunica::foreign {
@@ -43,6 +44,7 @@ private:
   std::string told(const Outcome& failure) const;
 
   const systems::System* system_;
+  GivenOperators operators_;
   double tolerance_;
   std::vector<SolverSetting> settings_;
   std::size_t present_ = 0;

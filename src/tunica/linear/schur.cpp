@@ -115,6 +115,23 @@ private:
   Teuchos::RCP<Teko::RequestHandler> handler_;
 };
 
+/// A matrix that somebody else knows to be like S.
+class Given final : public SchurInverse {
+public:
+  Given(const Teuchos::RCP<const Teko::InverseFactory>& inverse,
+        const Teuchos::RCP<Teko::RequestHandler>& handler)
+      : inverse_(inverse), handler_(handler) {}
+
+  Teko::LinearOp build(const Teko::BlockedLinearOp&,
+                       Teko::BlockPreconditionerState& state) const override {
+    return invert(*inverse_, ask(*handler_, "Given Schur"), "inverse S", state);
+  }
+
+private:
+  Teuchos::RCP<const Teko::InverseFactory> inverse_;
+  Teuchos::RCP<Teko::RequestHandler> handler_;
+};
+
 class OperatorSplitting final : public SchurInverse {
 public:
   OperatorSplitting(const Teuchos::RCP<const Teko::InverseFactory>& inverse,
@@ -188,6 +205,10 @@ std::unique_ptr<SchurInverse> make_schur_inverse(
         handler);
   }
   if (kind == "Algebraic") return std::make_unique<Algebraic>(inverse);
+  if (kind == "Given") {
+    need("Given Schur");
+    return std::make_unique<Given>(inverse, handler);
+  }
   if (kind == "Operator Splitting") {
     need("Schur Laplacian");
     need("Schur Mass");
@@ -196,8 +217,8 @@ std::unique_ptr<SchurInverse> make_schur_inverse(
   }
   throw std::invalid_argument(
       "\"Schur Complement\" is \"" + kind +
-      "\", expected \"Algebraic\", \"Two Scale\", \"Operator Splitting\" or "
-      "\"Scaled Mass\".");
+      "\", expected \"Algebraic\", \"Two Scale\", \"Operator Splitting\", \"Scaled Mass\" or "
+      "\"Given\".");
 }
 
 }  // namespace tunica::linear

@@ -28,6 +28,7 @@ public:
 ///                       operators "Schur Laplacian", "Schur Mass", "Schur Convection";
 ///                       "Stabilisation" adds C to L, which "Inverse Schur Type" inverts
 ///                       ([LY1] eq:rpreschur without it)
+///   Given               the operator "Given Schur" for S̃, inverted by "Inverse Schur Type"
 ///   Scaled Mass         diag(M_s)/"Theta Factor" + diag(M_b), with the operators
 ///                       "Schur Mass" and "Schur Bulk Mass" ([LY1] eq:lpreschur)
 ///

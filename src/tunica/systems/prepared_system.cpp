@@ -2,6 +2,7 @@
 
 #include "tunica/base/error.hpp"
 #include "tunica/base/map_of.hpp"
+#include "tunica/base/reduce.hpp"
 #include "tunica/systems/check_blocks.hpp"
 #include "tunica/systems/dealt_rows.hpp"
 #include "tunica/systems/node_graph.hpp"
@@ -110,6 +111,52 @@ System deal_out(Blocks given, Blocks blocks, const Preparation& preparation, con
   return system;
 }
 
+/// S ← ± R S C between free scalars; unit rows of others.
+void take_to_system(const System& system, double sign, CrsMatrix& S) {
+  const Map &rows = *S.getRowMap(), &columns = *S.getColMap();
+  const auto of_columns = [&S](const Vector& values) {
+    Vector result(S.getColMap());
+    result.doImport(values, Import(values.getMap(), S.getColMap()), insert);
+    return result;
+  };
+  const Vector scales = of_columns(system.scale[1]), knowns = of_columns(system.known_in[1]);
+  const auto row_scale = system.row_scale[1].getLocalViewHost(read_only);
+  const auto known_row = system.known_in[1].getLocalViewHost(read_only);
+  const auto scale = scales.getLocalViewHost(read_only), known = knowns.getLocalViewHost(read_only);
+  const auto local = S.getLocalMatrixHost();
+  for (int i = 0; i < local.numRows(); ++i) {
+    const auto row = local.row(i);
+    for (int k = 0; k < row.length; ++k) {
+      const int j = row.colidx(k);
+      const bool is_free = known_row(i, 0) == 0.0 && known(j, 0) == 0.0;
+      const bool is_diagonal = rows.getGlobalElement(i) == columns.getGlobalElement(j);
+      row.value(k) = is_free       ? sign * row_scale(i, 0) * row.value(k) * scale(j, 0)
+                     : is_diagonal ? 1.0
+                                   : 0.0;
+    }
+  }
+}
+
+/// With a positive diagonal, whatever sign its author gives a Schur complement.
+Teuchos::RCP<const CrsMatrix> dealt_schur(const Teuchos::ParameterList& options,
+                                          const System& system, const Deal& scalars,
+                                          const CommPtr& comm, std::size_t lines_at_once) {
+  const auto& file = options.get<std::string>("schur");
+  if (file.empty()) return Teuchos::null;
+  const long long n = system.K.n_blocks() > 1 ? system.K(1, 1)->getGlobalNumRows() : 0;
+  MatrixRows given = with_diagonal(read_matrix(file, comm, lines_at_once));
+  const auto text = [](long long rows) { return std::to_string(rows); };
+  TUNICA_CHECK(given.n_rows == n && given.n_columns == n,
+               file + ": the matrix is " + text(given.n_rows) + " x " + text(given.n_columns) +
+                   ", expected one for the " + text(n) + " scalar unknowns.");
+  double trace = 0.0;
+  for (const double value : diagonal(given)) trace += value;
+  const double sign = global_sum(*comm, trace) < 0.0 ? -1.0 : 1.0;
+  const Teuchos::RCP<CrsMatrix> S = dealt(std::move(given), scalars, scalars);
+  take_to_system(system, sign, *S);
+  return S;
+}
+
 /// In the order in which each needs what is before it.
 void prepare(Blocks& blocks, const Teuchos::ParameterList& options, Preparation& preparation) {
   const double negligible = options.get<double>("negligible");
@@ -139,7 +186,9 @@ System prepared_system(Blocks given, const Teuchos::ParameterList& options,
   const NodeTable table =
       make_node_table(with_order, blocks.n_rows(0), blocks.n_rows(1), blocks.A.comm, lines_at_once);
   const Places places = places_of(blocks, table, options, lines_at_once);
+  const CommPtr comm = blocks.A.comm;
   System system = deal_out(std::move(given), std::move(blocks), preparation, places);
+  system.schur = dealt_schur(options, system, places.scalars, comm, lines_at_once);
   system.remarks = std::move(preparation.remarks);
   system.notes = std::move(preparation.notes);
   system.order = vectors.text + (order.empty() ? "" : ", " + order);

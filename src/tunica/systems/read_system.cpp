@@ -107,6 +107,10 @@ void add_matrix_keys(params::Table& table) {
             "text file, for systems in no such order: a line for each unknown, those of A first, "
             "with the number of its node and, for vector unknowns, the component (counted from 0; "
             "without it in the order of the lines)")
+      .file("schur", "",
+            "square matrix of the scalar unknowns in their order that is like C + B2 inv(A) B1T, "
+            "up to its sign, such as a mass matrix over the viscosity: for block LU with \"Schur "
+            "Complement\" = \"Given\", which then comes first")
       .file("coordinates", "",
             "dense array in the Matrix Market format with three columns and a row for each node in "
             "the "

@@ -22,6 +22,8 @@ struct ConstantMode {
 struct System {
   algebra::BlockMatrix K;      ///< as it is solved with, see Preparation
   algebra::BlockMatrix given;  ///< as it is in the files, but for signs of whole fields
+  /// What the user knows to be like C + B2 A⁻¹ B1ᵀ, in the rows and columns of K; null: nothing.
+  Teuchos::RCP<const CrsMatrix> schur{};
   /// Of the right-hand side that was taken last: R b', known values x_k, and itself with the signs
   /// of what is given.
   algebra::BlockVector b, known, given_b;

@@ -60,6 +60,14 @@ std::vector<std::string> names(const foreign::DefaultChoice& choice) {
   return all;
 }
 
+class KnownSchur : public linear::NamedOperators {
+public:
+  std::vector<std::string> operator_names() const override { return {"Given Schur"}; }
+  Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string&) const override {
+    return Teuchos::null;
+  }
+};
+
 using Names = std::vector<std::string>;
 
 TEUCHOS_UNIT_TEST(default_settings, follow_what_the_matrix_is) {
@@ -72,6 +80,8 @@ TEUCHOS_UNIT_TEST(default_settings, follow_what_the_matrix_is) {
   TEST_ASSERT(names(zero) == (Names{"multigrid, Braess-Sarazin", "field by field", "ILU(1)",
                                     "direct at any cost"}));
   TEST_EQUALITY(foreign::in_words(zero), "\"multigrid, Braess-Sarazin\" (C is zero)");
+  const auto given = foreign::default_settings(blocks(true, 0.0), 0.0, KnownSchur());
+  TEST_EQUALITY(names(given).front(), "field by field, S given");
   const auto few = foreign::default_settings(blocks(true, 1.0, true, 3), 0.0);
   TEST_EQUALITY(names(few).front(), "multigrid, Braess-Sarazin");
   TEST_EQUALITY(few.reason, "few scalars");

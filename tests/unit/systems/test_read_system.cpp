@@ -63,7 +63,7 @@ public:
   explicit Files(const Order& vectors = natural(n_vector),
                  const Order& scalars = natural(n_nodes)) {
     options.set("components", 2).set<std::string>("order", "by node").set("C factor", 1.0);
-    for (const char* optional : {"K", "B1T", "C", "node map", "coordinates"})
+    for (const char* optional : {"K", "B1T", "C", "node map", "coordinates", "schur"})
       options.set<std::string>(optional, "");
     // As it stands in the files; test_preparation.cpp has what is made of it.
     options.set("negligible", 0.0).set("known values", false).set("null space", false);
