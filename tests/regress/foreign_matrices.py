@@ -184,38 +184,6 @@ def check_units(verdict, programs, scratch, K, exact, count):
                       f"{folder.name}: {tried.iterations:g} iterations, {count:g} in the first units")
 
 
-def mass_of_pressures(factor):
-    """Of linear functions on the corners; that over the viscosity is as good as the Schur complement."""
-    M, area = {}, 0.5 / DIVISIONS ** 2
-    for points in taylor_hood.triangles(DIVISIONS):
-        corners = [p[1] // 2 * (DIVISIONS + 1) + p[0] // 2 for p in points[:3]]
-        for k in corners:
-            for l in corners:
-                taylor_hood.add(M, k, l, factor * area / (6 if k == l else 12))
-    return M
-
-
-def check_schur(verdict, programs, scratch, K, exact):
-    """What the user knows of the Schur complement, in any units and of either sign."""
-    counts = []
-    for name, factor, sign, ranks in (("mass", 1.0, 1, 1), ("mass-si", 1e-4, 1, 1), ("mass-negative", 1.0, -1, 1),
-                                      ("mass-2", 1.0, 1, 2)):
-        factors = [1.0] * N_VECTORS + [factor] * N_PRESSURES
-        folder = scratch / name
-        write(folder, *prescribe(scaled(K, [0.0] * N, factors)[0], channel(), "rows"))
-        taylor_hood.write_matrix(folder / "S.mtx", mass_of_pressures(sign * factor ** 2), N_PRESSURES, N_PRESSURES)
-        tried = Tried(programs, folder, ranks, ITERATIVE + (("System/schur", folder / "S.mtx"),))
-        if not verdict.claim(tried.is_good and tried.names == ["field by field, S given"], f"{name}: {tried.run.err}"):
-            continue
-        x = [value * f for value, f in zip(tried.x, factors)]
-        counts.append(tried.iterations)
-        verdict.claim(abs(tried.iterations - counts[0]) <= (0 if ranks == 1 else 2) and difference(x, exact, 8) < 1e-6,
-                      f"{name}, {ranks} ranks: {tried.iterations:g} iterations, {counts[0]:g} of the first")
-    wrong = Tried(programs, folder, settings=(("System/schur", folder / "K.mtx"),))
-    verdict.claim(wrong.run.status == 1 and f"expected one for the {N_PRESSURES} scalar unknowns" in wrong.run.err,
-                  f"a matrix of another size is refused: {wrong.run.err}")
-
-
 def check_orders(verdict, programs, scratch, K, exact, count):
     K, b = prescribe(K, channel(), "rows")
     for name, numbers in orders().items():
@@ -348,7 +316,6 @@ def main():
     exact, count = check_prescribed(verdict, programs, scratch, K)
     check_rounding(verdict, programs, scratch, K, exact, count)
     check_units(verdict, programs, scratch, K, exact, count)
-    check_schur(verdict, programs, scratch, K, exact)
     check_orders(verdict, programs, scratch, K, exact, count)
     check_cavity(verdict, programs, scratch, K)
     check_own_rows(verdict, programs, scratch)

@@ -9,6 +9,7 @@
 #include "tunica/base/heap.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/timer.hpp"
+#include "tunica/foreign/bordered_solver.hpp"
 #include "tunica/foreign/refined_solve.hpp"
 #include "tunica/foreign/told_rows.hpp"
 
@@ -79,7 +80,9 @@ SolverRow run_setting(const SolverSetting& setting, const LinearSystem& system, 
   double held = 0.0, setup_seconds = 0.0;
   const ProcessorWatch setting_up;
   const Outcome outcome = attempt(comm, "trying \"" + setting.name + "\"", [&] {
-    const auto solver = linear::make_linear_solver(alone, *system.K, *system.operators);
+    auto solver = linear::make_linear_solver(alone, *system.K, *system.operators);
+    if (system.of_files != nullptr)
+      solver = foreign::with_border(*system.of_files, std::move(solver));
     solver->prepare();
     setup_seconds = watch.seconds();
     row.setup_processor_seconds = setting_up.seconds();

@@ -14,13 +14,6 @@ double excess(const Residuals& residuals, double tolerance) {
   return std::max(residuals.largest_of_fields(), residuals.relative) / tolerance;
 }
 
-void add_costs(const linear::SolveReport& of_one, linear::SolveReport& all) {
-  all.iterations += of_one.iterations;
-  all.operator_applications += of_one.operator_applications;
-  all.setup_seconds += of_one.setup_seconds;
-  all.solve_seconds += of_one.solve_seconds;
-}
-
 /// Whether the method has got as far as it was asked to: a cap or a stagnation is its own result.
 bool believes_to_be_done(const linear::SolveReport& report) {
   return report.method == "direct" || report.recurrence_residual <= report.tolerance;
@@ -40,7 +33,7 @@ linear::SolveReport refined_solve(linear::LinearSolver& solver, const algebra::B
       break;
     // K dx = b − K x to a tenth of what the worst field permits
     const double goal = std::clamp(0.1 / left, 1e-10, 0.1);
-    add_costs(solver.solve(r, dx, goal), report);
+    linear::add_costs(solver.solve(r, dx, goal), report);
     before.assign(x);
     for (int i = 0; i < x.n_blocks(); ++i) x[i].update(1.0, dx[i], 1.0);
     const Residuals next = judge(x, r);

@@ -6,6 +6,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/exception_summary.hpp"
 #include "tunica/base/formatted.hpp"
+#include "tunica/foreign/bordered_solver.hpp"
 #include "tunica/foreign/refined_solve.hpp"
 #include "tunica/foreign/told_rows.hpp"
 
@@ -53,7 +54,7 @@ bool SystemSolver::prepare_next() {
   for (; present_ < settings_.size(); ++present_) {
     const SolverSetting& setting = settings_[present_];
     const Outcome outcome = attempt(*system_->K.comm(), "setting up \"" + setting.name + "\"", [&] {
-      solver_ = solver_of(setting, system_->K, operators_);
+      solver_ = with_border(*system_, solver_of(setting, system_->K, operators_));
       solver_->prepare();
     });
     if (outcome.is_success()) return true;

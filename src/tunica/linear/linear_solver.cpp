@@ -99,6 +99,13 @@ std::unique_ptr<LinearSolver> make_linear_solver(const Teuchos::ParameterList& o
   return std::make_unique<KrylovSolver>(options, K, operators);
 }
 
+void add_costs(const SolveReport& of_one, SolveReport& all) {
+  all.iterations += of_one.iterations;
+  all.operator_applications += of_one.operator_applications;
+  all.setup_seconds += of_one.setup_seconds;
+  all.solve_seconds += of_one.solve_seconds;
+}
+
 std::string describe_unconverged(const SolveReport& report) {
   const auto [found, wanted] = told_apart(report.true_residual, report.tolerance);
   return "the linear solver (" + report.method + ") reached a relative residual of " + found +

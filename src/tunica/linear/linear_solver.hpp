@@ -30,6 +30,9 @@ struct SolveReport {
   multigrid::Levels levels;  ///< none where the preconditioner is no multigrid for the whole system
 };
 
+/// Iterations, products and seconds of one solve, of those of all.
+void add_costs(const SolveReport& of_one, SolveReport& all);
+
 /// By how much an unconverged solve fell short, in words.
 std::string describe_unconverged(const SolveReport& report);
 

@@ -204,6 +204,7 @@ void NewValues::prepare(System& system) const {
 std::string NewValues::take(const double* values, System& system) const {
   const Comm& comm = *system.K.comm();
   const int fields = system.K.n_blocks();
+  if (!system.border.empty()) return "the matrix has a border";
   fill(values, system);
   Contradictions found;
   for (int i = 0; i < fields; ++i) {

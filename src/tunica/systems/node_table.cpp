@@ -58,6 +58,9 @@ private:
   Received<Unknown> received_;
 };
 
+/// Scalars that may stand for themselves beside nodes that share all.
+constexpr long long most_multipliers = 8;
+
 /// Each rank keeps the nodes of an equal part of their numbers, which may have gaps, and sees all
 /// unknowns of a node, in the order of the file.
 class NodeKeeper {
@@ -84,9 +87,7 @@ public:
     NodeTable table;
     table.components = components_;
     table.n_nodes = global_sum(comm_, mine);
-    table.is_shared = all_agree(comm_, std::all_of(taken_.begin(), taken_.end(), [&](unsigned has) {
-                                  return (has & scalar_bit()) != 0 && (has & ~scalar_bit()) != 0;
-                                }));
+    table.is_shared = are_shared();
     for (const Unknown& unknown : vectors_.sent_back()) {
       table.vector_node.push_back(unknown.node);
       table.component.push_back(unknown.component);
@@ -96,6 +97,16 @@ public:
   }
 
 private:
+  bool are_shared() const {
+    long long lone_scalars = 0, lone_vectors = 0;
+    for (const unsigned has : taken_) {
+      lone_scalars += has == scalar_bit();
+      lone_vectors += (has & scalar_bit()) == 0;
+    }
+    lone_scalars = global_sum(comm_, lone_scalars);
+    return global_sum(comm_, lone_vectors) == 0 && lone_scalars <= most_multipliers &&
+           lone_scalars < global_sum(comm_, static_cast<long long>(taken_.size()));
+  }
   long long largest_node(const Unknowns& unknowns) const {
     long long mine = 0, largest = 0;
     for (const auto* const list : {&unknowns.vectors, &unknowns.scalars})

@@ -13,7 +13,8 @@ struct NodeTable {
   std::vector<long long> vector_node, scalar_node;  ///< of each unknown
   std::vector<int> component;                       ///< of each vector unknown
   long long n_nodes = 0;                            ///< of all ranks, numbered without gaps
-  /// Every node has a scalar and at least one vector unknown: both blocks share the nodes.
+  /// Every node has a scalar and at least one vector unknown: both blocks share the nodes. Up to
+  /// eight scalars may have none, such as multipliers of mean values.
   bool is_shared = false;
 };
 

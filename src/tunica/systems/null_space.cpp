@@ -87,14 +87,18 @@ int components_of(const System& system) { return (*system.K.space())[0].componen
 
 std::vector<ConstantMode> find_constants(const System& system) {
   std::vector<ConstantMode> modes;
-  if (system.K.n_blocks() > 1) modes.push_back({1, 0, {}, {}});
-  for (int c = 0; c < components_of(system); ++c) modes.push_back({0, c, {}, {}});
+  if (system.K.n_blocks() > 1) modes.push_back({1, 0, {}, {}, {}});
+  for (int c = 0; c < components_of(system); ++c) modes.push_back({0, c, {}, {}, {}});
   std::vector<ConstantMode> found;
   for (ConstantMode& mode : modes) {
-    const double share = right_share(system.K, mode.field, *constant(mode, system, system.scale));
+    const Teuchos::RCP<Vector> right = constant(mode, system, system.scale);
+    const double share = right_share(system.K, mode.field, *right);
     if (share > nothing) continue;
+    mode.right = right;
     mode.note = "K has " + name_of(mode, components_of(system)) + " in its null space " +
-                formatted("(|K 1| = %.0e): the solution of zero mean is taken", share);
+                formatted("(|K 1| = %.0e): ", share) +
+                (system.border.empty() ? "the solution of zero mean is taken"
+                                       : "its border or a mean of zero gives them");
     const Teuchos::RCP<Vector> left = constant(mode, system, system.row_scale);
     if (left_share(system.K, mode.field, *left) <= nothing) mode.left = left;
     found.push_back(mode);

@@ -223,6 +223,63 @@ void take_out_known(Blocks& blocks, Preparation& preparation) {
 
 namespace {
 
+constexpr double dense = 0.2;
+constexpr std::size_t least_dense = 200;  ///< entries; small systems have no sparse rows
+constexpr long long most_bordering = 8;   ///< each costs a solve
+
+/// Free scalars with dense rows.
+std::vector<std::size_t> dense_rows(const Blocks& blocks, const Preparation& preparation) {
+  std::vector<std::size_t> found;
+  for (std::size_t row = 0; row < blocks.n_local(1); ++row) {
+    if (preparation.known_in[1][row] != 0.0) continue;
+    for (const int j : fields) {
+      const std::size_t entries = blocks(1, j).start[row + 1] - blocks(1, j).start[row];
+      if (entries < least_dense ||
+          static_cast<double>(entries) < dense * static_cast<double>(blocks.n_rows(j)))
+        continue;
+      found.push_back(row);
+      break;
+    }
+  }
+  const auto mine = static_cast<long long>(found.size());
+  return global_sum(blocks.comm(), mine) <= most_bordering ? found : std::vector<std::size_t>();
+}
+
+/// Local rows of the scalars that stand in these rows of the file.
+std::vector<std::size_t> rows_of(const Blocks& blocks, const std::vector<long long>& excluded,
+                                 const Preparation& preparation) {
+  std::vector<std::size_t> found;
+  for (std::size_t row = 0; row < blocks.n_local(1); ++row)
+    if (preparation.known_in[1][row] == 0.0 &&
+        std::binary_search(excluded.begin(), excluded.end(), blocks.file_rows[1][row]))
+      found.push_back(row);
+  return found;
+}
+
+}  // namespace
+
+void take_out_border(Blocks& blocks, const std::vector<long long>& excluded,
+                     Preparation& preparation) {
+  std::array<std::vector<std::size_t>, 2> found;
+  found[1] = dense_rows(blocks, preparation);
+  const std::vector<std::size_t> named = rows_of(blocks, excluded, preparation);
+  found[1].insert(found[1].end(), named.begin(), named.end());
+  std::sort(found[1].begin(), found[1].end());
+  found[1].erase(std::unique(found[1].begin(), found[1].end()), found[1].end());
+  const std::string rows = text_of_rows(blocks, 1, found[1]);
+  if (global_sum(blocks.comm(), static_cast<long long>(found[1].size())) == 0) return;
+  for (const std::size_t row : found[1]) preparation.known_in[1][row] = bordering;
+  take_out(blocks, preparation.known_in);
+  make_unit_rows(blocks, found);
+  if (rows.empty()) return;  // but on rank 0
+  const std::string verb = rows.find("rows") == 0 ? " are" : " is";
+  preparation.notes.push_back(rows + verb +
+                              " the border of the system, whose scalars are eliminated by a "
+                              "solve of each");
+}
+
+namespace {
+
 /// Largest entries beside the diagonal, of rows or columns of K.
 std::vector<double> beside_diagonal(const Blocks& blocks, int field, bool of_rows) {
   std::vector<double> largest(blocks.n_local(field), 0.0);

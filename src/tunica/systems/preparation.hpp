@@ -5,6 +5,8 @@ namespace tunica::systems {
 
 /// An unknown that no equation determines, in Preparation::known_in.
 constexpr double undetermined = -1.0;
+/// One that is eliminated by a solve of its own.
+constexpr double bordering = -2.0;
 
 /// What is made of a matrix K of another program before it is solved with, and the way back.
 /// right_side.hpp has b' and x_k.
@@ -24,7 +26,7 @@ struct Preparation {
   explicit Preparation(const Blocks& blocks);
 
   /// Of known unknowns the round, from 1, in which the values of those before give theirs;
-  /// undetermined; 0 of all others.
+  /// undetermined or bordering; 0 of all others.
   OfUnknowns known_in;
   int rounds = 0;
   OfUnknowns row_scale, scale;                  ///< diagonals of R and C
@@ -45,6 +47,12 @@ void scale_fields(Blocks& blocks, Preparation& preparation);
 /// 1e12 times the typical diagonal and more), are known by b/d. Their columns go; rows that then
 /// hold only the diagonal are those of the next round. Collective.
 void take_out_known(Blocks& blocks, Preparation& preparation);
+
+/// Scalars that are coupled with a fifth of all unknowns of a field and more, as the multiplier of
+/// a mean value, would make neighbours of all nodes; these, while they are few, and the scalars
+/// whose rows a file excludes become the border of K, and leave unit rows. Collective.
+void take_out_border(Blocks& blocks, const std::vector<long long>& excluded,
+                     Preparation& preparation);
 
 /// Rows whose entries beside the diagonal differ by a factor of 10⁴ and more from those of their
 /// columns get the size of these; a diagonal of 1e6 times what is beside it (a weaker penalty) is

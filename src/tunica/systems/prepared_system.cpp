@@ -1,8 +1,16 @@
 #include "tunica/systems/prepared_system.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+#include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/base/rows.hpp"
+#include "tunica/params/plain_text.hpp"
 #include "tunica/systems/check_blocks.hpp"
 #include "tunica/systems/dealt_rows.hpp"
 #include "tunica/systems/node_graph.hpp"
@@ -88,6 +96,23 @@ Teuchos::RCP<const Map> dealt_file_rows(const Blocks& blocks, int field, const D
   return map_of(numbers, blocks.A.comm);
 }
 
+/// On all ranks.
+std::vector<GlobalOrdinal> border_of(const Vector& known_in) {
+  const Comm& comm = *known_in.getMap()->getComm();
+  const auto values = known_in.getLocalViewHost(read_only);
+  std::vector<long long> mine;
+  for (std::size_t k = 0; k < values.extent(0); ++k)
+    if (values(k, 0) == bordering)
+      mine.push_back(known_in.getMap()->getGlobalElement(static_cast<LocalOrdinal>(k)));
+  std::vector<long long> all = gather_rows(comm, mine);  // on rank 0
+  auto count = static_cast<int>(all.size());
+  Teuchos::broadcast(comm, 0, 1, &count);
+  all.resize(count);
+  Teuchos::broadcast(comm, 0, count, all.data());
+  std::sort(all.begin(), all.end());
+  return {all.begin(), all.end()};
+}
+
 System deal_out(Blocks given, Blocks blocks, const Preparation& preparation, const Places& places) {
   System system;
   const algebra::BlockSpacePtr space = places.space();
@@ -101,6 +126,7 @@ System deal_out(Blocks given, Blocks blocks, const Preparation& preparation, con
   system.row_scale = vector(preparation.row_scale);
   system.scale = vector(preparation.scale);
   system.rounds = preparation.rounds;
+  if (n_fields > 1) system.border = border_of(system.known_in[1]);
   for (int i = 0; i < n_fields; ++i)
     system.file_rows[i] = dealt_file_rows(given, i, places.deal(i));
   system.signs = given.signs;
@@ -157,6 +183,30 @@ Teuchos::RCP<const CrsMatrix> dealt_schur(const Teuchos::ParameterList& options,
   return S;
 }
 
+/// Numbers of rows from 1 in a text file; from 0, ascending, on all ranks.
+std::vector<long long> excluded_rows(const Teuchos::ParameterList& options, const Comm& comm) {
+  const auto& path = options.get<std::string>("exclude");
+  std::vector<long long> rows;
+  if (path.empty()) return rows;
+  on_root(comm, [&] {
+    std::ifstream file(path);
+    params::begin_text(file, path);
+    for (std::string word; file >> word;) {
+      char* end = nullptr;
+      const long long row = std::strtoll(word.c_str(), &end, 10);
+      TUNICA_CHECK(*end == '\0' && row > 0,
+                   path + ": expected numbers of rows, from 1 on, found \"" + word + "\".");
+      rows.push_back(row - 1);
+    }
+  });
+  auto count = static_cast<int>(rows.size());
+  Teuchos::broadcast(comm, 0, 1, &count);
+  rows.resize(count);
+  Teuchos::broadcast(comm, 0, count, rows.data());
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
 /// In the order in which each needs what is before it.
 void prepare(Blocks& blocks, const Teuchos::ParameterList& options, Preparation& preparation) {
   const double negligible = options.get<double>("negligible");
@@ -164,6 +214,8 @@ void prepare(Blocks& blocks, const Teuchos::ParameterList& options, Preparation&
   const bool is_scaled = options.get<std::string>("scaling") == "fields";
   if (is_scaled) scale_fields(blocks, preparation);
   if (options.get<bool>("known values")) take_out_known(blocks, preparation);
+  if (options.get<bool>("border"))
+    take_out_border(blocks, excluded_rows(options, blocks.comm()), preparation);
   if (is_scaled) scale_outlying_rows(blocks, preparation);
 }
 

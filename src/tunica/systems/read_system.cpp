@@ -121,6 +121,12 @@ void add_matrix_keys(params::Table& table) {
       .flag("known values", true,
             "take unknowns out of the system whose rows give their values: rows with nothing but "
             "the diagonal, and penalties")
+      .flag("border", true,
+            "eliminate scalars with dense rows, such as the multiplier of a mean value, each by a "
+            "solve of its own")
+      .file("exclude", "",
+            "text file with the rows of other scalars that are to be eliminated so, from 1 on, as "
+            "messages count them")
       .choice("scaling", "fields", {"fields", "none"},
               "factors for the rows and columns of each field that make typical entries 1, and for "
               "rows that are much larger or smaller than others; none: as in the files")

@@ -12,9 +12,10 @@ namespace tunica::systems {
 /// Unknowns that K does not determine but for a common constant: the scalars, as the pressure of an
 /// enclosed flow, or the vectors of a component.
 struct ConstantMode {
-  int field;                        ///< 0: vectors, 1: scalars
-  int component;                    ///< of the vectors
-  Teuchos::RCP<const Vector> left;  ///< n with nᵀ K = 0, if there is one
+  int field;                         ///< 0: vectors, 1: scalars
+  int component;                     ///< of the vectors
+  Teuchos::RCP<const Vector> left;   ///< n with nᵀ K = 0, if there is one
+  Teuchos::RCP<const Vector> right;  ///< n with K n = 0
   std::string note;
 };
 
@@ -22,6 +23,9 @@ struct ConstantMode {
 struct System {
   algebra::BlockMatrix K;      ///< as it is solved with, see Preparation
   algebra::BlockMatrix given;  ///< as it is in the files, but for signs of whole fields
+  /// The scalars that border K, whose rows and columns in it are those of the unit matrix: their
+  /// numbers, ascending, on all ranks.
+  std::vector<GlobalOrdinal> border{};
   /// What the user knows to be like C + B2 A⁻¹ B1ᵀ, in the rows and columns of K; null: nothing.
   Teuchos::RCP<const CrsMatrix> schur{};
   /// Of the right-hand side that was taken last: R b', known values x_k, and itself with the signs

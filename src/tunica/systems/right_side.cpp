@@ -86,6 +86,8 @@ std::vector<std::string> take_right_side(System& system, const Vector& b) {
   }
   check_empty_rows(system, system.b);
   take_to_rows(system, system.b);
+  // A border may give the constants, and takes part in what the right-hand side permits.
+  if (!system.border.empty()) return {};
   return leave_out_constants(system, system.b);
 }
 
@@ -95,7 +97,8 @@ void take_to_rows(const System& system, algebra::BlockVector& x) {
     const auto factor = system.row_scale[i].getLocalViewHost(read_only);
     const auto values = x[i].getLocalViewHost(read_write);
     for (std::size_t k = 0; k < values.extent(0); ++k)
-      values(k, 0) = known_in(k, 0) == 0.0 ? factor(k, 0) * values(k, 0) : 0.0;
+      values(k, 0) =
+          known_in(k, 0) == 0.0 || known_in(k, 0) == bordering ? factor(k, 0) * values(k, 0) : 0.0;
   }
 }
 
@@ -107,6 +110,7 @@ algebra::BlockVector in_units_of_files(const System& system, const algebra::Bloc
     x[i].update(1.0, system.known[i], 1.0);
   }
   for (const ConstantMode& mode : system.constants) {
+    if (!system.border.empty()) break;  // which may have given them
     const auto values = x[mode.field].getLocalViewHost(read_write);
     const auto known_in = system.known_in[mode.field].getLocalViewHost(read_only);
     const auto numbers = global_numbers(*x[mode.field].getMap());

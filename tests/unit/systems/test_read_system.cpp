@@ -63,10 +63,13 @@ public:
   explicit Files(const Order& vectors = natural(n_vector),
                  const Order& scalars = natural(n_nodes)) {
     options.set("components", 2).set<std::string>("order", "by node").set("C factor", 1.0);
-    for (const char* optional : {"K", "B1T", "C", "node map", "coordinates", "schur"})
+    for (const char* optional : {"K", "B1T", "C", "node map", "coordinates", "schur", "exclude"})
       options.set<std::string>(optional, "");
     // As it stands in the files; test_preparation.cpp has what is made of it.
-    options.set("negligible", 0.0).set("known values", false).set("null space", false);
+    options.set("negligible", 0.0)
+        .set("known values", false)
+        .set("null space", false)
+        .set("border", false);
     options.set<std::string>("scaling", "none");
     set("A", text_of(a, vectors, vectors));
     set("B2", text_of(b2, scalars, vectors));

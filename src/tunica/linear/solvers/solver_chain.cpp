@@ -177,12 +177,7 @@ SolveReport SolverChain::solve(const algebra::BlockVector& b, algebra::BlockVect
   SolveReport all = attempts.back();
   all.iterations = all.operator_applications = 0;
   all.setup_seconds = all.solve_seconds = 0.0;
-  for (const SolveReport& one : attempts) {
-    all.iterations += one.iterations;
-    all.operator_applications += one.operator_applications;
-    all.setup_seconds += one.setup_seconds;
-    all.solve_seconds += one.solve_seconds;
-  }
+  for (const SolveReport& one : attempts) add_costs(one, all);
   all.attempts = std::move(attempts);
   return all;
 }
