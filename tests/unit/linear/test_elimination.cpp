@@ -4,6 +4,7 @@
 
 #include "tunica/base/trilinos.hpp"
 #include "tunica/linear/direct/direct_factor.hpp"
+#include "tunica/linear/direct/level_widths.hpp"
 #include "unit/fields/small_tube.hpp"
 
 namespace {
@@ -86,6 +87,62 @@ TEUCHOS_UNIT_TEST(elimination, nested_dissection_is_taken_where_it_is_better) {
   TEST_COMPARE(operations(A, true, of_both), <, operations(A, false, of_first));
   TEST_COMPARE(of_first, <, 1e-12);
   TEST_COMPARE(of_both, <, 1e-12);
+}
+
+/// The entries of grid() on one rank, behind so many rows that hold only their diagonal.
+linear::Entries entries_of_grid(const std::array<int, 3>& size, int lone) {
+  linear::Entries entries;
+  const auto add = [&](int i, int j) {
+    entries.rows.push_back(i + 1);
+    entries.columns.push_back(j + 1);
+  };
+  for (int i = 0; i < lone; ++i) add(i, i);
+  for (int i = 0; i < size[0] * size[1] * size[2]; ++i) {
+    add(lone + i, lone + i);
+    int stride = 1;
+    for (const int along : size) {
+      const int place = i / stride % along;
+      if (place > 0) add(lone + i, lone + i - stride);
+      if (place + 1 < along) add(lone + i, lone + i + stride);
+      stride *= along;
+    }
+  }
+  return entries;
+}
+
+// Points at the same distance from a corner, i + j + k, are as many in the middle of a long box as
+// in a section across it.
+TEUCHOS_UNIT_TEST(elimination, a_long_box_is_as_wide_as_its_section) {
+  for (const int lone : {0, 7})
+    TEST_EQUALITY(linear::narrowest_level(lone + 40 * 9 * 8, entries_of_grid({40, 9, 8}, lone)),
+                  72.0);
+  TEST_EQUALITY(linear::narrowest_level(5, entries_of_grid({1, 1, 1}, 4)), 0.0);
+}
+
+TEUCHOS_UNIT_TEST(elimination, what_no_order_makes_small_is_not_ordered) {
+  std::string reason;
+  try {
+    linear::DirectFactor(grid({24, 24, 24}), 100.0);
+  } catch (const linear::SetupFailure& failure) {
+    reason = failure.what();
+  }
+  TEST_ASSERT(reason.find("operations per entry or more, and 100 are permitted") !=
+              std::string::npos);
+  const auto space = grid({24, 24, 24});
+  smoothers::SparseLu lu(space, [](const auto& alone) {
+    return std::make_unique<linear::MultifrontalLu>(
+        alone, 100.0 * static_cast<double>(alone->getGlobalNumEntries()));
+  });
+  const auto answer = [&](const auto& question) {
+    return lu.told([&](smoothers::Factors& factors) {
+      return question(dynamic_cast<linear::MultifrontalLu&>(factors));
+    });
+  };
+  TEST_EQUALITY(answer([](auto& mumps) { return mumps.is_ordered() ? 1.0 : 0.0; }), 0.0);
+  // No more than there are.
+  const double least = answer([](auto& mumps) { return mumps.expected_operations(); });
+  double unused = 1.0;
+  TEST_COMPARE(least, <, operations(space, true, unused));
 }
 
 // K = [0 I; I 0]: a diagonal of zeros alone

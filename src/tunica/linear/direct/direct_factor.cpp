@@ -21,6 +21,7 @@ constexpr double most_gain = 0.5;
 /// Per entry of the matrix, with an order by nested dissection where that may be worth its time.
 double operations_of(MultifrontalLu& factors, double entries, double most) {
   const double first = factors.expected_operations() / entries;
+  if (!factors.is_ordered()) return first;
   if (first > few_operations && (most == 0.0 || most_gain * first <= most)) factors.dissect();
   return factors.expected_operations() / entries;
 }
@@ -30,8 +31,10 @@ double operations_of(MultifrontalLu& factors, double entries, double most) {
 DirectFactor::DirectFactor(const Teuchos::RCP<const CrsMatrix>& matrix, double most_operations)
     : matrix_(matrix) {
   set_up(*matrix_->getComm(), "the direct solver", [this, most_operations] {
-    factors_ = std::make_unique<smoothers::SparseLu>(
-        matrix_, [](const auto& alone) { return std::make_unique<MultifrontalLu>(alone); });
+    const double most = most_operations * static_cast<double>(matrix_->getGlobalNumEntries());
+    factors_ = std::make_unique<smoothers::SparseLu>(matrix_, [most](const auto& alone) {
+      return std::make_unique<MultifrontalLu>(alone, most);
+    });
     set_order(most_operations);
   });
 }
@@ -43,7 +46,8 @@ void DirectFactor::set_order(double most) {
   });
   if (most > 0.0 && found > most)
     throw SetupFailure(
-        formatted("factors would take %.0f operations per entry, more than %.0f", found, most));
+        formatted("factors would take %.0f operations per entry or more, and %.0f are permitted",
+                  found, most));
 }
 
 double DirectFactor::expected_bytes() const {
