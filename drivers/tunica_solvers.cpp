@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "tunica/app/program.hpp"
 #include "tunica/compare/solver_table.hpp"
@@ -121,11 +122,23 @@ Teuchos::ParameterList used_case(const Teuchos::ParameterList& list, const syste
   return used;
 }
 
+std::optional<compare::BestSolution> best_of(compare::SolverTable& table,
+                                             const systems::System& system) {
+  const foreign::GivenOperators operators(system);
+  compare::LinearSystem linear;
+  linear.field = "system";
+  linear.K = &system.K;
+  linear.b = &system.b;
+  linear.operators = &operators;
+  linear.of_files = &system;
+  return table.run(linear);
+}
+
 /// A system from files in the place of a coupled problem.
-std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList& list,
+std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList& whole,
                                                     const CommPtr& comm) {
-  const auto system =
-      std::make_shared<systems::System>(systems::read_system(list.sublist("System"), comm));
+  auto system =
+      std::make_shared<systems::System>(systems::read_system(whole.sublist("System"), comm));
   if (comm->getRank() == 0)
     std::cout << "system: " << describe_unknowns(*system->K.space()) << ", " << system->order
               << "\nranks: " << comm->getSize() << std::endl;
@@ -133,16 +146,17 @@ std::function<Outcome(run::RunOutput&)> load_system(const Teuchos::ParameterList
     for (const std::string& note : system->notes) io::print_line("note: " + note);
     for (const std::string& remark : system->remarks) io::print_error_line("warning: " + remark);
   }
-  return [system, list, comm](run::RunOutput& output) {
+  return [system, list = Teuchos::ParameterList(whole), comm](run::RunOutput& output) mutable {
     compare::SolverTable table(list, output.folder, output.record, comm->getRank() == 0);
-    compare::LinearSystem linear;
-    linear.field = "system";
-    linear.K = &system->K;
-    linear.b = &system->b;
-    const foreign::GivenOperators operators(*system);
-    linear.operators = &operators;
-    linear.of_files = system.get();
-    const auto best = table.run(linear);
+    auto best = best_of(table, *system);
+    const bool is_solved = best && best->is_converged;
+    if (!is_solved && table.is_chosen() && !system->border.empty()) {
+      if (comm->getRank() == 0)
+        io::print_line("note: nothing converges without the border: all is solved at once");
+      list.sublist("System").set("border", false).set("exclude", "");
+      *system = systems::read_system(list.sublist("System"), comm);
+      best = best_of(table, *system);
+    }
     table.print();
     if (!best) return Outcome::failure("no setting came nearer to the solution than zero");
     const Vector x = systems::in_file_order(*system, systems::in_units_of_files(*system, best->x));

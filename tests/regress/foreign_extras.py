@@ -80,9 +80,44 @@ def check_border(verdict, programs, scratch, K):
         verdict.claim(exact.is_good and tried.is_good and difference(tried.x, exact.x, max(map(abs, exact.x))) < 1e-6 and
                       abs(sum(w * tried.x[j] for j, w in section.items()) - 1) < 1e-7 and len(tried.names) == 1,
                       f"section, {ranks} ranks: {tried.names} as without a border {tried.run.err}")
-    (folder / "rows.txt").write_text("12 x\n")
-    wrong = Tried(programs, folder, settings=[("System/exclude", folder / "rows.txt")])
-    verdict.claim(wrong.run.status == 1 and 'found "x"' in wrong.run.err, f"a word for a row is refused: {wrong.run.err}")
+    for rows, reason in (("12 x", 'found "x"'), ("5", "row 5 of K, which is not"), ("99999", "row 99999 of K, which is not")):
+        (folder / "rows.txt").write_text(rows + "\n")
+        wrong = Tried(programs, folder, settings=[("System/exclude", folder / "rows.txt")])
+        verdict.claim(wrong.run.status == 1 and reason in wrong.run.err, f"{rows}: refused: {wrong.run.err}")
+
+
+def scaled_rows(K, b, factor):
+    """Rows of pressures times numbers that differ: as finite volumes divided by their cells."""
+    return ({i: {j: v * (factor(i) if i >= N_VECTORS else 1) for j, v in row.items()} for i, row in K.items()},
+            [value * (factor(i) if i >= N_VECTORS else 1) for i, value in enumerate(b)])
+
+
+def check_singular_inside(verdict, programs, scratch, K):
+    """What remains without the border is singular: with a left null vector that is no constant, with constants that
+    nothing gives, and in a way that is not known."""
+    closed, b = prescribe(K, cavity(), "rows")
+    mean = {N_VECTORS + k: 1 / N_PRESSURES for k in range(N_PRESSURES)}
+    inside = [j for j in range(N_VECTORS) if j not in cavity()]
+    flow = {j: 1 / len(inside) for j in inside}
+    write(scratch / "volumes", *bordered(*scaled_rows(closed, b, lambda i: 1 + (i * i % 7) / 4), [(mean, 7.0)]))
+    write(scratch / "flow", *bordered(closed, b, [(flow, 0.1)]))
+    for name, expected in (("volumes", 7.0), ("flow", 0.0)):
+        for settings, ranks in (((), 1), (ITERATIVE, 1), (ITERATIVE, 2)):
+            tried = Tried(programs, scratch / name, ranks, settings)
+            found = sum(tried.x[N_VECTORS:N]) / N_PRESSURES if tried.is_good else None
+            verdict.claim(tried.is_good and len(tried.names) == 1 and abs(found - expected) < 1e-6,
+                          f"{name}, {ranks} ranks: a mean pressure of {found} is {expected} {tried.run.err}")
+    # u and p as without a multiplier, which is zero by the row of s; s = 3 - flow
+    through = [j for j in range(N_VECTORS) if j not in channel()]
+    flow = {j: 1 / len(through) for j in through}
+    whole, b = bordered(*prescribe(K, channel(), "rows"), [({**flow, N + 1: 1.0}, 3.0)])
+    whole[N + 1] = {N: 1.0}
+    write(scratch / "slack", whole, b + [0.0])
+    slack, plain = Tried(programs, scratch / "slack"), Tried(programs, scratch / "channel")
+    verdict.claim(slack.is_good and "nothing converges without the border" in slack.run.out + slack.run.err and
+                  difference(slack.x, plain.x, 8) < 1e-6 and
+                  abs(slack.x[N + 1] - 3 + sum(w * plain.x[j] for j, w in flow.items())) < 1e-6,
+                  f"slack: what fails without the border is solved with it {slack.run.err}")
 
 
 def main():
@@ -92,6 +127,7 @@ def main():
     write(scratch / "channel", *prescribe(K, channel(), "rows"))
     check_schur(verdict, programs, scratch, K, Tried(programs, scratch / "channel").x)
     check_border(verdict, programs, scratch, K)
+    check_singular_inside(verdict, programs, scratch, K)
     sys.exit(verdict.status())
 
 

@@ -128,7 +128,7 @@ void add_setting_keys(params::Table& table) {
 namespace {
 
 bool is_nearer(const linear::SolveReport& one, const std::optional<BestSolution>& best) {
-  if (!best) return one.true_residual < 1.0;
+  if (!best) return one.is_converged || one.true_residual < 1.0;
   if (one.is_converged != best->is_converged) return one.is_converged;
   return one.true_residual < best->true_residual;
 }

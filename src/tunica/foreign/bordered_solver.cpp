@@ -138,12 +138,23 @@ algebra::BlockVector BorderedSolver::solvable(const algebra::BlockVector& b) con
   return r;
 }
 
+double BorderedSolver::held_in(const systems::ConstantMode& mode,
+                               const algebra::BlockVector& x) const {
+  const Map& map = *x[mode.field].getMap();
+  double mine = 0.0;
+  if (map.isNodeGlobalElement(mode.held))
+    mine = x[mode.field].getLocalViewHost(read_only)(map.getLocalElement(mode.held), 0);
+  return global_sum(*map.getComm(), mine);
+}
+
 void BorderedSolver::find_inverse_of_columns(double tolerance, linear::SolveReport& costs) {
+  std::vector<algebra::BlockVector> found;
   for (const algebra::BlockVector& column : B_) {
-    algebra::BlockVector& z = Z_.emplace_back(system_->K.space());
+    algebra::BlockVector& z = found.emplace_back(system_->K.space());
     const double goal = std::max(of_columns * tolerance, most_digits);
     linear::add_costs(inside_->solve(solvable(column), z, goal), costs);
   }
+  Z_ = found;
 }
 
 // λ, then α.
@@ -153,17 +164,19 @@ std::vector<double> BorderedSolver::small_solution(const algebra::BlockVector& b
   const auto n = static_cast<int>(B_.size()), n_modes = static_cast<int>(modes.size());
   Small A{n + n_modes, n + n_modes};
   std::vector<double> right(n + n_modes, 0.0);
-  for (int m = 0; m < n_modes; ++m) {  // Lᵀ B λ = Lᵀ b; nothing where L is not known
+  for (int m = 0; m < n_modes; ++m) {  // Lᵀ B λ = Lᵀ b, or that of e
     const Vector* const left = modes[m].left.get();
-    if (left == nullptr) continue;
-    for (int k = 0; k < n; ++k) A(m, k) = left->dot(B_[k][modes[m].field]);
-    right[m] = left->dot(b[modes[m].field]);
+    for (int k = 0; k < n; ++k)
+      A(m, k) = left != nullptr ? modes[m].in_columns[k] : held_in(modes[m], Z_[k]);
+    if (left == nullptr)
+      right[m] = held_in(modes[m], y);
+    else if (modes[m].is_taken_by_border())
+      right[m] = left->dot(b[modes[m].field]);
   }
   const std::vector<double> c = border_of(b);
   for (int j = 0; j < n; ++j) {  // (D − C Z) λ + C N α = c − C y
     for (int k = 0; k < n; ++k) A(n_modes + j, k) = D_[k][j] - dot(C_[j], Z_[k]);
-    for (int m = 0; m < n_modes; ++m)
-      A(n_modes + j, n + m) = C_[j][modes[m].field].dot(*modes[m].right);
+    for (int m = 0; m < n_modes; ++m) A(n_modes + j, n + m) = modes[m].in_rows[j];
     right[n_modes + j] = c[j] - dot(C_[j], y);
   }
   return least_squares(std::move(A), std::move(right));

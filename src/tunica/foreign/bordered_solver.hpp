@@ -17,6 +17,9 @@ namespace tunica::foreign {
 ///   [Lᵀ B         0  ] [λ]   [Lᵀ b       ]
 ///   [D − C K₀⁺ B  C N] [α] = [c − C K₀⁺ b]
 ///
+/// Where L is not known, K₀⁺ is the inverse of K₀ + σ e eᵀ (hold_constants()), and the first
+/// equation is that of eᵀ K₀⁺ (b − B λ) = 0.
+///
 /// K₀⁺ B takes a solve for each scalar of the border, once for a matrix. K₀ may be singular, as
 /// that of a flow whose pressure is determined by the border alone.
 class BorderedSolver final : public linear::LinearSolver {
@@ -34,6 +37,8 @@ public:
 private:
   void look_at_border();
   void find_inverse_of_columns(double tolerance, linear::SolveReport& costs);
+  /// x_e of what holds the constants of a mode.
+  double held_in(const systems::ConstantMode& mode, const algebra::BlockVector& x) const;
   std::vector<double> border_of(const algebra::BlockVector& x) const;
   void set_border(const std::vector<double>& values, algebra::BlockVector& x) const;
   algebra::BlockVector solvable(const algebra::BlockVector& b) const;

@@ -1,10 +1,12 @@
 #include "tunica/foreign/default_settings.hpp"
 
 #include <Teuchos_Array.hpp>
+#include <algorithm>
 
 #include "tunica/algebra/is_diagonal.hpp"
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/foreign/given_operators.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 
 namespace tunica::foreign {
@@ -16,7 +18,7 @@ namespace {
 constexpr long long most_factored = 300000;
 
 /// Contraction of an iteration from which on known rotations are interpolated, as of vessels.
-constexpr double rotations_from = 0.25;
+constexpr double slow = 0.25;
 
 const char* const first_direct = "direct";
 const char* const c_is_zero = "C is zero";
@@ -107,20 +109,27 @@ void insert_factors_of_slow(std::vector<SolverSetting>& all) {
              {with_patience(first), direct("direct where that is slow", operations_of_cycles)});
 }
 
+/// Levels that interpolate rotations where it is slow without them and places are known.
+Teuchos::ParameterList with_rotations(Teuchos::ParameterList cycle, const algebra::BlockMatrix& K) {
+  if (!(*K.space())[0].nodes.places.coordinates.is_null())
+    cycle.sublist("Factories").sublist("Nodes").set("rotations", true).set("rotations from", slow);
+  return cycle;
+}
+
 /// Iterative settings, the likeliest first.
 DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperators& operators) {
   if (K.n_blocks() == 1)
-    return {{with_cycle("multigrid, Gauss-Seidel", multigrid::nodal_cycle_list(2, 500)),
+    return {{with_cycle("multigrid, Gauss-Seidel",
+                        with_rotations(multigrid::nodal_cycle_list(2, 500), K)),
              incomplete_factors()},
             "one field"};
-  const bool has_places = !(*K.space())[0].nodes.places.coordinates.is_null();
-  const auto by_factors =
-      with_cycle("multigrid, incomplete factors",
-                 multigrid::mixed_cycle_list(2, "power", has_places ? rotations_from : 0.0));
-  const auto by_braess =
-      with_cycle("multigrid, Braess-Sarazin", multigrid::braess_sarazin_cycle_list(2, 4));
+  const auto by_factors = with_cycle("multigrid, incomplete factors",
+                                     with_rotations(multigrid::mixed_cycle_list(2), K));
+  const auto by_braess = with_cycle("multigrid, Braess-Sarazin",
+                                    with_rotations(multigrid::braess_sarazin_cycle_list(2, 4), K));
   const auto by_fields = with_preconditioner("field by field", "block");
-  if (!operators.operator_names().empty())
+  const auto names = operators.operator_names();
+  if (std::count(names.begin(), names.end(), GivenOperators::schur) > 0)
     return {{by_given_schur(), by_braess, by_fields, incomplete_factors()}, "S is given"};
   // C + B2 A⁻¹ B1ᵀ is exact, and there is nothing to coarsen in A.
   if (algebra::is_diagonal(*K(0, 0)))

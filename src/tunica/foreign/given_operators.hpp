@@ -7,19 +7,19 @@ namespace tunica::foreign {
 /// What a user has handed in beside K: "Given Schur", if there is one.
 class GivenOperators final : public linear::NamedOperators {
 public:
+  static constexpr const char* schur = "Given Schur";
+
   /// The system must outlive them.
   explicit GivenOperators(const systems::System& system) : system_(&system) {}
 
   std::vector<std::string> operator_names() const override {
-    return system_->schur.is_null() ? std::vector<std::string>() : std::vector{std::string(name)};
+    return system_->schur.is_null() ? std::vector<std::string>() : std::vector{std::string(schur)};
   }
   Teuchos::RCP<const CrsMatrix> assemble_operator(const std::string& wanted) const override {
-    return wanted == name ? system_->schur : Teuchos::null;
+    return wanted == schur ? system_->schur : Teuchos::null;
   }
 
 private:
-  static constexpr const char* name = "Given Schur";
-
   const systems::System* system_;
 };
 

@@ -115,6 +115,8 @@ void Problem::set_up(const double* values) {
   new_values_ = std::make_unique<systems::NewValues>(pattern_, first, *system_);
   solver_ = std::make_unique<SystemSolver>(*system_, options_.sublist("Solvers"));
   solver_->set_up();
+  values_.clear();
+  if (!system_->border.empty()) values_.assign(values, values + pattern_.columns.size());
   seconds_.set_up = global_max(*comm_, watch.seconds());
 }
 
@@ -131,6 +133,18 @@ std::string Problem::refresh(const double* values) {
   return reason;
 }
 
+Answer Problem::answer_to(const Vector& right, algebra::BlockVector& y) {
+  doubts_ = systems::take_right_side(*system_, right);
+  y = system_->K.zero();
+  Answer answer = solver_->solve(y);
+  if (answer.report.is_converged || system_->border.empty()) return answer;
+  // Without its border the matrix may be singular in a way that nothing here knows.
+  options_.sublist("System").set("border", false).set("exclude", "");
+  const std::vector<double> values = values_;
+  set_up(values.data());
+  return answer_to(right, y);
+}
+
 Answer Problem::solve(const double* b, double* x) {
   TUNICA_CHECK(solver_ != nullptr, "the last set-up has failed: refresh with other values first");
   const Stopwatch watch;
@@ -142,9 +156,8 @@ Answer Problem::solve(const double* b, double* x) {
     const auto to = right.getLocalViewHost(overwrite_all);
     for (std::size_t k = 0; k < n; ++k) to(k, 0) = b[k];
   }
-  doubts_ = systems::take_right_side(*system_, right);
-  algebra::BlockVector y = system_->K.zero();
-  Answer answer = solver_->solve(y);
+  algebra::BlockVector y;
+  Answer answer = answer_to(right, y);
   const algebra::BlockVector solution = systems::in_units_of_files(*system_, y);
   residual_ = relative_residual(*system_, solution);
   const Vector mine = systems::in_file_order(*system_, solution, rows_);

@@ -47,11 +47,13 @@ public:
 
 private:
   void set_up(const double* values);
+  Answer answer_to(const Vector& right, algebra::BlockVector& y);
 
   CommPtr comm_;
   systems::SparseRows pattern_;  ///< of the caller's rows, whatever their portion is
   Teuchos::RCP<const Map> rows_;
   Teuchos::ParameterList options_;
+  std::vector<double> values_;  ///< of a matrix with a border, which may have to go back in
   std::unique_ptr<systems::System> system_;
   std::unique_ptr<systems::NewValues> new_values_;
   std::unique_ptr<SystemSolver> solver_;

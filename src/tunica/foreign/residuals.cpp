@@ -15,6 +15,10 @@ namespace {
 /// Backward errors below this are those of rounding: a few hundred units of the last digit.
 constexpr double rounding = 1e-13;
 
+/// Relative residual beyond which x is so large, as that of a singular matrix, that a small
+/// backward error says nothing.
+constexpr double far_off = 1e-2;
+
 /// |K||x| + |b| of the entries of K; what has none is small beside them.
 algebra::BlockVector magnitudes(const algebra::BlockMatrix& K, const algebra::BlockVector& b,
                                 const algebra::BlockVector& x) {
@@ -52,7 +56,8 @@ double Residuals::largest_of_fields() const {
 bool Residuals::are_within(double tolerance) const {
   // The recurrence of a Krylov method may drift from the truth by round-off, not by more.
   const double enough = 2.0 * tolerance + 1e-14;
-  return largest_of_fields() <= enough && (relative <= enough || backward_error <= rounding);
+  return largest_of_fields() <= enough &&
+         (relative <= enough || (backward_error <= rounding && relative <= far_off));
 }
 
 bool Residuals::are_rounding(double tolerance) const {

@@ -90,7 +90,11 @@ algebra::NodePlaces dealt(const std::vector<ColumnRows>& coordinates, const alge
   const auto places = Teuchos::rcp(new MultiVector(map, coordinates.size()));
   places->doImport(portions, Import(portions.getMap(), map), insert);
   const auto in_solid = Teuchos::rcp(new Vector(map));
-  in_solid->putScalar(1.0);
+  {
+    const auto to = in_solid->getLocalViewHost(overwrite_all);
+    for (std::size_t a = 0; a < to.extent(0); ++a)
+      to(a, 0) = map->getGlobalElement(static_cast<LocalOrdinal>(a)) < first.n_rows;
+  }
   return {places, in_solid};
 }
 

@@ -24,7 +24,7 @@ Teuchos::RCP<Vector> dealt(const std::vector<double>& values, const Deal& rows);
 /// Collective.
 algebra::Nodes dealt(NodeGraph graph, const std::vector<int>& ranks);
 /// Columns of coordinates, a row per node of the portion, taken to the ranks of the nodes: those of
-/// a solid. Collective.
+/// a solid. Further nodes have none. Collective.
 algebra::NodePlaces dealt(const std::vector<ColumnRows>& coordinates, const algebra::Nodes& nodes);
 
 }  // namespace tunica::systems

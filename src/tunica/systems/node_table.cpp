@@ -58,15 +58,13 @@ private:
   Received<Unknown> received_;
 };
 
-/// Scalars that may stand for themselves beside nodes that share all.
-constexpr long long most_multipliers = 8;
-
 /// Each rank keeps the nodes of an equal part of their numbers, which may have gaps, and sees all
 /// unknowns of a node, in the order of the file.
 class NodeKeeper {
 public:
-  NodeKeeper(const Comm& comm, int components, std::string path, const Unknowns& unknowns)
-      : comm_(comm), components_(components), path_(std::move(path)),
+  NodeKeeper(const Comm& comm, int components, std::string path, const Unknowns& unknowns,
+             long long n_border)
+      : comm_(comm), components_(components), n_border_(n_border), path_(std::move(path)),
         nodes_of_rank_(largest_node(unknowns) / comm.getSize() + 1),
         vectors_(comm, unknowns.vectors, nodes_of_rank_),
         scalars_(comm, unknowns.scalars, nodes_of_rank_) {
@@ -104,7 +102,7 @@ private:
       lone_vectors += (has & scalar_bit()) == 0;
     }
     lone_scalars = global_sum(comm_, lone_scalars);
-    return global_sum(comm_, lone_vectors) == 0 && lone_scalars <= most_multipliers &&
+    return global_sum(comm_, lone_vectors) == 0 && lone_scalars <= n_border_ &&
            lone_scalars < global_sum(comm_, static_cast<long long>(taken_.size()));
   }
   long long largest_node(const Unknowns& unknowns) const {
@@ -154,6 +152,7 @@ private:
 
   const Comm& comm_;
   int components_;
+  long long n_border_;
   std::string path_;
   long long nodes_of_rank_;
   Kept vectors_, scalars_;
@@ -166,14 +165,15 @@ private:
 }  // namespace
 
 NodeTable make_node_table(const Teuchos::ParameterList& options, long long n_vector,
-                          long long n_scalar, const CommPtr& comm, std::size_t lines_at_once) {
+                          long long n_scalar, long long n_border, const CommPtr& comm,
+                          std::size_t lines_at_once) {
   const int components = options.get<int>("components");
   const auto& file = options.get<std::string>("node map");
   const Unknowns unknowns =
       file.empty() ? regular(components, options.get<std::string>("order") == "by node", n_vector,
                              n_scalar, *comm)
                    : read_node_map(file, n_vector, n_scalar, comm, lines_at_once);
-  const NodeTable table = NodeKeeper(*comm, components, file, unknowns).table();
+  const NodeTable table = NodeKeeper(*comm, components, file, unknowns, n_border).table();
   TUNICA_CHECK(unknowns.total == n_vector + n_scalar,
                file + ": " + std::to_string(unknowns.total) + " unknowns, expected " +
                    std::to_string(n_vector) + " of A and " + std::to_string(n_scalar) + " of B2.");

@@ -13,15 +13,16 @@ struct NodeTable {
   std::vector<long long> vector_node, scalar_node;  ///< of each unknown
   std::vector<int> component;                       ///< of each vector unknown
   long long n_nodes = 0;                            ///< of all ranks, numbered without gaps
-  /// Every node has a scalar and at least one vector unknown: both blocks share the nodes. Up to
-  /// eight scalars may have none, such as multipliers of mean values.
+  /// Every node has a scalar and at least one vector unknown, but for those of the border: both
+  /// blocks share the nodes.
   bool is_shared = false;
 };
 
-/// From the options of read_system(), of which rank 0 reads the file, some lines at once. Throws
+/// From the options of read_system(), of which rank 0 reads the file, some lines at once. n_border:
+/// scalars that border the system. Throws
 /// tunica::Error on all ranks where they do not fit the numbers of unknowns. Collective.
 NodeTable make_node_table(const Teuchos::ParameterList& options, long long n_vector,
-                          long long n_scalar, const CommPtr& comm,
+                          long long n_scalar, long long n_border, const CommPtr& comm,
                           std::size_t lines_at_once = entries_at_once);
 
 }  // namespace tunica::systems

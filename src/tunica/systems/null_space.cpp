@@ -57,20 +57,23 @@ double left_share(const algebra::BlockMatrix& K, int field, const Vector& n) {
   return largest < 0.0 ? 1.0 : largest;
 }
 
-/// σ at the unknown of the smallest number, on the rank that has it.
-void hold(const System& system, const ConstantMode& mode) {
-  const Teuchos::RCP<Vector> n = constant(mode, system, system.scale);
-  const auto values = n->getLocalViewHost(read_only);
-  const auto numbers = global_numbers(*n->getMap());
-  constexpr GlobalOrdinal none = std::numeric_limits<GlobalOrdinal>::max();
-  GlobalOrdinal mine = none, first = none;
+/// The smallest number of an unknown of the mode.
+GlobalOrdinal first_of(const Vector& n) {
+  const auto values = n.getLocalViewHost(read_only);
+  const auto numbers = global_numbers(*n.getMap());
+  GlobalOrdinal mine = std::numeric_limits<GlobalOrdinal>::max(), first = mine;
   for (std::size_t k = 0; k < values.extent(0); ++k)
     if (values(k, 0) != 0.0) mine = std::min(mine, numbers[k]);
-  Teuchos::reduceAll(*system.K.comm(), Teuchos::REDUCE_MIN, 1, &mine, &first);
-  if (mine != first || first == none) return;
+  Teuchos::reduceAll(*n.getMap()->getComm(), Teuchos::REDUCE_MIN, 1, &mine, &first);
+  return first;
+}
+
+/// σ at one unknown, on the rank that has it.
+void hold(const System& system, const ConstantMode& mode) {
   const CrsMatrix& A = *system.K(mode.field, mode.field);
-  const auto row = A.getLocalMatrixHost().row(A.getRowMap()->getLocalElement(first));
-  const LocalOrdinal column = A.getColMap()->getLocalElement(first);
+  if (!A.getRowMap()->isNodeGlobalElement(mode.held)) return;
+  const auto row = A.getLocalMatrixHost().row(A.getRowMap()->getLocalElement(mode.held));
+  const LocalOrdinal column = A.getColMap()->getLocalElement(mode.held);
   for (int k = 0; k < row.length; ++k)
     if (row.colidx(k) == column) row.value(k) += mode.field == 1 ? -1.0 : row.value(k);
 }
@@ -81,26 +84,62 @@ std::string name_of(const ConstantMode& mode, int components) {
                          : formatted("constant vectors of component %d", mode.component);
 }
 
+/// Numbers of the border's scalars, zero where they are rounding beside sums.
+std::vector<double> at_border(const System& system, const Vector& y, const Vector& sums) {
+  const auto values = y.getLocalViewHost(read_only), sizes = sums.getLocalViewHost(read_only);
+  std::vector<double> mine;
+  for (const GlobalOrdinal number : system.border) {
+    mine.push_back(0.0);
+    if (!y.getMap()->isNodeGlobalElement(number)) continue;
+    const auto k = y.getMap()->getLocalElement(number);
+    if (std::abs(values(k, 0)) > nothing * sizes(k, 0)) mine.back() = values(k, 0);
+  }
+  return global_sum(*system.K.comm(), mine);
+}
+
+// Of R K C, K as it is given: C n and nᵀ B.
+void look_at_border(const System& system, ConstantMode& mode) {
+  if (system.border.empty()) return;
+  const int f = mode.field;
+  Vector n(mode.right->getMap()), y(system.K(1, 1)->getRowMap()), sums(y.getMap());
+  n.elementWiseMultiply(1.0, system.scale[f], *mode.right, 0.0);
+  system.given(1, f)->apply(n, y);
+  add_magnitudes(*system.given(1, f), n, sums);
+  y.elementWiseMultiply(1.0, system.row_scale[1], y, 0.0);
+  sums.elementWiseMultiply(1.0, system.row_scale[1], sums, 0.0);
+  mode.in_rows = at_border(system, y, sums);
+  if (mode.left.is_null()) return;
+  n.elementWiseMultiply(1.0, system.row_scale[f], *mode.left, 0.0);
+  system.given(f, 1)->apply(n, y, Teuchos::TRANS);
+  sums.putScalar(0.0);
+  add_column_magnitudes(*system.given(f, 1), n, sums);
+  y.elementWiseMultiply(1.0, system.scale[1], y, 0.0);
+  sums.elementWiseMultiply(1.0, system.scale[1], sums, 0.0);
+  mode.in_columns = at_border(system, y, sums);
+}
+
 int components_of(const System& system) { return (*system.K.space())[0].components; }
 
 }  // namespace
 
 std::vector<ConstantMode> find_constants(const System& system) {
   std::vector<ConstantMode> modes;
-  if (system.K.n_blocks() > 1) modes.push_back({1, 0, {}, {}, {}});
-  for (int c = 0; c < components_of(system); ++c) modes.push_back({0, c, {}, {}, {}});
+  if (system.K.n_blocks() > 1) modes.push_back({1, 0});
+  for (int c = 0; c < components_of(system); ++c) modes.push_back({0, c});
   std::vector<ConstantMode> found;
   for (ConstantMode& mode : modes) {
     const Teuchos::RCP<Vector> right = constant(mode, system, system.scale);
     const double share = right_share(system.K, mode.field, *right);
     if (share > nothing) continue;
     mode.right = right;
-    mode.note = "K has " + name_of(mode, components_of(system)) + " in its null space " +
-                formatted("(|K 1| = %.0e): ", share) +
-                (system.border.empty() ? "the solution of zero mean is taken"
-                                       : "its border or a mean of zero gives them");
+    mode.held = first_of(*right);
     const Teuchos::RCP<Vector> left = constant(mode, system, system.row_scale);
     if (left_share(system.K, mode.field, *left) <= nothing) mode.left = left;
+    look_at_border(system, mode);
+    mode.note = "K has " + name_of(mode, components_of(system)) + " in its null space " +
+                formatted("(|K 1| = %.0e): ", share) +
+                (mode.is_given_by_border() ? "its border gives them"
+                                           : "the solution of zero mean is taken");
     found.push_back(mode);
   }
   return found;
@@ -114,7 +153,7 @@ std::vector<std::string> leave_out_constants(const System& system, algebra::Bloc
   std::vector<std::string> remarks;
   const double size_of_b = norm(b);
   for (const ConstantMode& mode : system.constants) {
-    if (mode.left.is_null()) continue;
+    if (mode.left.is_null() || mode.is_taken_by_border()) continue;
     const double nb = mode.left->dot(b[mode.field]), size = mode.left->norm2();
     b[mode.field].update(-nb / (size * size), *mode.left, 1.0);
     const double part = size_of_b > 0.0 ? std::abs(nb) / (size * size_of_b) : 0.0;

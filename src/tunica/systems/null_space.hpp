@@ -17,8 +17,8 @@ std::vector<ConstantMode> find_constants(const System& system);
 /// and levels of multigrid keep the term. Collective.
 void hold_constants(System& system);
 
-/// b ← b − n (nᵀb)/(nᵀn) where nᵀ K = 0: no x gives that part. A remark on each mode of which b has
-/// one. Collective.
+/// b ← b − n (nᵀb)/(nᵀn) where nᵀ K = 0 and the border does not take it: no x gives that part. A
+/// remark on each mode of which b has one. Collective.
 std::vector<std::string> leave_out_constants(const System& system, algebra::BlockVector& b);
 
 }  // namespace tunica::systems

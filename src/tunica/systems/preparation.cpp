@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tunica/base/agreement.hpp"
+#include "tunica/base/error.hpp"
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
+#include "tunica/base/rows.hpp"
 #include "tunica/systems/check_blocks.hpp"
 
 namespace tunica::systems {
@@ -245,7 +248,7 @@ std::vector<std::size_t> dense_rows(const Blocks& blocks, const Preparation& pre
   return global_sum(blocks.comm(), mine) <= most_bordering ? found : std::vector<std::size_t>();
 }
 
-/// Local rows of the scalars that stand in these rows of the file.
+/// Local rows of the free scalars that stand in these rows of the file, all of which have to be.
 std::vector<std::size_t> rows_of(const Blocks& blocks, const std::vector<long long>& excluded,
                                  const Preparation& preparation) {
   std::vector<std::size_t> found;
@@ -253,6 +256,15 @@ std::vector<std::size_t> rows_of(const Blocks& blocks, const std::vector<long lo
     if (preparation.known_in[1][row] == 0.0 &&
         std::binary_search(excluded.begin(), excluded.end(), blocks.file_rows[1][row]))
       found.push_back(row);
+  std::vector<long long> numbers;
+  for (const std::size_t row : found) numbers.push_back(blocks.file_rows[1][row]);
+  const std::vector<long long> all = gather_rows(blocks.comm(), numbers);
+  on_root(blocks.comm(), [&] {
+    for (const long long number : excluded)
+      TUNICA_CHECK(std::find(all.begin(), all.end(), number) != all.end(),
+                   "System: \"exclude\" names row " + std::to_string(number + 1) + " of " +
+                       blocks.files[1] + ", which is not that of a free scalar.");
+  });
   return found;
 }
 

@@ -50,7 +50,8 @@ void take_out_known(Blocks& blocks, Preparation& preparation);
 
 /// Scalars that are coupled with a fifth of all unknowns of a field and more, as the multiplier of
 /// a mean value, would make neighbours of all nodes; these, while they are few, and the scalars
-/// whose rows a file excludes become the border of K, and leave unit rows. Collective.
+/// whose rows a file excludes become the border of K, and leave unit rows. Throws tunica::Error on
+/// all ranks for a row that is not that of a free scalar. Collective.
 void take_out_border(Blocks& blocks, const std::vector<long long>& excluded,
                      Preparation& preparation);
 

@@ -48,9 +48,14 @@ algebra::NodePlaces places_in_space(const Teuchos::ParameterList& options, const
                    std::to_string(table.components) + ".");
   const std::vector<ColumnRows> columns =
       read_columns(file, nodes.graph->getComm(), 3, 3, lines_at_once);
-  TUNICA_CHECK(columns.front().n_rows == table.n_nodes,
-               file + ": " + std::to_string(columns.front().n_rows) +
-                   " rows, expected one for each of " + std::to_string(table.n_nodes) + " nodes.");
+  // Scalars may stand for themselves behind the nodes of the vectors.
+  long long mine = -1, last = -1;
+  for (const long long node : table.vector_node) mine = std::max(mine, node);
+  Teuchos::reduceAll(*nodes.graph->getComm(), Teuchos::REDUCE_MAX, 1, &mine, &last);
+  const long long found = columns.front().n_rows;
+  TUNICA_CHECK(found == last + 1 || found == table.n_nodes,
+               file + ": " + std::to_string(found) + " rows, expected one for each of " +
+                   std::to_string(last + 1) + " nodes.");
   return dealt(columns, nodes);
 }
 
@@ -235,8 +240,11 @@ System prepared_system(Blocks given, const Teuchos::ParameterList& options,
       .set<std::string>("order", vectors.is_by_node ? "by node" : "by component");
   Teuchos::ParameterList with_order(options);
   with_order.setParameters(found);
-  const NodeTable table =
-      make_node_table(with_order, blocks.n_rows(0), blocks.n_rows(1), blocks.A.comm, lines_at_once);
+  const auto& marks = preparation.known_in[1];
+  const auto n_border = global_sum(
+      blocks.comm(), static_cast<long long>(std::count(marks.begin(), marks.end(), bordering)));
+  const NodeTable table = make_node_table(with_order, blocks.n_rows(0), blocks.n_rows(1), n_border,
+                                          blocks.A.comm, lines_at_once);
   const Places places = places_of(blocks, table, options, lines_at_once);
   const CommPtr comm = blocks.A.comm;
   System system = deal_out(std::move(given), std::move(blocks), preparation, places);

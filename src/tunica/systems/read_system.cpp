@@ -62,6 +62,8 @@ void check_files(const Teuchos::ParameterList& list, const std::string& path) {
                path + ": \"K\" is missing, expected a file, or A, B2 and rhs in its place.");
   TUNICA_CHECK(!is_given("K") || !has_block,
                path + ": \"K\" has all unknowns, expected no A, B1T, B2 and C beside it.");
+  TUNICA_CHECK(!is_given("exclude") || list.get<bool>("border"),
+               path + ": \"exclude\" has no meaning where \"border\" is false.");
   for (const char* key : {"A", "B2", "rhs"})
     TUNICA_CHECK(is_given("K") || is_given(key),
                  path + ": \"" + key +
@@ -124,9 +126,10 @@ void add_matrix_keys(params::Table& table) {
       .flag("border", true,
             "eliminate scalars with dense rows, such as the multiplier of a mean value, each by a "
             "solve of its own")
-      .file("exclude", "",
-            "text file with the rows of other scalars that are to be eliminated so, from 1 on, as "
-            "messages count them")
+      .file(
+          "exclude", "",
+          "text file with the rows of other scalars that are to be eliminated so, from 1 on: those "
+          "of K, or of B2")
       .choice("scaling", "fields", {"fields", "none"},
               "factors for the rows and columns of each field that make typical entries 1, and for "
               "rows that are much larger or smaller than others; none: as in the files")

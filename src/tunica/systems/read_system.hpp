@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -12,11 +13,20 @@ namespace tunica::systems {
 /// Unknowns that K does not determine but for a common constant: the scalars, as the pressure of an
 /// enclosed flow, or the vectors of a component.
 struct ConstantMode {
-  int field;                         ///< 0: vectors, 1: scalars
-  int component;                     ///< of the vectors
-  Teuchos::RCP<const Vector> left;   ///< n with nᵀ K = 0, if there is one
-  Teuchos::RCP<const Vector> right;  ///< n with K n = 0
-  std::string note;
+  int field;                           ///< 0: vectors, 1: scalars
+  int component;                       ///< of the vectors
+  Teuchos::RCP<const Vector> left{};   ///< n with nᵀ K = 0, if there is one
+  Teuchos::RCP<const Vector> right{};  ///< n with K n = 0
+  GlobalOrdinal held = -1;             ///< the unknown whose diagonal makes K regular
+  std::vector<double> in_rows{};       ///< C n for each row C of the border; 0 for rounding
+  std::vector<double> in_columns{};    ///< nᵀ B for each column B, of the left n
+  std::string note{};
+
+  bool is_given_by_border() const { return has_any(in_rows); }
+  bool is_taken_by_border() const { return has_any(in_columns); }
+  static bool has_any(const std::vector<double>& numbers) {
+    return std::any_of(numbers.begin(), numbers.end(), [](double x) { return x != 0.0; });
+  }
 };
 
 /// A system K x = b of another program.

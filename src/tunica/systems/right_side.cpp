@@ -86,8 +86,6 @@ std::vector<std::string> take_right_side(System& system, const Vector& b) {
   }
   check_empty_rows(system, system.b);
   take_to_rows(system, system.b);
-  // A border may give the constants, and takes part in what the right-hand side permits.
-  if (!system.border.empty()) return {};
   return leave_out_constants(system, system.b);
 }
 
@@ -110,7 +108,7 @@ algebra::BlockVector in_units_of_files(const System& system, const algebra::Bloc
     x[i].update(1.0, system.known[i], 1.0);
   }
   for (const ConstantMode& mode : system.constants) {
-    if (!system.border.empty()) break;  // which may have given them
+    if (mode.is_given_by_border()) continue;
     const auto values = x[mode.field].getLocalViewHost(read_write);
     const auto known_in = system.known_in[mode.field].getLocalViewHost(read_only);
     const auto numbers = global_numbers(*x[mode.field].getMap());
