@@ -192,4 +192,28 @@ TEUCHOS_UNIT_TEST(solver_chain, an_unknown_name_in_the_list_is_an_error) {
   TEST_THROW(linear::linear_solver_table().resolve(list, "Linear Solver", ""), Error);
 }
 
+TEUCHOS_UNIT_TEST(solver_chain, a_slow_solve_is_given_up_where_that_is_wanted) {
+  const SmallTube tube;
+  test::WallJacobian jacobian(tube);
+  jacobian.set(0.005);
+  const auto b = test::scattered(tube.wall, 1);
+  std::vector<int> iterations;
+  for (const int most_to_come : {0, 2000, 50}) {
+    Teuchos::ParameterList list;
+    list.set("preconditioner", "none").set("max iterations", 1000).set("restart", 500);
+    list.set("give up at", most_to_come);
+    linear::linear_solver_table().resolve(list, "Linear Solver", "");
+    const auto solver = linear::make_linear_solver(list, jacobian.K);
+    solver->matrix_changed();
+    algebra::BlockVector x = fields::zero_vector(tube.wall);
+    const auto report = solver->solve(b, x, 1e-8);
+    TEST_EQUALITY(report.has_stagnated, most_to_come == 50);
+    TEST_EQUALITY(report.is_converged, most_to_come != 50);
+    iterations.push_back(report.iterations);
+  }
+  TEST_COMPARE(iterations[0], >, 70);
+  TEST_EQUALITY(iterations[1], iterations[0]);
+  TEST_EQUALITY(iterations[2], 20);
+}
+
 }  // namespace
