@@ -1,6 +1,7 @@
 #include "tunica/linear/direct/direct_factor.hpp"
 
 #include <stdexcept>
+#include <string>
 
 #include "tunica/base/attempt.hpp"
 #include "tunica/base/fault_point.hpp"
@@ -64,8 +65,10 @@ void DirectFactor::refresh() {
     fault_point("direct set-up");
     factors_->refactor();
   });
-  if (outcome.is_failure())
-    throw SetupFailure("the matrix is singular: are all rigid motions held, is a pressure given?");
+  if (outcome.is_success()) return;
+  if (outcome.reason().find("singular") == std::string::npos)
+    throw SetupFailure("the factors cannot be made: " + outcome.reason());
+  throw SetupFailure("the matrix is singular: are all rigid motions held, is a pressure given?");
 }
 
 // Y ← α K⁻¹ X + β Y
