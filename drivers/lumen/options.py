@@ -16,8 +16,8 @@ def make_parser():
                              "what to write, .h5 or .msh. Beside it OUT.json and OUT.png are written")
     add = parser.add_argument
     add("--scale", type=float, default=1.0, metavar="F", help="factor to mm: 10 for cm, 1000 for m; default 1")
-    add("--across", type=float, default=10.0, metavar="N",
-        help="elements across each branch, as wide as it is, by the local radius and curvature; default 10")
+    add("--across", type=float, default=13.0, metavar="N",
+        help="elements across each branch, as wide as it is, by the local radius and curvature; default 13")
     add("--size", type=float, metavar="MM", help="of all elements of the wall, instead of --across")
     add("--thinnest", type=float, metavar="MM",
         help="thickness of the thinnest layer of a wall that is to be grown: triangles are at most --flatness times as wide")

@@ -43,7 +43,7 @@ def add_numerics(parser):
     add = parser.add_argument
     add("--scale", type=float, metavar="F", help="of a surface: factor to mm, 10 for cm")
     add("--across", type=float, metavar="N",
-        help="of a surface: elements across each branch; default: that of tunica-mesh lumen, 10")
+        help="of a surface: elements across each branch; default: that of tunica-mesh lumen, 13")
     add("--size", type=float, metavar="MM", help="of a surface: edge of the triangles, instead of --across")
     add("--layers", type=int, metavar="N",
         help="of a surface: thin layers of elements at the wall; default: that of tunica-mesh lumen")
