@@ -126,8 +126,9 @@ def table_of_contestants(results):
     for k, contestant in enumerate(CONTESTANTS, 1):
         line = [str(k), contestant.name, contestant.source]
         for size in results.sizes():
+            tried = [row for system in results.systems(size) if (row := results.get(size, 1, contestant.name, system))]
+            line.append(f"{sum(row['is_solved'] for row in tried)} of {len(tried)}" if tried else "")
             ratios = results.ratios(size, contestant.name)
-            line.append(f"{int(numpy.isfinite(ratios).sum())} of {len(ratios)}" if len(ratios) else "")
             line.append(str(int((ratios <= LOST).sum())) if len(ratios) else "")
         rows.append(line)
     head = ["", "contestant", "settings from"]
@@ -236,7 +237,8 @@ def draw_profiles(results, path):
     matplotlib.use("svg")
     matplotlib.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "arena", "font.size": 9})
     from matplotlib import pyplot
-    sizes = results.sizes()
+    # One contestant alone is compared with nobody.
+    sizes = [size for size in results.sizes() if any(numpy.isfinite(results.ratios(size, c.name)).any() for c in CONTESTANTS)]
     figure, axes = pyplot.subplots(1, len(sizes), figsize=(6 * len(sizes), 6.5), squeeze=False, sharey=True)
     colours = {"ours": "tab:red", "Trilinos": "tab:blue", "PETSc": "tab:green", "SciPy": "tab:orange"}
     styles = ["-", "--", "-.", ":", (0, (5, 1)), (0, (3, 1, 1, 1)), (0, (1, 3)), (0, (6, 3, 1, 3)), (0, (8, 2))]
