@@ -1,4 +1,5 @@
 #pragma once
+#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <vector>
 
@@ -41,6 +42,15 @@ std::vector<Item> gather_rows(const Comm& comm, const std::vector<Item>& items) 
   std::vector<int> counts(comm.getSize(), 0);
   counts[0] = static_cast<int>(items.size());
   return exchange(comm, items, counts).items;
+}
+
+/// What rank 0 has, on all ranks. Collective.
+inline std::vector<long long> on_all_ranks(const Comm& comm, std::vector<long long> of_root) {
+  int count = static_cast<int>(of_root.size());
+  Teuchos::broadcast(comm, 0, 1, &count);
+  of_root.resize(count);
+  Teuchos::broadcast(comm, 0, count, of_root.data());
+  return of_root;
 }
 
 /// The items of these ascending rows. mine: those of the calling rank. Collective.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tunica/base/reduce.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "tunica/systems/right_side.hpp"
 
@@ -21,6 +20,11 @@ double dot(const algebra::BlockVector& x, const algebra::BlockVector& y) {
   double sum = 0.0;
   for (int i = 0; i < x.n_blocks(); ++i) sum += x[i].dot(y[i]);
   return sum;
+}
+
+/// x_e of what holds the constants of a mode.
+double held_in(const systems::ConstantMode& mode, const algebra::BlockVector& x) {
+  return systems::values_at({mode.held}, x[mode.field]).front();
 }
 
 void add(double factor, const algebra::BlockVector& x, algebra::BlockVector& y) {
@@ -78,13 +82,7 @@ void BorderedSolver::matrix_changed() {
 }
 
 std::vector<double> BorderedSolver::border_of(const algebra::BlockVector& x) const {
-  const auto values = x[1].getLocalViewHost(read_only);
-  std::vector<double> mine;
-  for (const GlobalOrdinal number : system_->border) {
-    const bool is_mine = x[1].getMap()->isNodeGlobalElement(number);
-    mine.push_back(is_mine ? values(x[1].getMap()->getLocalElement(number), 0) : 0.0);
-  }
-  return global_sum(*x[1].getMap()->getComm(), mine);
+  return systems::values_at(system_->border, x[1]);
 }
 
 void BorderedSolver::set_border(const std::vector<double>& values, algebra::BlockVector& x) const {
@@ -136,15 +134,6 @@ algebra::BlockVector BorderedSolver::solvable(const algebra::BlockVector& b) con
     r[mode.field].update(-mode.left->dot(r[mode.field]) / (size * size), *mode.left, 1.0);
   }
   return r;
-}
-
-double BorderedSolver::held_in(const systems::ConstantMode& mode,
-                               const algebra::BlockVector& x) const {
-  const Map& map = *x[mode.field].getMap();
-  double mine = 0.0;
-  if (map.isNodeGlobalElement(mode.held))
-    mine = x[mode.field].getLocalViewHost(read_only)(map.getLocalElement(mode.held), 0);
-  return global_sum(*map.getComm(), mine);
 }
 
 void BorderedSolver::find_inverse_of_columns(double tolerance, linear::SolveReport& costs) {

@@ -37,8 +37,6 @@ public:
 private:
   void look_at_border();
   void find_inverse_of_columns(double tolerance, linear::SolveReport& costs);
-  /// x_e of what holds the constants of a mode.
-  double held_in(const systems::ConstantMode& mode, const algebra::BlockVector& x) const;
   std::vector<double> border_of(const algebra::BlockVector& x) const;
   void set_border(const std::vector<double>& values, algebra::BlockVector& x) const;
   algebra::BlockVector solvable(const algebra::BlockVector& b) const;

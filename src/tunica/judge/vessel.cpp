@@ -122,15 +122,6 @@ std::vector<long long> pieces_of(const Part& part) {
   return pieces;
 }
 
-/// The same on all ranks.
-std::vector<long long> on_all_ranks(const Comm& comm, std::vector<long long> of_root) {
-  int count = static_cast<int>(of_root.size());
-  Teuchos::broadcast(comm, 0, 1, &count);
-  of_root.resize(count);
-  Teuchos::broadcast(comm, 0, count, of_root.data());
-  return of_root;
-}
-
 /// So many edges of the part lead from each vertex to the nearest of some: those that ranks mark at
 /// their own vertices.
 std::vector<int> edges_to(const Part& part, const std::vector<char>& from) {

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "tunica/base/agreement.hpp"
-#include "tunica/base/formatted.hpp"
 #include "tunica/systems/matrix_market_reader.hpp"
 
 namespace tunica::systems {
@@ -101,18 +100,16 @@ MatrixRows read_matrix(const std::string& path, const CommPtr& comm, std::size_t
   return collector.take();
 }
 
-std::vector<ColumnRows> read_columns(const std::string& path, const CommPtr& comm, int least,
-                                     int most, std::size_t lines_at_once) {
+std::vector<ColumnRows> read_columns(const std::string& path, const CommPtr& comm, int count,
+                                     std::size_t lines_at_once) {
   std::optional<MatrixMarketReader> reader;  // on rank 0
   Sizes sizes(2);
   on_root(*comm, [&] {
     reader.emplace(path, "array");
     sizes = reader->sizes(2);
-    const std::string wanted = least < most ? formatted("%d to %d", least, most)
-                               : most == 1  ? "one"
-                                            : std::to_string(most);
-    if (sizes[1] < least || sizes[1] > most)
-      reader->refuse("there are " + std::to_string(sizes[1]) + " columns, expected " + wanted);
+    if (sizes[1] != count)
+      reader->refuse("there are " + std::to_string(sizes[1]) + " columns, expected " +
+                     (count == 1 ? "one" : std::to_string(count)));
   });
   Teuchos::broadcast(*comm, 0, 2, sizes.data());
   const std::string promise =
@@ -121,7 +118,7 @@ std::vector<ColumnRows> read_columns(const std::string& path, const CommPtr& com
   for (ColumnRows& column : columns)
     read_lines(
         *comm, column.n_rows, lines_at_once,
-        [&](long long count) { return next_numbers(*reader, count, promise); },
+        [&](long long lines) { return next_numbers(*reader, lines, promise); },
         [&](const std::vector<double>& numbers, long long first) {
           const std::vector<double> mine = spread(*comm, numbers, first, column.n_rows);
           column.values.insert(column.values.end(), mine.begin(), mine.end());
@@ -131,7 +128,7 @@ std::vector<ColumnRows> read_columns(const std::string& path, const CommPtr& com
 }
 
 ColumnRows read_column(const std::string& path, const CommPtr& comm, std::size_t lines_at_once) {
-  return read_columns(path, comm, 1, 1, lines_at_once).front();
+  return read_columns(path, comm, 1, lines_at_once).front();
 }
 
 }  // namespace tunica::systems

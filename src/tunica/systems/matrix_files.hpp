@@ -18,9 +18,9 @@ struct ColumnRows {
   std::vector<double> values;
 };
 
-/// Reads a dense array in the same way: at least so many columns, and at most. Collective.
-std::vector<ColumnRows> read_columns(const std::string& path, const CommPtr& comm, int least,
-                                     int most, std::size_t lines_at_once = entries_at_once);
+/// Reads a dense array of so many columns in the same way. Collective.
+std::vector<ColumnRows> read_columns(const std::string& path, const CommPtr& comm, int count,
+                                     std::size_t lines_at_once = entries_at_once);
 /// One with one column.
 ColumnRows read_column(const std::string& path, const CommPtr& comm,
                        std::size_t lines_at_once = entries_at_once);

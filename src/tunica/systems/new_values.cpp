@@ -9,6 +9,7 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "tunica/systems/null_space.hpp"
+#include "tunica/systems/right_side.hpp"
 
 namespace tunica::systems {
 
@@ -80,17 +81,6 @@ private:
   const System& system_;
   int fields_;
   std::vector<std::vector<std::pair<long long, int>>> columns_;  ///< of each block
-};
-
-/// The columns of a block that are known, and their factors.
-struct OfColumns {
-  OfColumns(const System& system, int field, const CrsMatrix& A)
-      : known_in(A.getColMap()), scale(A.getColMap()) {
-    const Import to_columns(A.getDomainMap(), A.getColMap());
-    known_in.doImport(system.known_in[field], to_columns, insert);
-    scale.doImport(system.scale[field], to_columns, insert);
-  }
-  Vector known_in, scale;
 };
 
 /// How new values contradict what was found in old ones.

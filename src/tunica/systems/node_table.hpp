@@ -19,8 +19,8 @@ struct NodeTable {
 };
 
 /// From the options of read_system(), of which rank 0 reads the file, some lines at once. n_border:
-/// scalars that border the system. Throws
-/// tunica::Error on all ranks where they do not fit the numbers of unknowns. Collective.
+/// scalars that border the system. Throws tunica::Error on all ranks where they do not fit the
+/// numbers of unknowns. Collective.
 NodeTable make_node_table(const Teuchos::ParameterList& options, long long n_vector,
                           long long n_scalar, long long n_border, const CommPtr& comm,
                           std::size_t lines_at_once = entries_at_once);

@@ -8,6 +8,7 @@
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "tunica/systems/entry_sums.hpp"
+#include "tunica/systems/right_side.hpp"
 
 namespace tunica::systems {
 
@@ -86,15 +87,11 @@ std::string name_of(const ConstantMode& mode, int components) {
 
 /// Numbers of the border's scalars, zero where they are rounding beside sums.
 std::vector<double> at_border(const System& system, const Vector& y, const Vector& sums) {
-  const auto values = y.getLocalViewHost(read_only), sizes = sums.getLocalViewHost(read_only);
-  std::vector<double> mine;
-  for (const GlobalOrdinal number : system.border) {
-    mine.push_back(0.0);
-    if (!y.getMap()->isNodeGlobalElement(number)) continue;
-    const auto k = y.getMap()->getLocalElement(number);
-    if (std::abs(values(k, 0)) > nothing * sizes(k, 0)) mine.back() = values(k, 0);
-  }
-  return global_sum(*system.K.comm(), mine);
+  std::vector<double> values = values_at(system.border, y);
+  const std::vector<double> sizes = values_at(system.border, sums);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (!(std::abs(values[k]) > nothing * sizes[k])) values[k] = 0.0;
+  return values;
 }
 
 // Of R K C, K as it is given: C n and nᵀ B.

@@ -17,6 +17,7 @@
 #include "tunica/systems/node_partition.hpp"
 #include "tunica/systems/null_space.hpp"
 #include "tunica/systems/preparation.hpp"
+#include "tunica/systems/right_side.hpp"
 #include "tunica/systems/unknown_order.hpp"
 
 namespace tunica::systems {
@@ -47,7 +48,7 @@ algebra::NodePlaces places_in_space(const Teuchos::ParameterList& options, const
                "System: \"coordinates\" are for vectors of three components, these have " +
                    std::to_string(table.components) + ".");
   const std::vector<ColumnRows> columns =
-      read_columns(file, nodes.graph->getComm(), 3, 3, lines_at_once);
+      read_columns(file, nodes.graph->getComm(), 3, lines_at_once);
   // Scalars may stand for themselves behind the nodes of the vectors.
   long long mine = -1, last = -1;
   for (const long long node : table.vector_node) mine = std::max(mine, node);
@@ -109,11 +110,7 @@ std::vector<GlobalOrdinal> border_of(const Vector& known_in) {
   for (std::size_t k = 0; k < values.extent(0); ++k)
     if (values(k, 0) == bordering)
       mine.push_back(known_in.getMap()->getGlobalElement(static_cast<LocalOrdinal>(k)));
-  std::vector<long long> all = gather_rows(comm, mine);  // on rank 0
-  auto count = static_cast<int>(all.size());
-  Teuchos::broadcast(comm, 0, 1, &count);
-  all.resize(count);
-  Teuchos::broadcast(comm, 0, count, all.data());
+  std::vector<long long> all = on_all_ranks(comm, gather_rows(comm, mine));
   std::sort(all.begin(), all.end());
   return {all.begin(), all.end()};
 }
@@ -145,15 +142,11 @@ System deal_out(Blocks given, Blocks blocks, const Preparation& preparation, con
 /// S ← ± R S C between free scalars; unit rows of others.
 void take_to_system(const System& system, double sign, CrsMatrix& S) {
   const Map &rows = *S.getRowMap(), &columns = *S.getColMap();
-  const auto of_columns = [&S](const Vector& values) {
-    Vector result(S.getColMap());
-    result.doImport(values, Import(values.getMap(), S.getColMap()), insert);
-    return result;
-  };
-  const Vector scales = of_columns(system.scale[1]), knowns = of_columns(system.known_in[1]);
+  const OfColumns of(system, 1, S);
   const auto row_scale = system.row_scale[1].getLocalViewHost(read_only);
   const auto known_row = system.known_in[1].getLocalViewHost(read_only);
-  const auto scale = scales.getLocalViewHost(read_only), known = knowns.getLocalViewHost(read_only);
+  const auto scale = of.scale.getLocalViewHost(read_only),
+             known = of.known_in.getLocalViewHost(read_only);
   const auto local = S.getLocalMatrixHost();
   for (int i = 0; i < local.numRows(); ++i) {
     const auto row = local.row(i);
@@ -204,10 +197,7 @@ std::vector<long long> excluded_rows(const Teuchos::ParameterList& options, cons
       rows.push_back(row - 1);
     }
   });
-  auto count = static_cast<int>(rows.size());
-  Teuchos::broadcast(comm, 0, 1, &count);
-  rows.resize(count);
-  Teuchos::broadcast(comm, 0, count, rows.data());
+  rows = on_all_ranks(comm, rows);
   std::sort(rows.begin(), rows.end());
   return rows;
 }

@@ -89,6 +89,16 @@ std::vector<std::string> take_right_side(System& system, const Vector& b) {
   return leave_out_constants(system, system.b);
 }
 
+std::vector<double> values_at(const std::vector<GlobalOrdinal>& unknowns, const Vector& x) {
+  const Map& map = *x.getMap();
+  const auto values = x.getLocalViewHost(read_only);
+  std::vector<double> mine;
+  for (const GlobalOrdinal unknown : unknowns)
+    mine.push_back(map.isNodeGlobalElement(unknown) ? values(map.getLocalElement(unknown), 0)
+                                                    : 0.0);
+  return global_sum(*map.getComm(), mine);
+}
+
 void take_to_rows(const System& system, algebra::BlockVector& x) {
   for (int i = 0; i < x.n_blocks(); ++i) {
     const auto known_in = system.known_in[i].getLocalViewHost(read_only);

@@ -1,4 +1,5 @@
 #pragma once
+#include "tunica/base/trilinos.hpp"
 #include "tunica/systems/read_system.hpp"
 
 namespace tunica::systems {
@@ -12,6 +13,20 @@ namespace tunica::systems {
 /// Returns what is doubtful, on all ranks. Throws Error on all ranks where an equation without
 /// unknowns is not fulfilled. Collective.
 std::vector<std::string> take_right_side(System& system, const Vector& b);
+
+/// Which columns of a block are known, and their factors. Collective.
+struct OfColumns {
+  OfColumns(const System& system, int field, const CrsMatrix& A)
+      : known_in(A.getColMap()), scale(A.getColMap()) {
+    const Import to_columns(A.getDomainMap(), A.getColMap());
+    known_in.doImport(system.known_in[field], to_columns, insert);
+    scale.doImport(system.scale[field], to_columns, insert);
+  }
+  Vector known_in, scale;
+};
+
+/// The numbers that these unknowns have in x, each on one rank, on all ranks. Collective.
+std::vector<double> values_at(const std::vector<GlobalOrdinal>& unknowns, const Vector& x);
 
 /// x ← R x in the rows of free unknowns, 0 in the others.
 void take_to_rows(const System& system, algebra::BlockVector& x);
