@@ -1,5 +1,6 @@
 """A prestress that a signal ends, in a load or behind one, goes on with the loads that it would have taken, and ends
-with the same wall; a wall that is free to move as a whole is refused, by the name of the motion.
+with the same wall; a wall that is free to move as a whole is refused, by the name of the motion; a flat wall, which
+can bear no pressure, leans on the tissue around it.
 
 Usage: prestress.py FOLDER_OF_PROGRAMS SCRATCH
 """
@@ -7,6 +8,7 @@ import json
 import pathlib
 import signal
 import sys
+import xml.etree.ElementTree as ElementTree
 
 from runs import ROOT, Run, Verdict, command, fresh, remove_results, same_steps, table
 from stops import STOPPED, status_when_told
@@ -74,10 +76,70 @@ def refuses_free_walls(verdict, programs, folder):
                       f"{program}: {done.status} {done.err.strip()}")
 
 
+# A flat wall between four planes along which it slides, imaged under 2 kPa from below, on springs of 5 kPa/mm above.
+# It has neither curvature nor ends that hold it: the springs have all of the pressure, and give way by 1 kPa/5 kPa/mm.
+PRESSURE, MORE, STIFFNESS = 2.0, 1.0, 5.0
+SLAB = {"Mesh": {"file": "slab.h5"}, "Time": {"step size": 1.0, "steps": 3},
+        "Wall": {"analysis": "static", "stabilisation residual": "linear",
+                 "Layers": {"block": {"law": "neo-hookean", "c10": 20.0}},
+                 "Prestress": {"pressure": PRESSURE, "surfaces": ["z_low"]},
+                 "Surfaces": {**{side: {"condition": "held", "components": ["normal"]} for side in ("x_low", "x_high", "y_low", "y_high")},
+                              "z_low": {"condition": "pressure", "pressure": PRESSURE,
+                                        "Amplitude": {"kind": "table", "times": [0.0, 1.0, 3.0],
+                                                      "values": [1.0, 1.0, (PRESSURE + MORE) / PRESSURE]}},
+                              "z_high": {"condition": "support", "stiffness": STIFFNESS}}},
+        "Output": {"fields every": 0, "checkpoint every": 1}}
+
+
+def as_xml(name, values):
+    """A parameter list of nested dictionaries."""
+    root = ElementTree.Element("ParameterList", name=name)
+    for key, value in values.items():
+        if isinstance(value, dict):
+            root.append(as_xml(key, value))
+            continue
+        first = value[0] if isinstance(value, list) else value
+        kind = {str: "string", float: "double", int: "int"}[type(first)]
+        text = "{" + ", ".join(map(str, value)) + "}" if isinstance(value, list) else str(value)
+        ElementTree.SubElement(root, "Parameter", name=key, type=f"Array({kind})" if isinstance(value, list) else kind, value=text)
+    return root
+
+
+def leans_on_tissue(verdict, programs, folder):
+    made = Run(command(programs / "tunica-mesh", ["block", "slab.h5", "--x", 4, "--y", 4, "--z", 0.5, "--cells-x", 4, "--cells-y", 4,
+                                                  "--cells-z", 2]), folder)
+    verdict.claim(made.status == 0, f"slab.h5: {made.status} {made.err.strip()}")
+    ElementTree.ElementTree(as_xml("Case", SLAB)).write(folder / "slab.xml")
+    solid = programs / "tunica-solid"
+    whole = Run(command(solid, ["slab.xml", "--output", "slab"]), folder)
+    verdict.claim(whole.status == 0 and "does not bear" in whole.out and "the tissue holds 2 kPa" in whole.out,
+                  f"slab: {whole.status} {whole.err.strip()}")
+    last = {name: values[-1] for name, values in table(folder / "slab" / "prestress.csv").items()}
+    for name in ("tissue_mean_kPa", "tissue_largest_kPa"):
+        verdict.claim(abs(last[name] - PRESSURE) < 1e-3, f"slab: {name} is {last[name]:.6f} of {PRESSURE}")
+    steps = table(folder / "slab" / "steps.csv")
+    moved = steps["max_displacement_wall_mm"]
+    verdict.claim(moved[0] < 1e-6, f"slab: stays where it was imaged, within {moved[0]:.1e} mm")
+    verdict.claim(abs(moved[-1] - MORE / STIFFNESS) < 1e-3, f"slab: gives way by {moved[-1]:.5f} mm of {MORE / STIFFNESS}")
+    force = steps["support_force_z_high_z_mN"][-1]
+    verdict.claim(abs(force + 16.0 * (PRESSURE + MORE)) < 0.02, f"slab: the tissue holds it with {force:.3f} mN")
+
+    # From a checkpoint, on another number of ranks, the springs are stretched as before.
+    begun = Run(command(solid, ["slab.xml", "--output", "slab-begun", "--steps", 1]), folder)
+    gone_on = Run(command(solid, ["slab.xml", "--output", "slab-begun", "--restart"], 2), folder)
+    verdict.claim([begun.status, gone_on.status] == [0, 0], f"slab: goes on {gone_on.status} {gone_on.err.strip()}")
+    same_steps(verdict, "slab gone on", folder / "slab-begun", folder / "slab", 1e-6)
+
+    alone = Run(command(solid, ["slab.xml", "--output", "slab-alone", "--set", "Wall/Prestress/tissue=relaxed"]), folder)
+    verdict.claim(alone.status == 2 and "no step reduces the imbalance" in alone.err,
+                  f"slab: alone it bears nothing: {alone.status} {alone.err.strip()}")
+
+
 def main(programs, scratch):
     verdict, folder = Verdict(), fresh(scratch)
     goes_on(verdict, programs / "tunica-solid", folder)
     refuses_free_walls(verdict, programs, folder)
+    leans_on_tissue(verdict, programs, folder)
     remove_results(folder)
     return verdict.status()
 

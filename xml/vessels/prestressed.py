@@ -64,8 +64,10 @@ def prestress_cells(wanted, name, ranks):
     ending = "found" if status == 0 else "stopped" if status is None else "not found"
     ratio = f"{effort['cpu seconds'] / static['cpu seconds']:.1f}" if static.get("status") == 0 else "–"
     moved = max((float(row["max_displacement_wall_mm"]) for row in rows_of(os.path.join(folder, "steps.csv"))), default=None)
+    held = [float(last[f"tissue_{which}_kPa"]) for which in ("mean", "largest")]
     return [f"{ending}, load {float(last['load']):.2f}", str(len(rows)), f"{effort['cpu seconds']:.0f}", ratio,
-            f"{float(last['min_det_G']):.2f} to {float(last['max_det_G']):.2f}", f"{moved:.0e}" if moved is not None else "–"]
+            f"{float(last['min_det_G']):.2f} to {float(last['max_det_G']):.2f}",
+            f"{held[0]:.2f}, {held[1]:.1f}" if held[1] > 0.0 else "–", f"{moved:.0e}" if moved is not None else "–"]
 
 
 def prestress_section(wanted):
@@ -81,9 +83,10 @@ def prestress_section(wanted):
     return ["## The prestress of walls of 0.1 and 0.15 of the radius", "",
             f"Made by `xml/vessels/reproduce prestress`: {PRESSURE} kPa (80 mmHg), two layers of one neo-Hookean law or of fibres in "
             "two families, clamped ends; all of the search by default. Beside its CPU seconds their ratio to one static load of 2.67 "
-            "kPa on the same wall, programs begun and ended included. Moved: of the wall in a static step that follows under the "
-            "pressure of the image. " + commits_text(wanted, lambda name: name.startswith(("prestress-", "static-"))), "",
-            *table_text(["vessel", "wall", "law", "tissue", "ranks", "prestress", "steps", "CPU s", "static loads", "det G", "moved, mm"],
+            "kPa on the same wall, programs begun and ended included. Tissue: what its springs hold in the mesh, root mean square and "
+            "at most, where the wall alone cannot. Moved: of the wall in a static step that follows under the pressure of the image. " + commits_text(wanted, lambda name: name.startswith(("prestress-", "static-"))), "",
+            *table_text(["vessel", "wall", "law", "tissue", "ranks", "prestress", "steps", "CPU s", "static loads", "det G", "tissue holds, kPa",
+                         "moved, mm"],
                         lines).splitlines(), ""]
 
 

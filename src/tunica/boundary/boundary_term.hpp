@@ -26,7 +26,9 @@ struct Surroundings {
   const VectorField* velocity = nullptr;
   double viscosity = 0.0;  ///< of a fluid [kPa ms]
   double mesh_rate = 0.0;  ///< ∂w/∂x of a mesh that moves [1/ms]
-  bool follows = true;     ///< false: Jacobians take the surface for one that does not move
+  /// By which springs of the tissue are stretched where the field is undeformed [mm]; null: not.
+  const std::vector<Vec3>* spring_offset = nullptr;
+  bool follows = true;  ///< false: Jacobians take the surface for one that does not move
 };
 
 /// A component of the vector unknown that the nodes of a surface have in common.

@@ -21,6 +21,15 @@ Bed bed_of(const Surroundings& s, const fields::Face& face, bool is_normal) {
   return {is_normal ? Mat3{N[0] * N, N[1] * N, N[2] * N} : identity(), A / 12.0};
 }
 
+// d + o
+std::array<Vec3, 3> stretch_of(const Surroundings& s, const fields::Face& face) {
+  std::array<Vec3, 3> d = assembly::gather(*s.u, face.nodes);
+  if (s.spring_offset == nullptr) return d;
+  const auto offset = assembly::gather(*s.spring_offset, face.nodes);
+  for (int a = 0; a < 3; ++a) d[a] += offset[a];
+  return d;
+}
+
 }  // namespace
 
 Support::Support(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int surface)
@@ -31,7 +40,7 @@ Support::Support(const Teuchos::ParameterList& list, const fields::FieldMesh& me
 void Support::add(const Surroundings& s, const fields::Face& face, assembly::NodalResidual& R,
                   assembly::BlockAssembler* K) const {
   const Bed bed = bed_of(s, face, is_normal_);
-  const auto d = assembly::gather(*s.u, face.nodes), v = assembly::gather(*s.w, face.nodes);
+  const auto d = stretch_of(s, face), v = assembly::gather(*s.w, face.nodes);
   std::array<Vec3, 3> t;  // at the nodes
   for (int a = 0; a < 3; ++a) t[a] = bed.P * (stiffness_ * d[a] + damping_ * v[a]);
   kernels::SurfaceResidual Re;
@@ -57,7 +66,7 @@ std::vector<Vec3> Support::sprung_directions(const fields::FieldMesh& mesh,
 
 std::array<double, 5> Support::sums_of(const Surroundings& s, const fields::Face& face) const {
   const Bed bed = bed_of(s, face, is_normal_);
-  const auto d = assembly::gather(*s.u, face.nodes), v = assembly::gather(*s.w, face.nodes);
+  const auto d = stretch_of(s, face), v = assembly::gather(*s.w, face.nodes);
   const auto square = [&bed](const std::array<Vec3, 3>& x) {  // ∫ x·P x dA
     const Vec3 sum = x[0] + x[1] + x[2];
     double total = dot(sum, bed.P * sum);

@@ -269,6 +269,7 @@ boundary::Surroundings Solid::surroundings() const {
   here.u = &local_.d;
   here.w = &v_;
   here.time = time_;
+  if (!spring_offset_.empty()) here.spring_offset = &spring_offset_;
   here.follows = !stays_on_mesh_;
   return here;
 }
@@ -280,10 +281,14 @@ Outcome Solid::is_admissible() const {
 }
 
 constexpr const char* prestress_name = "prestress";
+constexpr const char* offset_name = "spring offset";
 
 void Solid::save_history(fields::State& state) const {
   MixedField::save_history(state);
   if (options_.has_prestress) state.texts[prestress_name] = "prestretch of elements";
+  // A rank may have no nodes, but has the array like the others.
+  if (global_max(*mesh_->comm, spring_offset_.empty() ? 0.0 : 1.0) > 0.0)
+    state.arrays[offset_name] = fields::rows_of(spring_offset_, mesh_->n_owned);
 }
 
 std::string Solid::restore_history(const fields::State& state, const algebra::BlockVector& x) {
@@ -291,6 +296,12 @@ std::string Solid::restore_history(const fields::State& state, const algebra::Bl
                std::string("Wall / Prestress: the state from which the run continues has ") +
                    (options_.has_prestress ? "none" : "one") +
                    ". A run continues with the prestress it began with.");
+  spring_offset_.clear();
+  if (state.has_array(offset_name)) {
+    Vector owned(mesh_->vector_map);
+    fields::store(fields::as_vectors(state.array(offset_name, 3).values), *mesh_, owned);
+    spring_offset_ = fields::ghosted_vectors(*mesh_, owned);
+  }
   return MixedField::restore_history(state, x);
 }
 
@@ -309,11 +320,6 @@ void Solid::assemble(assembly::BlockAssembler* K) {
     assembly::assemble_prestretch(*mesh_, elements_, frames_, local_, *K);
   surfaces_.add(surroundings(), R_, K);
   for (int a = 0; a < mesh_->n_owned; ++a) R_.u[a] += -1.0 * nodal_force_[a];
-}
-
-bool has_fibres(const SolidOptions& options) {
-  return std::any_of(options.layers.begin(), options.layers.end(),
-                     [](const Layer& layer) { return law_of(layer)->has_fibres(); });
 }
 
 }  // namespace tunica::discretisation

@@ -31,6 +31,9 @@ public:
   Outcome set_prestretch(std::vector<Mat3> G);
   /// Empty where the mesh is free of stress.
   const std::vector<Mat3>& prestretch() const { return prestretch_.values(); }
+  /// Stretch of the tissue's springs in the mesh, on owned and ghost nodes [mm]; empty: none.
+  void set_spring_offset(std::vector<Vec3> offset) { spring_offset_ = std::move(offset); }
+  const std::vector<Vec3>& spring_offset() const { return spring_offset_; }
   /// From now on Jacobians are those by s in G ← (I + sym ∇s) G, of a wall that stays on its mesh.
   void stay_on_mesh() { stays_on_mesh_ = true; }
   /// Fibre frames, in the mesh.
@@ -132,6 +135,7 @@ private:
   std::vector<Vec3> v_;                      ///< velocity there
   std::vector<Vec3> past_;                   ///< of the displacement, local nodes
   Prestretch prestretch_;
+  std::vector<Vec3> spring_offset_;
   std::vector<materials::Frame> frames_;  ///< in the mesh; those of the elements are where they are
                                           ///< free of stress
   std::unique_ptr<assembly::PatchRecovery> patches_;  ///< null where subscales do without div σ'
@@ -142,8 +146,5 @@ private:
   double time_ = 0.0;
   bool stays_on_mesh_ = false;
 };
-
-/// True where a layer of the wall has fibres, which need frames.
-bool has_fibres(const SolidOptions& options);
 
 }  // namespace tunica::discretisation

@@ -1,6 +1,7 @@
 #include "tunica/discretisation/solid_options.hpp"
 
 #include <Teuchos_Array.hpp>
+#include <algorithm>
 
 #include "tunica/base/error.hpp"
 #include "tunica/boundary/registry.hpp"
@@ -155,6 +156,11 @@ SolidOptions in_statics(SolidOptions options) {
   options.has_dynamic_subscales = false;
   options.make_scheme = [] { return std::make_unique<stepping::Statics>(); };
   return options;
+}
+
+bool has_fibres(const SolidOptions& options) {
+  return std::any_of(options.layers.begin(), options.layers.end(),
+                     [](const Layer& layer) { return law_of(layer)->has_fibres(); });
 }
 
 std::vector<std::string> SolidOptions::regions() const {

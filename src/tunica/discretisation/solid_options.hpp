@@ -49,6 +49,8 @@ struct SolidOptions {
 SolidOptions in_statics(SolidOptions options);
 
 std::unique_ptr<materials::WallLaw> law_of(const Layer& layer);
+/// True where a layer of the wall has fibres, which need frames.
+bool has_fibres(const SolidOptions& options);
 
 /// Adds the keys of a "Wall" list that its discretisation has: those of its layers, and behind
 /// those of the fibre frame the others.

@@ -12,6 +12,7 @@ PrestressOptions prestress_options(const Teuchos::ParameterList& list) {
   if (options.pressure != 0.0)
     options.surfaces = list.get<Teuchos::Array<std::string>>("surfaces").toVector();
   options.is_by_shape = list.get<std::string>("method") == "stress-free shape";
+  options.may_lean = list.get<std::string>("tissue") == "where needed";
   options.load_steps = list.get<int>("load steps");
   options.max_iterations = list.get<int>("max iterations");
   options.tolerance = list.get<double>("tolerance");
@@ -36,6 +37,9 @@ params::Table prestress_table() {
       .choice("method", "deformation gradient", {"deformation gradient", "stress-free shape"},
               "unknown of the search: a deformation gradient for each element, which need not "
               "belong to any shape; or a stress-free shape, which does not exist for soft forks")
+      .choice("tissue", "where needed", {"where needed", "relaxed"},
+              "springs of the tissue in the geometry of the mesh: relaxed, so that the wall alone "
+              "bears the loads; or stretched where it cannot, so that they hold the rest")
       .integer("load steps", 8, params::Range{1.0, 1000.0},
                "initial number of load increments; an increment that fails is halved, and after a "
                "success the next one is larger")

@@ -3,6 +3,7 @@
 
 #include "tunica/base/outcome.hpp"
 #include "tunica/problems/solid_problem.hpp"
+#include "tunica/problems/tissue_hold.hpp"
 
 namespace tunica::problems {
 
@@ -18,11 +19,18 @@ namespace tunica::problems {
 ///   "stress-free shape"      G = ∂x/∂X, X ← X − s, of the shape X without stress [Se11]
 ///
 /// K is exact for the first. There is no such shape where a soft wall has a sharp fork. All loads
-/// are raised in increments, and at all of them steps go on until they are short. Springs of the
-/// tissue are at rest in the mesh, and the wall bears the loads alone.
+/// are raised in increments, and at all of them steps go on until they are short.
+///
+/// Springs of the tissue are at rest in the mesh, and the wall bears the loads alone, if it can.
+/// Where it cannot ("deformation gradient"), springs have a stretch o in the mesh:
+///
+///   R(G, p, o) = R(G, p) + k o = 0,     o ← o + s
+///
+/// and are released, again and again, as far as the wall bears what they let go.
 struct Prestress {
   std::vector<Mat3> prestretch;  ///< of local elements; empty: the identity
   algebra::BlockVector state;    ///< no displacement, and the pressure that bears the load
+  std::vector<Vec3> offset{};    ///< o on owned and ghost nodes [mm]; empty: zero
 };
 
 /// How far the search has come.
@@ -30,6 +38,7 @@ struct PrestressPoint {
   double load = 0.0;  ///< part of the loads that is borne
   double step = 0.0;  ///< by which it is raised next; 0: as the case says
   int load_step = 0;
+  bool leans = false;         ///< on the springs of the tissue
   std::vector<Vec3> shape{};  ///< x − X on owned nodes [mm], where a shape is sought
 };
 
@@ -42,6 +51,7 @@ struct PrestressIteration {
   double goal;           ///< of it [mm]; 0 where another load follows
   double residual;       ///< what is out of balance, in parts of what was before
   double least, most;    ///< det G
+  TissueHold tissue;     ///< what springs hold
   double seconds;        ///< it took
   std::string reason{};  ///< why it was given up; empty where it was not
 };
@@ -50,6 +60,8 @@ struct PrestressIteration {
 struct PrestressWatch {
   /// After each step.
   std::function<void(const PrestressIteration&)> report = [](const auto&) {};
+  /// A sentence about a turn that the search takes, or about its end.
+  std::function<void(const std::string&)> say = [](const auto&) {};
   /// After each load that is borne, and after each step at all of the load, with what a search
   /// needs to go on there. False ends the search as a failure with the reason "stopped".
   /// Collective.

@@ -31,10 +31,10 @@ constexpr double part_of_springs = 1e-3;
 
 // Every load becomes λ times what it is at the start. A wall that stays on its mesh has no
 // displacements to be raised.
-void raise_loads(std::vector<boundary::Condition>& conditions) {
+void raise_loads(bool leans, std::vector<boundary::Condition>& conditions) {
   for (boundary::Condition& condition : conditions) {
     ParameterList& list = condition.list;
-    if (list.isParameter("stiffness"))
+    if (list.isParameter("stiffness") && !leans)
       list.set("stiffness", part_of_springs * list.get<double>("stiffness"));
     if (!list.isSublist("Amplitude")) continue;
     const double at_start = stepping::TimeFunction(list.sublist("Amplitude"))(0.0);
@@ -57,12 +57,12 @@ void leave_out_pressures(const std::vector<std::string>& bearing,
 }
 
 /// The wall in equilibrium with its loads and a pressure on some surfaces.
-SolidSettings in_equilibrium(const SolidSettings& settings) {
+SolidSettings in_equilibrium(const SolidSettings& settings, bool leans) {
   SolidSettings wall(settings);
   wall.options = discretisation::in_statics(settings.options);
   std::vector<boundary::Condition>& conditions = wall.options.conditions;
   leave_out_pressures(settings.prestress.surfaces, conditions);
-  raise_loads(conditions);
+  raise_loads(leans, conditions);
   // λ p₀ on each of its surfaces
   for (const std::string& surface : settings.prestress.surfaces) {
     ParameterList load;
@@ -78,8 +78,9 @@ SolidSettings in_equilibrium(const SolidSettings& settings) {
 
 }  // namespace
 
-PrestressBalance::PrestressBalance(const SolidSettings& settings, const SolidProblem& wall)
-    : wall_(in_equilibrium(settings), wall.mesh(), wall.field().frames()),
+PrestressBalance::PrestressBalance(const SolidSettings& settings, const SolidProblem& wall,
+                                   bool leans)
+    : wall_(in_equilibrium(settings, leans), wall.mesh(), wall.field().frames()),
       tolerance_(settings.prestress.linear_tolerance) {
   wall_.field().stay_on_mesh();
   // λ f, as all loads

@@ -9,14 +9,15 @@ namespace tunica::problems {
 ///
 ///   R(G, p)      G  prestretch of its elements, p  pressure
 ///
-/// with Newton's step by s in G ← (I + sym ∇s) G. Springs of the tissue, which are at rest, add
+/// with Newton's step by s in G ← (I + sym ∇s) G. Springs of the tissue that are at rest add
 /// nothing to R; a thousandth of their stiffness is in the Jacobian, so that it is regular where
-/// they alone hold the wall.
+/// they alone hold the wall. Where the wall leans on them they have all of it, and add k o to R, o
+/// their stretch, to which s is added, too.
 class PrestressBalance {
 public:
-  /// Throws Error where a surface is displaced at the start.
+  /// leans: on the springs of the tissue. Throws Error where a surface is displaced at the start.
   /// Collective.
-  PrestressBalance(const SolidSettings& settings, const SolidProblem& wall);
+  PrestressBalance(const SolidSettings& settings, const SolidProblem& wall, bool leans = false);
 
   /// R at this part of the loads; state: no displacement, and p. Collective.
   Outcome residual(double load, const algebra::BlockVector& state, algebra::BlockVector& R);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "tunica/assembly/gather.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/stop_signals.hpp"
 #include "tunica/base/timer.hpp"
@@ -26,104 +26,19 @@ double largest(const std::vector<Vec3>& values, const Comm& comm) {
   return global_max(comm, mine);
 }
 
-std::vector<Vec3> with_ghosts(const std::vector<Vec3>& values, const fields::FieldMesh& mesh) {
-  Vector owned(mesh.vector_map);
-  fields::store(values, mesh, owned);
-  return fields::ghosted_vectors(mesh, owned);
-}
-
-/// f(∇s) of each element, s on owned nodes.
-template <class Function>
-std::vector<Mat3> of_gradients(const std::vector<Vec3>& s, const fields::FieldMesh& mesh,
-                               const Function& f) {
-  // ∇s of an element between ranks takes s at ghosts, too.
-  const std::vector<Vec3> all = with_ghosts(s, mesh);
-  const assembly::ElementGeometry geometry(mesh, mesh.x);
-  std::vector<Mat3> values(mesh.tets.size());
-  for (std::size_t e = 0; e < values.size(); ++e)
-    values[e] = f(kernels::gradient(geometry[e], assembly::gather(all, mesh.tets[e])));
-  return values;
-}
-
-/// By halves and Taylor's series.
-Mat3 exponential(const Mat3& A) {
-  // exp(A) = exp(A/2ⁿ)^(2ⁿ) with |A|/2ⁿ ≤ ¼, where ten terms of the series leave some 10⁻¹⁴
-  double size = 0.0;
-  for (const Vec3& row : A) size += dot(row, row);
-  int halves = 0;
-  for (size = std::sqrt(size); size > 0.25; size *= 0.5) ++halves;
-  const double scale = std::ldexp(1.0, -halves);
-  Mat3 sum = identity(), term = identity();
-  for (int k = 1; k <= 10; ++k) {
-    term = A * term;
-    for (Vec3& row : term) row = scale / k * row;
-    for (int i = 0; i < 3; ++i) sum[i] += term[i];
-  }
-  for (; halves > 0; --halves) sum = sum * sum;
-  return sum;
-}
-
-// G ← exp(sym ∇s) G: short steps are (I + ε) G, and long ones invert no element.
-class ByGradient final : public PrestressMethod {
-public:
-  explicit ByGradient(const fields::FieldMesh& mesh) : mesh_(&mesh) {}
-
-  std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s,
-                                     const std::vector<Mat3>& present) override {
-    std::vector<Mat3> G = of_gradients(
-        s, *mesh_, [](const Mat3& gradient) { return exponential(symmetric_part(gradient)); });
-    for (std::size_t e = 0; e < present.size(); ++e) G[e] = G[e] * present[e];
-    return G;
-  }
-
-private:
-  const fields::FieldMesh* mesh_;
-};
-
-// X ← X − s,  G⁻¹ = ∂X/∂x = I − ∇e,  e = x − X
-class ByShape final : public PrestressMethod {
-public:
-  explicit ByShape(const fields::FieldMesh& mesh) : mesh_(&mesh), kept_(mesh.n_owned) {}
-
-  std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s,
-                                     const std::vector<Mat3>& /*present*/) override {
-    next_ = kept_;
-    for (std::size_t a = 0; a < next_.size(); ++a) next_[a] += s[a];
-    return of_gradients(next_, *mesh_, [](const Mat3& gradient) {
-      Mat3 inverse = identity();
-      for (int i = 0; i < 3; ++i) inverse[i] += -1.0 * gradient[i];
-      Mat3 G = adjugate(inverse);
-      const double J = det(inverse);  // where it is not positive, det G is not
-      for (Vec3& row : G) row = 1.0 / J * row;
-      return G;
-    });
-  }
-  void keep() override { kept_ = next_; }
-  void begin_load() override { before_ = kept_; }
-  void undo_load() override { kept_ = before_; }
-  std::vector<Vec3> shape() const override { return kept_; }
-  void start_from(const std::vector<Vec3>& shape) override { kept_ = shape; }
-
-private:
-  const fields::FieldMesh* mesh_;
-  std::vector<Vec3> kept_, next_, before_;  ///< e on owned nodes [mm]
-};
-
 }  // namespace
 
 PrestressSearch::PrestressSearch(const SolidSettings& settings, const SolidProblem& wall,
                                  const PrestressWatch& watch, const PrestressPoint& from)
-    : options_(settings.prestress), wall_(&wall), watch_(&watch),
-      balance_(settings, wall), found_{{}, algebra::BlockVector(wall.space())} {
-  if (options_.is_by_shape)
-    method_ = std::make_unique<ByShape>(wall.mesh());
-  else
-    method_ = std::make_unique<ByGradient>(wall.mesh());
+    : options_(settings.prestress), settings_(&settings), wall_(&wall),
+      watch_(&watch), found_{{}, algebra::BlockVector(wall.space())} {
+  method_ = make_prestress_method(options_.is_by_shape, wall.mesh());
+  balance_ = std::make_unique<PrestressBalance>(settings, wall, from.leans);
   // A search that goes on: its prestretch and pressure are the wall's, its shape the method's.
   if (from.load > 0.0) {
     point_ = from;
     method_->start_from(from.shape);
-    go_back_to({wall.field().prestretch(), wall.state()});
+    go_back_to({wall.field().prestretch(), wall.state(), wall.field().spring_offset()});
   }
   // goal = tolerance · r, r the radius of the vessel
   std::vector<int> surfaces;
@@ -134,36 +49,52 @@ PrestressSearch::PrestressSearch(const SolidSettings& settings, const SolidProbl
 
 // Loads λ from 0 to 1, and at each of them Newton's method in G and p, while d = 0:
 //
-//   run()        λ ← λ + Δλ
-//   bear()       steps at one λ: a few on the way, at λ = 1 until max |s| is within the goal
-//   improve()    K (δ, δp) = R(G, p; λ), s = −δ, and the part θ of the step that is taken
-//   try_step()   G and p behind θ s, and |R_u| there
+//   raise_loads()  λ ← λ + Δλ
+//   bear()         steps at one λ: a few on the way, at λ = 1 until max |s| is within the goal
+//   improve()      K (δ, δp) = R(G, p; λ), s = −δ, and the part θ of the step that is taken
+//   try_step()     G and p behind θ s, and |R_u| there
 //
 // An increment that fails, and not for its linear systems, is halved; the next is longer where one
-// step was enough.
+// step was enough. Where the wall by itself cannot bear the loads it leans on the tissue, whose
+// springs have a stretch o in the mesh:
+//
+//   lean()         o = 0, springs with all of k in K and in R; try_step(): o ← o + θ s
+//   release()      at λ = 1: o ← o/4 and steps to the goal, until the wall bears no more
 
 Result<Prestress> PrestressSearch::run() {
+  Verdict verdict = raise_loads();
+  if (may_lean(verdict)) {
+    lean(verdict);
+    verdict = raise_loads();
+  }
+  if (verdict.cause == Cause::none && point_.leans) verdict = release();
+  if (verdict.cause == Cause::none) return std::move(found_);
+  return Result<Prestress>::failure(failure(verdict));
+}
+
+PrestressSearch::Verdict PrestressSearch::raise_loads() {
   const double first = 1.0 / options_.load_steps;
+  // A sixteenth of the first increment; a quarter where there is tissue to lean on.
+  const double least = can_lean() ? first / 4.0 : first / 16.0;
   if (point_.step == 0.0) point_.step = first;
   for (;;) {
     const double done = point_.load, raised = done + point_.step;
     const double load = raised > 1.0 - 1e-9 ? 1.0 : raised;
-    const Prestress before{found_.prestretch, algebra::BlockVector(wall_->space())};
-    algebra::BlockVector(before.state).assign(found_.state);
+    const Prestress before = copy_of(found_);
     method_->begin_load();
     ++point_.load_step;
-    const Verdict verdict = bear(load);
-    if (verdict.cause == Cause::none && load == 1.0) return std::move(found_);
+    Verdict verdict = bear(load);
+    verdict.load = load;
+    if (verdict.cause == Cause::none && load == 1.0) return verdict;
     if (verdict.cause == Cause::none) {
       // The fewer steps this load has taken, the further off the next one may be.
       point_.step *= iterations_ == 1 ? 1.5 : iterations_ <= 3 ? 1.0 : 0.7;
       if (watch_->goes_on(point_, found_)) continue;
-      return Result<Prestress>::failure(stopped);
+      return {Cause::stopped, stopped, load};
     }
-    // Down to a sixteenth of the first increment. A linear solver that fails, or steps that creep
-    // at the whole load, end the search.
-    const bool is_cut = verdict.cause == Cause::nonlinear && point_.step > first / 16.0;
-    if (!is_cut) return Result<Prestress>::failure(failure(load, verdict));
+    // A linear solver that fails, or steps that creep at the whole load, end the search.
+    const bool is_cut = verdict.cause == Cause::nonlinear && point_.step > least;
+    if (!is_cut) return verdict;
     go_back_to(before);
     method_->undo_load();
     point_.load = done;
@@ -171,12 +102,78 @@ Result<Prestress> PrestressSearch::run() {
   }
 }
 
-// G and p of the point, d = 0. They have been admissible before.
+bool PrestressSearch::can_lean() const {
+  return options_.may_lean && !options_.is_by_shape && !point_.leans &&
+         has_springs(settings_->options.conditions);
+}
+
+// A linear solver that fails says nothing of the wall.
+bool PrestressSearch::may_lean(const Verdict& verdict) const {
+  const bool is_of_wall = verdict.cause == Cause::nonlinear || verdict.cause == Cause::creeps;
+  return is_of_wall && can_lean();
+}
+
+// A wall that creeps at the whole load is nearly in balance, and goes on from there. One that bears
+// no more is far off, and begins anew.
+void PrestressSearch::lean(const Verdict& verdict) {
+  watch_->say("the wall alone does not bear " + formatted("%.3g", verdict.load) + " of the load (" +
+              verdict.reason + "): the tissue around it holds the rest");
+  point_.leans = true;
+  point_.step = 0.0;
+  balance_ = std::make_unique<PrestressBalance>(*settings_, *wall_, true);
+  Prestress start{{}, algebra::BlockVector(wall_->space())};
+  if (verdict.cause == Cause::creeps)
+    start = copy_of(found_);
+  else
+    point_.load = 0.0;
+  start.offset.assign(wall_->mesh().n_nodes(), Vec3{});
+  go_back_to(start);
+}
+
+/// What is left of the stretch of springs that are released; how far this must bring down what they
+/// hold for another time; and how often at most.
+constexpr double left_after_release = 0.25, worthwhile = 0.8;
+constexpr int most_releases = 10;
+
+// o ← o/4, and steps until all is in balance: of what springs of stiffness k let go, a wall of
+// stiffness K takes over K/(K + k). The last state in balance is the answer.
+PrestressSearch::Verdict PrestressSearch::release() {
+  for (int k = 0; k < most_releases; ++k) {
+    const Prestress before = copy_of(found_);
+    const double held = held_by_tissue().mean;
+    for (Vec3& o : found_.offset) o = left_after_release * o;
+    ++point_.load_step;
+    const Verdict verdict = bear(1.0);
+    if (verdict.cause == Cause::stopped) return verdict;
+    if (verdict.cause != Cause::none) go_back_to(before);
+    if (verdict.cause != Cause::none || held_by_tissue().mean > worthwhile * held) break;
+  }
+  const TissueHold hold = held_by_tissue();
+  watch_->say(
+      formatted("the tissue holds %.3g kPa (root mean square), at most %.3g kPa at "
+                "(%.3g, %.3g, %.3g)",
+                hold.mean, hold.most, hold.at[0], hold.at[1], hold.at[2]));
+  return {};
+}
+
+TissueHold PrestressSearch::held_by_tissue() const {
+  return tissue_hold(settings_->options.conditions, wall_->mesh(), found_.offset);
+}
+
+// G, p and o of the point, d = 0. They have been admissible before.
 void PrestressSearch::go_back_to(const Prestress& point) {
   found_.prestretch = point.prestretch;
+  found_.offset = point.offset;
   found_.state["pressure"].assign(point.state["pressure"]);
-  const Outcome outcome = balance_.wall().field().set_prestretch(point.prestretch);
+  balance_->wall().field().set_spring_offset(point.offset);
+  const Outcome outcome = balance_->wall().field().set_prestretch(point.prestretch);
   TUNICA_CHECK(outcome.is_success(), outcome.reason());
+}
+
+Prestress PrestressSearch::copy_of(const Prestress& point) const {
+  Prestress copy{point.prestretch, algebra::BlockVector(wall_->space()), point.offset};
+  copy.state.assign(point.state);
+  return copy;
 }
 
 /// Steps in which what is left must have halved.
@@ -219,22 +216,24 @@ PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
   const Stopwatch watch;
   const Verdict verdict = improve(now);
   note_prestretch(now);
+  if (point_.leans) now.tissue = held_by_tissue();
   now.seconds = watch.seconds();
   now.reason = verdict.reason;
   watch_->report(now);
   return verdict;
 }
 
-// K (δ, δp) = R(G, p),   G ← G after −θ δ,   p ← p − θ δp,   with the first θ of 1, ½, ¼, ⅛ by
-// which |R_u| falls
+// K (δ, δp) = R(G, p, o),   G ← G after −θ δ,   p ← p − θ δp,   o ← o − θ δ,   with the first θ of
+// 1, ½, ¼, ⅛ by which |R_u| falls
 PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
   algebra::BlockVector R(wall_->space()), dx(wall_->space());
-  Outcome begun = balance_.wall().field().set_prestretch(found_.prestretch);
-  if (begun.is_success()) begun = balance_.residual(now.load, found_.state, R);
+  balance_->wall().field().set_spring_offset(found_.offset);
+  Outcome begun = balance_->wall().field().set_prestretch(found_.prestretch);
+  if (begun.is_success()) begun = balance_->residual(now.load, found_.state, R);
   if (begun.is_failure()) return {Cause::nonlinear, begun.reason()};
   // |R_u| before the step
   const double before = R["displacement"].norm2();
-  const Result<int> solved = balance_.solve(R, dx);
+  const Result<int> solved = balance_->solve(R, dx);
   if (solved.is_failure()) return {Cause::linear_solver, solved.reason()};
   now.linear = solved.value();
   std::vector<Vec3> step = fields::owned_vectors(wall_->mesh(), dx["displacement"]);
@@ -245,21 +244,28 @@ PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
     for (Vec3& s : shorter) s = part * s;
     if (try_step(shorter, dx, part, before, now)) return {};
   }
-  const Outcome back = balance_.wall().field().set_prestretch(found_.prestretch);
+  balance_->wall().field().set_spring_offset(found_.offset);
+  const Outcome back = balance_->wall().field().set_prestretch(found_.prestretch);
   TUNICA_CHECK(back.is_success(), back.reason());
   if (now.goal > 0.0 && now.moved <= now.goal) return {};  // nothing is left but round-off
   return {Cause::nonlinear, refusal_};
 }
 
-// Taken where |R_u(G, p)| is less than before; else G, p and what the method keeps stay.
+// Taken where |R_u(G, p, o)| is less than before; else G, p, o and what the method keeps stay.
 bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockVector& dx,
                                double part, double before, PrestressIteration& now) {
   algebra::BlockVector state(wall_->space()), R(wall_->space());
   state.assign(found_.state);
   state["pressure"].update(-part, dx["pressure"], 1.0);
   std::vector<Mat3> G = method_->prestretch_after(s, found_.prestretch);
-  Outcome outcome = balance_.wall().field().set_prestretch(G);
-  if (outcome.is_success()) outcome = balance_.residual(now.load, state, R);
+  std::vector<Vec3> offset = found_.offset;
+  if (point_.leans) {
+    const std::vector<Vec3> all = with_ghosts(s, wall_->mesh());
+    for (std::size_t a = 0; a < offset.size(); ++a) offset[a] += all[a];
+  }
+  balance_->wall().field().set_spring_offset(offset);
+  Outcome outcome = balance_->wall().field().set_prestretch(G);
+  if (outcome.is_success()) outcome = balance_->residual(now.load, state, R);
   if (outcome.is_failure()) {
     refusal_ = outcome.reason();
     return false;
@@ -272,6 +278,7 @@ bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockV
   }
   method_->keep();
   found_.prestretch = std::move(G);
+  found_.offset = std::move(offset);
   found_.state.assign(state);
   return true;
 }
@@ -305,11 +312,11 @@ std::string PrestressSearch::most_stretched() const {
   return text.str();
 }
 
-std::string PrestressSearch::failure(double load, const Verdict& verdict) const {
+std::string PrestressSearch::failure(const Verdict& verdict) const {
   if (verdict.cause == Cause::stopped) return verdict.reason;
   const double pressure = options_.pressure;
   std::ostringstream text;
-  text << "the prestress, at " << load * pressure << " of " << pressure << " kPa: ";
+  text << "the prestress, at " << verdict.load * pressure << " of " << pressure << " kPa: ";
   if (verdict.cause == Cause::linear_solver)
     text << "the linear solver gives up, whatever the wall may bear: ";
   text << verdict.reason << ". ";

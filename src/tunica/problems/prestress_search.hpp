@@ -3,25 +3,9 @@
 
 #include "tunica/problems/prestress.hpp"
 #include "tunica/problems/prestress_balance.hpp"
+#include "tunica/problems/prestress_method.hpp"
 
 namespace tunica::problems {
-
-/// Effect of the search steps in one method.
-class PrestressMethod {
-public:
-  virtual ~PrestressMethod() = default;
-  /// The prestretch after a step s, on owned nodes, from the present one. Collective.
-  virtual std::vector<Mat3> prestretch_after(const std::vector<Vec3>& s,
-                                             const std::vector<Mat3>& present) = 0;
-  /// The last one stays.
-  virtual void keep() {}
-  /// A load step begins; or it was given up, and all goes back to where it began.
-  virtual void begin_load() {}
-  virtual void undo_load() {}
-  /// PrestressPoint::shape, and back.
-  virtual std::vector<Vec3> shape() const { return {}; }
-  virtual void start_from(const std::vector<Vec3>& /*shape*/) {}
-};
 
 /// The way from no load to all of it.
 class PrestressSearch {
@@ -37,8 +21,15 @@ private:
   struct Verdict {
     Cause cause = Cause::none;
     std::string reason{};
+    double load = 1.0;
   };
 
+  Verdict raise_loads();
+  bool can_lean() const;
+  bool may_lean(const Verdict& verdict) const;
+  void lean(const Verdict& verdict);
+  Verdict release();
+  TissueHold held_by_tissue() const;
   Verdict bear(double load);
   Verdict iterate(PrestressIteration& now);
   Verdict improve(PrestressIteration& now);
@@ -46,16 +37,18 @@ private:
   /// before.
   bool try_step(const std::vector<Vec3>& s, const algebra::BlockVector& dx, double part,
                 double before, PrestressIteration& now);
+  Prestress copy_of(const Prestress& point) const;
   void go_back_to(const Prestress& point);
   void note_prestretch(PrestressIteration& now) const;
-  std::string failure(double load, const Verdict& verdict) const;
+  std::string failure(const Verdict& verdict) const;
   std::string most_stretched() const;
   const Comm& comm() const { return *wall_->mesh().comm; }
 
   PrestressOptions options_;
+  const SolidSettings* settings_;
   const SolidProblem* wall_;
   const PrestressWatch* watch_;
-  PrestressBalance balance_;
+  std::unique_ptr<PrestressBalance> balance_;
   std::unique_ptr<PrestressMethod> method_;
   Prestress found_;
   PrestressPoint point_;

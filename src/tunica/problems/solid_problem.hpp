@@ -9,6 +9,7 @@ struct PrestressOptions {
   double pressure;                    ///< in the lumen of the image [kPa]; zero: no stress
   std::vector<std::string> surfaces;  ///< that bear it; none without it
   bool is_by_shape;                   ///< "stress-free shape"
+  bool may_lean;                      ///< on the tissue, where needed
   int load_steps, max_iterations;
   double tolerance, linear_tolerance;
 };

@@ -25,16 +25,17 @@ class PrestressLog {
 public:
   /// from: keeps the rows of load steps up to there.
   PrestressLog(const RunOutput& output, bool is_root, const problems::PrestressPoint& from)
-      : is_root_(is_root),
-        table_(output.folder.file("prestress.csv"),
-               {"load_step", "iteration", "load", "linear", "residual_ratio", "moved_mm", "goal_mm",
-                "min_det_G", "max_det_G", "seconds", "given_up"},
-               is_root, from.load_step),
+      : is_root_(is_root), table_(output.folder.file("prestress.csv"),
+                                  {"load_step", "iteration", "load", "linear", "residual_ratio",
+                                   "moved_mm", "goal_mm", "min_det_G", "max_det_G",
+                                   "tissue_mean_kPa", "tissue_largest_kPa", "seconds", "given_up"},
+                                  is_root, from.load_step),
         last_load_(from.load) {}
 
   void tell(const problems::PrestressIteration& now) {
     table_.row({now.load_step, now.iteration, now.load, now.linear, now.residual, now.moved,
-                now.goal, now.least, now.most, now.seconds, now.reason});
+                now.goal, now.least, now.most, now.tissue.mean, now.tissue.most, now.seconds,
+                now.reason});
     ++iterations_;
     linear_ += now.linear;
     print(now);
@@ -47,6 +48,8 @@ public:
     record.set("prestress", "mm from the mesh", last_.moved);
     record.set("prestress", "least det G", last_.least);
     record.set("prestress", "largest det G", last_.most);
+    record.set("prestress", "tissue holds kPa", last_.tissue.mean);
+    record.set("prestress", "tissue holds at most kPa", last_.tissue.most);
   }
 
 private:
@@ -100,7 +103,8 @@ void save(const problems::PrestressPoint& point, problems::SolidProblem& wall,
           const RunOutput& output) {
   output::CheckpointHead head;
   head.mesh = output.fingerprint;
-  head.control[point_name] = {point.load, point.step, double(point.load_step)};
+  head.control[point_name] = {point.load, point.step, double(point.load_step),
+                              point.leans ? 1.0 : 0.0};
   head.parameters = output.parameters;
   head.files = output.files;
   output::StateSources states;
@@ -123,7 +127,8 @@ problems::PrestressPoint restore(const std::string& path, problems::SolidProblem
   for (const auto& [name, part] : parts_of(wall))
     part->restore(file->read(name, part->save().places, comm));
   const std::vector<double>& numbers = file->head().control.at(point_name);
-  problems::PrestressPoint point{numbers.at(0), numbers.at(1), static_cast<int>(numbers.at(2))};
+  problems::PrestressPoint point{numbers.at(0), numbers.at(1), static_cast<int>(numbers.at(2)),
+                                 numbers.size() > 3 && numbers[3] != 0.0};
   const fields::State state = file->read(point_name, fields::state_on(wall.mesh()).places, comm);
   if (state.has_array(shape_name))
     point.shape = fields::as_vectors(state.array(shape_name, 3).values);
@@ -134,6 +139,7 @@ problems::PrestressPoint restore(const std::string& path, problems::SolidProblem
 Outcome give(const problems::Prestress& found, problems::SolidProblem& wall) {
   const Outcome stretched = wall.field().set_prestretch(found.prestretch);
   if (stretched.is_success()) {
+    wall.field().set_spring_offset(found.offset);
     wall.take(found.state);
     wall.field().settle(wall.state());
   }
@@ -181,6 +187,9 @@ Outcome take_prestress(const problems::SolidSettings& settings, RunOutput& outpu
   double kept = from.load;
   problems::PrestressWatch looks_on;
   looks_on.report = [&](const problems::PrestressIteration& now) { log.tell(now); };
+  looks_on.say = [&](const std::string& text) {
+    if (comm->getRank() == 0) io::print_line("prestress: " + text);
+  };
   looks_on.goes_on = [&](const problems::PrestressPoint& point, const problems::Prestress& found) {
     const Outcome given = give(found, wall);
     if (given.is_success() && output.settings.checkpoint_every > 0) {
