@@ -84,10 +84,10 @@ def prestress_section(wanted):
             f"Made by `xml/vessels/reproduce prestress`: {PRESSURE} kPa (80 mmHg), two layers of one neo-Hookean law or of fibres in "
             "two families, clamped ends; all of the search by default. Beside its CPU seconds their ratio to one static load of 2.67 "
             "kPa on the same wall, programs begun and ended included. Tissue: what its springs hold in the mesh, root mean square and "
-            "at most, where the wall alone cannot. Moved: of the wall in a static step that follows under the pressure of the image. " + commits_text(wanted, lambda name: name.startswith(("prestress-", "static-"))), "",
-            *table_text(["vessel", "wall", "law", "tissue", "ranks", "prestress", "steps", "CPU s", "static loads", "det G", "tissue holds, kPa",
-                         "moved, mm"],
-                        lines).splitlines(), ""]
+            "at most, where the wall alone cannot. Moved: of the wall in a static step that follows under the pressure of the image. "
+            + commits_text(wanted, lambda name: name.startswith(("prestress-", "static-"))), "",
+            *table_text(["vessel", "wall", "law", "tissue", "ranks", "prestress", "steps", "CPU s", "static loads", "det G",
+                         "tissue holds, kPa", "moved, mm"], lines).splitlines(), ""]
 
 
 # 2. The first 100 ms of a systole.

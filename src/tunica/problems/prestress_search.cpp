@@ -145,7 +145,12 @@ PrestressSearch::Verdict PrestressSearch::release() {
     ++point_.load_step;
     const Verdict verdict = bear(1.0);
     if (verdict.cause == Cause::stopped) return verdict;
-    if (verdict.cause != Cause::none) go_back_to(before);
+    if (verdict.cause != Cause::none) {
+      go_back_to(before);
+      ++point_.load_step;
+      const Verdict last = bear(1.0);  // within the goal at once: the row of the answer
+      if (last.cause != Cause::none) return last;
+    }
     if (verdict.cause != Cause::none || held_by_tissue().mean > worthwhile * held) break;
   }
   const TissueHold hold = held_by_tissue();
