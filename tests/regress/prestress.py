@@ -1,6 +1,6 @@
 """A prestress that a signal ends, in a load or behind one, goes on with the loads that it would have taken, and ends
 with the same wall; a wall that is free to move as a whole is refused, by the name of the motion; a flat wall, which
-can bear no pressure, leans on the tissue around it.
+can bear no pressure, leans on the tissue around it, and so does a fork that would creep.
 
 Usage: prestress.py FOLDER_OF_PROGRAMS SCRATCH
 """
@@ -135,11 +135,30 @@ def leans_on_tissue(verdict, programs, folder):
                   f"slab: alone it bears nothing: {alone.status} {alone.err.strip()}")
 
 
+def creeps_no_more(verdict, programs, folder):
+    """A fork whose openings face nearly one plane, and slide: what its wall pushes across it must end somewhere."""
+    ends = ("wall_inlet", "wall_outlet_internal", "wall_outlet_external")
+    settings = ["Wall/Prestress/pressure=10.67", "Wall/Surfaces/interface/pressure=10.67", "Wall/Fibre Frame/kind=laplace",
+                "Wall/Fibre Frame/start surfaces={wall_inlet}", f"Wall/Fibre Frame/end surfaces={{{ends[1]}, {ends[2]}}}"]
+    settings += [f"Wall/Surfaces/{end}/{setting}" for end in ends for setting in ("condition=held", "components={normal}")]
+    for layer, constants in (("media", {"c10": 99, "k1": 78}), ("adventitia", {"c10": 9.9, "k1": 18.5})):
+        settings += [f"Wall/Layers/{layer}/{key}={value}" for key, value in {"law": "holzapfel", **constants}.items()]
+    sets = [word for setting in settings for word in ("--set", setting)]
+    done = Run(command(programs / "tunica-solid", [ROOT / "xml" / "vessels" / "solvers" / "carotid-wall.xml", "--output", "fork", *sets]),
+               folder)
+    verdict.claim(done.status == 0 and "steps do not get shorter" in done.out, f"fork: {done.status} {done.err.strip()}")
+    held = table(folder / "fork" / "prestress.csv")["tissue_largest_kPa"][-1]
+    verdict.claim(0 < held < 0.01, f"fork: the tissue holds at most {held:.4f} of 10.67 kPa")
+    moved = table(folder / "fork" / "steps.csv")["max_displacement_wall_mm"][-1]
+    verdict.claim(moved < 2.6e-3, f"fork: stays where it was imaged, within {moved:.1e} mm")
+
+
 def main(programs, scratch):
     verdict, folder = Verdict(), fresh(scratch)
     goes_on(verdict, programs / "tunica-solid", folder)
     refuses_free_walls(verdict, programs, folder)
     leans_on_tissue(verdict, programs, folder)
+    creeps_no_more(verdict, programs, folder)
     remove_results(folder)
     return verdict.status()
 
