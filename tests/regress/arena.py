@@ -45,10 +45,22 @@ def solve(programs, folder):
     return run, systems.read_vector(path) if path.exists() else None
 
 
+def order_of(name, system):
+    """As tunica-solvers names it. The components of one body stand behind those of the other in contact-2d."""
+    if system.components == 1 or name == "contact-2d":
+        return "1 component"
+    return f"{system.components} components, " + ("by node" if system.is_by_node else "by component")
+
+
 def check_default(verdict, programs, folders):
     runs = [solve(programs, folder) for folder in folders.values()]
     for (name, folder), (run, x) in zip(folders.items(), runs):
         system = systems.read(folder)
+        found = next((line for line in run.out.splitlines() if line.startswith("system: ")), "")
+        verdict.claim(f" scalar unknowns, {order_of(name, system)}, " in found, f"{name}: the order is found: {found}")
+        n_vectors = len(next(iter(system.fields.values())))
+        # Where none is alone in its row: those may be of either field.
+        verdict.claim(f" {n_vectors} vector and" in found or name == "darcy-3d", f"{name}: {n_vectors} are vectors")
         if not verdict.claim(run.status == 0 and x is not None, f"{name}: status {run.status} {run.err}"):
             continue
         whole, fields, backward = systems.residuals(system.K, system.b, x, system.fields)

@@ -7,6 +7,7 @@
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/foreign/given_operators.hpp"
+#include "tunica/linear/direct/direct_factor.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 
 namespace tunica::foreign {
@@ -21,6 +22,7 @@ constexpr long long most_factored = 300000;
 constexpr double slow = 0.25;
 
 const char* const first_direct = "direct";
+const char* const c_stabilises = "C stabilises";
 const char* const c_is_zero = "C is zero";
 const char* const c_is_small = "few scalars";
 
@@ -109,6 +111,33 @@ void insert_factors_of_slow(std::vector<SolverSetting>& all) {
              {with_patience(first), direct("direct where that is slow", operations_of_cycles)});
 }
 
+/// Operations per entry for which sparse LU takes as long as the first iterative setting. Sweeps by
+/// Braess and Sarazin take about twice as long as others in the plane. Of nodes in space, whose
+/// systems have three times as many entries in a row, incomplete factors take fewer than these.
+double break_even(const DefaultChoice& choice, const algebra::BlockMatrix& K, double operations) {
+  if (choice.reason == c_is_zero || choice.reason == c_is_small) return 2.0 * operations;
+  const bool is_in_space = (*K.space())[0].components >= 3;
+  return is_in_space && choice.reason == c_stabilises ? operations / 3.0 : operations;
+}
+
+/// A count by the graph of nodes is at most this many times the true one. Counted in the arena were
+/// 0.14 (Q1–Q1 in the plane, whose fill is of other unknowns, too) to 3 (bubbles) times as many.
+constexpr double most_excess = 2.0;
+
+/// Operations that factors take per entry of K, about: b³ times those of the graph of the nodes,
+/// with b unknowns at each. It has some b² times fewer entries. 0 where there is no graph.
+double operations_by_nodes(const algebra::BlockMatrix& K, double enough) {
+  const algebra::Nodes& nodes = (*K.space())[0].nodes;
+  if (nodes.graph.is_null()) return 0.0;
+  double entries = 0.0;
+  for (int i = 0; i < K.n_blocks(); ++i)
+    for (int j = 0; j < K.n_blocks(); ++j)
+      if (!K(i, j).is_null()) entries += static_cast<double>(K(i, j)->getGlobalNumEntries());
+  const double b = static_cast<double>(K.n_unknowns()) / nodes.graph->getGlobalNumRows();
+  const double scale = b * b * b / entries;
+  return scale * linear::factor_operations(nodes.graph, enough / scale);
+}
+
 /// Levels that interpolate rotations where it is slow without them and places are known.
 Teuchos::ParameterList with_rotations(Teuchos::ParameterList cycle, const algebra::BlockMatrix& K) {
   if (!(*K.space())[0].nodes.places.coordinates.is_null())
@@ -136,7 +165,7 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
     return {{by_fields, by_braess, incomplete_factors()}, "A is diagonal"};
   if (stabilised_part(K) <= 0.5) return {{by_braess, by_fields, incomplete_factors()}, c_is_zero};
   if (are_scalars_few(K)) return {{by_braess, by_fields, incomplete_factors()}, c_is_small};
-  return {{by_factors, by_braess, by_fields, incomplete_factors()}, "C stabilises"};
+  return {{by_factors, by_braess, by_fields, incomplete_factors()}, c_stabilises};
 }
 
 }  // namespace
@@ -171,12 +200,14 @@ DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_oper
   DefaultChoice choice = iterative(K, operators);
   std::vector<SolverSetting>& all = choice.settings;
   if (direct_operations > 0.0) {
-    // Sweeps by Braess and Sarazin take about twice as long as others.
-    const bool has_braess = choice.reason == c_is_zero || choice.reason == c_is_small;
-    const double most = has_braess ? 2.0 * direct_operations : direct_operations;
+    const double most = break_even(choice, K, direct_operations);
+    const double about = operations_by_nodes(K, most_excess * most);
     // In space factors of whatever is large take more than any number of cycles.
     if ((*K.space())[0].components < 3) insert_factors_of_slow(all);
-    all.insert(all.begin(), direct(first_direct, most));
+    if (about > most_excess * most)
+      choice.operations = about;
+    else
+      all.insert(all.begin(), direct(first_direct, most));
   }
   if (K.n_unknowns() <= most_factored) choice.settings.push_back(direct("direct at any cost", 0.0));
   return choice;
@@ -186,8 +217,11 @@ std::string in_words(const DefaultChoice& choice) {
   const std::string& first = choice.settings.front().name;
   const bool is_direct = first == first_direct && choice.settings.size() > 1;
   const std::string& other = choice.settings[is_direct ? 1 : 0].name;
+  std::string reason = choice.reason;
+  if (choice.operations > 0.0)
+    reason += formatted("; sparse LU would take some %.0f operations per entry", choice.operations);
   return (is_direct ? "\"" + first + "\" unless its factors are large, then " : std::string()) +
-         "\"" + other + "\" (" + choice.reason + ")";
+         "\"" + other + "\" (" + reason + ")";
 }
 
 }  // namespace tunica::foreign

@@ -26,11 +26,14 @@ void add_settings_keys(params::Table& table);
 /// in this order until one converges.
 struct DefaultChoice {
   std::vector<SolverSetting> settings;
-  std::string reason;  ///< why the first iterative one comes before the others
+  std::string reason;       ///< why the first iterative one comes before the others
+  double operations = 0.0;  ///< per entry, about, of factors that do not come first; 0: they do, or
+                            ///< are not wanted
 };
 
 /// Sparse LU first, for systems whose factors take at most direct_operations per entry of the
-/// matrix (twice as many for Braess and Sarazin's sweeps; 0: none), and last, for all of up to
+/// matrix (twice as many for Braess and Sarazin's sweeps, a third for incomplete factors in space;
+/// 0: none), and last, for all of up to
 /// 300,000 unknowns. Between: multigrid for all unknowns, smoothed by incomplete factors where C
 /// stabilises, by Braess and Sarazin's sweeps where it is zero or scalars are few; the fields in
 /// turn (block LU), which come first where A is diagonal; incomplete factors. For one field

@@ -20,6 +20,7 @@ struct Blocks {
   /// of each row of the portion.
   std::array<std::string, 2> files{"A and B1T", "B2 and C"};
   std::array<std::vector<long long>, 2> file_rows;
+  int in_nodes = 0;  ///< ScalarRows::in_nodes of one matrix; 0 of several
   /// The first rows of the right-hand side that belong to the fields: file_rows count from there.
   std::array<long long, 2> first_row{};
 

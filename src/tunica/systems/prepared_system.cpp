@@ -224,7 +224,7 @@ System prepared_system(Blocks given, const Teuchos::ParameterList& options,
        {doubt_sign_of_c(blocks), fill_empty_rows(blocks, preparation.known_in)})
     if (!remark.empty()) preparation.remarks.push_back(remark);
   prepare(blocks, options, preparation);
-  const VectorOrder vectors = find_components(blocks.A, blocks.n_rows(1), options);
+  const VectorOrder vectors = find_components(blocks.A, blocks.n_rows(1), blocks.in_nodes, options);
   Teuchos::ParameterList found;
   found.set("components", vectors.components)
       .set<std::string>("order", vectors.is_by_node ? "by node" : "by component");

@@ -53,6 +53,7 @@ struct Layout {
            : where == last ? row >= n - nodes
                            : row % (components + 1) == place;
   }
+  int in_nodes() const { return where == in_node ? components : 0; }
   std::string text() const {
     return where == first  ? "scalars first"
            : where == last ? "scalars last"
@@ -130,14 +131,17 @@ ScalarRows scalars_by_pairs(const MatrixRows& K) {
       least = against / judged;
       best = &layouts[l];
     }
-    if (best != nullptr) return {rows_of(*best, K.n_rows), 1.0, -1.0, best->text()};
+    if (best != nullptr)
+      return {rows_of(*best, K.n_rows), 1.0, -1.0, best->text(), best->in_nodes()};
   }
   return {std::vector<char>(static_cast<std::size_t>(K.n_rows), 0), 1.0, 1.0, "no scalars"};
 }
 
 /// Rows of the one kind and of the other stand in two stretches; those that are alone between them
-/// go with the vectors, which have prescribed values, but for a regular layout.
-std::string spread_to_lone_rows(const std::vector<char>& kinds, std::vector<char>& is_scalar) {
+/// go with the vectors, which have prescribed values, but for a regular layout, which is found
+/// then.
+bool spread_to_lone_rows(const std::vector<char>& kinds, ScalarRows& found) {
+  std::vector<char>& is_scalar = found.is_scalar;
   const auto n = static_cast<long long>(kinds.size());
   for (const Layout& layout : regular_layouts(n)) {
     bool fits = true;
@@ -145,7 +149,9 @@ std::string spread_to_lone_rows(const std::vector<char>& kinds, std::vector<char
       fits = kinds[row] == alone || (is_scalar[row] != 0) == layout.is_scalar(row, n);
     if (!fits) continue;
     is_scalar = rows_of(layout, n);
-    return layout.text();
+    found.text = layout.text();
+    found.in_nodes = layout.in_nodes();
+    return true;
   }
   const auto from = std::find(is_scalar.begin(), is_scalar.end(), 1);
   const auto to = std::find(is_scalar.rbegin(), is_scalar.rend(), 1).base();
@@ -154,31 +160,46 @@ std::string spread_to_lone_rows(const std::vector<char>& kinds, std::vector<char
   bool has_before = false, has_within = false, has_behind = false;
   for (long long row = 0; row < n; ++row)
     if (is_vector(row)) (row < begin ? has_before : row < end ? has_within : has_behind) = true;
-  if (has_within) return "scalars among the vectors";
+  found.text = "scalars among the vectors";
+  if (has_within) return false;
   std::fill(from, to, char{1});
   if (!has_behind) std::fill(to, is_scalar.end(), char{1});
   if (!has_before) std::fill(is_scalar.begin(), from, char{1});
-  return !has_behind ? "scalars last" : !has_before ? "scalars first" : "scalars in one stretch";
+  found.text = !has_behind   ? "scalars last"
+               : !has_before ? "scalars first"
+                             : "scalars in one stretch";
+  return false;
 }
 
+/// Scalars where the diagonal is zero or not of this sign; true for a regular order.
+std::pair<ScalarRows, bool> where_not(char of_vectors, const std::vector<char>& kinds) {
+  const char of_scalars = of_vectors == positive ? negative : positive;
+  ScalarRows found;
+  for (const char kind : kinds)
+    found.is_scalar.push_back(kind == zero || kind == of_scalars ? 1 : 0);
+  found.vector_sign = found.scalar_sign = of_vectors == positive ? 1.0 : -1.0;
+  const bool is_regular = spread_to_lone_rows(kinds, found);
+  return {found, is_regular};
+}
+
+// Vectors are the more frequent ones. Where most of their values are prescribed they need not be:
+// then it is the sign with which the order is a regular one.
 ScalarRows scalars_by_signs(const MatrixRows& K) {
   const std::vector<char> kinds = kinds_of_rows(K);
   const auto count = [&](char kind) { return std::count(kinds.begin(), kinds.end(), kind); };
   const char of_vectors = count(negative) > count(positive) ? negative : positive;
-  const char of_scalars = of_vectors == positive ? negative : positive;
-  const double sign = of_vectors == positive ? 1.0 : -1.0;
-  ScalarRows found;
-  for (const char kind : kinds)
-    found.is_scalar.push_back(kind == zero || kind == of_scalars ? 1 : 0);
-  if (count(zero) + count(of_scalars) == 0) {
-    found = scalars_by_pairs(K);
+  const char of_others = of_vectors == positive ? negative : positive;
+  if (count(zero) + count(of_others) == 0) {
+    const double sign = of_vectors == positive ? 1.0 : -1.0;
+    ScalarRows found = scalars_by_pairs(K);
     found.vector_sign *= sign;
     found.scalar_sign *= sign;
     return found;
   }
-  found.vector_sign = found.scalar_sign = sign;
-  found.text = spread_to_lone_rows(kinds, found.is_scalar);
-  return found;
+  const auto [found, is_regular] = where_not(of_vectors, kinds);
+  if (is_regular || count(of_others) == 0) return found;
+  const auto [other, is_other_regular] = where_not(of_others, kinds);
+  return is_other_regular ? other : found;
 }
 
 ScalarRows scalars_as_given(const MatrixRows& K, const Teuchos::ParameterList& options) {
@@ -199,6 +220,7 @@ ScalarRows scalars_as_given(const MatrixRows& K, const Teuchos::ParameterList& o
                    " rows, which do not fit \"components\" = " + std::to_string(components) +
                    " and \"scalar unknowns\" = " + std::to_string(given) + ".");
   const int place = where == "first in node" ? 0 : components;
+  if (where != "first" && where != "last") rows.in_nodes = components;
   for (long long row = 0; row < n; ++row)
     rows.is_scalar[row] = where == "first"  ? row < m
                           : where == "last" ? row >= n - m
@@ -256,13 +278,22 @@ Coupling coupling_of(const MatrixRows& A, const Numbering& numbering) {
                                  : Coupling::of_others;
 }
 
+/// Some of so many nodes, ascending: fractions of multiples of the golden section, as even steps
+/// may fall on one side of a vessel or on the ends of all rows of a grid.
+std::vector<long long> sample_of(long long nodes) {
+  constexpr long long most = 400;
+  constexpr double golden = 0.6180339887498949;
+  std::set<long long> sample;
+  for (long long k = 0; k < std::min(most, nodes); ++k)
+    sample.insert(static_cast<long long>(std::fmod(k * golden, 1.0) * static_cast<double>(nodes)));
+  return {sample.begin(), sample.end()};
+}
+
 /// How alike the nodes are that the rows of a node reach, from 0 to 1; a sample of nodes.
 double likeness(const MatrixRows& A, const Numbering& numbering) {
-  constexpr long long most = 400;
-  const long long nodes = A.n_rows / numbering.components, stride = nodes / most + 1;
   std::vector<long long> rows;
   if (A.comm->getRank() == 0)
-    for (long long node = 0; node < nodes; node += stride)
+    for (const long long node : sample_of(A.n_rows / numbering.components))
       for (int c = 0; c < numbering.components; ++c)
         rows.push_back(numbering.row(node, c, A.n_rows));
   std::sort(rows.begin(), rows.end());
@@ -305,13 +336,22 @@ std::vector<int> likely_components(long long n, long long n_scalars, int given) 
   return all;
 }
 
+VectorOrder named(VectorOrder order) {
+  order.text = std::to_string(order.components) + " components, " +
+               (order.is_by_node ? "by node" : "by component");
+  if (order.components == 1) order.text = "1 component";
+  return order;
+}
+
 }  // namespace
 
-VectorOrder find_components(const MatrixRows& A, long long n_scalars,
+VectorOrder find_components(const MatrixRows& A, long long n_scalars, int in_nodes,
                             const Teuchos::ParameterList& options) {
   const int given = options.get<int>("components");
   const auto& order = options.get<std::string>("order");
+  const bool is_free = given == 0 && order == "automatic";
   VectorOrder best{given > 0 ? given : 1, order != "by component", ""};
+  if (is_free && in_nodes > 0) return named({in_nodes, true, ""});
   double most = 0.9;  // near boundaries the components of a node differ
   for (const int components : likely_components(A.n_rows, n_scalars, given))
     for (const bool is_by_node : {true, false}) {
@@ -326,10 +366,7 @@ VectorOrder find_components(const MatrixRows& A, long long n_scalars,
       most = like;
       best = {components, is_by_node, ""};
     }
-  best.text = best.components == 1 ? "1 component"
-                                   : std::to_string(best.components) + " components, " +
-                                         (best.is_by_node ? "by node" : "by component");
-  return best;
+  return named(best);
 }
 
 }  // namespace tunica::systems

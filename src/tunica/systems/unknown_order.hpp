@@ -13,6 +13,9 @@ struct ScalarRows {
   /// Factors that make the diagonal of A positive and that of −C negative.
   double vector_sign = 1.0, scalar_sign = 1.0;
   std::string text;  ///< "scalars last", "no scalars"
+  /// Components of the vectors that stand with the scalar of their node, at the same place in each
+  /// node; 0: it is another order.
+  int in_nodes = 0;
 };
 
 /// From the key "scalars", or from K, whose saddle-point form shows in its signs:
@@ -35,8 +38,8 @@ struct VectorOrder {
 /// From the keys "components" and "order" where they are given, otherwise from the pattern of A:
 /// with the right numbers the rows of a node reach the same nodes, and either no component is
 /// coupled with another one, or the components of a node are. As many nodes as scalars are likelier
-/// than others. Collective.
-VectorOrder find_components(const MatrixRows& A, long long n_scalars,
+/// than others. in_nodes: ScalarRows::in_nodes, which leaves nothing to be found. Collective.
+VectorOrder find_components(const MatrixRows& A, long long n_scalars, int in_nodes,
                             const Teuchos::ParameterList& options);
 
 }  // namespace tunica::systems

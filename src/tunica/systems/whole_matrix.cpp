@@ -94,6 +94,7 @@ Blocks split_whole(const MatrixRows& K, const Teuchos::ParameterList& options, s
   blocks.mC = with_diagonal(split.block(1, 1));
   blocks.signs = {scalars.vector_sign, scalars.scalar_sign};
   blocks.files = {"K", "K"};
+  blocks.in_nodes = scalars.in_nodes;
   blocks.file_rows = {split.rows_in_file(0), split.rows_in_file(1)};
   TUNICA_CHECK(blocks.n_rows(0) > 0, "System: all rows of K would be scalar unknowns.");
   return blocks;

@@ -37,6 +37,25 @@ Teuchos::RCP<CrsMatrix> coupled_matrix(const Teuchos::RCP<const Map>& map) {
   return A;
 }
 
+/// Of a cube of nodes with so many along each edge, each coupled with its 26 neighbours.
+Teuchos::RCP<const CrsGraph> cube_graph(int along) {
+  const Teuchos::RCP<const Map> map =
+      Teuchos::rcp(new Map(along * along * along, 0, Tpetra::getDefaultComm()));
+  const auto graph = Teuchos::rcp(new CrsGraph(map, 27));
+  for (const GlobalOrdinal row : global_numbers(*map)) {
+    std::vector<GlobalOrdinal> columns;
+    for (GlobalOrdinal column = 0; column < along * along * along; ++column) {
+      bool is_near = true;
+      for (GlobalOrdinal i = row, j = column, k = 0; k < 3; ++k, i /= along, j /= along)
+        is_near = is_near && std::abs(i % along - j % along) <= 1;
+      if (is_near) columns.push_back(column);
+    }
+    graph->insertGlobalIndices(row, columns);
+  }
+  graph->fillComplete();
+  return graph;
+}
+
 /// Blocks of diagonals, but for A; c: of C. With share vectors for each scalar.
 algebra::BlockMatrix blocks(bool has_scalars, double c, bool is_coupled = true, int share = 1,
                             int components = 1) {
@@ -112,6 +131,32 @@ TEUCHOS_UNIT_TEST(default_settings, factors_come_first_while_they_are_few_for_th
   TEST_EQUALITY(
       foreign::in_words(choice),
       "\"direct\" unless its factors are large, then \"multigrid, Braess-Sarazin\" (C is zero)");
+}
+
+// Of the graph alone: the blocks here have next to no entries, so that a count per entry is large.
+TEUCHOS_UNIT_TEST(default_settings, leave_factors_out_that_are_large_by_the_graph_of_nodes) {
+  for (const int along : {2, 8}) {
+    const int n = along * along * along;
+    const CommPtr comm = Tpetra::getDefaultComm();
+    const auto vectors = Teuchos::rcp(new Map(3 * n, 0, comm)),
+               scalars = Teuchos::rcp(new Map(n, 0, comm));
+    algebra::Nodes nodes;
+    nodes.graph = cube_graph(along);
+    algebra::BlockMatrix K(std::make_shared<const algebra::BlockSpace>(
+        std::vector<algebra::Block>{{"vector", vectors, 3, nodes}, {"scalar", scalars, 1, nodes}}));
+    K.set(0, 0, coupled_matrix(vectors));
+    K.set(0, 1, diagonal_matrix(vectors, scalars, 1.0));
+    K.set(1, 0, diagonal_matrix(scalars, vectors, 1.0));
+    K.set(1, 1, diagonal_matrix(scalars, -1.0));
+    const auto choice = foreign::default_settings(K, 3000.0);
+    // Dense factors of 32 unknowns take 2/3 32³ = 22,000 operations, of 9 entries per node 300
+    // each.
+    const bool is_small = along == 2;
+    TEST_EQUALITY(names(choice).front(), is_small ? "direct" : "multigrid, incomplete factors");
+    TEST_EQUALITY(choice.operations == 0.0, is_small);
+    const std::string words = foreign::in_words(choice);
+    TEST_EQUALITY(words.find("sparse LU would take some") == std::string::npos, is_small);
+  }
 }
 
 }  // namespace

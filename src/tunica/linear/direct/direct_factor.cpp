@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/attempt.hpp"
 #include "tunica/base/fault_point.hpp"
 #include "tunica/base/formatted.hpp"
@@ -82,6 +83,19 @@ void DirectFactor::apply(const MultiVector& X, MultiVector& Y, Teuchos::ETransp 
 
 Teuchos::RCP<const Map> DirectFactor::getDomainMap() const { return matrix_->getRangeMap(); }
 Teuchos::RCP<const Map> DirectFactor::getRangeMap() const { return matrix_->getDomainMap(); }
+
+double factor_operations(const Teuchos::RCP<const CrsGraph>& graph, double enough) {
+  double operations = 0.0;
+  set_up(*graph->getComm(), "the count of operations", [&] {
+    const smoothers::SparseLu factors(algebra::matrix_on(graph), [enough](const auto& alone) {
+      return std::make_unique<MultifrontalLu>(alone, enough);
+    });
+    operations = factors.told([](const smoothers::Factors& all) {
+      return dynamic_cast<const MultifrontalLu&>(all).expected_operations();
+    });
+  });
+  return operations;
+}
 
 // A = tridiag(−2, 4, −1) is not symmetric and has both factors, so that a solve that leaves out one
 // of them shows in r = b − A x.

@@ -33,6 +33,10 @@ private:
   std::unique_ptr<smoothers::SparseLu> factors_;
 };
 
+/// Floating-point operations that sparse LU factors take of a matrix with this graph; where they
+/// are more than enough, a lower bound may take their place. Collective.
+double factor_operations(const Teuchos::RCP<const CrsGraph>& graph, double enough);
+
 /// Solves a small nonsymmetric system on all ranks and throws std::runtime_error if the answer
 /// is wrong: an executable without the KLU2 repair must not run. Collective.
 void check_direct_solver(const CommPtr& comm);

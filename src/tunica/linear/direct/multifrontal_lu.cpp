@@ -125,11 +125,13 @@ MultifrontalLu::MultifrontalLu(const Teuchos::RCP<const CrsMatrix>& A, double mo
   const Map &rows = *A->getRowMap(), &columns = *A->getColMap();
   entries_.rows.reserve(K.nnz());
   entries_.columns.reserve(K.nnz());
+  std::vector<int> row_of_column(K.numCols());
+  for (int j = 0; j < K.numCols(); ++j)
+    row_of_column[j] = rows.getLocalElement(columns.getGlobalElement(j));
   for (int i = 0; i < K.numRows(); ++i)
     for (auto k = K.graph.row_map(i); k < K.graph.row_map(i + 1); ++k) {
       entries_.rows.push_back(i + 1);
-      entries_.columns.push_back(
-          1 + rows.getLocalElement(columns.getGlobalElement(K.graph.entries(k))));
+      entries_.columns.push_back(1 + row_of_column[K.graph.entries(k)]);
     }
   if (most_operations > 0.0) {
     // w³/4 with the narrowest level w. Nested dissection takes from 3 (Q1–Q1 in a cube) to 25 times
