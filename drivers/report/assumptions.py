@@ -15,7 +15,7 @@ def lists(case, *path):
     return node.findall("ParameterList") if node is not None else []
 
 
-def sentences(case, beat):
+def sentences(case, beat, record):
     fluid = lambda name, default=None: value(case, ["Fluid"], name, default)  # noqa: E731
     law = fluid("law", "newtonian")
     blood = f"Blood is {law}, {float(fluid('viscosity', 0.0035)) * 1000:g} mPa s" if law == "newtonian" else f"Blood: {law}"
@@ -27,10 +27,11 @@ def sentences(case, beat):
     for name in beat.outlets:
         ends.setdefault(numbers_of(case, name).get("condition", "an open end"), []).append(name)
     found += [f"At {', '.join(names)}: {condition}." for condition, names in ends.items()]
-    return found + of_wall(case)
+    return found + of_wall(case, record.get("prestress", {}))
 
 
-def of_wall(case):
+def of_wall(case, prestress):
+    """prestress: of the run's record, {} where it has none."""
     layers = lists(case, "Wall", "Layers")
     if not layers:
         return ["The wall is rigid."] if not lists(case, "Wall") else []
@@ -40,6 +41,10 @@ def of_wall(case):
     if pressure is not None:
         found.append(f"The mesh is the shape of the vessel at {mmhg(float(pressure)):.0f} mmHg ({float(pressure):.4g} kPa); its stress there "
                      "balances that pressure.")
+        held = prestress.get("tissue holds at most kPa", 0.0)
+        if held > 0.01 * float(pressure):
+            found.append(f"The wall alone does not bear it everywhere: the tissue holds at most {mmhg(held):.0f} mmHg of it, "
+                         f"{mmhg(prestress['tissue holds kPa']):.1f} mmHg in the root mean square.")
     else:
         found.append("The mesh is the shape of the vessel without load.")
     for surface in lists(case, "Wall", "Surfaces"):

@@ -47,7 +47,7 @@ class Clinic:
         if self.parts:
             yield quality_tables.openings(self.parts)
             yield quality_tables.quality(run, beat, through)
-        yield Table("Assumed", "", [], [*told.get("assumed", []), *assumptions.sentences(self.case, beat)])
+        yield Table("Assumed", "", [], [*told.get("assumed", []), *assumptions.sentences(self.case, beat, run.record)])
         yield Table("Doubtful", "", [], [*told.get("doubtful", []), *quality_tables.doubts(beat, self.parts, through)] or ["Nothing."])
 
     def _density(self):

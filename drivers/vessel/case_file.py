@@ -165,12 +165,12 @@ def text_of(folder, options):
 
 def slide_lines(table):
     """Ends that slide hold the wall along their normals n alone, against a shift v by sum (n.v)^2. The pressure of the prestress
-    pushes the wall also where that is next to nothing, and only its bending bears it."""
+    pushes the wall also where that is next to nothing; what its bending does not bear is left to the tissue."""
     hold = np.linalg.svd(np.array([opening["normal"] for opening in table["openings"]]))[1]
     if len(hold) == 3 and hold[-1] > LEAST_HOLD:
         return []
-    return ["warning: --ends slide: all openings face nearly one plane or direction, and nothing holds the wall across it. Its "
-            "prestress takes many steps there, or is not found; --ends clamped holds it"]
+    return ["warning: --ends slide: all openings face nearly one plane or direction, and no end holds the wall across it. In "
+            "its prestress the tissue holds what it does not bear there; --ends clamped holds it"]
 
 
 def make(folder, options, programs):

@@ -165,7 +165,7 @@ def check_status(status, folder, options):
     reason = f"tunica-fsi ended with status {status}: {last_line(folder.file(LOG))} (all in {folder.file(LOG)})"
     if status == 2 and "the prestress, at" in reason and options.ends == "slide":
         raise NotConverged(reason + ". Ends that slide hold the wall along their normals alone; across a plane that all openings "
-                           "nearly face, only its bending bears the pressure. Give --ends clamped --from case")
+                           "nearly face, its bending and the tissue alone bear the pressure. Give --ends clamped --from case")
     if status in (2, 5):
         raise NotConverged(reason + ". The same command continues from the last checkpoint")
     if status == 1:

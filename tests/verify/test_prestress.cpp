@@ -3,11 +3,13 @@
 // found it must stay there, and further pressure inflate it to the radii of the table; the shape
 // without stress must be that tube.
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "exact_inflation.hpp"
 #include "quarter_tube.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/mesh/block.hpp"
 #include "tunica/problems/prestress.hpp"
 
 namespace {
@@ -132,6 +134,85 @@ TEUCHOS_UNIT_TEST(prestress, of_a_flat_thin_wall_is_found_in_a_few_steps) {
   TEST_COMPARE(found.iterations, <=, 20);
   TEST_COMPARE(found.least_det, >, 0.3);
   TEST_COMPARE(found.most_det, <, 3.0);
+}
+
+// A plate between planes along which it slides can bear no pressure p: springs of stiffness k hold
+// it, stretched by p/k. What is stopped while they are released goes on from there.
+
+constexpr double on_plate = 2.0, stiffness = 5.0;
+
+struct Held {
+  int in_releases = 0;  ///< steps
+  problems::TissueHold tissue{};
+  problems::PrestressPoint point{};  ///< where it was stopped
+  problems::Prestress state;
+};
+
+Teuchos::ParameterList plate_list() {
+  Teuchos::ParameterList list = verify::case_of("block.xml").sublist("Wall");
+  Teuchos::ParameterList surfaces;
+  const auto hold = [&](const std::string& side, const std::string& condition) -> auto& {
+    return surfaces.sublist(side).set("condition", condition);
+  };
+  for (const char* side : {"x_low", "x_high", "y_low", "y_high"})
+    hold(side, "held").set("components", Teuchos::Array<std::string>(1, "normal"));
+  hold("z_high", "support").set("stiffness", stiffness);
+  list.set("Surfaces", surfaces);
+  list.sublist("Layers").sublist("block").set("c10", 20.0).set("bulk modulus", 1e4);
+  list.sublist("Prestress")
+      .set("pressure", on_plate)
+      .set("surfaces", Teuchos::Array<std::string>(1, "z_low"))
+      .set("tolerance", 1e-6)
+      .set("linear tolerance", 1e-12);
+  problems::solid_table().resolve(list, "Wall", "");
+  return list;
+}
+
+/// stop_at: the step after the first release at which it is stopped; 0: never.
+Held search_plate(const Teuchos::ParameterList& list, const fields::FieldMesh& mesh, int stop_at,
+                  const Held* from, Teuchos::FancyOStream& out) {
+  problems::SolidProblem wall(list, mesh);
+  Held held{0, {}, {}, {{}, algebra::BlockVector(wall.space())}};
+  if (from != nullptr) {
+    TUNICA_CHECK(wall.field().set_prestretch(from->state.prestretch).is_success(), "inverted");
+    wall.field().set_spring_offset(from->state.offset);
+    wall.take(from->state.state);
+  }
+  problems::PrestressWatch watch;
+  watch.report = [&](const problems::PrestressIteration& now) {
+    held.tissue = now.tissue;
+    out << now.load << " " << now.moved << " " << now.tissue.mean << " " << now.reason << "\n";
+  };
+  watch.goes_on = [&](const problems::PrestressPoint& point, const problems::Prestress& state) {
+    held.in_releases += point.releases > 0;
+    if (stop_at == 0 || held.in_releases < stop_at) return true;
+    held.point = point;
+    held.state.prestretch = state.prestretch;
+    held.state.offset = state.offset;
+    held.state.state.assign(state.state);
+    return false;
+  };
+  const auto found = problems::find_prestress(
+      list, wall, watch, from != nullptr ? from->point : problems::PrestressPoint{});
+  TUNICA_CHECK(found.is_success() == (stop_at == 0), found.reason());
+  return held;
+}
+
+TEUCHOS_UNIT_TEST(prestress, that_is_stopped_in_a_release_goes_on_where_it_began) {
+  const Teuchos::ParameterList list = plate_list();
+  const fields::FieldMesh mesh =
+      verify::field_of(mesh::make_block({{4.0, 4.0, 0.5}, {4, 4, 2}, {0, 0}}));
+  const Held whole = search_plate(list, mesh, 0, nullptr, out);
+  TEST_COMPARE(whole.in_releases, >=, 1);
+  TEST_FLOATING_EQUALITY(whole.tissue.mean, on_plate, 1e-6);
+  TEST_FLOATING_EQUALITY(whole.tissue.most, on_plate, 1e-6);
+  const Held begun = search_plate(list, mesh, 1, nullptr, out);
+  TEST_EQUALITY(begun.point.releases, 1);
+  for (const Vec3& offset : begun.state.offset)
+    TEST_FLOATING_EQUALITY(offset[2], on_plate / stiffness, 1e-3);  // not what is left of it
+  const Held gone_on = search_plate(list, mesh, 0, &begun, out);
+  TEST_EQUALITY(gone_on.in_releases, whole.in_releases);
+  TEST_FLOATING_EQUALITY(gone_on.tissue.mean, on_plate, 1e-6);
 }
 
 }  // namespace

@@ -95,8 +95,8 @@ ConditionEntry support_condition() {
   params::Table table("The tissue around the wall: springs and dashpots, and a pressure.");
   table
       .number("stiffness", 0.0, params::non_negative(), "kPa/mm",
-              "stiffness of the springs, which are relaxed in the geometry of the mesh; 1e7 "
-              "dyn/cm^3 are 100")
+              "stiffness of the springs, which are relaxed in the geometry of the mesh unless the "
+              "search for a Prestress stretches them; 1e7 dyn/cm^3 are 100")
       .number("damping", 0.0, params::non_negative(), "kPa ms/mm",
               "damping of the dashpots; 1e4 dyn s/cm^3 are 100")
       .choice("direction", "normal", {"normal", "all"},

@@ -26,7 +26,7 @@ namespace tunica::problems {
 ///
 ///   R(G, p, o) = R(G, p) + k o = 0,     o ← o + s
 ///
-/// and are released, again and again, as far as the wall bears what they let go.
+/// and are released step by step, while the wall bears what they let go and that is worth it.
 struct Prestress {
   std::vector<Mat3> prestretch;  ///< of local elements; empty: the identity
   algebra::BlockVector state;    ///< no displacement, and the pressure that bears the load
@@ -39,6 +39,7 @@ struct PrestressPoint {
   double step = 0.0;  ///< by which it is raised next; 0: as the case says
   int load_step = 0;
   bool leans = false;         ///< on the springs of the tissue
+  int releases = 0;           ///< of them that are done or have begun
   std::vector<Vec3> shape{};  ///< x − X on owned nodes [mm], where a shape is sought
 };
 
@@ -70,9 +71,9 @@ struct PrestressWatch {
 };
 
 /// wall: of these settings, on the mesh, gives its fibres, and where an earlier search
-/// stood at the point its prestretch and pressure. Fails where no step leaves less out of balance,
-/// however small the increment, or the steps do not get short. Throws StopRequest where a signal
-/// ends it within a step. Collective.
+/// stood at the point its prestretch, pressure and springs. Fails where no step leaves less out of
+/// balance, however small the increment, or the steps do not get short. Throws StopRequest where a
+/// signal ends it within a step. Collective.
 Result<Prestress> find_prestress(const SolidSettings& settings, const SolidProblem& wall,
                                  const PrestressWatch& watch, const PrestressPoint& from = {});
 

@@ -33,9 +33,15 @@ PrestressSearch::PrestressSearch(const SolidSettings& settings, const SolidProbl
     : options_(settings.prestress), settings_(&settings), wall_(&wall),
       watch_(&watch), found_{{}, algebra::BlockVector(wall.space())} {
   method_ = make_prestress_method(options_.is_by_shape, wall.mesh());
-  balance_ = std::make_unique<PrestressBalance>(settings, wall, from.leans);
-  // A search that goes on: its prestretch and pressure are the wall's, its shape the method's.
-  if (from.load > 0.0) {
+  // A search that goes on: its prestretch, pressure and springs are the wall's, its shape the
+  // method's. What has come so far may not be what the settings want now.
+  point_.load_step = from.load_step;
+  const bool is_wanted = (!from.leans || options_.may_lean) &&
+                         (!options_.is_by_shape ||
+                          all_agree(comm(), from.shape.size() == std::size_t(wall.mesh().n_owned)));
+  const bool goes_on = from.load > 0.0 && is_wanted;
+  balance_ = std::make_unique<PrestressBalance>(settings, wall, goes_on && from.leans);
+  if (goes_on) {
     point_ = from;
     method_->start_from(from.shape);
     go_back_to({wall.field().prestretch(), wall.state(), wall.field().spring_offset()});
@@ -59,14 +65,12 @@ PrestressSearch::PrestressSearch(const SolidSettings& settings, const SolidProbl
 // springs have a stretch o in the mesh:
 //
 //   lean()         o = 0, springs with all of k in K and in R; try_step(): o ← o + θ s
-//   release()      at λ = 1: o ← o/4 and steps to the goal, until the wall bears no more
+//   release()      at λ = 1: o ← o/4 and steps to the goal, as long as it is worth it
 
 Result<Prestress> PrestressSearch::run() {
-  Verdict verdict = raise_loads();
-  if (may_lean(verdict)) {
-    lean(verdict);
-    verdict = raise_loads();
-  }
+  // Searches that were stopped in a release are in balance.
+  Verdict verdict = point_.releases > 0 ? Verdict{} : raise_loads();
+  if (may_lean(verdict)) verdict = lean(verdict);
   if (verdict.cause == Cause::none && point_.leans) verdict = release();
   if (verdict.cause == Cause::none) return std::move(found_);
   return Result<Prestress>::failure(failure(verdict));
@@ -78,8 +82,9 @@ PrestressSearch::Verdict PrestressSearch::raise_loads() {
   const double least = can_lean() ? first / 4.0 : first / 16.0;
   if (point_.step == 0.0) point_.step = first;
   for (;;) {
-    const double done = point_.load, raised = done + point_.step;
-    const double load = raised > 1.0 - 1e-9 ? 1.0 : raised;
+    const double done = point_.load;
+    point_.step = std::min(point_.step, 1.0 - done);
+    const double raised = done + point_.step, load = raised > 1.0 - 1e-9 ? 1.0 : raised;
     const Prestress before = copy_of(found_);
     method_->begin_load();
     ++point_.load_step;
@@ -89,7 +94,7 @@ PrestressSearch::Verdict PrestressSearch::raise_loads() {
     if (verdict.cause == Cause::none) {
       // The fewer steps this load has taken, the further off the next one may be.
       point_.step *= iterations_ == 1 ? 1.5 : iterations_ <= 3 ? 1.0 : 0.7;
-      if (watch_->goes_on(point_, found_)) continue;
+      if (goes_on()) continue;
       return {Cause::stopped, stopped, load};
     }
     // A linear solver that fails, or steps that creep at the whole load, end the search.
@@ -107,58 +112,83 @@ bool PrestressSearch::can_lean() const {
          has_springs(settings_->options.conditions);
 }
 
-// A linear solver that fails says nothing of the wall.
+// A linear solver that fails, or a cap that is too low, says nothing of the wall.
 bool PrestressSearch::may_lean(const Verdict& verdict) const {
   const bool is_of_wall = verdict.cause == Cause::nonlinear || verdict.cause == Cause::creeps;
   return is_of_wall && can_lean();
 }
 
 // A wall that creeps at the whole load is nearly in balance, and goes on from there. One that bears
-// no more is far off, and begins anew.
-void PrestressSearch::lean(const Verdict& verdict) {
-  watch_->say("the wall alone does not bear " + formatted("%.3g", verdict.load) + " of the load (" +
-              verdict.reason + "): the tissue around it holds the rest");
-  point_.leans = true;
-  point_.step = 0.0;
-  balance_ = std::make_unique<PrestressBalance>(*settings_, *wall_, true);
-  Prestress start{{}, algebra::BlockVector(wall_->space())};
-  if (verdict.cause == Cause::creeps)
-    start = copy_of(found_);
-  else
-    point_.load = 0.0;
-  start.offset.assign(wall_->mesh().n_nodes(), Vec3{});
-  go_back_to(start);
+// no more is far off, and begins anew, as does one that cannot go on.
+PrestressSearch::Verdict PrestressSearch::lean(const Verdict& verdict) {
+  const std::string load =
+      verdict.load == 1.0 ? "all" : formatted("%.3g", verdict.load);  // of the load
+  watch_->say("the wall alone does not bear " + load + " of the load (" + verdict.reason +
+              "): the tissue around it holds the rest");
+  if (verdict.cause == Cause::creeps) {
+    begin_to_lean(copy_of(found_), point_.load);
+    const Verdict leaning = raise_loads();
+    if (leaning.cause != Cause::nonlinear) return leaning;
+  }
+  begin_to_lean({{}, algebra::BlockVector(wall_->space())}, 0.0);
+  return raise_loads();
 }
 
-/// What is left of the stretch of springs that are released; how far this must bring down what they
-/// hold for another time; and how often at most.
-constexpr double left_after_release = 0.25, worthwhile = 0.8;
+void PrestressSearch::begin_to_lean(const Prestress& start, double load) {
+  point_.leans = true;
+  point_.step = 0.0;
+  point_.load = load;
+  balance_ = std::make_unique<PrestressBalance>(*settings_, *wall_, true);
+  Prestress relaxed = copy_of(start);
+  relaxed.offset.assign(wall_->mesh().n_nodes(), Vec3{});
+  go_back_to(relaxed);
+}
+
+/// What is left of the stretch of springs that are released, and where that was too much at once;
+/// how far a release must bring down what they hold for another one; and how many there may be.
+constexpr double left_at_first = 0.25, left_then = 0.625, worthwhile = 0.8;
 constexpr int most_releases = 10;
 
 // o ← o/4, and steps until all is in balance: of what springs of stiffness k let go, a wall of
 // stiffness K takes over K/(K + k). The last state in balance is the answer.
 PrestressSearch::Verdict PrestressSearch::release() {
-  for (int k = 0; k < most_releases; ++k) {
-    const Prestress before = copy_of(found_);
+  std::string last_reason;
+  for (int k = std::max(0, point_.releases - 1); k < most_releases; ++k) {
     const double held = held_by_tissue().mean;
-    for (Vec3& o : found_.offset) o = left_after_release * o;
-    ++point_.load_step;
-    const Verdict verdict = bear(1.0);
+    point_.releases = k + 1;
+    balanced_ = {copy_of(found_), point_};
+    Verdict verdict = release_once(left_at_first);
+    if (verdict.cause == Cause::nonlinear) verdict = release_once(left_then);
     if (verdict.cause == Cause::stopped) return verdict;
-    if (verdict.cause != Cause::none) {
-      go_back_to(before);
-      ++point_.load_step;
-      const Verdict last = bear(1.0);  // within the goal at once: the row of the answer
-      if (last.cause != Cause::none) return last;
-    }
+    last_reason = verdict.reason;
     if (verdict.cause != Cause::none || held_by_tissue().mean > worthwhile * held) break;
   }
+  balanced_.reset();
+  if (!last_reason.empty()) {
+    ++point_.load_step;
+    const Verdict answer = bear(1.0);  // within the goal at once: the row of the answer
+    if (answer.cause != Cause::none) return answer;
+  }
   const TissueHold hold = held_by_tissue();
-  watch_->say(
-      formatted("the tissue holds %.3g kPa (root mean square), at most %.3g kPa at "
-                "(%.3g, %.3g, %.3g)",
-                hold.mean, hold.most, hold.at[0], hold.at[1], hold.at[2]));
+  watch_->say(formatted("the tissue holds %.3g kPa (root mean square), at most %.3g kPa at "
+                        "(%.3g, %.3g, %.3g)",
+                        hold.mean, hold.most, hold.at[0], hold.at[1], hold.at[2]) +
+              (last_reason.empty() ? "" : "; less was not found: " + last_reason));
   return {};
+}
+
+// From the balanced state, and back to it where it fails.
+PrestressSearch::Verdict PrestressSearch::release_once(double left) {
+  for (Vec3& o : found_.offset) o = left * o;
+  ++point_.load_step;
+  const Verdict verdict = bear(1.0);
+  if (verdict.cause != Cause::none && verdict.cause != Cause::stopped) go_back_to(balanced_->state);
+  return verdict;
+}
+
+bool PrestressSearch::goes_on() const {
+  return balanced_ ? watch_->goes_on(balanced_->point, balanced_->state)
+                   : watch_->goes_on(point_, found_);
 }
 
 TissueHold PrestressSearch::held_by_tissue() const {
@@ -199,7 +229,7 @@ PrestressSearch::Verdict PrestressSearch::bear(double load) {
     if (verdict.cause != Cause::none) return verdict;
     point_.load = load;
     point_.shape = method_->shape();
-    if (load == 1.0 && !watch_->goes_on(point_, found_)) return {Cause::stopped, stopped};
+    if (load == 1.0 && !goes_on()) return {Cause::stopped, stopped};
     history.push_back(now.moved);
     // On the way the next load may come where the step has left less than 0.3 of the residual, or
     // is shorter than a fifth of the first one.
@@ -212,7 +242,7 @@ PrestressSearch::Verdict PrestressSearch::bear(double load) {
     if (k > patience && now.moved > 0.5 * history[k - 1 - patience])
       return {Cause::creeps, "steps do not get shorter than " + std::to_string(now.moved) + " mm"};
   }
-  return {Cause::creeps, std::to_string(most) + " steps (\"max iterations\") are not enough"};
+  return {Cause::cap, std::to_string(most) + " steps (\"max iterations\") are not enough"};
 }
 
 // A step is reported with the range of det G whether it was taken or not.
@@ -330,6 +360,8 @@ std::string PrestressSearch::failure(const Verdict& verdict) const {
                ? ". Use another preconditioner in Wall / Linear Solver, or method = direct"
            : verdict.cause == Cause::creeps
                ? ". Is it held firmly enough (support, clamped ends)? Or use a larger \"tolerance\""
+           : verdict.cause == Cause::cap
+               ? ". Permit more, or use a larger \"tolerance\""
                : ". Is the wall too soft or too thin there for the pressure, or an element bad?");
   return text.str();
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "tunica/problems/prestress.hpp"
 #include "tunica/problems/prestress_balance.hpp"
@@ -17,7 +18,7 @@ public:
 
 private:
   /// Why a load was given up; what the answer depends on.
-  enum class Cause { none, linear_solver, nonlinear, creeps, stopped };
+  enum class Cause { none, linear_solver, nonlinear, creeps, cap, stopped };
   struct Verdict {
     Cause cause = Cause::none;
     std::string reason{};
@@ -27,8 +28,11 @@ private:
   Verdict raise_loads();
   bool can_lean() const;
   bool may_lean(const Verdict& verdict) const;
-  void lean(const Verdict& verdict);
+  Verdict lean(const Verdict& verdict);
+  void begin_to_lean(const Prestress& start, double load);
   Verdict release();
+  Verdict release_once(double left);
+  bool goes_on() const;
   TissueHold held_by_tissue() const;
   Verdict bear(double load);
   Verdict iterate(PrestressIteration& now);
@@ -52,6 +56,13 @@ private:
   std::unique_ptr<PrestressMethod> method_;
   Prestress found_;
   PrestressPoint point_;
+  /// Where a release has begun, in balance; empty without one. A search that is stopped within it
+  /// goes on there.
+  struct Balanced {
+    Prestress state;
+    PrestressPoint point;
+  };
+  std::optional<Balanced> balanced_;
   std::string refusal_;  ///< why the last step was not taken
   double goal_;          ///< how far the wall may be off the mesh [mm]
   int iterations_ = 0;   ///< at the last load

@@ -43,7 +43,7 @@ TissueHold tissue_hold(const std::vector<boundary::Condition>& conditions,
       if (face.surface != surface || !face.is_owned) continue;
       const auto x = assembly::gather(mesh.x, face.nodes), o = assembly::gather(offset, face.nodes);
       const Vec3 n = kernels::area_normal(x), mean = 1.0 / 3.0 * (o[0] + o[1] + o[2]);
-      const double area = norm(n);  // twice
+      const double area = norm(n);
       const double stretch = springs.is_normal ? std::abs(dot(n, mean)) / area : norm(mean);
       const double t = springs.stiffness * stretch;
       sums[0] += area * t * t;

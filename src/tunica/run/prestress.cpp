@@ -36,6 +36,7 @@ public:
     table_.row({now.load_step, now.iteration, now.load, now.linear, now.residual, now.moved,
                 now.goal, now.least, now.most, now.tissue.mean, now.tissue.most, now.seconds,
                 now.reason});
+    if (now.load < last_load_) last_load_ = 0.0;  // it has begun anew
     ++iterations_;
     linear_ += now.linear;
     print(now);
@@ -104,7 +105,7 @@ void save(const problems::PrestressPoint& point, problems::SolidProblem& wall,
   output::CheckpointHead head;
   head.mesh = output.fingerprint;
   head.control[point_name] = {point.load, point.step, double(point.load_step),
-                              point.leans ? 1.0 : 0.0};
+                              point.leans ? 1.0 : 0.0, double(point.releases)};
   head.parameters = output.parameters;
   head.files = output.files;
   output::StateSources states;
@@ -129,6 +130,7 @@ problems::PrestressPoint restore(const std::string& path, problems::SolidProblem
   const std::vector<double>& numbers = file->head().control.at(point_name);
   problems::PrestressPoint point{numbers.at(0), numbers.at(1), static_cast<int>(numbers.at(2)),
                                  numbers.size() > 3 && numbers[3] != 0.0};
+  if (numbers.size() > 4) point.releases = static_cast<int>(numbers[4]);
   const fields::State state = file->read(point_name, fields::state_on(wall.mesh()).places, comm);
   if (state.has_array(shape_name))
     point.shape = fields::as_vectors(state.array(shape_name, 3).values);
