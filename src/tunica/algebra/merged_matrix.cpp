@@ -4,6 +4,7 @@
 
 #include "tunica/algebra/dof_layout.hpp"
 #include "tunica/algebra/entry_offsets.hpp"
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::algebra {
@@ -14,19 +15,6 @@ namespace {
 struct NumberedBlock {
   const CrsMatrix* matrix;
   std::vector<GlobalOrdinal> rows, columns;
-
-  void insert_graph(CrsMatrix& merged) const {
-    const auto local = matrix->getLocalMatrixHost();
-    std::vector<GlobalOrdinal> numbers;
-    for (int i = 0; i < local.numRows(); ++i) {
-      const auto row = local.rowConst(i);
-      numbers.clear();
-      for (int k = 0; k < row.length; ++k) numbers.push_back(columns[row.colidx(k)]);
-      const std::vector<Scalar> zeros(numbers.size(), 0.0);
-      merged.insertGlobalValues(rows[i], Teuchos::arrayViewFromVector(numbers),
-                                Teuchos::arrayViewFromVector(zeros));
-    }
-  }
 };
 
 std::vector<NumberedBlock> numbered_blocks(const BlockMatrix& K) {
@@ -40,24 +28,61 @@ std::vector<NumberedBlock> numbered_blocks(const BlockMatrix& K) {
   return blocks;
 }
 
-std::size_t longest_row(const BlockMatrix& K) {
-  std::size_t longest = 0;
-  for (int i = 0; i < K.n_blocks(); ++i) {
-    std::size_t sum = 0;
-    for (int j = 0; j < K.n_blocks(); ++j)
-      if (!K(i, j).is_null()) sum += longest_local_row(*K(i, j));
-    longest = std::max(longest, sum);
-  }
-  return longest;
+/// The rows, and behind them the columns of other ranks that the blocks reach, rank by rank.
+Teuchos::RCP<const Map> map_with_ghosts(const std::vector<NumberedBlock>& blocks,
+                                        const Teuchos::RCP<const Map>& rows) {
+  std::vector<GlobalOrdinal> ghosts;
+  for (const NumberedBlock& block : blocks)
+    for (const GlobalOrdinal column : block.columns)
+      if (!rows->isNodeGlobalElement(column)) ghosts.push_back(column);
+  std::sort(ghosts.begin(), ghosts.end());
+  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+  std::vector<int> owners(ghosts.size());
+  rows->getRemoteIndexList(Teuchos::arrayViewFromVector(ghosts),
+                           Teuchos::arrayViewFromVector(owners));
+  std::vector<std::pair<int, GlobalOrdinal>> by_rank;
+  for (std::size_t k = 0; k < ghosts.size(); ++k) by_rank.emplace_back(owners[k], ghosts[k]);
+  std::sort(by_rank.begin(), by_rank.end());
+  const auto own = global_numbers(*rows);
+  std::vector<GlobalOrdinal> all(own.begin(), own.end());
+  for (const auto& [owner, ghost] : by_rank) all.push_back(ghost);
+  return Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
+                              Teuchos::arrayViewFromVector(all), 0, rows->getComm()));
 }
 
-/// All values zero.
+/// All values zero. Rows of a block follow each other as they are merged, each with its columns in
+/// the order of those: a row of the whole is a few runs that ascend.
 Teuchos::RCP<CrsMatrix> merged_graph(const BlockMatrix& K) {
+  const std::vector<NumberedBlock> blocks = numbered_blocks(K);
   const auto map = DofLayout(*K.space()).merged_map(*K.space());
-  const auto merged = Teuchos::rcp(new CrsMatrix(map, longest_row(K)));
-  for (const NumberedBlock& block : numbered_blocks(K)) block.insert_graph(*merged);
-  merged->fillComplete(map, map);
-  return merged;
+  const auto with_ghosts = map_with_ghosts(blocks, map);
+  const std::size_t n = global_numbers(*map).size();
+  std::vector<std::vector<int>> rows, columns;  // of each block
+  RowStart row_start("row start", n + 1);
+  for (const NumberedBlock& block : blocks) {
+    rows.push_back(local_numbers(block.rows, *map));
+    columns.push_back(local_numbers(block.columns, *with_ghosts));
+    const auto local = block.matrix->getLocalMatrixHost();
+    for (int i = 0; i < local.numRows(); ++i)
+      row_start(rows.back()[i] + 1) += local.rowConst(i).length;
+  }
+  for (std::size_t i = 0; i < n; ++i) row_start(i + 1) += row_start(i);
+  LocalColumns merged("columns", row_start(n));
+  std::vector<std::size_t> end(row_start.data(), row_start.data() + n);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const auto local = blocks[b].matrix->getLocalMatrixHost();
+    for (int i = 0; i < local.numRows(); ++i) {
+      const auto row = local.rowConst(i);
+      int *const first = merged.data() + row_start(rows[b][i]), *const middle =
+                                                                    merged.data() + end[rows[b][i]];
+      int* last = middle;
+      for (int k = 0; k < row.length; ++k) *last++ = columns[b][row.colidx(k)];
+      if (!std::is_sorted(middle, last)) std::sort(middle, last);
+      std::inplace_merge(first, middle, last);
+      end[rows[b][i]] += row.length;
+    }
+  }
+  return matrix_on(static_graph(map, with_ghosts, row_start, merged, map));
 }
 
 }  // namespace
