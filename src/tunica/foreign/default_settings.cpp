@@ -120,8 +120,8 @@ double break_even(const DefaultChoice& choice, const algebra::BlockMatrix& K, do
   return is_in_space && choice.reason == c_stabilises ? operations / 3.0 : operations;
 }
 
-/// A count by the graph of nodes is at most this many times the true one. Counted in the arena were
-/// 0.14 (Q1–Q1 in the plane, whose fill is of other unknowns, too) to 3 (bubbles) times as many.
+/// A count by the graph of nodes is taken for too many where it is this many times what may be. In
+/// the arena it is 0.14 (Q1–Q1 in the plane) to 1.7, with bubbles 3 times the true one.
 constexpr double most_excess = 2.0;
 
 /// Operations that factors take per entry of K, about: b³ times those of the graph of the nodes,

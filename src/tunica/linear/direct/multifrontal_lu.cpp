@@ -134,8 +134,8 @@ MultifrontalLu::MultifrontalLu(const Teuchos::RCP<const CrsMatrix>& A, double mo
       entries_.columns.push_back(1 + row_of_column[K.graph.entries(k)]);
     }
   if (most_operations > 0.0) {
-    // w³/4 with the narrowest level w. Nested dissection takes from 3 (Q1–Q1 in a cube) to 25 times
-    // as many (in the plane).
+    // w³/4 with the narrowest level w. Orders in the arena take from 5 (Taylor–Hood in space) to
+    // 1,000 times as many.
     const double least =
         0.25 * std::pow(narrowest_level(static_cast<int>(K.numRows()), entries_), 3);
     if (least > most_operations) least_operations_ = least;
