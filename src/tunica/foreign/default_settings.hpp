@@ -35,10 +35,10 @@ struct DefaultChoice {
 /// matrix (twice as many for Braess and Sarazin's sweeps, a third for incomplete factors in space;
 /// 0: none), and last, for all of up to 300,000 unknowns. Between: multigrid for all unknowns,
 /// smoothed by incomplete factors where C stabilises, by Braess and Sarazin's sweeps where it is
-/// zero or scalars are few; the fields in turn (block LU), which come first where A is diagonal;
-/// incomplete factors. For one field multigrid with Gauss-Seidel. The first of these is given up
-/// where it is slow, vectors have fewer than three components and sparse LU takes at most 20,000
-/// operations per entry. Collective.
+/// zero or scalars are few; the fields in turn (block LU), which come first where A is diagonal, or
+/// of fluxes and near it; incomplete factors. For one field multigrid with Gauss-Seidel. The first
+/// of these is given up where it is slow, vectors have fewer than three components and sparse LU
+/// takes at most 20,000 operations per entry. Collective.
 DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations,
                                const linear::NamedOperators& operators = linear::no_operators());
 

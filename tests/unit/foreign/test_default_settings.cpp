@@ -95,7 +95,7 @@ TEUCHOS_UNIT_TEST(default_settings, follow_what_the_matrix_is) {
               (Names{"multigrid, incomplete factors", "multigrid, Braess-Sarazin", "field by field",
                      "ILU(1)", "direct at any cost"}));
   TEST_EQUALITY(stabilised.reason, "C stabilises");
-  const auto zero = foreign::default_settings(blocks(true, 0.0), 0.0);
+  const auto zero = foreign::default_settings(blocks(true, 0.0, true, 1, 2), 0.0);
   TEST_ASSERT(names(zero) == (Names{"multigrid, Braess-Sarazin", "field by field", "ILU(1)",
                                     "direct at any cost"}));
   TEST_EQUALITY(foreign::in_words(zero), "\"multigrid, Braess-Sarazin\" (C is zero)");
@@ -107,12 +107,16 @@ TEUCHOS_UNIT_TEST(default_settings, follow_what_the_matrix_is) {
   const auto diagonal = foreign::default_settings(blocks(true, 0.0, false), 0.0);
   TEST_EQUALITY(names(diagonal).front(), "field by field");
   TEST_EQUALITY(diagonal.reason, "A is diagonal");
+  // Pairs [2 -1; -1 2] are near their diagonal, which counts for fluxes, of one component.
+  const auto fluxes = foreign::default_settings(blocks(true, 0.0), 0.0);
+  TEST_EQUALITY(names(fluxes).front(), "field by field");
+  TEST_EQUALITY(fluxes.reason, "A is near its diagonal");
   TEST_ASSERT(names(foreign::default_settings(blocks(false, 0.0), 0.0)) ==
               (Names{"multigrid, Gauss-Seidel", "ILU(1)", "direct at any cost"}));
 }
 
 TEUCHOS_UNIT_TEST(default_settings, factors_come_first_while_they_are_few_for_the_matrix) {
-  const auto choice = foreign::default_settings(blocks(true, 0.0), 1500.0);
+  const auto choice = foreign::default_settings(blocks(true, 0.0, true, 1, 2), 1500.0);
   TEST_ASSERT(names(choice) ==
               (Names{"direct", "multigrid, Braess-Sarazin", "direct where that is slow",
                      "multigrid, Braess-Sarazin to the end", "field by field", "ILU(1)",
