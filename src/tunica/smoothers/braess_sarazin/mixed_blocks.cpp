@@ -1,37 +1,71 @@
 #include "tunica/smoothers/braess_sarazin/mixed_blocks.hpp"
 
+#include <algorithm>
+
 #include "tunica/algebra/entry_offsets.hpp"
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::smoothers {
 
 namespace {
 
-/// The entries of K in the rows and columns of one block each.
+/// Columns of K that a block has: all of its own, and behind them those of other ranks that its
+/// rows reach, in the order of K.
+struct BlockColumns {
+  Teuchos::RCP<const Map> map;
+  std::vector<int> local;  ///< of each column of K; -1: it is not in the block
+};
+
+BlockColumns columns_of(const CrsMatrix& K, int row_block, int column_block,
+                        const algebra::DofLayout& numbering,
+                        const Teuchos::RCP<const Map>& columns) {
+  const auto local = K.getLocalMatrixHost();
+  std::vector<char> is_reached(local.numCols(), 0);
+  for (int i = 0; i < local.numRows(); ++i) {
+    if (numbering.block_of(K.getRowMap()->getGlobalElement(i)) != row_block) continue;
+    const auto row = local.rowConst(i);
+    for (int k = 0; k < row.length; ++k) is_reached[row.colidx(k)] = 1;
+  }
+  const auto own = global_numbers(*columns);
+  std::vector<GlobalOrdinal> numbers(own.begin(), own.end());
+  BlockColumns found{{}, std::vector<int>(local.numCols(), -1)};
+  for (int j = 0; j < local.numCols(); ++j) {
+    const GlobalOrdinal number = K.getColMap()->getGlobalElement(j);
+    if (numbering.block_of(number) != column_block) continue;
+    found.local[j] = columns->getLocalElement(numbering.in_block(number));
+    if (found.local[j] >= 0 || is_reached[j] == 0) continue;
+    found.local[j] = static_cast<int>(numbers.size());
+    numbers.push_back(numbering.in_block(number));
+  }
+  found.map = Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
+                                   Teuchos::arrayViewFromVector(numbers), 0, columns->getComm()));
+  return found;
+}
+
+/// The entries of K in the rows and columns of one block each, all zero: values are copied by their
+/// offsets with each new matrix.
 Teuchos::RCP<CrsMatrix> block(const CrsMatrix& K, int row_block, int column_block,
                               const algebra::DofLayout& numbering,
                               const Teuchos::RCP<const Map>& rows,
                               const Teuchos::RCP<const Map>& columns) {
-  const auto result = Teuchos::rcp(new CrsMatrix(rows, longest_local_row(K)));
+  const BlockColumns of_block = columns_of(K, row_block, column_block, numbering, columns);
   const auto local = K.getLocalMatrixHost();
-  std::vector<GlobalOrdinal> numbers;
+  algebra::RowStart row_start("row start", global_numbers(*rows).size() + 1);
+  std::vector<int> all;
+  std::size_t n_rows = 0;
   for (int i = 0; i < local.numRows(); ++i) {
-    const GlobalOrdinal row_number = K.getRowMap()->getGlobalElement(i);
-    if (numbering.block_of(row_number) != row_block) continue;
+    if (numbering.block_of(K.getRowMap()->getGlobalElement(i)) != row_block) continue;
     const auto row = local.rowConst(i);
-    numbers.clear();
-    for (int k = 0; k < row.length; ++k) {
-      const GlobalOrdinal number = K.getColMap()->getGlobalElement(row.colidx(k));
-      if (numbering.block_of(number) == column_block) numbers.push_back(numbering.in_block(number));
-    }
-    // The graph alone, as values are copied by their offsets with each new matrix.
-    const std::vector<Scalar> zeros(numbers.size(), 0.0);
-    result->insertGlobalValues(numbering.in_block(row_number),
-                               Teuchos::arrayViewFromVector(numbers),
-                               Teuchos::arrayViewFromVector(zeros));
+    const auto begin = static_cast<std::ptrdiff_t>(all.size());
+    for (int k = 0; k < row.length; ++k)
+      if (const int column = of_block.local[row.colidx(k)]; column >= 0) all.push_back(column);
+    std::sort(all.begin() + begin, all.end());
+    row_start(++n_rows) = all.size();
   }
-  result->fillComplete(columns, rows);
-  return result;
+  algebra::LocalColumns entries("columns", all.size());
+  std::copy(all.begin(), all.end(), entries.data());
+  return algebra::matrix_on(algebra::static_graph(rows, of_block.map, row_start, entries, columns));
 }
 
 // Where each value of a block stands among those of K.
