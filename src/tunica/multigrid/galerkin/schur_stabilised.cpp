@@ -1,8 +1,10 @@
 #include "tunica/multigrid/galerkin/schur_stabilised.hpp"
 
 #include <TpetraExt_MatrixMatrix.hpp>
+#include <algorithm>
 
 #include "tunica/algebra/entry_offsets.hpp"
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::multigrid {
@@ -12,24 +14,23 @@ namespace {
 /// Rows of scalars with columns of vectors, or the other way round, without values.
 Teuchos::RCP<CrsMatrix> coupling(const CrsMatrix& K, const algebra::DofLayout& numbering,
                                  bool has_scalar_rows) {
-  const auto part = Teuchos::rcp(new CrsMatrix(K.getRowMap(), longest_local_row(K)));
   const auto local = K.getLocalMatrixHost();
-  std::vector<GlobalOrdinal> columns;
+  std::vector<char> is_wanted;
+  for (int j = 0; j < local.numCols(); ++j)
+    is_wanted.push_back(numbering.is_scalar(K.getColMap()->getGlobalElement(j)) != has_scalar_rows);
+  algebra::RowStart row_start("row start", local.numRows() + 1);
+  std::vector<int> all;
   for (int i = 0; i < local.numRows(); ++i) {
-    const GlobalOrdinal row = K.getRowMap()->getGlobalElement(i);
-    if (numbering.is_scalar(row) != has_scalar_rows) continue;
-    const auto entries = local.rowConst(i);
-    columns.clear();
-    for (int k = 0; k < entries.length; ++k) {
-      const GlobalOrdinal column = K.getColMap()->getGlobalElement(entries.colidx(k));
-      if (numbering.is_scalar(column) != has_scalar_rows) columns.push_back(column);
-    }
-    const std::vector<Scalar> zeros(columns.size(), 0.0);
-    part->insertGlobalValues(row, Teuchos::arrayViewFromVector(columns),
-                             Teuchos::arrayViewFromVector(zeros));
+    const auto row = local.rowConst(i);
+    if (numbering.is_scalar(K.getRowMap()->getGlobalElement(i)) == has_scalar_rows)
+      for (int k = 0; k < row.length; ++k)
+        if (is_wanted[row.colidx(k)]) all.push_back(row.colidx(k));
+    row_start(i + 1) = all.size();
   }
-  part->fillComplete(K.getDomainMap(), K.getRangeMap());
-  return part;
+  algebra::LocalColumns columns("columns", all.size());
+  std::copy(all.begin(), all.end(), columns.data());
+  return algebra::matrix_on(
+      algebra::static_graph(K.getRowMap(), K.getColMap(), row_start, columns, K.getDomainMap()));
 }
 
 void add(double factor, const CrsMatrix& part, const std::vector<int>& places, CrsMatrix& whole) {
