@@ -5,6 +5,7 @@
 #include "tunica/algebra/dof_layout.hpp"
 #include "tunica/algebra/entry_offsets.hpp"
 #include "tunica/algebra/static_matrix.hpp"
+#include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::algebra {
@@ -46,8 +47,7 @@ Teuchos::RCP<const Map> map_with_ghosts(const std::vector<NumberedBlock>& blocks
   const auto own = global_numbers(*rows);
   std::vector<GlobalOrdinal> all(own.begin(), own.end());
   for (const auto& [owner, ghost] : by_rank) all.push_back(ghost);
-  return Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
-                              Teuchos::arrayViewFromVector(all), 0, rows->getComm()));
+  return map_of(all, rows->getComm());
 }
 
 /// All values zero. Rows of a block follow each other as they are merged, each with its columns in

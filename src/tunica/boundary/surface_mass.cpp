@@ -28,9 +28,7 @@ std::vector<Vec3> surface_density(const fields::FieldMesh& mesh, const std::vect
   for (const fields::Face& face : mesh.faces)
     for (const int a : face.nodes)
       if (a < mesh.n_owned) D[a] += area_of(face) / 3.0;
-  Vector owned(mesh.vector_map);
-  fields::store(over_area(D, force), mesh, owned);
-  const std::vector<Vec3> t = fields::ghosted_vectors(mesh, owned);
+  const std::vector<Vec3> t = fields::ghosted_vectors(mesh, over_area(D, force));
   std::vector<Vec3> Mt(mesh.n_owned);
   for (const fields::Face& face : mesh.faces) {
     const double m = area_of(face) / 12.0;

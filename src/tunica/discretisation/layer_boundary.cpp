@@ -29,9 +29,7 @@ std::vector<char> at_layer_boundary(const fields::FieldMesh& mesh,
       if (found[a] >= 0 && found[a] != here) is_between[a][0] = 1.0;
       found[a] = here;
     }
-  Vector owned(mesh.vector_map);
-  fields::store(is_between, mesh, owned);
-  is_between = fields::ghosted_vectors(mesh, owned);
+  is_between = fields::ghosted_vectors(mesh, is_between);
   std::vector<char> flags;
   for (const auto& nodes : mesh.tets)
     flags.push_back(

@@ -297,11 +297,9 @@ std::string Solid::restore_history(const fields::State& state, const algebra::Bl
                    (options_.has_prestress ? "none" : "one") +
                    ". A run continues with the prestress it began with.");
   spring_offset_.clear();
-  if (state.has_array(offset_name)) {
-    Vector owned(mesh_->vector_map);
-    fields::store(fields::as_vectors(state.array(offset_name, 3).values), *mesh_, owned);
-    spring_offset_ = fields::ghosted_vectors(*mesh_, owned);
-  }
+  if (state.has_array(offset_name))
+    spring_offset_ =
+        fields::ghosted_vectors(*mesh_, fields::as_vectors(state.array(offset_name, 3).values));
   return MixedField::restore_history(state, x);
 }
 

@@ -261,6 +261,12 @@ std::vector<Vec3> ghosted_vectors(const FieldMesh& mesh, const Vector& v) {
   return nodal_vectors(ghosted, mesh.n_nodes());
 }
 
+std::vector<Vec3> ghosted_vectors(const FieldMesh& mesh, const std::vector<Vec3>& values) {
+  Vector owned(mesh.vector_map);
+  store(values, mesh, owned);
+  return ghosted_vectors(mesh, owned);
+}
+
 std::vector<double> ghosted_scalars(const FieldMesh& mesh, const Vector& v) {
   Vector ghosted(mesh.ghosted_map, false);
   ghosted.doImport(v, *mesh.import, Tpetra::INSERT);

@@ -108,6 +108,8 @@ std::vector<Vec3> owned_vectors(const FieldMesh& mesh, const Vector& v);
 
 /// Nodal values on owned and ghost nodes. Collective.
 std::vector<Vec3> ghosted_vectors(const FieldMesh& mesh, const Vector& v);
+/// From values of which those of owned nodes count.
+std::vector<Vec3> ghosted_vectors(const FieldMesh& mesh, const std::vector<Vec3>& values);
 std::vector<double> ghosted_scalars(const FieldMesh& mesh, const Vector& v);
 
 /// Copies the owned part of nodal values into a distributed vector.

@@ -78,9 +78,7 @@ std::vector<Vec3> smooth_gradient(const fields::FieldMesh& mesh, const std::vect
   }
   // g_a = Σ_e V_e ∇φ_e / Σ_e V_e at the nodes, then the mean of an element's four
   for (int a = 0; a < mesh.n_owned; ++a) sum[a] = 1.0 / volume[a] * sum[a];
-  Vector owned(mesh.vector_map);
-  fields::store(sum, mesh, owned);
-  const std::vector<Vec3> nodal = fields::ghosted_vectors(mesh, owned);
+  const std::vector<Vec3> nodal = fields::ghosted_vectors(mesh, sum);
   std::vector<Vec3> mean;
   for (const auto& nodes : mesh.tets)
     mean.push_back(0.25 * (nodal[nodes[0]] + nodal[nodes[1]] + nodal[nodes[2]] + nodal[nodes[3]]));

@@ -14,7 +14,7 @@ template <class Function>
 std::vector<Mat3> of_gradients(const std::vector<Vec3>& s, const fields::FieldMesh& mesh,
                                const Function& f) {
   // ∇s of an element between ranks takes s at ghosts, too.
-  const std::vector<Vec3> all = with_ghosts(s, mesh);
+  const std::vector<Vec3> all = fields::ghosted_vectors(mesh, s);
   const assembly::ElementGeometry geometry(mesh, mesh.x);
   std::vector<Mat3> values(mesh.tets.size());
   for (std::size_t e = 0; e < values.size(); ++e)
@@ -87,12 +87,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<Vec3> with_ghosts(const std::vector<Vec3>& values, const fields::FieldMesh& mesh) {
-  Vector owned(mesh.vector_map);
-  fields::store(values, mesh, owned);
-  return fields::ghosted_vectors(mesh, owned);
-}
 
 std::unique_ptr<PrestressMethod> make_prestress_method(bool is_by_shape,
                                                        const fields::FieldMesh& mesh) {

@@ -26,7 +26,4 @@ public:
 std::unique_ptr<PrestressMethod> make_prestress_method(bool is_by_shape,
                                                        const fields::FieldMesh& mesh);
 
-/// Values of owned nodes, with those of ghosts behind them. Collective.
-std::vector<Vec3> with_ghosts(const std::vector<Vec3>& values, const fields::FieldMesh& mesh);
-
 }  // namespace tunica::problems

@@ -195,13 +195,17 @@ TissueHold PrestressSearch::held_by_tissue() const {
   return tissue_hold(settings_->options.conditions, wall_->mesh(), found_.offset);
 }
 
+Outcome PrestressSearch::put(const std::vector<Mat3>& prestretch, const std::vector<Vec3>& offset) {
+  balance_->wall().field().set_spring_offset(offset);
+  return balance_->wall().field().set_prestretch(prestretch);
+}
+
 // G, p and o of the point, d = 0. They have been admissible before.
 void PrestressSearch::go_back_to(const Prestress& point) {
   found_.prestretch = point.prestretch;
   found_.offset = point.offset;
   found_.state["pressure"].assign(point.state["pressure"]);
-  balance_->wall().field().set_spring_offset(point.offset);
-  const Outcome outcome = balance_->wall().field().set_prestretch(point.prestretch);
+  const Outcome outcome = put(point.prestretch, point.offset);
   TUNICA_CHECK(outcome.is_success(), outcome.reason());
 }
 
@@ -262,8 +266,7 @@ PrestressSearch::Verdict PrestressSearch::iterate(PrestressIteration& now) {
 // 1, ½, ¼, ⅛ by which |R_u| falls
 PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
   algebra::BlockVector R(wall_->space()), dx(wall_->space());
-  balance_->wall().field().set_spring_offset(found_.offset);
-  Outcome begun = balance_->wall().field().set_prestretch(found_.prestretch);
+  Outcome begun = put(found_.prestretch, found_.offset);
   if (begun.is_success()) begun = balance_->residual(now.load, found_.state, R);
   if (begun.is_failure()) return {Cause::nonlinear, begun.reason()};
   // |R_u| before the step
@@ -279,8 +282,7 @@ PrestressSearch::Verdict PrestressSearch::improve(PrestressIteration& now) {
     for (Vec3& s : shorter) s = part * s;
     if (try_step(shorter, dx, part, before, now)) return {};
   }
-  balance_->wall().field().set_spring_offset(found_.offset);
-  const Outcome back = balance_->wall().field().set_prestretch(found_.prestretch);
+  const Outcome back = put(found_.prestretch, found_.offset);
   TUNICA_CHECK(back.is_success(), back.reason());
   if (now.goal > 0.0 && now.moved <= now.goal) return {};  // nothing is left but round-off
   return {Cause::nonlinear, refusal_};
@@ -295,11 +297,10 @@ bool PrestressSearch::try_step(const std::vector<Vec3>& s, const algebra::BlockV
   std::vector<Mat3> G = method_->prestretch_after(s, found_.prestretch);
   std::vector<Vec3> offset = found_.offset;
   if (point_.leans) {
-    const std::vector<Vec3> all = with_ghosts(s, wall_->mesh());
+    const std::vector<Vec3> all = fields::ghosted_vectors(wall_->mesh(), s);
     for (std::size_t a = 0; a < offset.size(); ++a) offset[a] += all[a];
   }
-  balance_->wall().field().set_spring_offset(offset);
-  Outcome outcome = balance_->wall().field().set_prestretch(G);
+  Outcome outcome = put(G, offset);
   if (outcome.is_success()) outcome = balance_->residual(now.load, state, R);
   if (outcome.is_failure()) {
     refusal_ = outcome.reason();

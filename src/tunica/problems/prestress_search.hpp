@@ -43,6 +43,8 @@ private:
                 double before, PrestressIteration& now);
   Prestress copy_of(const Prestress& point) const;
   void go_back_to(const Prestress& point);
+  /// Into the wall in balance.
+  Outcome put(const std::vector<Mat3>& prestretch, const std::vector<Vec3>& offset);
   void note_prestretch(PrestressIteration& now) const;
   std::string failure(const Verdict& verdict) const;
   std::string most_stretched() const;

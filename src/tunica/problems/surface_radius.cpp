@@ -25,9 +25,7 @@ double surface_radius(const fields::FieldMesh& mesh, const std::vector<int>& sur
   }
   for (Vec3& n : normals)
     if (norm(n) > 0.0) n = unit(n);
-  Vector owned(mesh.vector_map);
-  fields::store(normals, mesh, owned);
-  normals = fields::ghosted_vectors(mesh, owned);
+  normals = fields::ghosted_vectors(mesh, normals);
   // ∫ ∇_S·n dA = Σ_T Σ_a A ∇N_a·n_a = ½ Σ_T Σ_a (n × e_a)·n_a
   double area = 0.0, curvature = 0.0;
   for (const fields::Face& face : mesh.faces) {

@@ -4,6 +4,7 @@
 
 #include "tunica/algebra/entry_offsets.hpp"
 #include "tunica/algebra/static_matrix.hpp"
+#include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::smoothers {
@@ -38,8 +39,7 @@ BlockColumns columns_of(const CrsMatrix& K, int row_block, int column_block,
     found.local[j] = static_cast<int>(numbers.size());
     numbers.push_back(numbering.in_block(number));
   }
-  found.map = Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
-                                   Teuchos::arrayViewFromVector(numbers), 0, columns->getComm()));
+  found.map = map_of(numbers, columns->getComm());
   return found;
 }
 
