@@ -10,6 +10,7 @@
 #include "tunica/base/trilinos.hpp"
 #include "tunica/foreign/given_operators.hpp"
 #include "tunica/linear/direct/direct_factor.hpp"
+#include "tunica/linear/solvers/conjugate_gradients.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 
 namespace tunica::foreign {
@@ -69,29 +70,21 @@ Vector scattered_values(const Teuchos::RCP<const Map>& map) {
 constexpr int few_iterations = 10;
 constexpr double near_gain = 0.01;
 
-// x ← x + α p,  r ← r − α A p,  p ← D⁻¹r + β p, of A x = b with b of any kind
+// A x = b with b of any kind, preconditioned by D
 bool is_near_its_diagonal(const CrsMatrix& A) {
   Vector D(A.getRowMap());
   A.getLocalDiagCopy(D);
-  Vector r = scattered_values(A.getRowMap()), z(A.getRowMap()), Ap(A.getRowMap());
-  const double first = r.norm2();
-  Vector inverse(A.getRowMap());
-  inverse.reciprocal(D);
-  z.elementWiseMultiply(1.0, inverse, r, 0.0);
-  Vector p(z, Teuchos::Copy);
-  double rz = r.dot(z);
-  for (int k = 0; k < few_iterations; ++k) {
-    A.apply(p, Ap);
-    const double pAp = p.dot(Ap);
-    if (!(pAp > 0.0)) return false;  // nor where D has a zero
-    r.update(-rz / pAp, Ap, 1.0);
-    if (r.norm2() <= near_gain * first) return true;
-    z.elementWiseMultiply(1.0, inverse, r, 0.0);
-    const double next = r.dot(z);
-    p.update(1.0, z, next / rz);
-    rz = next;
+  CrsMatrix inverse(A.getRowMap(), A.getRowMap(), 1);
+  const auto diagonal = D.getLocalViewHost(read_only);
+  for (int i = 0; i < static_cast<int>(diagonal.extent(0)); ++i) {
+    const double value = 1.0 / diagonal(i, 0);  // no number where D is zero, which ends the solve
+    inverse.insertLocalValues(i, 1, &value, &i);
   }
-  return false;
+  inverse.fillComplete();
+  Vector r = scattered_values(A.getRowMap()), x(A.getRowMap());
+  const double goal = near_gain * r.norm2();
+  linear::conjugate_gradients(A, inverse, {goal}, few_iterations, r, x);
+  return r.norm2() <= goal;
 }
 
 SolverSetting resolved(const std::string& name, Teuchos::ParameterList list) {
