@@ -27,41 +27,39 @@ using Columns = std::vector<Teuchos::RCP<MultiVector>>;
 /// Iterations for nothing, one after the other, before it is ended.
 constexpr int most_standing = 3;
 
+/// |r|² behind an iteration against that before, up to which it is foretold.
+constexpr double least_foretold = 1e-10;
+
 /// Entries that stay in the nearest cache while all columns pass over them.
 constexpr int piece = 1024;
 
-/// Qᵀ v of the columns from the first on, with one message. It takes the votes of all ranks along,
-/// and makes their sum of this one's.
-std::vector<double> products(const Columns& Q, int first, const MultiVector& v,
-                             double* vote = nullptr) {
-  if (first == static_cast<int>(Q.size())) return {};
+/// Qᵀ v of the columns, of the rows of this rank.
+std::vector<double> local_products(const Columns& Q, const MultiVector& v) {
   const Teuchos::BLAS<int, double> blas;
   const int n = static_cast<int>(v.getLocalLength());
   const double* values = v.getLocalViewHost(read_only).data();
   std::vector<const double*> columns;
-  for (std::size_t i = first; i < Q.size(); ++i)
-    columns.push_back(Q[i]->getLocalViewHost(read_only).data());
-  std::vector<double> mine(columns.size(), 0.0);
+  for (const auto& q : Q) columns.push_back(q->getLocalViewHost(read_only).data());
+  std::vector<double> products(columns.size(), 0.0);
   for (int a = 0; a < n; a += piece)
     for (std::size_t i = 0; i < columns.size(); ++i)
-      mine[i] += blas.DOT(std::min(piece, n - a), columns[i] + a, 1, values + a, 1);
-  if (vote == nullptr) return global_sum(*v.getMap()->getComm(), mine);
-  mine.push_back(*vote);
-  std::vector<double> sums = global_sum(*v.getMap()->getComm(), mine);
-  *vote = sums.back();
-  sums.pop_back();
-  return sums;
+      products[i] += blas.DOT(std::min(piece, n - a), columns[i] + a, 1, values + a, 1);
+  return products;
 }
 
-/// v ← v + s Z c, by the columns from the first on.
-void add_columns(const Columns& Z, int first, double s, const std::vector<double>& c,
-                 MultiVector& v) {
+double local_product(const MultiVector& v, const MultiVector& w) {
+  const Teuchos::BLAS<int, double> blas;
+  return blas.DOT(static_cast<int>(v.getLocalLength()), v.getLocalViewHost(read_only).data(), 1,
+                  w.getLocalViewHost(read_only).data(), 1);
+}
+
+/// v ← v + s Z c, by the columns.
+void add_columns(const Columns& Z, double s, const std::vector<double>& c, MultiVector& v) {
   const Teuchos::BLAS<int, double> blas;
   const int n = static_cast<int>(v.getLocalLength());
   double* values = v.getLocalViewHost(read_write).data();
   std::vector<const double*> columns;
-  for (std::size_t i = first; i < Z.size(); ++i)
-    columns.push_back(Z[i]->getLocalViewHost(read_only).data());
+  for (const auto& z : Z) columns.push_back(z->getLocalViewHost(read_only).data());
   for (int a = 0; a < n; a += piece)
     for (std::size_t i = 0; i < columns.size(); ++i)
       blas.AXPY(std::min(piece, n - a), s * c[i], columns[i] + a, 1, values + a, 1);
@@ -80,32 +78,49 @@ void Directions::keep_first(int number) {
     if (static_cast<int>(columns->size()) > number) columns->resize(number);
 }
 
-bool Directions::add(const Teuchos::RCP<MultiVector>& z, const Teuchos::RCP<MultiVector>& q) {
-  // Two passes: the second takes out what round-off has left of the first. z gets the same
-  // combination as q, so that q = A z stays true.
-  const double before = norm(*q);
+// q ← q − Q Qᵀ q in two passes: the second takes out what round-off has left of the first. Each is
+// one message, which takes along the products with q as it is before the pass. What the second pass
+// takes out is round-off: for |q| behind it and qᵀ r products from before serve.
+Directions::Added Directions::add(const Teuchos::RCP<MultiVector>& z,
+                                  const Teuchos::RCP<MultiVector>& q, const MultiVector& r,
+                                  double vote) {
+  Added added;
+  double before = 0.0, square = 0.0;
   std::vector<double> all(q_.size(), 0.0);
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::vector<double> c = products(q_, 0, *q);  // c = Qᵀ q
-    add_columns(q_, 0, -1.0, c, *q);                    // q ← q − Q c
+  for (int pass = 0; pass < (q_.empty() ? 1 : 2); ++pass) {
+    std::vector<double> c = local_products(q_, *q);
+    for (const double more :
+         {local_product(*q, *q), local_product(*q, r), local_product(r, r), vote})
+      c.push_back(more);
+    c = global_sum(*r.getMap()->getComm(), c);  // c = Qᵀ q, qᵀ q, qᵀ r, rᵀ r
+    square = c[all.size()];
+    added.product = c[all.size() + 1];
+    added.square_of_r = c[all.size() + 2];
+    added.votes = c[all.size() + 3];
+    c.resize(all.size());
+    if (pass == 0) before = square;
     for (std::size_t i = 0; i < c.size(); ++i) all[i] += c[i];
+    for (const double of_q : c) square -= of_q * of_q;
+    add_columns(q_, -1.0, c, *q);  // q ← q − Q c
   }
-  add_columns(z_, 0, -1.0, all, *z);
-  const double after = norm(*q);
+  // z gets the same combination as q, so that q = A z stays true.
+  add_columns(z_, -1.0, all, *z);
   // Nothing but round-off is left: q lies in the span of Q.
-  if (!(after > 1e-10 * before)) return false;
-  q->scale(1.0 / after);
-  z->scale(1.0 / after);
+  added.is_new = square > 1e-20 * before;
+  if (!added.is_new) return added;
+  const double length = std::sqrt(square);
+  added.product /= length;
+  q->scale(1.0 / length);
+  z->scale(1.0 / length);
   z_.push_back(z);
   q_.push_back(q);
-  return true;
+  return added;
 }
 
-double Directions::minimise_from(int first, MultiVector& r, MultiVector& x, double vote) const {
-  const std::vector<double> c = products(q_, first, r, &vote);  // c = Qᵀ r
-  add_columns(z_, first, 1.0, c, x);                            // x ← x + Z c
-  add_columns(q_, first, -1.0, c, r);                           // r ← r − Q c
-  return vote;
+void Directions::minimise(MultiVector& r, MultiVector& x) const {
+  const std::vector<double> c = global_sum(*r.getMap()->getComm(), local_products(q_, r));
+  add_columns(z_, 1.0, c, x);   // x ← x + Z c
+  add_columns(q_, -1.0, c, r);  // r ← r − Q c
 }
 
 Gcr::Gcr(const Teuchos::RCP<Teuchos::ParameterList>& list) { setParameters(list); }
@@ -131,30 +146,34 @@ void Gcr::setParameters(const Teuchos::RCP<Teuchos::ParameterList>& list) {
   list_->validateParametersAndSetDefaults(*getValidParameters());
 }
 
-// x ← x + Z Qᵀ r of recycled directions, then new ones until |r| is small. After "Num Blocks" of
-// them the basis is dropped. A solve of one or two iterations leaves no new directions: there P is
-// good enough by itself.
+// r = b − A x, and x ← x + Z Qᵀ r of the recycled directions.
+void Gcr::begin(const Directions& basis, MultiVector& r, MultiVector& x) {
+  if (!(norm(x) == 0.0)) {
+    problem_->getOperator()->apply(x, r);
+    r.update(1.0, *problem_->getRHS(), -1.0);
+  }
+  scale_ = norm(*problem_->getRHS());
+  relative_residual_ = scale_ == 0.0 ? 0.0 : norm(r) / scale_;
+  if (basis.size() > 0 && relative_residual_ > list_->get<double>("Convergence Tolerance")) {
+    basis.minimise(r, x);
+    relative_residual_ = norm(r) / scale_;
+  }
+}
+
+// From recycled directions on, new ones until |r| is small. After "Num Blocks" of them the basis is
+// dropped. A solve of one or two iterations leaves no new directions: there P is good enough by
+// itself.
 Belos::ReturnType Gcr::solve() {
   const double tolerance = list_->get<double>("Convergence Tolerance");
   const int cap = list_->get<int>("Maximum Iterations");
   const int kept = list_->get<int>("Num Blocks");
   MultiVector& x = *problem_->getLHS();
-  const MultiVector& b = *problem_->getRHS();
-  MultiVector r(b, Teuchos::Copy);
-  if (!(norm(x) == 0.0)) {
-    problem_->getOperator()->apply(x, r);
-    r.update(1.0, b, -1.0);  // r = b − A x
-  }
-  const double scale = norm(b);
-  relative_residual_ = scale == 0.0 ? 0.0 : norm(r) / scale;
+  MultiVector r(*problem_->getRHS(), Teuchos::Copy);
   const auto recycled = list_->get<Teuchos::RCP<Directions>>("Recycled Directions");
   Directions basis;
   if (!recycled.is_null()) std::swap(basis, *recycled);
   const int n_recycled = basis.size();
-  if (n_recycled > 0 && relative_residual_ > tolerance) {
-    basis.minimise(r, x);
-    relative_residual_ = norm(r) / scale;
-  }
+  begin(basis, r, x);
   const auto stagnation = list_->get<Teuchos::RCP<StagnationRule>>("Stagnation");
   std::vector<double> history{relative_residual_};
   int standing = 0;
@@ -162,7 +181,7 @@ Belos::ReturnType Gcr::solve() {
     if (basis.size() >= kept) basis.clear();
     const bool stands = standing > 0 && basis.size() > 0;
     const MultiVector& source = stands ? basis.last_image() : r;
-    standing = iterate(source, basis, r, x, scale) ? 0 : standing + 1;
+    standing = iterate(source, basis, r, x) ? 0 : standing + 1;
     if (standing > most_standing || !std::isfinite(relative_residual_)) break;
     history.push_back(relative_residual_);
     has_stagnated_ = !stagnation.is_null() && relative_residual_ > tolerance &&
@@ -184,8 +203,7 @@ std::string Gcr::how_far() const {
   return text.str();
 }
 
-bool Gcr::iterate(const MultiVector& source, Directions& basis, MultiVector& r, MultiVector& x,
-                  double scale) {
+bool Gcr::iterate(const MultiVector& source, Directions& basis, MultiVector& r, MultiVector& x) {
   ++iterations_;
   const auto z = Teuchos::rcp(new MultiVector(r.getMap(), 1));
   const auto q = Teuchos::rcp(new MultiVector(r.getMap(), 1));
@@ -197,14 +215,18 @@ bool Gcr::iterate(const MultiVector& source, Directions& basis, MultiVector& r, 
       problem_->getRightPrec()->apply(source, *z);  // z = P⁻¹ r
     problem_->getOperator()->apply(*z, *q);         // q = A z
   }
-  if (!basis.add(z, q)) return false;
-  // x ← x + (qᵀr) z, r ← r − (qᵀr) q
-  const double wishes = basis.minimise_by_last(r, x, is_stop_urgent() ? 1.0 : 0.0);
-  if (wishes > 0.0) stop_if_urgent(*r.getMap()->getComm());
-  const double before = relative_residual_;
-  relative_residual_ = norm(r) / scale;
+  const auto added = basis.add(z, q, r, is_stop_urgent() ? 1.0 : 0.0);
+  if (added.votes > 0.0) stop_if_urgent(*r.getMap()->getComm());
+  if (!added.is_new) return false;
+  const double alpha = added.product;
+  x.update(alpha, *z, 1.0);   // x ← x + (qᵀr) z
+  r.update(-alpha, *q, 1.0);  // r ← r − (qᵀr) q
+  // |r − (qᵀr) q|² = |r|² − (qᵀr)², where round-off leaves six digits of it.
+  const double before = added.square_of_r, after = before - alpha * alpha;
+  relative_residual_ = (after > least_foretold * before ? std::sqrt(after) : norm(r)) / scale_;
   io::report_progress([this] { return how_far(); });
-  return relative_residual_ < before * (1.0 - 1e-12);  // else stagnation, or not a number
+  // Else stagnation, or not a number.
+  return relative_residual_ < std::sqrt(before) / scale_ * (1.0 - 1e-12);
 }
 
 }  // namespace tunica::linear

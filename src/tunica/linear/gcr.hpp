@@ -19,21 +19,23 @@ public:
   void keep_last(int number);
   void keep_first(int number);
 
+  /// What `add` has found, with the sums over all ranks.
+  struct Added {
+    bool is_new = false;       ///< false: q depends on the others, and was not added
+    double product = 0.0;      ///< qᵀ r of the q that was added
+    double square_of_r = 0.0;  ///< |r|²
+    double votes = 0.0;
+  };
   /// Adds z and its image q, made orthonormal to the others: two passes of Gram and Schmidt, each
-  /// with one message. False where q depends on the others already. Collective.
-  bool add(const Teuchos::RCP<MultiVector>& z, const Teuchos::RCP<MultiVector>& q);
+  /// with one message, a single one for the first direction. r: a residual that is orthogonal to
+  /// the images that are there; vote: of this rank. Collective.
+  Added add(const Teuchos::RCP<MultiVector>& z, const Teuchos::RCP<MultiVector>& q,
+            const MultiVector& r, double vote);
 
   /// x ← x + Z Qᵀ r, r ← r − Q Qᵀ r: the least |r| that all directions permit. Collective.
-  void minimise(MultiVector& r, MultiVector& x) const { minimise_from(0, r, x); }
-  /// Minimises along the direction added last, after the others. The message takes a vote of each
-  /// rank along; returns their sum.
-  double minimise_by_last(MultiVector& r, MultiVector& x, double vote) const {
-    return minimise_from(size() - 1, r, x, vote);
-  }
+  void minimise(MultiVector& r, MultiVector& x) const;
 
 private:
-  double minimise_from(int first, MultiVector& r, MultiVector& x, double vote = 0.0) const;
-
   std::vector<Teuchos::RCP<MultiVector>> z_, q_;
 };
 
@@ -45,10 +47,11 @@ private:
 ///   r  residual   z  search direction   q  its image   P  right preconditioner, may change
 ///
 /// minimises |r| over the kept directions; after "Num Blocks" of them it begins anew. One right
-/// side. Where r stands still (q vanishes, or qᵀr no longer changes r), z = P⁻¹ q of the last q
-/// goes on, as in flexible GMRES; a few such iterations for nothing end it as not converged. So
-/// does what "Stagnation" (solvers/stagnation.hpp) says of the residuals. Each iteration asks all
-/// ranks whether a signal wants to end the program, and throws StopRequest then.
+/// side. An iteration is two reductions. Where r stands still (q vanishes, or qᵀr no longer changes
+/// r), z = P⁻¹ q of the last q goes on, as in flexible GMRES; a few such iterations for nothing end
+/// it as not converged. So does what "Stagnation" (solvers/stagnation.hpp) says of the residuals.
+/// Each iteration asks all ranks whether a signal wants to end the program, and throws StopRequest
+/// then.
 ///
 /// With "Recycled Directions", of which the caller knows that they are A's, it begins with those,
 /// and leaves there the last "Num Recycled Blocks" of all: a direction in which P is poor is found
@@ -77,12 +80,13 @@ public:
 private:
   std::string how_far() const;
   /// One iteration, along P⁻¹ of the source; false where it has gained nothing.
-  bool iterate(const MultiVector& source, Directions& basis, MultiVector& r, MultiVector& x,
-               double scale);
+  bool iterate(const MultiVector& source, Directions& basis, MultiVector& r, MultiVector& x);
+  void begin(const Directions& basis, MultiVector& r, MultiVector& x);
 
   Teuchos::RCP<Teuchos::ParameterList> list_;
   Teuchos::RCP<BelosProblem> problem_;
   int iterations_ = 0;
+  double scale_ = 1.0;  ///< |b|
   double relative_residual_ = 1.0;
   bool has_stagnated_ = false;
 };
