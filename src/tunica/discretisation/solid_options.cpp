@@ -70,30 +70,12 @@ params::Table layer_table() {
   return table;
 }
 
-}  // namespace
-
-void add_layer_keys(params::Table& table) {
-  table.entries("Layers", layer_table(), "one list for each region of the mesh that is wall");
-}
-
-void add_solid_keys(params::Table& table) {
+void add_stabilisation_keys(params::Table& table) {
   params::Table continuous;
   continuous.number("stabilisation at layers", 0.03, params::Range{0.0, 1.0, true, false}, "1",
                     "factor of the PSPG parameter of elements that touch another material, where "
                     "PSPG mistakes the pressure jump for a gradient; 1 as in the paper");
   table
-      .entries("Surfaces",
-               boundary::condition_table(
-                   "One surface of the wall. Surfaces that are not listed are free.",
-                   boundary::wall_conditions()),
-               "one list for each surface with a condition")
-      .choice("analysis", "dynamic", {"dynamic", "static"},
-              "with inertia, or a sequence of equilibria");
-  stepping::add_wall_scheme_keys(table);
-  table
-      .numbers("body force", std::vector<double>{0.0, 0.0, 0.0}, params::any(), 3, "mm/ms^2",
-               "force per mass that acts on all of the wall, such as gravity, 9.81e-3, or what is "
-               "left of it where a fluid at rest carries the rest")
       .choice("stabilisation", "dynamic", {"dynamic", "inertial", "paper"},
               "subscales of PSPG: time-dependent, which keep the pressure stable as the time step "
               "shrinks (dynamic); quasi-static, with inertia in the parameter 1/(4 mu/h^2 + "
@@ -117,6 +99,28 @@ void add_solid_keys(params::Table& table) {
               "stiffness of a pressure of each element against its own change of volume, relative "
               "to the modulus mu. Large deformations under pressures of the order of mu or more "
               "need about 1; with much more the elements lock. 0: none, but 1 with a Prestress");
+}
+
+}  // namespace
+
+void add_layer_keys(params::Table& table) {
+  table.entries("Layers", layer_table(), "one list for each region of the mesh that is wall");
+}
+
+void add_solid_keys(params::Table& table) {
+  table
+      .entries("Surfaces",
+               boundary::condition_table(
+                   "One surface of the wall. Surfaces that are not listed are free.",
+                   boundary::wall_conditions()),
+               "one list for each surface with a condition")
+      .choice("analysis", "dynamic", {"dynamic", "static"},
+              "with inertia, or a sequence of equilibria");
+  stepping::add_wall_scheme_keys(table);
+  table.numbers("body force", std::vector<double>{0.0, 0.0, 0.0}, params::any(), 3, "mm/ms^2",
+                "force per mass that acts on all of the wall, such as gravity, 9.81e-3, or what is "
+                "left of it where a fluid at rest carries the rest");
+  add_stabilisation_keys(table);
 }
 
 SolidOptions solid_options(const Teuchos::ParameterList& list) {

@@ -70,6 +70,24 @@ void check_files(const Teuchos::ParameterList& list, const std::string& path) {
                      "\" is missing, expected a file; one matrix with all unknowns is \"K\".");
 }
 
+void add_order_keys(params::Table& table) {
+  table
+      .choice("scalars", "automatic",
+              {"automatic", "none", "first", "last", "first in node", "last in node"},
+              "where the scalar unknowns stand in K; automatic: found from its signs")
+      .integer("scalar unknowns", 0, params::between(0, 1e9),
+               "number of scalars that stand first or last; 0: one for each node")
+      .integer("components", 0, params::between(0, 16),
+               "vector unknowns of a node; 0: found from the pattern of A")
+      .choice("order", "automatic", {"automatic", "by node", "by component"},
+              "numbers of the vector unknowns: components*node + i, or i*nodes + node; scalar "
+              "unknowns are numbered by their nodes; automatic: found from the pattern of A")
+      .file("node map", "",
+            "text file, for systems in no such order: a line for each unknown, those of A first, "
+            "with the number of its node and, for vector unknowns, the component (counted from 0; "
+            "without it in the order of the lines)");
+}
+
 }  // namespace
 
 params::Table system_table() {
@@ -94,21 +112,8 @@ params::Table system_table() {
 }
 
 void add_matrix_keys(params::Table& table) {
+  add_order_keys(table);
   table
-      .choice("scalars", "automatic",
-              {"automatic", "none", "first", "last", "first in node", "last in node"},
-              "where the scalar unknowns stand in K; automatic: found from its signs")
-      .integer("scalar unknowns", 0, params::between(0, 1e9),
-               "number of scalars that stand first or last; 0: one for each node")
-      .integer("components", 0, params::between(0, 16),
-               "vector unknowns of a node; 0: found from the pattern of A")
-      .choice("order", "automatic", {"automatic", "by node", "by component"},
-              "numbers of the vector unknowns: components*node + i, or i*nodes + node; scalar "
-              "unknowns are numbered by their nodes; automatic: found from the pattern of A")
-      .file("node map", "",
-            "text file, for systems in no such order: a line for each unknown, those of A first, "
-            "with the number of its node and, for vector unknowns, the component (counted from 0; "
-            "without it in the order of the lines)")
       .file("schur", "",
             "square matrix of the scalar unknowns in their order that is like C + B2 inv(A) B1T, "
             "up to its sign, such as a mass matrix over the viscosity: for block LU with \"Schur "

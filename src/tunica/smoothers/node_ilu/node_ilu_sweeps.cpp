@@ -139,16 +139,20 @@ template <int width, int rows, class Stored, class Real>
   return M;
 }
 
+/// Blocks of a row of the pattern.
+struct RowPart {
+  std::size_t first, last;
+};
+
 /// The same for a row of either kind; b and y have values of all nodes.
 template <int width, class Stored, class Real>
 [[gnu::always_inline]] inline const Stored* subtract_row(const BlockPattern& pattern, int node,
-                                                         std::size_t first, std::size_t last,
-                                                         const Stored* M, const Real* x,
-                                                         const Real* b, Real* y) {
+                                                         RowPart part, const Stored* M,
+                                                         const Real* x, const Real* b, Real* y) {
   const auto place = static_cast<std::size_t>(width) * node;
   if (pattern.unknowns[node] == width)
-    return subtract_row<width, width>(pattern, first, last, M, x, b + place, y + place);
-  return subtract_row<width, 1>(pattern, first, last, M, x, b + place + width - 1,
+    return subtract_row<width, width>(pattern, part.first, part.last, M, x, b + place, y + place);
+  return subtract_row<width, 1>(pattern, part.first, part.last, M, x, b + place + width - 1,
                                 y + place + width - 1);
 }
 
@@ -174,12 +178,12 @@ template <int width, class Stored, class Real>
   const Stored* lower = f.lower;
   for (int node = 0; node < pattern.n_nodes; ++node)
     lower =
-        subtract_row<width>(pattern, node, pattern.start[node], f.diagonal[node], lower, x, x, x);
+        subtract_row<width>(pattern, node, {pattern.start[node], f.diagonal[node]}, lower, x, x, x);
   // x_i = D_i⁻¹ (y_i − Σ_k>i U_ik x_k)
   const Stored* upper = f.upper;
   for (int node = pattern.n_nodes - 1; node >= 0; --node) {
-    upper = subtract_row<width>(pattern, node, f.diagonal[node] + 1, pattern.start[node + 1], upper,
-                                x, x, x);
+    upper = subtract_row<width>(pattern, node, {f.diagonal[node] + 1, pattern.start[node + 1]},
+                                upper, x, x, x);
     const Real* const inverse = f.inverses + static_cast<std::size_t>(width) * width * node;
     Real* const x_i = x + static_cast<std::size_t>(width) * node;
     if (pattern.unknowns[node] == width)
@@ -201,8 +205,8 @@ template <int width, class Real>
                                              const double* x, double* r) {
   const Real* values = K.values;
   for (int node = 0; node < K.pattern.n_nodes; ++node)
-    values = subtract_row<width>(K.pattern, node, K.pattern.start[node], K.pattern.start[node + 1],
-                                 values, x, b, r);
+    values = subtract_row<width>(
+        K.pattern, node, {K.pattern.start[node], K.pattern.start[node + 1]}, values, x, b, r);
 }
 
 template <class Real>
