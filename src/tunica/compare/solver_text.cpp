@@ -99,6 +99,7 @@ std::string levels_text(const std::vector<Line>& lines) {
     for (const long long n : line.levels.unknowns)
       sizes += (sizes.empty() ? "" : ", ") + std::to_string(n);
     sizes += " unknowns" + formatted(", operator complexity %.2f", line.levels.operator_complexity);
+    if (line.levels.is_w_cycle) sizes += ", W cycles";
     const auto same = std::find_if(found.begin(), found.end(),
                                    [&](const auto& entry) { return entry.first == sizes; });
     if (same == found.end())

@@ -143,6 +143,41 @@ TEUCHOS_UNIT_TEST(cycle, a_restriction_that_is_not_stored_does_the_same) {
   TEST_COMPARE(y.normInf(), <, 1e-13 * x.normInf());
 }
 
+Vector applied(const Operator& M) {
+  Vector x(M.getDomainMap());
+  M.apply(rough(M.getRangeMap(), 8), x);
+  return x;
+}
+
+TEUCHOS_UNIT_TEST(cycle, deep_levels_are_visited_as_muelu_does_with_a_list_that_says_so) {
+  const System system({17, 17, 17, false});
+  const Teuchos::ParameterList list = multigrid::nodal_cycle_list(1, 2, true);
+  const multigrid::Cycle M(system.A, system.coarsening, list);
+  TEST_COMPARE(M.levels().unknowns.size(), >=, 4);
+  TEST_ASSERT(M.levels().is_w_cycle);
+  Teuchos::ParameterList asked(list), shallow(list);
+  asked.sublist("Hierarchy").set("cycle type", "W").set("W cycle start level", 1);
+  Vector x = applied(M);
+  const double size = x.normInf();
+  x.update(-1.0, applied(multigrid::Cycle(system.A, system.coarsening, asked)), 1.0);
+  TEST_COMPARE(x.normInf(), <, 1e-14 * size);
+  shallow.sublist("Hierarchy").set("max levels", 3);
+  TEST_ASSERT(!multigrid::Cycle(system.A, system.coarsening, shallow).levels().is_w_cycle);
+}
+
+TEUCHOS_UNIT_TEST(cycle, w_cycles_of_deep_levels_reduce_more_and_a_list_may_refuse_them) {
+  const System system({17, 17, 17, false});
+  std::vector<double> reductions;
+  for (const bool has_w_cycles : {false, true}) {
+    const multigrid::Cycle M(system.A, system.coarsening,
+                             multigrid::nodal_cycle_list(1, 2, has_w_cycles));
+    TEST_EQUALITY(M.levels().is_w_cycle, has_w_cycles);
+    reductions.push_back(system.worst_reduction(M));
+  }
+  out << reductions[0] << " with V cycles, " << reductions[1] << " with W cycles\n";
+  TEST_COMPARE(reductions[1], <, reductions[0]);
+}
+
 TEUCHOS_UNIT_TEST(cycle, with_one_level_it_is_a_direct_solver) {
   const System system({7, 6, 5, false}, 3);
   Teuchos::ParameterList one_level = multigrid::nodal_cycle_list(1, 1);

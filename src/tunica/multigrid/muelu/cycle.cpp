@@ -31,10 +31,19 @@ using Hierarchy = MueLu::Hierarchy<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 using Smoother = MueLu::SmootherBase<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 using Wrapper = Xpetra::TpetraMultiVector<Scalar, LocalOrdinal, GlobalOrdinal, Node>;
 
-/// flatness_of_solids from which on W cycles pay: coarse levels of flat elements need more than one
-/// visit. Iterations and CPU time of walls with V and W: width over thickness 25, flatness 25, 22
-/// and 18, 5.2 and 5.4 s; six layers of 15, 52 and 44, 7.1 and 6.8 s. With flatness 6 W takes 9 %
-/// of the iterations away and 8 % longer.
+/// Levels from which on W cycles pay. With V cycles each level adds its error to those below:
+/// Stokes flow in the plane takes 8 iterations with four levels, 17 with six, and 8 again with W
+/// cycles.
+constexpr int deep = 4;
+
+/// Operator complexity up to which they pay: MAC's first coarse level, with 4.1, has more entries
+/// than the finest, and a second visit costs more than it saves.
+constexpr double most_complex = 2.5;
+
+/// flatness_of_solids from which on W cycles pay on fewer levels: coarse levels of flat elements
+/// need more than one visit. Iterations and CPU time of walls with V and W: width over thickness
+/// 25, flatness 25, 22 and 18, 5.2 and 5.4 s; six layers of 15, 52 and 44, 7.1 and 6.8 s. With
+/// flatness 6 W takes 9 % of the iterations away and 8 % longer.
 constexpr double flat = 10.0;
 
 /// Iterations that tell how well a cycle contracts.
@@ -46,6 +55,13 @@ constexpr const char* rotations_from = NodalPFactory::rotations_from;
 bool waits_with_rotations(const Teuchos::ParameterList& factory) {
   return factory.isType<double>(rotations_from) && factory.get<double>(rotations_from) > 0.0 &&
          factory.isType<bool>(rotations) && factory.get<bool>(rotations);
+}
+
+/// Whether the list lets deep hierarchies have W cycles.
+bool may_have_w_cycles(const Teuchos::ParameterList& muelu) {
+  if (!muelu.isSublist("Hierarchy")) return true;
+  const Teuchos::ParameterList& levels = muelu.sublist("Hierarchy");
+  return !levels.isType<bool>(Cycle::w_cycles) || levels.get<bool>(Cycle::w_cycles);
 }
 
 /// The largest of the list's factories; 0 where none waits.
@@ -115,6 +131,7 @@ Cycle::~Cycle() = default;
 
 Teuchos::ParameterList Cycle::present_list() const {
   Teuchos::ParameterList list(muelu_);
+  list.sublist("Hierarchy").remove(w_cycles, false);
   if (!(rotations_from_ > 0.0) || has_rotations_) return list;
   Teuchos::ParameterList& factories = list.sublist("Factories");
   for (const auto& entry : muelu_.sublist("Factories"))
@@ -123,14 +140,11 @@ Teuchos::ParameterList Cycle::present_list() const {
   return list;
 }
 
-// The levels as the list has them; W cycles where solids have flat elements, unless it says
-// otherwise.
+// The levels as the list has them.
 void Cycle::set_up() {
   parts_ = std::make_unique<Parts>();
   Teuchos::ParameterList list = present_list();
   Teuchos::ParameterList& levels = list.sublist("Hierarchy");
-  if (!levels.isParameter("cycle type") && coarsening_->flatness() > flat)
-    levels.set("cycle type", "W");
   // Nothing is coarse about a diagonal: its factors are exact.
   if (!is_blocked_ && algebra::is_diagonal(*A_)) levels.set("max levels", 1);
   Interpreter interpreter(list, A_->getComm(), make_factory_factory(coarsening_));
@@ -157,6 +171,19 @@ void Cycle::set_up() {
   // Matrices of blocks are copies, which follow by a new set-up only.
   if (!is_blocked_) parts_->refreshable = parts_to_refresh(hierarchy);
   parts_->levels = count_levels();
+  choose_cycle_type();
+}
+
+// Unless the list says which. MueLu counts the levels from which it returns twice: up to level 1
+// are two visits of the first coarse level, and four of those below.
+void Cycle::choose_cycle_type() {
+  const Teuchos::ParameterList& levels = muelu_.sublist("Hierarchy");
+  if (levels.isParameter("cycle type")) return;
+  const bool is_deep = may_have_w_cycles(muelu_) && parts_->hierarchy->GetNumLevels() >= deep &&
+                       parts_->levels.operator_complexity <= most_complex;
+  parts_->levels.is_w_cycle = is_deep || coarsening_->flatness() > flat;
+  parts_->hierarchy->SetCycle(parts_->levels.is_w_cycle ? MueLu::WCYCLE : MueLu::VCYCLE);
+  if (is_deep) parts_->hierarchy->SetCycleStartLevel(1);
 }
 
 void Cycle::iterate(const MultiVector& b, MultiVector& x) const {
@@ -293,78 +320,6 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked) {
             params::quoted(names_of_ours()) + ", the others are those of MueLu's user's guide.";
   TUNICA_CHECK(cause.empty(), cause);
   check_matrix_kind(muelu, is_blocked);
-}
-
-namespace {
-
-constexpr int coarsest_mixed = 1500;  ///< unknowns
-
-/// The levels of the nodal coarsening with a smoother named "Sweeps".
-Teuchos::ParameterList nodal_levels(const Teuchos::ParameterList& sweeps, int coarse_size) {
-  Teuchos::ParameterList list("MueLu");
-  // P by nodes, R = Pᵀ (not stored), A_l+1 = R A_l P; sweeps before and behind, sparse LU at the
-  // coarsest level
-  Teuchos::ParameterList& factories = list.sublist("Factories");
-  factories.sublist("Nodes").set("factory", "NodalPFactory");
-  factories.sublist("Galerkin")
-      .set("factory", "GalerkinFactory")
-      .set("P", "Nodes")
-      .set("R", "NoFactory");
-  factories.sublist("Sweeps") = sweeps;
-  factories.sublist("Coarsest").set("factory", "SparseLUSolver");
-  Teuchos::ParameterList& hierarchy = list.sublist("Hierarchy");
-  hierarchy.set("max levels", 10).set("coarse: max size", coarse_size).set("verbosity", "None");
-  hierarchy.set("transpose: use implicit", true);
-  hierarchy.sublist("All")
-      .set("P", "Nodes")
-      .set("R", "NoFactory")
-      .set("A", "Galerkin")
-      .set("Smoother", "Sweeps")
-      .set("CoarseSolver", "Coarsest");
-  return list;
-}
-
-}  // namespace
-
-// For a definite block: Gauss–Seidel forth and back, so that the cycle is symmetric where A is.
-Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size) {
-  Teuchos::ParameterList smoother;
-  smoother.set("factory", "Ifpack2Smoother").set("type", "RELAXATION");
-  smoother.sublist("ParameterList")
-      .set("relaxation: type", "Symmetric Gauss-Seidel")
-      .set("relaxation: sweeps", sweeps);
-  return nodal_levels(smoother, coarse_size);
-}
-
-// Rotations change nothing where no node belongs to a solid.
-Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial,
-                                        double rotations_from_contraction) {
-  Teuchos::ParameterList smoother;
-  smoother.set("factory", "NodalIluSmoother").set("sweeps", sweeps).set("polynomial", polynomial);
-  Teuchos::ParameterList list = nodal_levels(smoother, coarsest_mixed);
-  list.sublist("Factories")
-      .sublist("Nodes")
-      .set(rotations, true)
-      .set(rotations_from, rotations_from_contraction);
-  return list;
-}
-
-Teuchos::ParameterList braess_sarazin_cycle_list(int sweeps, int schur_sweeps) {
-  Teuchos::ParameterList smoother;
-  smoother.set("factory", "NodalBraessSarazinSmoother")
-      .set("sweeps", sweeps)
-      .set("schur sweeps", schur_sweeps);
-  Teuchos::ParameterList list = nodal_levels(smoother, coarsest_mixed);
-  list.sublist("Factories").sublist("Galerkin").set("schur stabilisation", 0.1);
-  return list;
-}
-
-// The levels of mixed_cycle_list() but for rotations. Each patch is inverted by itself, with row
-// exchanges: nothing grows along an order of elimination.
-Teuchos::ParameterList vanka_cycle_list(int sweeps) {
-  Teuchos::ParameterList smoother;
-  smoother.set("factory", "VankaSmoother").set("sweeps", sweeps).set("patch", "node pair");
-  return nodal_levels(smoother, coarsest_mixed);
 }
 
 }  // namespace tunica::multigrid

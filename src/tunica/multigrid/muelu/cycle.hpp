@@ -14,16 +14,18 @@ struct Levels {
   std::vector<long long> unknowns;         ///< of all ranks
   double operator_complexity = 0.0;        ///< entries of all levels to those of the finest
   std::vector<SmootherState> smoothers{};  ///< of the levels that have a NodalIluSmoother
+  bool is_w_cycle = false;                 ///< by the cycle's own choice
 };
 
 /// One multigrid cycle as an operator, by a MueLu list in the form of factories and a hierarchy.
 /// apply() starts from zero, honours alpha and beta and takes any number of columns.
 ///
-/// The levels have one matrix each, with the unknowns of a node side by side. Or MueLu's 2×2 matrix
-/// of blocks, as its own block smoothers want it; its near-null spaces are the constants of each
-/// component.
+/// Without a "cycle type" in the list's "Hierarchy" there are W cycles on deep hierarchies, unless
+/// "W cycles on deep levels" (true) is false there, and on those of solids with flat elements.
 class Cycle : public Operator {
 public:
+  static constexpr const char* w_cycles = "W cycles on deep levels";  ///< key of "Hierarchy"
+
   /// Throws std::exception for a list that MueLu refuses, and for a singular coarsest matrix.
   /// Collective.
   Cycle(const Teuchos::RCP<CrsMatrix>& A, const Teuchos::RCP<MixedCoarsening>& coarsening,
@@ -75,6 +77,7 @@ private:
   struct Parts;
 
   void set_up();
+  void choose_cycle_type();
   Teuchos::ParameterList present_list() const;
   Levels count_levels() const;
   std::vector<NodalIluSmoother*> ilu_smoothers() const;
@@ -97,14 +100,15 @@ private:
 /// ours.
 void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked = false);
 
-/// V-cycles on the levels of the nodal coarsening with sweeps of symmetric Gauss-Seidel before
-/// and after, sparse LU at the coarsest level of at most coarse_size unknowns.
-Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size);
+/// Cycles on the levels of the nodal coarsening with sweeps of symmetric Gauss-Seidel before and
+/// after, sparse LU at the coarsest level of at most coarse_size unknowns. has_w_cycles: on deep
+/// levels, see Cycle; as a part of a preconditioner V cycles do.
+Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size, bool has_w_cycles = false);
 
 /// The default list for a mixed system, smoothed by incomplete factors in node blocks. polynomial:
-/// as NodalIluSmoother has it; rotations_from: as NodalPFactory.
+/// as NodalIluSmoother has it; rotations_from: as NodalPFactory; has_w_cycles: as above.
 Teuchos::ParameterList mixed_cycle_list(int sweeps, const std::string& polynomial = "power",
-                                        double rotations_from = 0.0);
+                                        double rotations_from = 0.0, bool has_w_cycles = true);
 
 /// A list for a mixed system, smoothed by Braess and Sarazin's sweeps with so many of Gauss-Seidel
 /// for the Schur complement, which requires no C and no order of the nodes. Coarse levels get a C
