@@ -9,7 +9,8 @@ namespace tunica::multigrid {
 
 /// Coarser and coarser sets of nodes, picked from a graph of nodes [Ki98]: a maximal
 /// independent set becomes the next level, and every other node takes the mean of its
-/// neighbours in it (one between fields: of such neighbours alone). Nodes without neighbours (fixed
+/// neighbours in it (one between fields: of such neighbours alone). Where nearly half of the nodes
+/// would stay, neighbours of neighbours count as neighbours. Nodes without neighbours (fixed
 /// ones, in systems that keep only their diagonals) are left out of coarser levels. Depends on the
 /// graph, the order and the nodes between fields alone; made level by level as they are asked for.
 ///
@@ -65,8 +66,8 @@ private:
 
   const Level& at(int level);
   /// Those that become nodes of the next level, those first of which the vector has another value.
-  std::vector<char> chosen_nodes(const Level& level, const Teuchos::RCP<const Vector>& first,
-                                 double value) const;
+  std::vector<char> chosen_nodes(const CrsGraph& nodes, const Level& level,
+                                 const Teuchos::RCP<const Vector>& first, double value) const;
   void coarsen();
   Vector numbers_of_hosts(int level);
 
