@@ -184,7 +184,7 @@ Teuchos::ParameterList with_rotations(Teuchos::ParameterList cycle, const algebr
 DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperators& operators) {
   if (K.n_blocks() == 1)
     return {{with_cycle("multigrid, Gauss-Seidel",
-                        with_rotations(multigrid::nodal_cycle_list(2, 500, true), K)),
+                        with_rotations(multigrid::nodal_cycle_list(2, 500), K)),
              incomplete_factors()},
             "one field"};
   const auto by_factors = with_cycle("multigrid, incomplete factors",

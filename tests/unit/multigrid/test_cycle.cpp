@@ -151,7 +151,7 @@ Vector applied(const Operator& M) {
 
 TEUCHOS_UNIT_TEST(cycle, deep_levels_are_visited_as_muelu_does_with_a_list_that_says_so) {
   const System system({17, 17, 17, false});
-  const Teuchos::ParameterList list = multigrid::nodal_cycle_list(1, 2, true);
+  const Teuchos::ParameterList list = multigrid::nodal_cycle_list(1, 2);
   const multigrid::Cycle M(system.A, system.coarsening, list);
   TEST_COMPARE(M.levels().unknowns.size(), >=, 4);
   TEST_ASSERT(M.levels().is_w_cycle);

@@ -102,8 +102,8 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked = fal
 
 /// Cycles on the levels of the nodal coarsening with sweeps of symmetric Gauss-Seidel before and
 /// after, sparse LU at the coarsest level of at most coarse_size unknowns. has_w_cycles: on deep
-/// levels, see Cycle; as a part of a preconditioner V cycles do.
-Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size, bool has_w_cycles = false);
+/// levels, see Cycle.
+Teuchos::ParameterList nodal_cycle_list(int sweeps, int coarse_size, bool has_w_cycles = true);
 
 /// The default list for a mixed system, smoothed by incomplete factors in node blocks. polynomial:
 /// as NodalIluSmoother has it; rotations_from: as NodalPFactory; has_w_cycles: as above.

@@ -44,7 +44,7 @@ class SchurCycle final : public smoothers::SchurSolver {
 public:
   SchurCycle(const Teuchos::RCP<::tunica::CrsMatrix>& S,
              const Teuchos::RCP<const ::tunica::CrsMatrix>& nodes, int sweeps)
-      : cycle_(S, coarsening_of(S, nodes), nodal_cycle_list(sweeps, coarsest_schur)) {}
+      : cycle_(S, coarsening_of(S, nodes), nodal_cycle_list(sweeps, coarsest_schur, false)) {}
 
   void refresh() override { cycle_.refresh(); }
   void solve(const ::tunica::MultiVector& r, ::tunica::MultiVector& q) const override {
