@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tunica/algebra/independent_set.hpp"
 #include "tunica/algebra/is_diagonal.hpp"
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
@@ -26,6 +27,7 @@ constexpr double slow = 0.25;
 
 const char* const first_direct = "direct";
 const char* const c_stabilises = "C stabilises";
+const char* const nodes_have_pivots = "C is zero, but each node has a pivot";
 const char* const c_is_zero = "C is zero";
 const char* const c_is_small = "few scalars";
 
@@ -34,25 +36,53 @@ const char* const c_is_small = "few scalars";
 constexpr int most_to_come = 100;
 constexpr double operations_of_cycles = 200.0 * most_to_come;
 
-/// Part of the scalar rows with entries in B2 that have a diagonal in C.
-double stabilised_part(const algebra::BlockMatrix& K) {
+/// Part of the pivot B2 diag(A)⁻¹ B2ᵀ of a scalar that has to come from the vectors of its own node
+/// for incomplete factors of nodes. Of flows it is nothing inside the domain, of optimal control
+/// 0.8.
+constexpr double enough_of_own = 0.3;
+
+/// Part of the scalars that must have it: a single one without would end the factors.
+constexpr double most_of_own = 0.9;
+
+/// Parts of the scalar rows with entries in B2.
+struct Pivots {
+  double of_c = 0.0;    ///< that have a diagonal in C
+  double of_own = 0.0;  ///< that have enough of their pivot from their own node
+};
+
+// b_i = Σ_c B2_ic² / |A_cc|, of all vectors c and of those of the node
+Pivots find_pivots(const algebra::BlockMatrix& K) {
   const auto B2 = K(1, 0)->getLocalMatrixHost(), mC = K(1, 1)->getLocalMatrixHost();
-  const Map &rows = *K(1, 1)->getRowMap(), &columns = *K(1, 1)->getColMap();
-  double coupled = 0.0, stabilised = 0.0;
+  const Map &rows = *K(1, 1)->getRowMap(), &columns = *K(1, 1)->getColMap(),
+            &vectors = *K(1, 0)->getColMap();
+  const int components = (*K.space())[0].components;
+  Vector D(K(0, 0)->getRowMap());
+  K(0, 0)->getLocalDiagCopy(D);
+  const Vector on_columns = algebra::on_columns(*K(1, 0), D);
+  const auto diagonal = on_columns.getLocalViewHost(read_only);
+  double coupled = 0.0, with_c = 0.0, with_own = 0.0;
   for (int i = 0; i < mC.numRows(); ++i) {
+    const GlobalOrdinal own = rows.getGlobalElement(i);
+    double pivot = 0.0, of_own = 0.0;
     const auto b = B2.rowConst(i);
-    bool is_coupled = false, has_diagonal = false;
-    for (int k = 0; k < b.length; ++k) is_coupled = is_coupled || b.value(k) != 0.0;
+    for (int k = 0; k < b.length; ++k) {
+      const double part = b.value(k) * b.value(k) / std::abs(diagonal(b.colidx(k), 0));
+      pivot += part;
+      if (vectors.getGlobalElement(b.colidx(k)) / components == own) of_own += part;
+    }
     const auto c = mC.rowConst(i);
+    bool has_diagonal = false;
     for (int k = 0; k < c.length; ++k)
       has_diagonal =
-          has_diagonal ||
-          (columns.getGlobalElement(c.colidx(k)) == rows.getGlobalElement(i) && c.value(k) != 0.0);
+          has_diagonal || (columns.getGlobalElement(c.colidx(k)) == own && c.value(k) != 0.0);
+    const bool is_coupled = !(pivot == 0.0);  // also where A has no diagonal
     coupled += is_coupled;
-    stabilised += is_coupled && has_diagonal;
+    with_c += is_coupled && has_diagonal;
+    with_own += is_coupled && of_own > enough_of_own * pivot;
   }
-  coupled = global_sum(*K.comm(), coupled);
-  return coupled > 0.0 ? global_sum(*K.comm(), stabilised) / coupled : 0.0;
+  const std::vector<double> all =
+      global_sum(*K.comm(), std::vector<double>{coupled, with_c, with_own});
+  return all[0] > 0.0 ? Pivots{all[1] / all[0], all[2] / all[0]} : Pivots{};
 }
 
 /// Values between -1 and 1 by the numbers of the rows, the same on any number of ranks.
@@ -148,11 +178,14 @@ void insert_factors_of_slow(std::vector<SolverSetting>& all) {
 
 /// Operations per entry for which sparse LU takes as long as the first iterative setting. Sweeps by
 /// Braess and Sarazin take about twice as long as others in the plane. Of nodes in space, whose
-/// systems have three times as many entries in a row, incomplete factors take fewer than these.
+/// systems have three times as many entries in a row, incomplete factors take fewer than these; so
+/// do those of optimal control, whose cycles contract by a fifth.
 double break_even(const DefaultChoice& choice, const algebra::BlockMatrix& K, double operations) {
   if (choice.reason == c_is_zero || choice.reason == c_is_small) return 2.0 * operations;
   const bool is_in_space = (*K.space())[0].components >= 3;
-  return is_in_space && choice.reason == c_stabilises ? operations / 3.0 : operations;
+  const bool is_cheap =
+      (is_in_space && choice.reason == c_stabilises) || choice.reason == nodes_have_pivots;
+  return is_cheap ? operations / 3.0 : operations;
 }
 
 /// A count by the graph of nodes is taken for too many where it is this many times what may be. In
@@ -198,12 +231,16 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
   // C + B2 A⁻¹ B1ᵀ is exact, and there is nothing to coarsen in A.
   if (algebra::is_diagonal(*K(0, 0)))
     return {{by_fields, by_braess, incomplete_factors()}, "A is diagonal"};
-  const bool is_stabilised = stabilised_part(K) > 0.5;
+  const Pivots pivots = find_pivots(K);
+  const bool is_stabilised = pivots.of_c > 0.5;
   // Fluxes through faces, with a Schur complement as that of a Laplacian. With vectors at nodes and
   // masses in A, as in optimal control, it may be one of fourth order, of which fields make little.
   const bool has_fluxes = (*K.space())[0].components == 1;
   if (!is_stabilised && has_fluxes && is_near_its_diagonal(*K(0, 0)))
     return {{by_fields, by_braess, incomplete_factors()}, "A is near its diagonal"};
+  // One unknown of a field alone is no node.
+  if (!is_stabilised && !has_fluxes && pivots.of_own > most_of_own)
+    return {{by_factors, by_braess, by_fields, incomplete_factors()}, nodes_have_pivots};
   if (!is_stabilised) return {{by_braess, by_fields, incomplete_factors()}, c_is_zero};
   if (are_scalars_few(K)) return {{by_braess, by_fields, incomplete_factors()}, c_is_small};
   return {{by_factors, by_braess, by_fields, incomplete_factors()}, c_stabilises};

@@ -115,6 +115,30 @@ TEUCHOS_UNIT_TEST(default_settings, follow_what_the_matrix_is) {
               (Names{"multigrid, Gauss-Seidel", "ILU(1)", "direct at any cost"}));
 }
 
+/// Pairs of vectors and a scalar at each node, without C; B2 couples the scalar with the first of
+/// its own pair, and, with this value, with that of the next node.
+algebra::BlockMatrix control(double beyond) {
+  algebra::BlockMatrix K = blocks(true, 0.0, true, 2, 2);
+  const auto B2 = Teuchos::rcp(new CrsMatrix(K(1, 1)->getRowMap(), 2));
+  for (const GlobalOrdinal node : global_numbers(*K(1, 1)->getRowMap())) {
+    const GlobalOrdinal columns[] = {2 * node, 2 * ((node + 1) % 8)};
+    const double values[] = {1.0, beyond};
+    B2->insertGlobalValues(node, 2, values, columns);
+  }
+  B2->fillComplete(K(0, 0)->getRowMap(), K(1, 1)->getRowMap());
+  K.set(1, 0, B2);
+  return K;
+}
+
+// Of b_i = B2_ii²/A_ii + B2_ij²/A_jj the own node has 1/(1 + beyond²).
+TEUCHOS_UNIT_TEST(default_settings, incomplete_factors_serve_without_c_where_nodes_have_pivots) {
+  const auto own = foreign::default_settings(control(1.0), 1500.0);
+  TEST_EQUALITY(own.reason, "C is zero, but each node has a pivot");
+  TEST_EQUALITY(own.settings[1].name, "multigrid, incomplete factors");
+  TEST_EQUALITY(own.settings.front().list.get<double>("most operations"), 500.0);
+  TEST_EQUALITY(foreign::default_settings(control(2.0), 1500.0).reason, "C is zero");
+}
+
 TEUCHOS_UNIT_TEST(default_settings, factors_come_first_while_they_are_few_for_the_matrix) {
   const auto choice = foreign::default_settings(blocks(true, 0.0, true, 1, 2), 1500.0);
   TEST_ASSERT(names(choice) ==
