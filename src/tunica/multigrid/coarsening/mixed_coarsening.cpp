@@ -149,9 +149,9 @@ MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space)
       if (space[c].nodes.graph == nodes.graph) nodes_.push_back(nodes_[c]);
     if (static_cast<int>(nodes_.size()) == b)
       nodes_.push_back(nodes.hosts.is_null()
-                           ? std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order,
-                                                               between(nodes, part_names_),
-                                                               nodes.places)
+                           ? std::make_shared<NodalCoarsening>(
+                                 nodes.graph, *nodes.order, between(nodes, part_names_),
+                                 nodes.places, b > 0 ? nodes_.front() : nullptr)
                            : std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order,
                                                                *nodes.hosts, nodes_.front()));
     maps_[{0, b}] = space[b].map;

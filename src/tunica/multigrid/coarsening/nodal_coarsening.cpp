@@ -215,9 +215,10 @@ algebra::NodePlaces at_rows(const algebra::NodePlaces& all, const CoarseNumbers&
 
 NodalCoarsening::NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
                                  const Teuchos::RCP<const Vector>& between,
-                                 const algebra::NodePlaces& places)
-    : levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)), Teuchos::null, between,
-               places}},
+                                 const algebra::NodePlaces& places,
+                                 std::shared_ptr<NodalCoarsening> vectors)
+    : vectors_(std::move(vectors)), levels_{{nodes, Teuchos::rcp(new Vector(order, Teuchos::Copy)),
+                                             Teuchos::null, between, places}},
       flatness_(flatness_of_solids(*nodes, places)) {}
 
 // Followers are scalars, which have no rotations, hence no places.
@@ -278,7 +279,9 @@ void NodalCoarsening::coarsen() {
   Teuchos::RCP<const CrsGraph> nodes = level.nodes;
   std::vector<char> is_coarse = chosen_nodes(*nodes, level, first, value);
   const auto n_nodes = static_cast<double>(nodes->getGlobalNumRows());
-  if (size_of(is_coarse, *nodes) > most_staying * n_nodes) {
+  level.is_wide = vectors_ ? vectors_->is_wide(static_cast<int>(levels_.size()) - 1)
+                           : !leader_ && size_of(is_coarse, *nodes) > most_staying * n_nodes;
+  if (level.is_wide) {
     nodes = two_steps(nodes);
     is_coarse = chosen_nodes(*nodes, level, first, value);
   }

@@ -26,9 +26,12 @@ public:
   /// are picked first, and those that are left have their parents among themselves: one with a
   /// parent in the softer field would bend the stiffer with it.
   /// places: of nodes of solids, whose rotations rigid() interpolates.
+  /// vectors: of scalars, the coarsening of the vectors, at nodes of their own: neighbours of
+  /// neighbours count where they do there, so that there are always some vectors for each scalar.
   NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
                   const Teuchos::RCP<const Vector>& between = Teuchos::null,
-                  const algebra::NodePlaces& places = {});
+                  const algebra::NodePlaces& places = {},
+                  std::shared_ptr<NodalCoarsening> vectors = nullptr);
   /// hosts: for each node the number of its host on the same rank, or -1. No two nodes with the
   /// same host may be neighbours, and nodes only where their hosts are.
   NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
@@ -49,6 +52,9 @@ public:
   /// The local row on this level of each local node of the next. Collective as prolongator() is.
   const std::vector<int>& coarse_rows(int level) { return at(level).coarse_rows; }
 
+  /// Whether neighbours of neighbours count there. Collective as prolongator() is.
+  bool is_wide(int level) { return at(level).is_wide; }
+
   /// flatness_of_solids of the finest level.
   double flatness() const { return flatness_; }
 
@@ -62,6 +68,7 @@ private:
     Teuchos::RCP<const CrsMatrix> P{};     ///< from the next level; null where it is not made yet
     Teuchos::RCP<const Vector> numbers{};  ///< on the next level, -1 where it lacks the node
     std::vector<int> coarse_rows{};
+    bool is_wide = false;
   };
 
   const Level& at(int level);
@@ -71,7 +78,7 @@ private:
   void coarsen();
   Vector numbers_of_hosts(int level);
 
-  std::shared_ptr<NodalCoarsening> leader_;
+  std::shared_ptr<NodalCoarsening> leader_, vectors_;
   std::deque<Level> levels_;
   double flatness_ = 1.0;
 };
