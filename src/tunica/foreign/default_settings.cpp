@@ -3,6 +3,7 @@
 #include <Teuchos_Array.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/algebra/is_diagonal.hpp"
@@ -176,12 +177,45 @@ void insert_factors_of_slow(std::vector<SolverSetting>& all) {
              {with_patience(first), direct("direct where that is slow", operations_of_cycles)});
 }
 
+/// Largest entry on the diagonal against the smallest, up to which a coefficient is mild.
+constexpr double mild = 1000.0;
+
+/// Nodes of vectors for each scalar, beyond which scalars stand on a boundary alone.
+constexpr int many_nodes = 10;
+
+/// Whether A is a Laplacian of each component by itself, with a mild coefficient, or as plain as
+/// one. Means of coarse vectors then serve; where components are coupled, as in elasticity, or the
+/// coefficient jumps, cycles by Braess and Sarazin contract by 0.8 and less.
+bool is_plain(const algebra::BlockMatrix& K) {
+  const int components = (*K.space())[0].components;
+  if (many_nodes * components * K(1, 1)->getGlobalNumRows() < K(0, 0)->getGlobalNumRows())
+    return false;
+  const auto A = K(0, 0)->getLocalMatrixHost();
+  const Map &rows = *K(0, 0)->getRowMap(), &columns = *K(0, 0)->getColMap();
+  double across = 0.0, within = 0.0, largest = 0.0, smallest = std::numeric_limits<double>::max();
+  for (int i = 0; i < A.numRows(); ++i) {
+    const GlobalOrdinal number = rows.getGlobalElement(i);
+    const auto row = A.rowConst(i);
+    for (int k = 0; k < row.length; ++k) {
+      const GlobalOrdinal other = columns.getGlobalElement(row.colidx(k));
+      (other % components == number % components ? within : across) += row.value(k) * row.value(k);
+      if (other != number) continue;
+      largest = std::max(largest, std::abs(row.value(k)));
+      smallest = std::min(smallest, std::abs(row.value(k)));
+    }
+  }
+  const Comm& comm = *K.comm();
+  return global_sum(comm, across) < 1e-12 * global_sum(comm, within) &&
+         global_max(comm, largest) < mild * global_min(comm, smallest);
+}
+
 /// Operations per entry for which sparse LU takes as long as the first iterative setting. Sweeps by
-/// Braess and Sarazin take about twice as long as others in the plane. Of nodes in space, whose
-/// systems have three times as many entries in a row, incomplete factors take fewer than these; so
-/// do those of optimal control, whose cycles contract by a fifth.
+/// Braess and Sarazin take twice as long as others in the plane, and half where A is plain. Of
+/// nodes in space, whose systems have three times as many entries in a row, incomplete factors take
+/// fewer than these; so do those of optimal control, whose cycles contract by a fifth.
 double break_even(const DefaultChoice& choice, const algebra::BlockMatrix& K, double operations) {
-  if (choice.reason == c_is_zero || choice.reason == c_is_small) return 2.0 * operations;
+  if (choice.reason == c_is_zero || choice.reason == c_is_small)
+    return is_plain(K) ? 0.5 * operations : 2.0 * operations;
   const bool is_in_space = (*K.space())[0].components >= 3;
   const bool is_cheap =
       (is_in_space && choice.reason == c_stabilises) || choice.reason == nodes_have_pivots;

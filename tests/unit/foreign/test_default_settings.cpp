@@ -139,6 +139,32 @@ TEUCHOS_UNIT_TEST(default_settings, incomplete_factors_serve_without_c_where_nod
   TEST_EQUALITY(foreign::default_settings(control(2.0), 1500.0).reason, "C is zero");
 }
 
+/// A of two components by themselves, in which the first unknown has this diagonal.
+Teuchos::RCP<CrsMatrix> plain_matrix(const Teuchos::RCP<const Map>& map, double first) {
+  const auto A = Teuchos::rcp(new CrsMatrix(map, 3));
+  const auto n = static_cast<GlobalOrdinal>(map->getGlobalNumElements());
+  for (const GlobalOrdinal row : global_numbers(*map))
+    for (const GlobalOrdinal column : {row - 2, row, row + 2}) {
+      const double value = column != row ? -1.0 : row == 0 ? first : 2.0;
+      if (column >= 0 && column < n) A->insertGlobalValues(row, 1, &value, &column);
+    }
+  A->fillComplete();
+  return A;
+}
+
+TEUCHOS_UNIT_TEST(default_settings, fewer_factors_come_before_sweeps_where_a_is_plain) {
+  algebra::BlockMatrix K = control(2.0);
+  const auto most = [&] {
+    const auto choice = foreign::default_settings(K, 1500.0);
+    TEST_EQUALITY(choice.reason, "C is zero");
+    return choice.settings.front().list.get<double>("most operations");
+  };
+  K.set(0, 0, plain_matrix(K(0, 0)->getRowMap(), 2.0));
+  TEST_EQUALITY(most(), 750.0);
+  K.set(0, 0, plain_matrix(K(0, 0)->getRowMap(), 2001.0));
+  TEST_EQUALITY(most(), 3000.0);
+}
+
 TEUCHOS_UNIT_TEST(default_settings, factors_come_first_while_they_are_few_for_the_matrix) {
   const auto choice = foreign::default_settings(blocks(true, 0.0, true, 1, 2), 1500.0);
   TEST_ASSERT(names(choice) ==

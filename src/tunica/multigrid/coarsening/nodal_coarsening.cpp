@@ -278,12 +278,17 @@ void NodalCoarsening::coarsen() {
   }
   Teuchos::RCP<const CrsGraph> nodes = level.nodes;
   std::vector<char> is_coarse = chosen_nodes(*nodes, level, first, value);
+  const double n_coarse = size_of(is_coarse, *nodes);
   const auto n_nodes = static_cast<double>(nodes->getGlobalNumRows());
-  level.is_wide = vectors_ ? vectors_->is_wide(static_cast<int>(levels_.size()) - 1)
-                           : !leader_ && size_of(is_coarse, *nodes) > most_staying * n_nodes;
-  if (level.is_wide) {
-    nodes = two_steps(nodes);
-    is_coarse = chosen_nodes(*nodes, level, first, value);
+  if (vectors_ ? vectors_->is_wide(static_cast<int>(levels_.size()) - 1)
+               : !leader_ && n_coarse > most_staying * n_nodes) {
+    const Teuchos::RCP<const CrsGraph> wide = two_steps(nodes);
+    std::vector<char> fewer = chosen_nodes(*wide, level, first, value);
+    level.is_wide = size_of(fewer, *wide) < much_less * n_coarse;  // not of nodes all by themselves
+    if (level.is_wide) {
+      nodes = wide;
+      is_coarse = std::move(fewer);
+    }
   }
   const CoarseNumbers coarse(*nodes, is_coarse, hosts);
   level.P = averaging(*nodes, coarse, flags_between(*nodes, level.between));
