@@ -14,6 +14,11 @@ double excess(const Residuals& residuals, double tolerance) {
   return std::max(residuals.largest_of_fields(), residuals.relative) / tolerance;
 }
 
+/// The whole may drift by round-off; a field that is beyond the tolerance has been left behind.
+bool are_done(const Residuals& residuals, double tolerance) {
+  return residuals.are_within(tolerance) && residuals.largest_of_fields() <= tolerance + 1e-14;
+}
+
 /// Whether the method has got as far as it was asked to: a cap or a stagnation is its own result.
 bool believes_to_be_done(const linear::SolveReport& report) {
   return report.method == "direct" || report.recurrence_residual <= report.tolerance;
@@ -29,7 +34,7 @@ linear::SolveReport refined_solve(linear::LinearSolver& solver, const algebra::B
   residuals = judge(x, r);
   for (int pass = 0; pass < most_refinements; ++pass) {
     const double left = excess(residuals, tolerance);
-    if (residuals.are_within(tolerance) || !std::isfinite(left) || !believes_to_be_done(report))
+    if (are_done(residuals, tolerance) || !std::isfinite(left) || !believes_to_be_done(report))
       break;
     // K dx = b − K x to a tenth of what the worst field permits
     const double goal = std::clamp(0.1 / left, 1e-10, 0.1);
