@@ -42,7 +42,8 @@ constexpr double operations_of_cycles = 200.0 * most_to_come;
 /// 0.8.
 constexpr double enough_of_own = 0.3;
 
-/// Part of the scalars that must have it: a single one without would end the factors.
+/// Part of the scalars that must have it. Where a single one without ends the factors, the next
+/// setting follows.
 constexpr double most_of_own = 0.9;
 
 /// Parts of the scalar rows with entries in B2.
@@ -67,6 +68,7 @@ Pivots find_pivots(const algebra::BlockMatrix& K) {
     double pivot = 0.0, of_own = 0.0;
     const auto b = B2.rowConst(i);
     for (int k = 0; k < b.length; ++k) {
+      if (b.value(k) == 0.0) continue;  // also where A has no diagonal
       const double part = b.value(k) * b.value(k) / std::abs(diagonal(b.colidx(k), 0));
       pivot += part;
       if (vectors.getGlobalElement(b.colidx(k)) / components == own) of_own += part;
@@ -76,7 +78,7 @@ Pivots find_pivots(const algebra::BlockMatrix& K) {
     for (int k = 0; k < c.length; ++k)
       has_diagonal =
           has_diagonal || (columns.getGlobalElement(c.colidx(k)) == own && c.value(k) != 0.0);
-    const bool is_coupled = !(pivot == 0.0);  // also where A has no diagonal
+    const bool is_coupled = pivot > 0.0;
     coupled += is_coupled;
     with_c += is_coupled && has_diagonal;
     with_own += is_coupled && of_own > enough_of_own * pivot;

@@ -79,7 +79,7 @@ void Directions::keep_first(int number) {
 }
 
 // q ← q − Q Qᵀ q in two passes: the second takes out what round-off has left of the first. Each is
-// one message, which takes along the products with q as it is before the pass. What the second pass
+// one message, which takes along products with q as it is before the pass. What the second pass
 // takes out is round-off: for |q| behind it and qᵀ r products from before serve.
 Directions::Added Directions::add(const Teuchos::RCP<MultiVector>& z,
                                   const Teuchos::RCP<MultiVector>& q, const MultiVector& r,
@@ -87,16 +87,18 @@ Directions::Added Directions::add(const Teuchos::RCP<MultiVector>& z,
   Added added;
   double before = 0.0, square = 0.0;
   std::vector<double> all(q_.size(), 0.0);
-  for (int pass = 0; pass < (q_.empty() ? 1 : 2); ++pass) {
+  const int last = q_.empty() ? 0 : 1;
+  for (int pass = 0; pass <= last; ++pass) {
     std::vector<double> c = local_products(q_, *q);
-    for (const double more :
-         {local_product(*q, *q), local_product(*q, r), local_product(r, r), vote})
-      c.push_back(more);
-    c = global_sum(*r.getMap()->getComm(), c);  // c = Qᵀ q, qᵀ q, qᵀ r, rᵀ r
+    c.push_back(local_product(*q, *q));
+    if (pass == last) c.insert(c.end(), {local_product(*q, r), local_product(r, r), vote});
+    c = global_sum(*r.getMap()->getComm(), c);  // c = Qᵀ q, qᵀ q, and at last qᵀ r, rᵀ r
     square = c[all.size()];
-    added.product = c[all.size() + 1];
-    added.square_of_r = c[all.size() + 2];
-    added.votes = c[all.size() + 3];
+    if (pass == last) {
+      added.product = c[all.size() + 1];
+      added.square_of_r = c[all.size() + 2];
+      added.votes = c[all.size() + 3];
+    }
     c.resize(all.size());
     if (pass == 0) before = square;
     for (std::size_t i = 0; i < c.size(); ++i) all[i] += c[i];

@@ -1,5 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "tunica/base/error.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 #include "unit/fields/small_tube.hpp"
@@ -176,6 +177,9 @@ TEUCHOS_UNIT_TEST(cycle, w_cycles_of_deep_levels_reduce_more_and_a_list_may_refu
   }
   out << reductions[0] << " with V cycles, " << reductions[1] << " with W cycles\n";
   TEST_COMPARE(reductions[1], <, reductions[0]);
+  Teuchos::ParameterList wrong = multigrid::nodal_cycle_list(1, 2);
+  wrong.sublist("Hierarchy").set("W cycles on deep levels", "no");
+  TEST_THROW(multigrid::check_cycle_list(wrong), Error);
 }
 
 TEUCHOS_UNIT_TEST(cycle, with_one_level_it_is_a_direct_solver) {

@@ -120,14 +120,6 @@ const std::vector<char>& much_smaller(const CrsGraph& nodes, const std::vector<c
   return size_of(b, nodes) < much_less * size_of(a, nodes) ? b : a;
 }
 
-/// Neighbours, and their neighbours: the entries of G G.
-Teuchos::RCP<const CrsGraph> two_steps(const Teuchos::RCP<const CrsGraph>& nodes) {
-  const auto G = algebra::matrix_on(nodes, 1.0);
-  CrsMatrix GG(nodes->getRowMap(), 0);
-  algebra::multiply_graphs(*G, *G, GG);
-  return GG.getCrsGraph();
-}
-
 /// Nodes without neighbours, unless the graph has no others.
 void leave_out_single_nodes(const CrsGraph& nodes, std::vector<char>& is_coarse) {
   // Fixed nodes, where systems keep only the diagonal: a sweep solves for them, and coarser levels
@@ -182,19 +174,24 @@ Teuchos::RCP<const CrsMatrix> averaging(const CrsGraph& nodes, const CoarseNumbe
   return P;
 }
 
-/// G P, G the graph of the fine nodes: by fine node, the coarse nodes that are parents of any of
-/// its neighbours.
-CrsMatrix parents_of_neighbours(const Teuchos::RCP<const CrsGraph>& nodes, const CrsMatrix& P) {
-  CrsMatrix GP(nodes->getRowMap(), 0);
-  algebra::multiply_graphs(*algebra::matrix_on(nodes, 1.0), P, GP);
-  return GP;
+/// G M, G the graph of the nodes: by node, what any of its neighbours has in M. Of P these are the
+/// parents of neighbours.
+CrsMatrix of_neighbours(const Teuchos::RCP<const CrsGraph>& nodes, const CrsMatrix& M) {
+  CrsMatrix GM(nodes->getRowMap(), 0);
+  algebra::multiply_graphs(*algebra::matrix_on(nodes, 1.0), M, GM);
+  return GM;
+}
+
+/// Neighbours, and their neighbours: the entries of G G.
+Teuchos::RCP<const CrsGraph> two_steps(const Teuchos::RCP<const CrsGraph>& nodes) {
+  return of_neighbours(nodes, *algebra::matrix_on(nodes, 1.0)).getCrsGraph();
 }
 
 /// Coarse nodes are neighbours where any of their children are: the entries of Pᵀ G P.
 Teuchos::RCP<const CrsGraph> coarse_graph(const Teuchos::RCP<const CrsGraph>& nodes,
                                           const CrsMatrix& P) {
   CrsMatrix PtGP(P.getDomainMap(), 0);
-  Tpetra::MatrixMatrix::Multiply(P, true, parents_of_neighbours(nodes, P), false, PtGP);
+  Tpetra::MatrixMatrix::Multiply(P, true, of_neighbours(nodes, P), false, PtGP);
   return PtGP.getCrsGraph();
 }
 
@@ -304,7 +301,7 @@ void NodalCoarsening::coarsen() {
 std::shared_ptr<const RigidInterpolation> NodalCoarsening::rigid(int level) {
   const Level &fine = at(level), &coarse = levels_[level + 1];
   if (fine.places.coordinates.is_null()) return nullptr;
-  const CrsMatrix around = parents_of_neighbours(fine.nodes, *fine.P);
+  const CrsMatrix around = of_neighbours(fine.nodes, *fine.P);
   RigidSource source{*fine.nodes, *fine.P, around, fine.places, coarse.places, fine.coarse_rows};
   source.fine_between = fine.between;
   source.coarse_between = coarse.between;

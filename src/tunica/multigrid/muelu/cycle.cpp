@@ -57,11 +57,13 @@ bool waits_with_rotations(const Teuchos::ParameterList& factory) {
          factory.isType<bool>(rotations) && factory.get<bool>(rotations);
 }
 
-/// Whether the list lets deep hierarchies have W cycles.
-bool may_have_w_cycles(const Teuchos::ParameterList& muelu) {
-  if (!muelu.isSublist("Hierarchy")) return true;
-  const Teuchos::ParameterList& levels = muelu.sublist("Hierarchy");
-  return !levels.isType<bool>(Cycle::w_cycles) || levels.get<bool>(Cycle::w_cycles);
+/// Whether a list's "Hierarchy" lets deep levels have W cycles.
+bool may_have_w_cycles(const Teuchos::ParameterList& hierarchy) {
+  if (!hierarchy.isParameter(Cycle::w_cycles)) return true;
+  TUNICA_CHECK(
+      hierarchy.isType<bool>(Cycle::w_cycles),
+      "Hierarchy: \"" + std::string(Cycle::w_cycles) + "\" has another type, expected bool.");
+  return hierarchy.get<bool>(Cycle::w_cycles);
 }
 
 /// The largest of the list's factories; 0 where none waits.
@@ -179,7 +181,7 @@ void Cycle::set_up() {
 void Cycle::choose_cycle_type() {
   const Teuchos::ParameterList& levels = muelu_.sublist("Hierarchy");
   if (levels.isParameter("cycle type")) return;
-  const bool is_deep = may_have_w_cycles(muelu_) && parts_->hierarchy->GetNumLevels() >= deep &&
+  const bool is_deep = may_have_w_cycles(levels) && parts_->hierarchy->GetNumLevels() >= deep &&
                        parts_->levels.operator_complexity <= most_complex;
   parts_->levels.is_w_cycle = is_deep || coarsening_->flatness() > flat;
   parts_->hierarchy->SetCycle(parts_->levels.is_w_cycle ? MueLu::WCYCLE : MueLu::VCYCLE);
@@ -304,6 +306,7 @@ void check_cycle_list(const Teuchos::ParameterList& muelu, bool is_blocked) {
   TUNICA_CHECK(list.isSublist("Hierarchy") && list.isSublist("Factories"),
                "the list lacks \"Factories\" or \"Hierarchy\"; a mixed matrix needs a MueLu list "
                "in the form of factories.");
+  may_have_w_cycles(list.sublist("Hierarchy"));
   // The interpreter builds all factories, and throws at a name or a key that none has.
   std::string cause;
   try {
