@@ -60,6 +60,27 @@ struct Grid {
   }
 };
 
+/// Nodes of n × n squares of two triangles each with quadratic functions.
+inline Teuchos::RCP<const CrsGraph> quadratic_plane(const CommPtr& comm, int n) {
+  const int m = 2 * n + 1;
+  const auto nodes = Teuchos::rcp(new Map(m * m, 0, comm));
+  const auto graph = Teuchos::rcp(new CrsGraph(nodes, 19));
+  for (int corner = 0; corner < m * m; ++corner) {
+    if (corner % m % 2 != 0 || corner / m % 2 != 0) continue;
+    for (const int side : {1, m}) {  // two sides of the square and its diagonal
+      if (corner % m == m - 1 || corner / m == m - 1) continue;
+      const int far = corner + 2 * (m + 1), across = corner + m + 1;
+      const std::vector<GlobalOrdinal> triangle{
+          corner, corner + side, corner + 2 * side, far, across, corner + side + across - corner};
+      for (const GlobalOrdinal node : triangle)
+        if (nodes->isNodeGlobalElement(node))
+          graph->insertGlobalIndices(node, Teuchos::arrayViewFromVector(triangle));
+    }
+  }
+  graph->fillComplete();
+  return graph;
+}
+
 /// The entries of an own row by their global columns.
 inline std::map<GlobalOrdinal, Scalar> row_of(const CrsMatrix& A, GlobalOrdinal row) {
   const auto entries = A.getLocalMatrixHost().rowConst(A.getRowMap()->getLocalElement(row));

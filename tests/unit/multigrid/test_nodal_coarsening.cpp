@@ -279,6 +279,18 @@ TEUCHOS_UNIT_TEST(nodal_coarsening,
   }));
 }
 
+TEUCHOS_UNIT_TEST(nodal_coarsening, a_quarter_of_quadratic_elements_stays_in_a_plane) {
+  const auto part_of = [](const Teuchos::RCP<const CrsGraph>& nodes, bool is_plane) {
+    NodalCoarsening all(nodes, *test::nodes_of(nodes).order, Teuchos::null, {}, nullptr, is_plane);
+    return static_cast<double>(n_nodes(all, 1)) / static_cast<double>(n_nodes(all, 0));
+  };
+  const auto quadratic = test::quadratic_plane(test::world(), 16);
+  TEST_FLOATING_EQUALITY(part_of(quadratic, true), 0.25, 0.1);
+  TEST_COMPARE(part_of(quadratic, false), <, 0.22);
+  const auto linear = Grid{33, 33, 1, true}.graph(test::world());  // where another order is as even
+  TEST_EQUALITY(part_of(linear, true), part_of(linear, false));
+}
+
 TEUCHOS_UNIT_TEST(nodal_coarsening, what_was_made_once_is_kept) {
   const auto nodes = grids[0].graph(test::world());
   NodalCoarsening coarsening(nodes, *test::nodes_of(nodes).order);

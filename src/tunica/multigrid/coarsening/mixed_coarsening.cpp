@@ -151,7 +151,8 @@ MixedCoarsening::MixedCoarsening(const algebra::BlockSpace& space)
       nodes_.push_back(nodes.hosts.is_null()
                            ? std::make_shared<NodalCoarsening>(
                                  nodes.graph, *nodes.order, between(nodes, part_names_),
-                                 nodes.places, b > 0 ? nodes_.front() : nullptr)
+                                 nodes.places, b > 0 ? nodes_.front() : nullptr,
+                                 b == 0 && space[b].components == 2)
                            : std::make_shared<NodalCoarsening>(nodes.graph, *nodes.order,
                                                                *nodes.hosts, nodes_.front()));
     maps_[{0, b}] = space[b].map;

@@ -28,10 +28,12 @@ public:
   /// places: of nodes of solids, whose rotations rigid() interpolates.
   /// vectors: of scalars, the coarsening of the vectors, at nodes of their own: neighbours of
   /// neighbours count where they do there, so that there are always some vectors for each scalar.
+  /// is_plane: nodes of a plane mesh, of whose finest level those with fewest neighbours come
+  /// first.
   NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
                   const Teuchos::RCP<const Vector>& between = Teuchos::null,
                   const algebra::NodePlaces& places = {},
-                  std::shared_ptr<NodalCoarsening> vectors = nullptr);
+                  std::shared_ptr<NodalCoarsening> vectors = nullptr, bool is_plane = false);
   /// hosts: for each node the number of its host on the same rank, or -1. No two nodes with the
   /// same host may be neighbours, and nodes only where their hosts are.
   NodalCoarsening(const Teuchos::RCP<const CrsGraph>& nodes, const Vector& order,
@@ -79,6 +81,7 @@ private:
   Vector numbers_of_hosts(int level);
 
   std::shared_ptr<NodalCoarsening> leader_, vectors_;
+  bool is_plane_ = false;
   std::deque<Level> levels_;
   double flatness_ = 1.0;
 };
