@@ -43,15 +43,38 @@ Teuchos::RCP<CrsGraph> graph_of(Neighbours neighbours, const Teuchos::RCP<const 
   return graph;
 }
 
-/// Appends to each own node the columns of the rows of M that are its.
+/// By local column of M, the position of its node among all nodes of columns, ascending.
+struct ColumnNodes {
+  std::vector<GlobalOrdinal> nodes;
+  std::vector<std::size_t> of_column;
+
+  template <class NodeOf>
+  ColumnNodes(const Map& columns, const NodeOf& node_of) {
+    for (const GlobalOrdinal number : global_numbers(columns)) nodes.push_back(node_of(number));
+    const std::vector<GlobalOrdinal> all = nodes;
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (const GlobalOrdinal node : all)
+      of_column.push_back(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
+  }
+};
+
+/// Appends to each own node those of the columns of the rows of M that are its. Where its rows
+/// follow each other each is appended once: they repeat their neighbours a dozen times.
 template <class NodeOf>
 void append(const CrsMatrix& M, const Map& nodes, const NodeOf& node_of, Neighbours& neighbours) {
+  const ColumnNodes columns(*M.getColMap(), node_of);
+  std::vector<LocalOrdinal> seen_by(columns.nodes.size(), -1);
   const auto local = M.getLocalMatrixHost();
   for (int i = 0; i < local.numRows(); ++i) {
-    auto& to = neighbours[nodes.getLocalElement(node_of(M.getRowMap()->getGlobalElement(i)))];
+    const LocalOrdinal own = nodes.getLocalElement(node_of(M.getRowMap()->getGlobalElement(i)));
     const auto row = local.rowConst(i);
-    for (int k = 0; k < row.length; ++k)
-      to.push_back(node_of(M.getColMap()->getGlobalElement(row.colidx(k))));
+    for (int k = 0; k < row.length; ++k) {
+      const std::size_t column = columns.of_column[row.colidx(k)];
+      if (seen_by[column] == own) continue;
+      seen_by[column] = own;
+      neighbours[own].push_back(columns.nodes[column]);
+    }
   }
 }
 
