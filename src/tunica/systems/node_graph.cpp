@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "tunica/base/agreement.hpp"
 #include "tunica/base/exchange.hpp"
 #include "tunica/base/sort_once.hpp"
 
@@ -13,6 +14,10 @@ namespace tunica::systems {
 namespace {
 
 constexpr double strong = 0.1;  ///< of the geometric mean of the diagonals
+
+/// Part of the neighbours that a vector and the scalar of its node have in common at least. On a
+/// grid of cubes of six tetrahedra each, where C has only the neighbours along its lines, 0.4.
+constexpr double least_common = 0.3;
 
 /// Takes pairs of nodes, found on any rank again and again, to the ranks that have the first.
 class EdgeCollector {
@@ -104,7 +109,97 @@ void couple_all(const MatrixRows& A, const std::vector<long long>& node_of_row,
   });
 }
 
+/// Scalars that the vectors of each node reach in B1T. Collective.
+MatrixRows reach_of_nodes(const MatrixRows& B1T, int components, bool is_by_node) {
+  const long long n = B1T.n_rows / components;
+  RowCollector collector(n, B1T.n_columns, B1T.comm);
+  in_batches(B1T, [&](std::size_t first, std::size_t last) {
+    std::vector<Entry> entries;
+    for (std::size_t i = first; i < last; ++i) {
+      const long long row = B1T.first_row() + static_cast<long long>(i);
+      for (std::size_t k = B1T.start[i]; k < B1T.start[i + 1]; ++k)
+        entries.push_back({is_by_node ? row / components : row % n, B1T.columns[k], 1.0});
+    }
+    collector.add(entries);
+  });
+  return collector.take();
+}
+
+/// The scalar with most common neighbours; -1 where none has enough.
+class LikeliestScalar {
+public:
+  /// neighbours: entries of C in the rows of all that may be reached. Collective.
+  LikeliestScalar(const MatrixRows& C, std::vector<Entry> neighbours,
+                  const std::vector<std::size_t>& lengths)
+      : neighbours_(std::move(neighbours)),
+        length_(*C.comm, columns_of(neighbours_), lengths, C.n_rows) {}
+
+  // s with the largest |R ∩ N_s| / |R ∪ N_s|: R are those reached, N_s the columns of C in row s
+  long long operator()(const long long* reached, std::size_t n_reached) const {
+    std::map<long long, std::size_t> common;
+    for (std::size_t k = 0; k < n_reached; ++k) {
+      auto entry = std::partition_point(neighbours_.begin(), neighbours_.end(),
+                                        [&](const Entry& e) { return e.row < reached[k]; });
+      for (; entry != neighbours_.end() && entry->row == reached[k]; ++entry)
+        ++common[entry->column];
+    }
+    long long likeliest = -1;
+    double most = least_common;
+    for (const auto& [scalar, n] : common) {
+      const auto all = static_cast<double>(n_reached + length_(scalar) - n);
+      if (const double part = static_cast<double>(n) / all; part > most) {
+        most = part;
+        likeliest = scalar;
+      }
+    }
+    return likeliest;
+  }
+
+private:
+  static std::vector<long long> columns_of(const std::vector<Entry>& entries) {
+    std::vector<long long> columns;
+    for (const Entry& entry : entries) columns.push_back(entry.column);
+    sort_once(columns);
+    return columns;
+  }
+
+  std::vector<Entry> neighbours_;
+  Fetched<std::size_t> length_;
+};
+
+/// No number is -1 or there twice. Collective.
+bool are_claimed_once(const std::vector<long long>& scalars, long long n_scalars,
+                      const Comm& comm) {
+  if (!all_agree(comm, std::count(scalars.begin(), scalars.end(), -1) == 0)) return false;
+  std::vector<int> ranks;
+  for (const long long scalar : scalars) ranks.push_back(rank_of_row(scalar, n_scalars, comm));
+  std::vector<long long> claims = exchange_to(comm, scalars, ranks).items;
+  const std::size_t n = claims.size();
+  sort_once(claims);
+  return all_agree(comm, claims.size() == n);
+}
+
 }  // namespace
+
+ScalarsBeside scalars_beside(const Blocks& blocks, int components, bool is_by_node) {
+  const long long n_scalars = blocks.n_rows(1), n = blocks.n_rows(0) / components;
+  const bool are_alike =
+      components > 1 && blocks.n_rows(0) % components == 0 && n < n_scalars && n_scalars <= 2 * n;
+  if (!are_alike) return {};
+  const MatrixRows& C = blocks.mC;
+  std::vector<std::size_t> lengths;
+  for (std::size_t i = 0; i < C.n_local_rows(); ++i) lengths.push_back(C.start[i + 1] - C.start[i]);
+  const MatrixRows reach = reach_of_nodes(blocks.B1T, components, is_by_node);
+  ScalarsBeside beside;
+  in_batches(reach, [&](std::size_t first, std::size_t last) {
+    const LikeliestScalar likeliest(C, fetch_rows(C, columns_of(reach, first, last)), lengths);
+    for (std::size_t i = first; i < last; ++i)
+      beside.of_node.push_back(
+          likeliest(reach.columns.data() + reach.start[i], reach.start[i + 1] - reach.start[i]));
+  });
+  beside.are_known = are_claimed_once(beside.of_node, n_scalars, *C.comm);
+  return beside;
+}
 
 NodeGraph vector_graph(const Blocks& blocks, const NodeTable& table) {
   EdgeCollector edges(table.n_nodes, blocks.A.comm);

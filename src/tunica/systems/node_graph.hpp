@@ -17,4 +17,9 @@ NodeGraph vector_graph(const Blocks& blocks, const NodeTable& table);
 /// mesh. Collective.
 NodeGraph scalar_graph(const Blocks& blocks, const NodeTable& table);
 
+/// Which scalar stands at the node of a vector, where boundary conditions have left out vectors and
+/// the numbers do not tell: its neighbours in C are those that the vector has in B1T. Not known
+/// where two vectors claim one scalar. Collective.
+ScalarsBeside scalars_beside(const Blocks& blocks, int components, bool is_by_node);
+
 }  // namespace tunica::systems

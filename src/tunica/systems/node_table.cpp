@@ -30,6 +30,16 @@ Unknowns regular(int components, bool is_by_node, long long n_vector, long long 
   return mine;
 }
 
+/// The nodes of the vectors by the numbers of their scalars. Collective.
+void renumber(const ScalarsBeside& beside, long long n_nodes, const Comm& comm,
+              std::vector<Unknown>& vectors) {
+  std::vector<long long> nodes;
+  for (const Unknown& unknown : vectors) nodes.push_back(unknown.node);
+  sort_once(nodes);
+  const Fetched<long long> scalar_of(comm, std::move(nodes), beside.of_node, n_nodes);
+  for (Unknown& unknown : vectors) unknown.node = scalar_of(unknown.node);
+}
+
 /// Unknowns on the ranks that keep their nodes, and the way back.
 class Kept {
 public:
@@ -62,9 +72,10 @@ private:
 /// unknowns of a node, in the order of the file.
 class NodeKeeper {
 public:
+  /// n_lone: scalars that may stand at a node without vectors.
   NodeKeeper(const Comm& comm, int components, std::string path, const Unknowns& unknowns,
-             long long n_border)
-      : comm_(comm), components_(components), n_border_(n_border), path_(std::move(path)),
+             long long n_lone)
+      : comm_(comm), components_(components), n_lone_(n_lone), path_(std::move(path)),
         nodes_of_rank_(largest_node(unknowns) / comm.getSize() + 1),
         vectors_(comm, unknowns.vectors, nodes_of_rank_),
         scalars_(comm, unknowns.scalars, nodes_of_rank_) {
@@ -102,7 +113,7 @@ private:
       lone_vectors += (has & scalar_bit()) == 0;
     }
     lone_scalars = global_sum(comm_, lone_scalars);
-    return global_sum(comm_, lone_vectors) == 0 && lone_scalars <= n_border_ &&
+    return global_sum(comm_, lone_vectors) == 0 && lone_scalars <= n_lone_ &&
            lone_scalars < global_sum(comm_, static_cast<long long>(taken_.size()));
   }
   long long largest_node(const Unknowns& unknowns) const {
@@ -152,7 +163,7 @@ private:
 
   const Comm& comm_;
   int components_;
-  long long n_border_;
+  long long n_lone_;
   std::string path_;
   long long nodes_of_rank_;
   Kept vectors_, scalars_;
@@ -164,16 +175,20 @@ private:
 
 }  // namespace
 
+// Whoever says which scalars stand beside vectors also says which stand alone.
 NodeTable make_node_table(const Teuchos::ParameterList& options, long long n_vector,
-                          long long n_scalar, long long n_border, const CommPtr& comm,
-                          std::size_t lines_at_once) {
+                          long long n_scalar, long long n_border, const ScalarsBeside& beside,
+                          const CommPtr& comm, std::size_t lines_at_once) {
   const int components = options.get<int>("components");
   const auto& file = options.get<std::string>("node map");
-  const Unknowns unknowns =
-      file.empty() ? regular(components, options.get<std::string>("order") == "by node", n_vector,
-                             n_scalar, *comm)
-                   : read_node_map(file, n_vector, n_scalar, comm, lines_at_once);
-  const NodeTable table = NodeKeeper(*comm, components, file, unknowns, n_border).table();
+  Unknowns unknowns = file.empty()
+                          ? regular(components, options.get<std::string>("order") == "by node",
+                                    n_vector, n_scalar, *comm)
+                          : read_node_map(file, n_vector, n_scalar, comm, lines_at_once);
+  if (beside.are_known) renumber(beside, n_vector / components, *comm, unknowns.vectors);
+  const bool are_paired = beside.are_known || !file.empty();
+  const NodeTable table =
+      NodeKeeper(*comm, components, file, unknowns, are_paired ? n_scalar / 2 : n_border).table();
   TUNICA_CHECK(unknowns.total == n_vector + n_scalar,
                file + ": " + std::to_string(unknowns.total) + " unknowns, expected " +
                    std::to_string(n_vector) + " of A and " + std::to_string(n_scalar) + " of B2.");

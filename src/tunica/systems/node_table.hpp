@@ -13,16 +13,22 @@ struct NodeTable {
   std::vector<long long> vector_node, scalar_node;  ///< of each unknown
   std::vector<int> component;                       ///< of each vector unknown
   long long n_nodes = 0;                            ///< of all ranks, numbered without gaps
-  /// Every node has a scalar and at least one vector unknown, but for those of the border: both
-  /// blocks share the nodes.
+  /// Every node has a scalar and at least one vector unknown, but for scalars of the border, and
+  /// for fixed vectors that are left out where it is known which: both blocks share the nodes.
   bool is_shared = false;
 };
 
+/// The scalar that stands at each node of the vectors, where it is found and not given.
+struct ScalarsBeside {
+  bool are_known = false;
+  std::vector<long long> of_node;  ///< of the rank's portion of the nodes
+};
+
 /// From the options of read_system(), of which rank 0 reads the file, some lines at once. n_border:
-/// scalars that border the system. Throws tunica::Error on all ranks where they do not fit the
-/// numbers of unknowns. Collective.
+/// scalars that border the system. beside: instead of the order in which both are numbered. Throws
+/// tunica::Error on all ranks where they do not fit the numbers of unknowns. Collective.
 NodeTable make_node_table(const Teuchos::ParameterList& options, long long n_vector,
-                          long long n_scalar, long long n_border, const CommPtr& comm,
-                          std::size_t lines_at_once = entries_at_once);
+                          long long n_scalar, long long n_border, const ScalarsBeside& beside,
+                          const CommPtr& comm, std::size_t lines_at_once = entries_at_once);
 
 }  // namespace tunica::systems

@@ -233,15 +233,19 @@ System prepared_system(Blocks given, const Teuchos::ParameterList& options,
   const auto& marks = preparation.known_in[1];
   const auto n_border = global_sum(
       blocks.comm(), static_cast<long long>(std::count(marks.begin(), marks.end(), bordering)));
+  const ScalarsBeside beside = options.get<std::string>("node map").empty()
+                                   ? scalars_beside(blocks, vectors.components, vectors.is_by_node)
+                                   : ScalarsBeside{};
   const NodeTable table = make_node_table(with_order, blocks.n_rows(0), blocks.n_rows(1), n_border,
-                                          blocks.A.comm, lines_at_once);
+                                          beside, blocks.A.comm, lines_at_once);
   const Places places = places_of(blocks, table, options, lines_at_once);
   const CommPtr comm = blocks.A.comm;
   System system = deal_out(std::move(given), std::move(blocks), preparation, places);
   system.schur = dealt_schur(options, system, places.scalars, comm, lines_at_once);
   system.remarks = std::move(preparation.remarks);
   system.notes = std::move(preparation.notes);
-  system.order = vectors.text + (order.empty() ? "" : ", " + order);
+  system.order = vectors.text + (order.empty() ? "" : ", " + order) +
+                 (beside.are_known ? ", scalars beside vectors by their neighbours" : "");
   system.found = found;
   system.is_searched_for_constants = options.get<bool>("null space");
   if (system.is_searched_for_constants) system.constants = find_constants(system);
