@@ -167,7 +167,9 @@ std::optional<BestSolution> SolverTable::run(const LinearSystem& system) {
   const Stopwatch watch;
   const std::vector<SolverSetting> settings = settings_for(system);
   std::size_t tried = 0;
+  bool has_been_slow = false;
   for (const SolverSetting& setting : settings) {
+    if (setting.is_for_slow && !has_been_slow) continue;
     ++tried;
     algebra::BlockVector x = system.K->zero();
     SolverRow row = run_setting(setting, system, tolerance_, x);
@@ -180,6 +182,7 @@ std::optional<BestSolution> SolverTable::run(const LinearSystem& system) {
       best = {setting.name, row.solve.true_residual, x, row.solve.is_converged, setting.list};
     add(row);
     if (is_chosen_ && row.solve.is_converged) break;
+    has_been_slow = has_been_slow || row.solve.has_stagnated;
   }
   save();
   if (is_root_)

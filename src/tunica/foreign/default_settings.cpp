@@ -33,9 +33,11 @@ const char* const c_is_zero = "C is zero";
 const char* const c_is_small = "few scalars";
 
 /// Iterations that may be to come before sparse LU is tried, and the operations per entry for which
-/// it takes as long: a cycle takes as long as 180 to 340.
+/// it takes as long: a cycle takes as long as 180 to 340, and in space, where fronts are larger and
+/// dense products with them quicker, three times as many.
 constexpr int most_to_come = 100;
-constexpr double operations_of_cycles = 200.0 * most_to_come;
+constexpr double operations_in_plane = 200.0 * most_to_come;
+constexpr double operations_in_space = 3.0 * operations_in_plane;
 
 /// Part of the pivot B2 diag(A)⁻¹ B2ᵀ of a scalar that has to come from the vectors of its own node
 /// for incomplete factors of nodes. Of flows it is nothing inside the domain, of optimal control
@@ -172,11 +174,12 @@ bool are_scalars_few(const algebra::BlockMatrix& K) {
 }
 
 /// The first setting, given up where it is slow; factors; the first one to its end.
-void insert_factors_of_slow(std::vector<SolverSetting>& all) {
+void insert_factors_of_slow(double most_operations, std::vector<SolverSetting>& all) {
   const SolverSetting first = all.front();
   all.front().name += " to the end";
+  all.front().is_for_slow = true;
   all.insert(all.begin(),
-             {with_patience(first), direct("direct where that is slow", operations_of_cycles)});
+             {with_patience(first), direct("direct where that is slow", most_operations)});
 }
 
 /// Largest entry on the diagonal against the smallest, up to which a coefficient is mild.
@@ -273,11 +276,11 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
   // masses in A, as in optimal control, it may be one of fourth order, of which fields make little.
   const bool has_fluxes = (*K.space())[0].components == 1;
   if (!is_stabilised && has_fluxes && is_near_its_diagonal(*K(0, 0)))
-    return {{by_fields, by_braess, incomplete_factors()}, "A is near its diagonal"};
+    return {{by_fields, by_braess}, "A is near its diagonal"};
   // One unknown of a field alone is no node.
   if (!is_stabilised && !has_fluxes && pivots.of_own > most_of_own)
     return {{by_factors, by_braess, by_fields, incomplete_factors()}, nodes_have_pivots};
-  if (!is_stabilised) return {{by_braess, by_fields, incomplete_factors()}, c_is_zero};
+  if (!is_stabilised) return {{by_braess, by_fields}, c_is_zero};
   if (are_scalars_few(K)) return {{by_braess, by_fields, incomplete_factors()}, c_is_small};
   return {{by_factors, by_braess, by_fields, incomplete_factors()}, c_stabilises};
 }
@@ -315,9 +318,12 @@ DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_oper
   std::vector<SolverSetting>& all = choice.settings;
   if (direct_operations > 0.0) {
     const double most = break_even(choice, K, direct_operations);
-    const double about = operations_by_nodes(K, most_excess * most);
+    const bool is_in_space = (*K.space())[0].components >= 3;
+    const double most_of_slow = is_in_space ? operations_in_space : operations_in_plane;
+    const double about = operations_by_nodes(K, std::max(most_excess * most, most_of_slow));
     // In space factors of whatever is large take more than any number of cycles.
-    if ((*K.space())[0].components < 3) insert_factors_of_slow(all);
+    if (!is_in_space || (about > 0.0 && about <= most_of_slow))
+      insert_factors_of_slow(most_of_slow, all);
     if (about > most_excess * most)
       choice.operations = about;
     else

@@ -56,8 +56,9 @@ double Residuals::largest_of_fields() const {
 bool Residuals::are_within(double tolerance) const {
   // The recurrence of a Krylov method may drift from the truth by round-off, not by more.
   const double enough = 2.0 * tolerance + 1e-14;
+  // A field alone cannot hide behind one that adds up more.
   return largest_of_fields() <= enough &&
-         (relative <= enough || (backward_error <= rounding && relative <= far_off));
+         (relative <= enough || (largest_of_fields() <= rounding && relative <= far_off));
 }
 
 bool Residuals::are_rounding(double tolerance) const {
@@ -110,9 +111,7 @@ Judge judge_of(const algebra::BlockMatrix& K, const algebra::BlockVector& b) {
 
 Judge judge_of(const systems::System& system) {
   return [&](const algebra::BlockVector& y, algebra::BlockVector& r) {
-    algebra::BlockVector x = system.K.zero();
-    for (int i = 0; i < y.n_blocks(); ++i)
-      x[i].elementWiseMultiply(1.0, system.scale[i], y[i], 0.0);
+    algebra::BlockVector x = systems::of_free(system, y);
     // r = R (b' − K C y)
     system.given.apply(x, r);
     systems::take_to_rows(system, r);
@@ -125,7 +124,7 @@ Judge judge_of(const systems::System& system) {
     // R may have shrunk rows that outweigh the others in |r| as it is given.
     const Residuals given = compared(in_given_rows(system, r), in_given_rows(system, sums),
                                      in_given_rows(system, system.b));
-    if (given.backward_error > rounding)
+    if (given.largest_of_fields() > rounding)
       result.relative = std::max(result.relative, given.relative);
     return result;
   };

@@ -53,6 +53,7 @@ std::string SystemSolver::told(const Outcome& failure) const {
 bool SystemSolver::prepare_next() {
   for (; present_ < settings_.size(); ++present_) {
     const SolverSetting& setting = settings_[present_];
+    if (setting.is_for_slow && !has_been_slow_) continue;
     const Outcome outcome = attempt(*system_->K.comm(), "setting up \"" + setting.name + "\"", [&] {
       solver_ = with_border(*system_, solver_of(setting, system_->K, operators_));
       solver_->prepare();
@@ -97,6 +98,7 @@ Answer SystemSolver::solve(algebra::BlockVector& y) {
       y.assign(tried);
     }
     if (outcome.is_success() && answer.report.is_converged) break;
+    has_been_slow_ = has_been_slow_ || answer.report.has_stagnated;
     failures_ +=
         setting().name + ": " +
         (outcome.is_success() ? linear::describe_unconverged(answer.report) : told(outcome)) + "\n";

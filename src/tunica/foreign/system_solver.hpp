@@ -48,6 +48,7 @@ private:
   double tolerance_;
   std::vector<SolverSetting> settings_;
   std::size_t present_ = 0;
+  bool has_been_slow_ = false;  ///< a setting has been given up before its end
   std::unique_ptr<linear::LinearSolver> solver_;
   std::string failures_;
 };

@@ -110,13 +110,24 @@ void take_to_rows(const System& system, algebra::BlockVector& x) {
   }
 }
 
-algebra::BlockVector in_units_of_files(const System& system, const algebra::BlockVector& y) {
+algebra::BlockVector of_free(const System& system, const algebra::BlockVector& y) {
   algebra::BlockVector x = system.K.zero();
-  // x = x_k + C y
   for (int i = 0; i < y.n_blocks(); ++i) {
-    x[i].elementWiseMultiply(1.0, system.scale[i], y[i], 0.0);
-    x[i].update(1.0, system.known[i], 1.0);
+    const auto known_in = system.known_in[i].getLocalViewHost(read_only);
+    const auto factor = system.scale[i].getLocalViewHost(read_only);
+    const auto from = y[i].getLocalViewHost(read_only);
+    const auto to = x[i].getLocalViewHost(overwrite_all);
+    for (std::size_t k = 0; k < to.extent(0); ++k)
+      to(k, 0) =
+          known_in(k, 0) == 0.0 || known_in(k, 0) == bordering ? factor(k, 0) * from(k, 0) : 0.0;
   }
+  return x;
+}
+
+// x = x_k + C y
+algebra::BlockVector in_units_of_files(const System& system, const algebra::BlockVector& y) {
+  algebra::BlockVector x = of_free(system, y);
+  for (int i = 0; i < y.n_blocks(); ++i) x[i].update(1.0, system.known[i], 1.0);
   for (const ConstantMode& mode : system.constants) {
     if (mode.is_given_by_border()) continue;
     const auto values = x[mode.field].getLocalViewHost(read_write);

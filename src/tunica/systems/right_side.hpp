@@ -31,4 +31,8 @@ std::vector<double> values_at(const std::vector<GlobalOrdinal>& unknowns, const 
 /// x ← R x in the rows of free unknowns, 0 in the others.
 void take_to_rows(const System& system, algebra::BlockVector& x);
 
+/// C y of free unknowns, 0 of the others: what a method leaves in rows that hold nothing but their
+/// diagonal is no part of x.
+algebra::BlockVector of_free(const System& system, const algebra::BlockVector& y);
+
 }  // namespace tunica::systems

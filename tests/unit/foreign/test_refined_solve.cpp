@@ -59,6 +59,13 @@ TEUCHOS_UNIT_TEST(residuals, what_rounding_leaves_is_solved) {
   TEST_ASSERT(!found.are_rounding(1e-3));
 }
 
+TEUCHOS_UNIT_TEST(residuals, a_field_does_not_hide_its_error_in_the_rounding_of_another) {
+  foreign::Residuals found{{1e-10, 1e-16}, 1e-15, 1e-7};
+  TEST_ASSERT(!found.are_within(1e-8));
+  found.of_fields.front() = 1e-15;
+  TEST_ASSERT(found.are_within(1e-8));
+}
+
 /// Takes (1 − error) of a solution for the solution.
 class Careless final : public linear::LinearSolver {
 public:

@@ -154,6 +154,14 @@ TEUCHOS_UNIT_TEST(preparation, rows_with_a_diagonal_alone_give_known_values) {
   TEST_EQUALITY(static_cast<int>(solved.system.K(0, 0)->getGlobalNumEntries()), 3 * (n - 2));
   TEST_COMPARE(largest_entry(*solved.system.K(0, 0)), <=, 4.0);
   TEST_COMPARE(largest_difference(solved.x, solution), <, 1e-12);
+  // What a method leaves there is no part of the solution.
+  algebra::BlockVector left = solved.system.K.zero();
+  left[0].putScalar(1e-9);
+  const Vector x = in_file_order(solved.system, in_units_of_files(solved.system, left));
+  const auto found = x.getLocalViewHost(read_only);
+  TEST_EQUALITY(found(0, 0), solution.front());
+  TEST_EQUALITY(found(n - 1, 0), solution.back());
+  TEST_INEQUALITY(found(1, 0), 0.0);
   options.set("known values", false);
   TEST_EQUALITY(static_cast<int>(Solved(options).system.K(0, 0)->getGlobalNumEntries()), 3 * n - 4);
 }

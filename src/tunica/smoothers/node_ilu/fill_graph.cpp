@@ -55,7 +55,7 @@ private:
 
 // lev(i, j) = min_k lev(i, k) + lev(k, j) + 1 over pivots k < i, j; zero for entries of the graph.
 // What exceeds the level is dropped. Pivots of a row come ascending, those of fill among them.
-RowGraph with_fill(const RowGraph& graph, int level) {
+std::optional<RowGraph> with_fill(const RowGraph& graph, int level, std::size_t most) {
   if (level == 0) return graph;
   RowGraph filled;
   std::vector<int> levels;  // of the entries of the filled graph
@@ -67,6 +67,7 @@ RowGraph with_fill(const RowGraph& graph, int level) {
       for (std::size_t k = filled.start[pivot]; k < filled.start[pivot + 1]; ++k)
         if (filled.columns[k] > pivot) row.add(filled.columns[k], row.level(pivot) + levels[k] + 1);
     row.end(filled, levels);
+    if (filled.columns.size() > most) return std::nullopt;
   }
   filled.columns.shrink_to_fit();
   return filled;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace tunica::smoothers {
@@ -13,7 +14,8 @@ struct RowGraph {
 };
 
 /// The graph of the factors ILU(k) [Sa03, 10.3.3]: what elimination in the given order fills by
-/// chains of at most level steps. Both with all diagonal entries. level 0: the graph itself.
-RowGraph with_fill(const RowGraph& graph, int level);
+/// chains of at most level steps. Both with all diagonal entries. level 0: the graph itself. None
+/// where it would have more than so many columns.
+std::optional<RowGraph> with_fill(const RowGraph& graph, int level, std::size_t most);
 
 }  // namespace tunica::smoothers

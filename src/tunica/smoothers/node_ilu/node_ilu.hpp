@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "tunica/algebra/dof_layout.hpp"
@@ -49,8 +50,13 @@ struct NodeIluOptions {
   Teuchos::RCP<const Vector> hosts{};
 };
 
+/// Factors with fill would be many times as large as K, as beside rows that couple nodes all over.
+class TooMuchFill : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// K must outlive the factors, and keep its graph. Throws std::invalid_argument for more than
-/// three components. Collective.
+/// three components, TooMuchFill on all ranks. Collective.
 std::unique_ptr<NodeIlu> make_node_ilu(const CrsMatrix& K, const algebra::DofLayout& numbering,
                                        const NodeIluOptions& options);
 

@@ -154,14 +154,18 @@ void NodalIluSmoother::search() {
   double least = state_.radius;
   for (int next = memory_.attempt + 1; next < n_attempts && !(least <= bound_); ++next) {
     if (GetParameterList().get<int>("fill") + attempts[next].more_fill > most_fill) break;
-    factorise(next);
+    try {
+      factorise(next);
+    } catch (const smoothers::TooMuchFill&) {
+      break;
+    }
     measure();
     if (state_.radius < least || !std::isfinite(least)) {
       least = state_.radius;
       best = next;
     }
   }
-  if (best == memory_.attempt) return;
+  if (factors_ && best == memory_.attempt) return;
   factorise(best);
   measure();
 }
