@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tunica/base/error.hpp"
-#include "tunica/systems/unknown_order.hpp"
+#include "tunica/systems/scalar_rows.hpp"
 
 namespace tunica::systems {
 

@@ -1,0 +1,235 @@
+#include "tunica/systems/scalar_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tunica/base/error.hpp"
+#include "tunica/base/reduce.hpp"
+#include "tunica/base/rows.hpp"
+
+namespace tunica::systems {
+
+namespace {
+
+/// What the diagonal of a row is: a row with nothing beside it may be of a vector or of a scalar.
+enum Diagonal : char { positive, negative, zero, alone };
+
+/// Files and sums leave this of an entry that is none.
+constexpr double rounding = 1e-14;
+
+std::vector<char> kinds_of_rows(const MatrixRows& K) {
+  std::vector<char> kinds;
+  for (std::size_t i = 0; i < K.n_local_rows(); ++i) {
+    double d = 0.0, largest = 0.0;
+    for (std::size_t k = K.start[i]; k < K.start[i + 1]; ++k) {
+      const bool is_diagonal = K.columns[k] == K.first_row() + static_cast<long long>(i);
+      if (is_diagonal) d = K.values[k];
+      if (!is_diagonal) largest = std::max(largest, std::abs(K.values[k]));
+    }
+    kinds.push_back(largest == 0.0                      ? alone
+                    : std::abs(d) <= rounding * largest ? zero
+                    : d < 0.0                           ? negative
+                                                        : positive);
+  }
+  std::vector<long long> all(static_cast<std::size_t>(K.n_rows));
+  std::iota(all.begin(), all.end(), 0LL);
+  return fetch(*K.comm, all, kinds, K.n_rows);
+}
+
+/// A regular order of the unknowns: scalars in front, behind, or at a place of each node.
+struct Layout {
+  enum Where { first, last, in_node } where;
+  int components;
+  int place = 0;  ///< in the node
+
+  bool fits(long long n) const { return n % (components + 1) == 0 && n > components; }
+  bool is_scalar(long long row, long long n) const {
+    const long long nodes = n / (components + 1);
+    return where == first  ? row < nodes
+           : where == last ? row >= n - nodes
+                           : row % (components + 1) == place;
+  }
+  int in_nodes() const { return where == in_node ? components : 0; }
+  std::string text() const {
+    return where == first  ? "scalars first"
+           : where == last ? "scalars last"
+                           : "scalars at place " + std::to_string(place + 1) + " of the " +
+                                 std::to_string(components + 1) + " unknowns of each node";
+  }
+};
+
+std::vector<Layout> regular_layouts(long long n) {
+  std::vector<Layout> all;
+  for (const int c : {3, 2, 1}) {
+    all.push_back({Layout::last, c});
+    all.push_back({Layout::first, c});
+    for (int place = c; place >= 0; --place) all.push_back({Layout::in_node, c, place});
+  }
+  all.erase(std::remove_if(all.begin(), all.end(), [n](const Layout& l) { return !l.fits(n); }),
+            all.end());
+  return all;
+}
+
+std::vector<char> rows_of(const Layout& layout, long long n) {
+  std::vector<char> is_scalar;
+  for (long long row = 0; row < n; ++row) is_scalar.push_back(layout.is_scalar(row, n) ? 1 : 0);
+  return is_scalar;
+}
+
+/// Of the pairs of entries K_ij K_ji ≠ 0, i < j, for a layout.
+struct Pairs {
+  double judged = 0.0, against = 0.0;  ///< of these those that contradict it
+  double across = 0.0;                 ///< between vectors and scalars
+};
+
+/// is_convective: pairs of vectors have any sign, and those across are K_ij = −K_ji exactly.
+std::vector<Pairs> count_pairs(const MatrixRows& K, const std::vector<Layout>& layouts,
+                               bool is_convective) {
+  const MatrixRows T = transposed(K);
+  std::vector<double> counts(3 * layouts.size(), 0.0);
+  const auto note = [&](long long i, long long j, double there, double back) {
+    const bool is_opposite =
+        is_convective ? std::abs(there + back) <= 1e-8 * std::abs(there) : there * back < 0.0;
+    for (std::size_t l = 0; l < layouts.size(); ++l) {
+      const bool of_i = layouts[l].is_scalar(i, K.n_rows), of_j = layouts[l].is_scalar(j, K.n_rows);
+      if (is_convective && !of_i && !of_j) continue;
+      ++counts[3 * l];
+      counts[3 * l + 1] += (of_i != of_j) != is_opposite;
+      counts[3 * l + 2] += of_i != of_j;
+    }
+  };
+  for (std::size_t i = 0; i < K.n_local_rows(); ++i) {
+    const long long row = K.first_row() + static_cast<long long>(i);
+    for (std::size_t k = K.start[i], t = T.start[i]; k < K.start[i + 1]; ++k) {
+      while (t < T.start[i + 1] && T.columns[t] < K.columns[k]) ++t;
+      if (t == T.start[i + 1]) break;
+      if (T.columns[t] == K.columns[k] && K.columns[k] > row && K.values[k] * T.values[t] != 0.0)
+        note(row, K.columns[k], K.values[k], T.values[t]);
+    }
+  }
+  counts = global_sum(*K.comm, counts);
+  std::vector<Pairs> pairs;
+  for (std::size_t l = 0; l < layouts.size(); ++l)
+    pairs.push_back({counts[3 * l], counts[3 * l + 1], counts[3 * l + 2]});
+  return pairs;
+}
+
+/// [A B; −Bᵀ C]: the regular layout that at most a twentieth of the pairs contradict.
+ScalarRows scalars_by_pairs(const MatrixRows& K) {
+  const std::vector<Layout> layouts = regular_layouts(K.n_rows);
+  for (const bool is_convective : {false, true}) {
+    const std::vector<Pairs> pairs = count_pairs(K, layouts, is_convective);
+    double least = 0.05;
+    const Layout* best = nullptr;
+    for (std::size_t l = 0; l < layouts.size(); ++l) {
+      const auto& [judged, against, across] = pairs[l];
+      if (across < 0.05 * judged || against >= least * judged) continue;
+      least = against / judged;
+      best = &layouts[l];
+    }
+    if (best != nullptr)
+      return {rows_of(*best, K.n_rows), 1.0, -1.0, best->text(), best->in_nodes()};
+  }
+  return {std::vector<char>(static_cast<std::size_t>(K.n_rows), 0), 1.0, 1.0, "no scalars"};
+}
+
+/// Rows of the one kind and of the other stand in two stretches; those that are alone between them
+/// go with the vectors, which have prescribed values, but for a regular layout, which is found
+/// then.
+bool spread_to_lone_rows(const std::vector<char>& kinds, ScalarRows& found) {
+  std::vector<char>& is_scalar = found.is_scalar;
+  const auto n = static_cast<long long>(kinds.size());
+  for (const Layout& layout : regular_layouts(n)) {
+    bool fits = true;
+    for (long long row = 0; row < n && fits; ++row)
+      fits = kinds[row] == alone || (is_scalar[row] != 0) == layout.is_scalar(row, n);
+    if (!fits) continue;
+    is_scalar = rows_of(layout, n);
+    found.text = layout.text();
+    found.in_nodes = layout.in_nodes();
+    return true;
+  }
+  const auto from = std::find(is_scalar.begin(), is_scalar.end(), 1);
+  const auto to = std::find(is_scalar.rbegin(), is_scalar.rend(), 1).base();
+  const auto begin = from - is_scalar.begin(), end = to - is_scalar.begin();
+  const auto is_vector = [&](long long row) { return kinds[row] != alone && !is_scalar[row]; };
+  bool has_before = false, has_within = false, has_behind = false;
+  for (long long row = 0; row < n; ++row)
+    if (is_vector(row)) (row < begin ? has_before : row < end ? has_within : has_behind) = true;
+  found.text = "scalars among the vectors";
+  if (has_within) return false;
+  std::fill(from, to, char{1});
+  if (!has_behind) std::fill(to, is_scalar.end(), char{1});
+  if (!has_before) std::fill(is_scalar.begin(), from, char{1});
+  found.text = !has_behind   ? "scalars last"
+               : !has_before ? "scalars first"
+                             : "scalars in one stretch";
+  return false;
+}
+
+/// Scalars where the diagonal is zero or not of this sign; true for a regular order.
+std::pair<ScalarRows, bool> where_not(char of_vectors, const std::vector<char>& kinds) {
+  const char of_scalars = of_vectors == positive ? negative : positive;
+  ScalarRows found;
+  for (const char kind : kinds)
+    found.is_scalar.push_back(kind == zero || kind == of_scalars ? 1 : 0);
+  found.vector_sign = found.scalar_sign = of_vectors == positive ? 1.0 : -1.0;
+  const bool is_regular = spread_to_lone_rows(kinds, found);
+  return {found, is_regular};
+}
+
+// Vectors are the more frequent ones. Where most of their values are prescribed they need not be:
+// then it is the sign with which the order is a regular one.
+ScalarRows scalars_by_signs(const MatrixRows& K) {
+  const std::vector<char> kinds = kinds_of_rows(K);
+  const auto count = [&](char kind) { return std::count(kinds.begin(), kinds.end(), kind); };
+  const char of_vectors = count(negative) > count(positive) ? negative : positive;
+  const char of_others = of_vectors == positive ? negative : positive;
+  if (count(zero) + count(of_others) == 0) {
+    const double sign = of_vectors == positive ? 1.0 : -1.0;
+    ScalarRows found = scalars_by_pairs(K);
+    found.vector_sign *= sign;
+    found.scalar_sign *= sign;
+    return found;
+  }
+  const auto [found, is_regular] = where_not(of_vectors, kinds);
+  if (is_regular || count(of_others) == 0) return found;
+  const auto [other, is_other_regular] = where_not(of_others, kinds);
+  return is_other_regular ? other : found;
+}
+
+ScalarRows scalars_as_given(const MatrixRows& K, const Teuchos::ParameterList& options) {
+  const auto& where = options.get<std::string>("scalars");
+  const long long n = K.n_rows;
+  const int components = options.get<int>("components");
+  const long long given = options.get<int>("scalar unknowns");
+  ScalarRows rows;
+  rows.text = where == "none" ? "no scalars" : "scalars " + where;
+  rows.is_scalar.assign(static_cast<std::size_t>(n), 0);
+  if (where == "none") return rows;
+  TUNICA_CHECK(components > 0 || given > 0, "System: \"scalars\" = \"" + where +
+                                                "\" needs \"components\", for as many scalars "
+                                                "as nodes, or \"scalar unknowns\".");
+  const long long m = given > 0 ? given : n / (components + 1);
+  TUNICA_CHECK(m < n && (given > 0 || n % (components + 1) == 0),
+               "System: K has " + std::to_string(n) +
+                   " rows, which do not fit \"components\" = " + std::to_string(components) +
+                   " and \"scalar unknowns\" = " + std::to_string(given) + ".");
+  const int place = where == "first in node" ? 0 : components;
+  if (where != "first" && where != "last") rows.in_nodes = components;
+  for (long long row = 0; row < n; ++row)
+    rows.is_scalar[row] = where == "first"  ? row < m
+                          : where == "last" ? row >= n - m
+                                            : row % (components + 1) == place;
+  return rows;
+}
+
+}  // namespace
+
+ScalarRows find_scalars(const MatrixRows& K, const Teuchos::ParameterList& options) {
+  if (options.get<std::string>("scalars") != "automatic") return scalars_as_given(K, options);
+  return scalars_by_signs(K);
+}
+
+}  // namespace tunica::systems
