@@ -72,17 +72,35 @@ std::vector<Place> places(int dofs, const std::string& order) {
   return all;
 }
 
-std::string text_of(const Grid& grid, const std::vector<Place>& unknowns) {
+using Values = std::function<double(const Place&, const Place&)>;
+
+std::string text_of(const Values& value_of, const std::vector<Place>& unknowns) {
   std::ostringstream entries;
   int count = 0;
   for (std::size_t i = 0; i < unknowns.size(); ++i)
     for (std::size_t j = 0; j < unknowns.size(); ++j)
-      if (const double value = grid.value(unknowns[i], unknowns[j]); value != 0.0) {
+      if (const double value = value_of(unknowns[i], unknowns[j]); value != 0.0) {
         entries << i + 1 << ' ' << j + 1 << ' ' << value << '\n';
         ++count;
       }
   return "%%MatrixMarket matrix coordinate real general\n" + std::to_string(unknowns.size()) + " " +
          std::to_string(unknowns.size()) + " " + std::to_string(count) + "\n" + entries.str();
+}
+
+std::string text_of(const Grid& grid, const std::vector<Place>& unknowns) {
+  return text_of([&](const Place& i, const Place& j) { return grid.value(i, j); }, unknowns);
+}
+
+/// Of the scalars those at every other node in either direction, behind the vectors.
+std::vector<Place> coarse_scalars(int dofs, bool is_by_node) {
+  std::vector<Place> vectors, scalars;
+  for (const Place& place : places(dofs, is_by_node ? "in node 0" : "scalars first"))
+    if (place.component < dofs - 1)
+      vectors.push_back(place);
+    else if (place.node % wide % 2 == 0 && place.node / wide % 2 == 0)
+      scalars.push_back(place);
+  vectors.insert(vectors.end(), scalars.begin(), scalars.end());
+  return vectors;
 }
 
 systems::System read(const std::string& matrix,
@@ -168,6 +186,24 @@ TEUCHOS_UNIT_TEST(unknown_order, a_solution_has_the_rows_of_the_matrix) {
   const auto view = all.getLocalViewHost(read_only);
   for (std::size_t row = 0; row < view.extent(0); ++row)
     TEST_EQUALITY(view(row, 0), row % 3 == 1 ? 7.0 : 0.0);
+}
+
+// As in finite elements on bricks: the components of a node are coupled at its neighbours alone.
+TEUCHOS_UNIT_TEST(unknown_order, components_may_be_coupled_at_neighbours) {
+  const auto value = [](const Place& i, const Place& j) {
+    const int dx = i.node % wide - j.node % wide, dy = i.node / wide - j.node / wide;
+    if (std::abs(dx) > 1 || std::abs(dy) > 1) return 0.0;
+    if (i.component == j.component) return dx == 0 && dy == 0 ? 9.0 : -1.0;
+    return 0.25 * dx * dy;
+  };
+  for (const int components : {2, 3})
+    for (const bool is_by_node : {true, false}) {
+      std::vector<Place> unknowns = coarse_scalars(components + 1, is_by_node);
+      unknowns.resize(components * grid_nodes);
+      TEST_EQUALITY(read(text_of(value, unknowns)).order,
+                    std::to_string(components) + " components, " +
+                        (is_by_node ? "by node" : "by component") + ", no scalars");
+    }
 }
 
 }  // namespace
