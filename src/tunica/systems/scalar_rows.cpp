@@ -7,6 +7,7 @@
 #include "tunica/base/error.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/rows.hpp"
+#include "tunica/systems/unknown_order.hpp"
 
 namespace tunica::systems {
 
@@ -14,9 +15,6 @@ namespace {
 
 /// What the diagonal of a row is: a row with nothing beside it may be of a vector or of a scalar.
 enum Diagonal : char { positive, negative, zero, alone };
-
-/// Files and sums leave this of an entry that is none.
-constexpr double rounding = 1e-14;
 
 std::vector<char> kinds_of_rows(const MatrixRows& K) {
   std::vector<char> kinds;
@@ -134,54 +132,71 @@ ScalarRows scalars_by_pairs(const MatrixRows& K) {
   return {std::vector<char>(static_cast<std::size_t>(K.n_rows), 0), 1.0, 1.0, "no scalars"};
 }
 
-/// Rows of the one kind and of the other stand in two stretches; those that are alone between them
-/// go with the vectors, which have prescribed values, but for a regular layout, which is found
-/// then.
-bool spread_to_lone_rows(const std::vector<char>& kinds, ScalarRows& found) {
-  std::vector<char>& is_scalar = found.is_scalar;
+/// Rows that are alone stand where a regular layout wants them, if there is one; true then.
+bool spread_regularly(const std::vector<char>& kinds, ScalarRows& found) {
   const auto n = static_cast<long long>(kinds.size());
   for (const Layout& layout : regular_layouts(n)) {
     bool fits = true;
     for (long long row = 0; row < n && fits; ++row)
-      fits = kinds[row] == alone || (is_scalar[row] != 0) == layout.is_scalar(row, n);
+      fits = kinds[row] == alone || (found.is_scalar[row] != 0) == layout.is_scalar(row, n);
     if (!fits) continue;
-    is_scalar = rows_of(layout, n);
+    found.is_scalar = rows_of(layout, n);
     found.text = layout.text();
     found.in_nodes = layout.in_nodes();
     return true;
   }
-  const auto from = std::find(is_scalar.begin(), is_scalar.end(), 1);
-  const auto to = std::find(is_scalar.rbegin(), is_scalar.rend(), 1).base();
-  const auto begin = from - is_scalar.begin(), end = to - is_scalar.begin();
-  const auto is_vector = [&](long long row) { return kinds[row] != alone && !is_scalar[row]; };
-  bool has_before = false, has_within = false, has_behind = false;
-  for (long long row = 0; row < n; ++row)
-    if (is_vector(row)) (row < begin ? has_before : row < end ? has_within : has_behind) = true;
-  found.text = "scalars among the vectors";
-  if (has_within) return false;
-  std::fill(from, to, char{1});
-  if (!has_behind) std::fill(to, is_scalar.end(), char{1});
-  if (!has_before) std::fill(is_scalar.begin(), from, char{1});
-  found.text = !has_behind   ? "scalars last"
-               : !has_before ? "scalars first"
-                             : "scalars in one stretch";
   return false;
 }
 
+/// Otherwise they go with their neighbours, where rows of the one kind and of the other stand in
+/// two stretches.
+void spread_to_lone_rows(const MatrixRows& K, const std::vector<char>& kinds,
+                         const Teuchos::ParameterList& options, ScalarRows& found) {
+  std::vector<char>& is_scalar = found.is_scalar;
+  const auto at = [&](long long row) { return is_scalar.begin() + row; };
+  const auto n = static_cast<long long>(kinds.size());
+  const long long begin = std::find(at(0), at(n), 1) - at(0);
+  const long long end = std::find(is_scalar.rbegin(), is_scalar.rend(), 1).base() - at(0);
+  long long first = n, last = 0;  // vectors
+  bool has_within = false;
+  for (long long row = 0; row < n; ++row) {
+    if (kinds[row] == alone || is_scalar[row] != 0) continue;
+    first = std::min(first, row);
+    last = row + 1;
+    has_within = has_within || (row > begin && row < end);
+  }
+  found.text = "scalars among the vectors";
+  if (has_within) return;
+  std::fill(at(begin), at(end), char{1});
+  found.text = "scalars in one stretch";
+  if (last <= begin) {
+    const Stretch vectors = even_stretch(K, is_scalar, {0, begin}, begin - last, options);
+    std::fill(at(vectors.last), at(n), char{1});
+    found.text = "scalars last";
+  } else if (first >= end) {
+    const Stretch vectors = even_stretch(K, is_scalar, {end, n}, first - end, options);
+    std::fill(at(0), at(vectors.first), char{1});
+    found.text = "scalars first";
+  }
+}
+
 /// Scalars where the diagonal is zero or not of this sign; true for a regular order.
-std::pair<ScalarRows, bool> where_not(char of_vectors, const std::vector<char>& kinds) {
+std::pair<ScalarRows, bool> where_not(char of_vectors, const MatrixRows& K,
+                                      const std::vector<char>& kinds,
+                                      const Teuchos::ParameterList& options) {
   const char of_scalars = of_vectors == positive ? negative : positive;
   ScalarRows found;
   for (const char kind : kinds)
     found.is_scalar.push_back(kind == zero || kind == of_scalars ? 1 : 0);
   found.vector_sign = found.scalar_sign = of_vectors == positive ? 1.0 : -1.0;
-  const bool is_regular = spread_to_lone_rows(kinds, found);
+  const bool is_regular = spread_regularly(kinds, found);
+  if (!is_regular) spread_to_lone_rows(K, kinds, options, found);
   return {found, is_regular};
 }
 
 // Vectors are the more frequent ones. Where most of their values are prescribed they need not be:
 // then it is the sign with which the order is a regular one.
-ScalarRows scalars_by_signs(const MatrixRows& K) {
+ScalarRows scalars_by_signs(const MatrixRows& K, const Teuchos::ParameterList& options) {
   const std::vector<char> kinds = kinds_of_rows(K);
   const auto count = [&](char kind) { return std::count(kinds.begin(), kinds.end(), kind); };
   const char of_vectors = count(negative) > count(positive) ? negative : positive;
@@ -193,9 +208,9 @@ ScalarRows scalars_by_signs(const MatrixRows& K) {
     found.scalar_sign *= sign;
     return found;
   }
-  const auto [found, is_regular] = where_not(of_vectors, kinds);
+  const auto [found, is_regular] = where_not(of_vectors, K, kinds, options);
   if (is_regular || count(of_others) == 0) return found;
-  const auto [other, is_other_regular] = where_not(of_others, kinds);
+  const auto [other, is_other_regular] = where_not(of_others, K, kinds, options);
   return is_other_regular ? other : found;
 }
 
@@ -229,7 +244,17 @@ ScalarRows scalars_as_given(const MatrixRows& K, const Teuchos::ParameterList& o
 
 ScalarRows find_scalars(const MatrixRows& K, const Teuchos::ParameterList& options) {
   if (options.get<std::string>("scalars") != "automatic") return scalars_as_given(K, options);
-  return scalars_by_signs(K);
+  const ScalarRows found = scalars_by_signs(K, options);
+  const int given = options.get<int>("scalar unknowns");
+  if (given == 0 || std::count(found.is_scalar.begin(), found.is_scalar.end(), 1) == given)
+    return found;
+  Teuchos::ParameterList with_place(options);
+  const bool is_first = found.is_scalar.front() != 0 && found.is_scalar.back() == 0;
+  with_place.set<std::string>("scalars", is_first ? "first" : "last");
+  ScalarRows as_given = scalars_as_given(K, with_place);
+  as_given.vector_sign = found.vector_sign;
+  as_given.scalar_sign = found.scalar_sign;
+  return as_given;
 }
 
 }  // namespace tunica::systems

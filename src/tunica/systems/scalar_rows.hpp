@@ -25,7 +25,8 @@ struct ScalarRows {
 ///                  scalars, for a regular order: first, last, or in each node
 ///
 /// Rows that hold only their diagonal may be of either kind, and go with their neighbours in the
-/// file. Collective.
+/// file; between vectors and scalars so that the vectors fall into equal components. The key
+/// "scalar unknowns" says how many there are. Collective.
 ScalarRows find_scalars(const MatrixRows& K, const Teuchos::ParameterList& options);
 
 }  // namespace tunica::systems

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "tunica/base/reduce.hpp"
@@ -190,6 +191,100 @@ VectorOrder find_components(const MatrixRows& A, long long n_scalars, int in_nod
       best = {components, is_by_node, ""};
     }
   return named(best);
+}
+
+namespace {
+
+double largest_of(const MatrixRows& K, std::size_t i) {
+  double largest = 0.0;
+  for (std::size_t k = K.start[i]; k < K.start[i + 1]; ++k)
+    largest = std::max(largest, std::abs(K.values[k]));
+  return largest;
+}
+
+/// How many columns beside those of scalars each row has, on all ranks.
+std::vector<int> lengths_of_rows(const MatrixRows& K, const std::vector<char>& is_scalar) {
+  std::vector<int> lengths;
+  for (std::size_t i = 0; i < K.n_local_rows(); ++i) {
+    const double least = rounding * largest_of(K, i);
+    lengths.push_back(0);
+    for (std::size_t k = K.start[i]; k < K.start[i + 1]; ++k)
+      lengths.back() += is_scalar[K.columns[k]] == 0 && std::abs(K.values[k]) > least;
+  }
+  std::vector<long long> all(static_cast<std::size_t>(K.n_rows));
+  std::iota(all.begin(), all.end(), 0LL);
+  return fetch(*K.comm, all, lengths, K.n_rows);
+}
+
+/// The part of the nodes, up to 1, whose components have rows of the same length, if these are the
+/// rows of vectors: for the best numbering. given: components, 0 for any.
+double evenness(const std::vector<int>& lengths, const Stretch& vectors, int given) {
+  constexpr long long most = 2000;  // nodes
+  const long long n = vectors.last - vectors.first;
+  double best = 0.0;
+  for (const int components : {3, 2}) {
+    if (n % components != 0 || n == 0 || (given > 0 && given != components)) continue;
+    const long long nodes = n / components, step = nodes / most + 1;
+    double of_node = 0.0, of_stretches = 0.0, count = 0.0;
+    for (long long node = 0; node < nodes; node += step, ++count) {
+      const int* row = &lengths[vectors.first + components * node];
+      of_node += std::count(row, row + components, *row) == components;
+      bool is_even = true;
+      for (int c = 1; c < components; ++c)
+        is_even =
+            is_even && lengths[vectors.first + node] == lengths[vectors.first + c * nodes + node];
+      of_stretches += is_even;
+    }
+    best = std::max(best, std::max(of_node, of_stretches) / count);
+  }
+  return best;
+}
+
+/// The block of these rows and columns without rounding.
+MatrixRows block_of(const MatrixRows& K, const Stretch& vectors) {
+  const auto is_in = [&](long long row) { return row >= vectors.first && row < vectors.last; };
+  const long long n = vectors.last - vectors.first;
+  RowCollector collector(n, n, K.comm);
+  in_batches(K, [&](std::size_t first, std::size_t last) {
+    std::vector<Entry> entries;
+    for (std::size_t i = first; i < last; ++i) {
+      const long long row = K.first_row() + static_cast<long long>(i);
+      const double least = rounding * largest_of(K, i);
+      for (std::size_t k = K.start[i]; k < K.start[i + 1]; ++k)
+        if (is_in(row) && is_in(K.columns[k]) && std::abs(K.values[k]) > least)
+          entries.push_back({row - vectors.first, K.columns[k] - vectors.first, K.values[k]});
+    }
+    collector.add(entries);
+  });
+  return collector.take();
+}
+
+}  // namespace
+
+Stretch even_stretch(const MatrixRows& K, const std::vector<char>& is_scalar, Stretch vectors,
+                     long long n_alone, const Teuchos::ParameterList& options) {
+  constexpr long long most = 2000;  // so few are held
+  if (n_alone == 0) return vectors;
+  const int given = options.get<int>("components");
+  const std::vector<int> lengths = lengths_of_rows(K, is_scalar);
+  double most_even = std::max(0.9, evenness(lengths, vectors, given) + 0.02);
+  const Stretch all = vectors;
+  Stretch best = all;
+  for (long long k = 1; k <= std::min(n_alone, most); ++k) {
+    if (all.first == 0)
+      --vectors.last;
+    else
+      ++vectors.first;
+    const double even = evenness(lengths, vectors, given);
+    if (even <= most_even) continue;
+    most_even = even;
+    best = vectors;
+  }
+  const long long n = best.last - best.first;
+  if (n == all.last - all.first) return all;
+  // Fluxes of a regular grid are as even.
+  const VectorOrder order = find_components(block_of(K, best), K.n_rows - n, 0, options);
+  return order.components > 1 ? best : all;
 }
 
 }  // namespace tunica::systems

@@ -1,10 +1,14 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <string>
+#include <vector>
 
 #include "tunica/systems/matrix_rows.hpp"
 
 namespace tunica::systems {
+
+/// Files and sums leave this of an entry that is none.
+constexpr double rounding = 1e-14;
 
 /// Components of the vector unknowns, and how they are numbered.
 struct VectorOrder {
@@ -20,5 +24,17 @@ struct VectorOrder {
 /// found. Collective.
 VectorOrder find_components(const MatrixRows& A, long long n_scalars, int in_nodes,
                             const Teuchos::ParameterList& options);
+
+/// Rows of K from first to last.
+struct Stretch {
+  long long first, last;
+};
+
+/// The rows of vectors that stand in front of scalars or behind them with rows between the two that
+/// hold only their diagonal, n_alone of the last or first vectors: these are vectors, which have
+/// prescribed values, but for those without which the vectors fall into components, such as a first
+/// pressure that is held. Collective.
+Stretch even_stretch(const MatrixRows& K, const std::vector<char>& is_scalar, Stretch vectors,
+                     long long n_alone, const Teuchos::ParameterList& options);
 
 }  // namespace tunica::systems

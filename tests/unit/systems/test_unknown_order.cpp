@@ -102,6 +102,15 @@ std::vector<Place> coarse_scalars(int dofs, bool is_by_node) {
   vectors.insert(vectors.end(), scalars.begin(), scalars.end());
   return vectors;
 }
+constexpr int n_coarse = 16;
+
+/// A row that gives the value of its unknown.
+Values with_known(const Grid& grid, const Place& known, double diagonal) {
+  return [=](const Place& i, const Place& j) {
+    if (i.node != known.node || i.component != known.component) return grid.value(i, j);
+    return j.node == known.node && j.component == known.component ? diagonal : 0.0;
+  };
+}
 
 systems::System read(const std::string& matrix,
                      const std::function<void(Teuchos::ParameterList&)>& change = {}) {
@@ -204,6 +213,33 @@ TEUCHOS_UNIT_TEST(unknown_order, components_may_be_coupled_at_neighbours) {
                     std::to_string(components) + " components, " +
                         (is_by_node ? "by node" : "by component") + ", no scalars");
     }
+}
+
+TEUCHOS_UNIT_TEST(unknown_order, a_first_scalar_that_is_known_is_none_of_the_vectors) {
+  for (const int components : {2, 3})
+    for (const bool is_by_node : {true, false}) {
+      const Grid grid(components, false, 1.0);
+      const std::vector<Place> unknowns = coarse_scalars(components + 1, is_by_node);
+      const std::string text = text_of(with_known(grid, {0, components}, 1.0), unknowns);
+      const systems::System system = read(text);
+      TEST_EQUALITY(global_rows(system, 0), components * grid_nodes);
+      TEST_EQUALITY(system.order, std::to_string(components) + " components, " +
+                                      (is_by_node ? "by node" : "by component") + ", scalars last");
+      const systems::System given = read(text, [&](Teuchos::ParameterList& options) {
+        options.set("scalar unknowns", n_coarse).set("components", components);
+      });
+      TEST_EQUALITY(global_rows(given, 1), n_coarse);
+    }
+}
+
+TEUCHOS_UNIT_TEST(unknown_order, the_number_of_scalars_may_be_given_alone) {
+  const Grid grid(2, false, 1.0);
+  const systems::System system =
+      read(text_of(grid, coarse_scalars(3, false)), [](Teuchos::ParameterList& options) {
+        options.set("scalar unknowns", 18).set("components", 2);
+      });
+  TEST_EQUALITY(global_rows(system, 1), 18);
+  TEST_EQUALITY(global_rows(system, 0), 2 * grid_nodes - 2);
 }
 
 }  // namespace
