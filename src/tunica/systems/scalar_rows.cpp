@@ -180,6 +180,76 @@ void spread_to_lone_rows(const MatrixRows& K, const std::vector<char>& kinds,
   }
 }
 
+/// Where scalars may stand: the last and the first rows that are scalars or alone, and the regular
+/// layouts that have none but these.
+std::vector<std::vector<char>> likely_places(const std::vector<char>& kinds,
+                                             const std::vector<char>& is_scalar) {
+  const auto n = static_cast<long long>(kinds.size());
+  const auto may_be = [&](long long row) { return is_scalar[row] != 0 || kinds[row] == alone; };
+  long long behind = n, in_front = 0;
+  while (behind > 0 && may_be(behind - 1)) --behind;
+  while (in_front < n && may_be(in_front)) ++in_front;
+  std::vector<std::vector<char>> all(2, std::vector<char>(kinds.size(), 0));
+  std::fill(all[0].begin() + behind, all[0].end(), char{1});
+  std::fill(all[1].begin(), all[1].begin() + in_front, char{1});
+  for (const Layout& layout : regular_layouts(n)) {
+    bool fits = true;
+    for (long long row = 0; row < n && fits; ++row) fits = !layout.is_scalar(row, n) || may_be(row);
+    if (fits) all.push_back(rows_of(layout, n));
+  }
+  return all;
+}
+
+/// Rows of vectors in a flow: each is coupled with scalars at these places, and with another vector
+/// in one way there and in another one back, as no scalar is.
+bool are_convected(const MatrixRows& K, const std::vector<char>& is_scalar,
+                   const std::vector<char>& places) {
+  const MatrixRows T = transposed(K);
+  bool are_so = true;
+  for (std::size_t i = 0; i < K.n_local_rows(); ++i) {
+    const long long row = K.first_row() + static_cast<long long>(i);
+    if (is_scalar[row] == 0 || places[row] != 0) continue;
+    bool has_scalar = false, has_other_way = false;
+    for (std::size_t k = K.start[i], t = T.start[i]; k < K.start[i + 1]; ++k) {
+      const double there = K.values[k];
+      if (is_scalar[K.columns[k]] != 0) {
+        has_scalar = has_scalar || (places[K.columns[k]] != 0 && there != 0.0);
+        continue;
+      }
+      while (t < T.start[i + 1] && T.columns[t] < K.columns[k]) ++t;
+      const bool has_back = t < T.start[i + 1] && T.columns[t] == K.columns[k];
+      const double back = has_back ? T.values[t] : 0.0;
+      has_other_way =
+          has_other_way || (there * back != 0.0 &&
+                            std::abs(std::abs(there) - std::abs(back)) > 1e-8 * std::abs(there));
+    }
+    are_so = are_so && has_scalar && has_other_way;
+  }
+  return all_agree(*K.comm, are_so);
+}
+
+/// Convection turns the sign of some diagonals of vectors. These rows go with their neighbours
+/// where they are few and the others stand at a likely place.
+void return_convected(const MatrixRows& K, const std::vector<char>& kinds,
+                      std::vector<char>& is_scalar) {
+  constexpr double few = 0.1;
+  for (const std::vector<char>& places : likely_places(kinds, is_scalar)) {
+    double vectors = 0.0, scalars = 0.0, outliers = 0.0, zeros = 0.0;
+    for (std::size_t row = 0; row < kinds.size(); ++row) {
+      vectors += kinds[row] != alone && is_scalar[row] == 0;
+      scalars += is_scalar[row] != 0 && places[row] != 0;
+      outliers += is_scalar[row] != 0 && places[row] == 0;
+      zeros += kinds[row] == zero && places[row] == 0;
+    }
+    if (outliers == 0.0) return;
+    if (zeros > 0.0 || outliers > few * vectors || outliers > scalars) continue;
+    if (!are_convected(K, is_scalar, places)) continue;
+    for (std::size_t row = 0; row < kinds.size(); ++row)
+      is_scalar[row] = is_scalar[row] != 0 && places[row] != 0;
+    return;
+  }
+}
+
 /// Scalars where the diagonal is zero or not of this sign; true for a regular order.
 std::pair<ScalarRows, bool> where_not(char of_vectors, const MatrixRows& K,
                                       const std::vector<char>& kinds,
@@ -189,6 +259,7 @@ std::pair<ScalarRows, bool> where_not(char of_vectors, const MatrixRows& K,
   for (const char kind : kinds)
     found.is_scalar.push_back(kind == zero || kind == of_scalars ? 1 : 0);
   found.vector_sign = found.scalar_sign = of_vectors == positive ? 1.0 : -1.0;
+  return_convected(K, kinds, found.is_scalar);
   const bool is_regular = spread_regularly(kinds, found);
   if (!is_regular) spread_to_lone_rows(K, kinds, options, found);
   return {found, is_regular};

@@ -26,7 +26,8 @@ struct ScalarRows {
 ///
 /// Rows that hold only their diagonal may be of either kind, and go with their neighbours in the
 /// file; between vectors and scalars so that the vectors fall into equal components. The key
-/// "scalar unknowns" says how many there are. Collective.
+/// "scalar unknowns" says how many there are. Few vectors whose diagonal convection turned are told
+/// by their place. Collective.
 ScalarRows find_scalars(const MatrixRows& K, const Teuchos::ParameterList& options);
 
 }  // namespace tunica::systems

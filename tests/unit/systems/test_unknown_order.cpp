@@ -242,4 +242,22 @@ TEUCHOS_UNIT_TEST(unknown_order, the_number_of_scalars_may_be_given_alone) {
   TEST_EQUALITY(global_rows(system, 0), 2 * grid_nodes - 2);
 }
 
+TEUCHOS_UNIT_TEST(unknown_order, vectors_that_convection_turns_stay_vectors) {
+  const Grid grid(2, false, 1.0);
+  const auto turned = [&](const Place& i, const Place& j) {
+    const bool is_turned = (i.node == 11 && i.component == 0) || (i.node == 23 && i.component == 1);
+    const bool is_diagonal = i.node == j.node && i.component == j.component;
+    return is_turned && is_diagonal ? -0.1 : grid.value(i, j);
+  };
+  for (const bool is_by_node : {true, false}) {
+    const systems::System system = read(text_of(turned, coarse_scalars(3, is_by_node)));
+    TEST_EQUALITY(global_rows(system, 1), n_coarse);
+    TEST_EQUALITY(system.order, std::string("2 components, ") +
+                                    (is_by_node ? "by node" : "by component") + ", scalars last");
+  }
+  const systems::System in_nodes = read(text_of(turned, places(3, "in node 1")));
+  TEST_EQUALITY(global_rows(in_nodes, 1), grid_nodes);
+  TEST_ASSERT(says(in_nodes.order, "scalars at place 2"));
+}
+
 }  // namespace
