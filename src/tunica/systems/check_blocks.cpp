@@ -14,11 +14,12 @@ namespace tunica::systems {
 
 namespace {
 
-bool is_empty(const MatrixRows& block, std::size_t row) {
+/// Entries of a row that are not zero.
+long long n_entries(const MatrixRows& block, std::size_t row) {
   const auto begin = block.values.begin();
-  return std::all_of(begin + static_cast<std::ptrdiff_t>(block.start[row]),
-                     begin + static_cast<std::ptrdiff_t>(block.start[row + 1]),
-                     [](double value) { return value == 0.0; });
+  return std::count_if(begin + static_cast<std::ptrdiff_t>(block.start[row]),
+                       begin + static_cast<std::ptrdiff_t>(block.start[row + 1]),
+                       [](double value) { return value != 0.0; });
 }
 
 /// Where the diagonal of a row stands.
@@ -35,15 +36,16 @@ std::string fill_rows(Blocks& blocks, int field, OfUnknowns& known_in) {
   const MatrixRows& other = blocks(field, 1 - field);
   std::vector<std::size_t> filled;
   for (std::size_t i = 0; i < square.n_local_rows(); ++i) {
-    if (!is_empty(square, i) || !is_empty(other, i)) continue;
+    if (n_entries(square, i) + n_entries(other, i) > 0) continue;
     filled.push_back(i);
     known_in[field][i] = undetermined;
     square.values[diagonal(square, i)] = field == 0 ? 1.0 : -1.0;
   }
   const std::string all = text_of_rows(blocks, field, filled);
-  return all.empty() ? ""
-                     : all + (all.find("rows") == 0 ? " have" : " has") +
-                           " no entries: nothing determines these unknowns, which are set to zero";
+  if (all.empty()) return "";
+  return all + (all.find("rows") == 0
+                    ? " have no entries: nothing determines these unknowns, which are set to zero"
+                    : " has no entries: nothing determines this unknown, which is set to zero");
 }
 
 }  // namespace

@@ -66,10 +66,12 @@ void check_empty_rows(const System& system, const algebra::BlockVector& rest) {
     const std::string text = text_of_rows(*system.K.comm(), rows, system.files[i]);
     if (wrong.empty()) wrong = text;
   }
+  const bool is_one = wrong.find("rows") != 0;
   on_root(*system.K.comm(), [&] {
-    TUNICA_CHECK(wrong.empty(), "System: " + wrong +
-                                    " have no entries, but the right-hand side is not zero there: "
-                                    "no solution fulfils these equations.");
+    TUNICA_CHECK(wrong.empty(), "System: " + wrong + (is_one ? " has" : " have") +
+                                    " no entries, but the right-hand side is not zero there: no "
+                                    "solution fulfils " +
+                                    (is_one ? "this equation." : "these equations."));
   });
 }
 

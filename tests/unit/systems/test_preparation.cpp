@@ -256,4 +256,20 @@ TEUCHOS_UNIT_TEST(preparation, is_the_same_on_any_ranks) {
   TEST_EQUALITY(mine.K(0, 0)->getGlobalNumEntries(), whole.K(0, 0)->getGlobalNumEntries());
 }
 
+TEUCHOS_UNIT_TEST(preparation, a_row_without_entries_is_told) {
+  Entries K = chain(n);
+  for (const int column : {1, 2, 3}) K.erase({2, column});
+  std::vector<double> b = product(K, solution);
+  const File matrix(matrix_text(K, n)), right(column_text(b));
+  const auto system = systems::read_system(options_for(matrix, right), alone());
+  TEST_EQUALITY(system.remarks.size(), 1u);
+  TEST_ASSERT(
+      says(system.remarks[0], "row 3 of K has no entries: nothing determines this unknown"));
+  b[2] = 1.0;
+  const File inconsistent(column_text(b));
+  TEST_ASSERT(
+      says(refusal([&] { systems::read_system(options_for(matrix, inconsistent), alone()); }),
+           "row 3 of K has no entries, but the right-hand side is not zero there"));
+}
+
 }  // namespace
