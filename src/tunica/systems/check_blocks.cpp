@@ -76,13 +76,16 @@ std::string fill_empty_rows(Blocks& blocks, OfUnknowns& known_in) {
 }
 
 // In a saddle-point problem the symmetric parts of A and C are both positive, so that K has −C.
+// Rows that give the values of their unknowns may have any sign.
 std::string doubt_sign_of_c(const Blocks& blocks) {
-  const auto trace = [](const MatrixRows& block) {
+  const auto trace = [&](int field) {
+    const MatrixRows &square = blocks(field, field), &other = blocks(field, 1 - field);
     double sum = 0.0;
-    for (std::size_t i = 0; i < block.n_local_rows(); ++i) sum += block.values[diagonal(block, i)];
-    return global_sum(*block.comm, sum);
+    for (std::size_t i = 0; i < square.n_local_rows(); ++i)
+      if (n_entries(square, i) + n_entries(other, i) > 1) sum += square.values[diagonal(square, i)];
+    return global_sum(blocks.comm(), sum);
   };
-  if (!(trace(blocks.A) > 0.0 && trace(blocks.mC) > 0.0)) return "";
+  if (!(trace(0) > 0.0 && trace(1) > 0.0)) return "";
   return "the diagonal of (C factor) C is negative, that of A positive: if the file contains the "
          "block as it is in K, set \"C factor\" to -1";
 }

@@ -260,4 +260,20 @@ TEUCHOS_UNIT_TEST(unknown_order, vectors_that_convection_turns_stay_vectors) {
   TEST_ASSERT(says(in_nodes.order, "scalars at place 2"));
 }
 
+TEUCHOS_UNIT_TEST(unknown_order, known_scalars_do_not_make_C_doubtful) {
+  const Grid grid(2, true, 1.0);
+  const std::vector<Place> unknowns = places(3, "scalars last");
+  TEST_ASSERT(read(text_of(with_known(grid, {3, 2}, 1e4), unknowns)).remarks.empty());
+  const auto wrong = [&](const Place& i, const Place& j) {
+    return (i.component == 2 && j.component == 2 ? -1.0 : 1.0) * grid.value(i, j);
+  };
+  const systems::System doubted =
+      read(text_of(wrong, unknowns), [](Teuchos::ParameterList& options) {
+        options.set<std::string>("scalars", "last").set("components", 2);
+      });
+  if (world()->getRank() == 0) {
+    TEST_EQUALITY(doubted.remarks.size(), 1u);
+  }
+}
+
 }  // namespace
