@@ -40,6 +40,10 @@ public:
   std::vector<double> at_nodes(int components, const std::vector<double>& values) const;
 
 private:
+  /// Components from first to last of so many.
+  void add_at_owned_nodes(int components, int first, int last, const std::vector<double>& values,
+                          std::vector<double>& nodal) const;
+
   const fields::FieldMesh* mesh_;
   std::vector<double> constant_;  ///< per owned node: weight of each element of the patch, and of
   std::vector<Vec3> slope_;       ///< its centroid from the node [1/mm]

@@ -3,6 +3,7 @@
 #include <Teuchos_Array.hpp>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "tunica/assembly/gather.hpp"
@@ -157,10 +158,11 @@ Sampler WallField::sampler() {
 }
 
 GridFields WallField::arrays() {
+  // First what needs most room on the way.
+  std::optional<problems::NodalStress> nodal;
+  if (!kinds_.empty()) nodal = recovery_.recover();
   GridFields found{"wall", node_arrays(), cell_arrays()};
-  if (kinds_.empty()) return found;
-  const problems::NodalStress nodal = recovery_.recover();
-  add_recovered(nodal, found);
+  if (nodal) add_recovered(*nodal, found);
   return found;
 }
 
