@@ -25,6 +25,7 @@ class Contestant:
     settings: object = None  # an element "ParameterList" or a text of options; none: the default
     ranks: tuple = ()  # it is limited to
     needs: str = ""  # "schur": systems of which an approximation of the Schur complement is known
+    keys: tuple = ()  # of the case, "path=value"
 
 
 def listed(file, name, **changes):
@@ -83,6 +84,7 @@ SCHUR = ("-ksp_type fgmres -ksp_gmres_restart 100 -pc_type fieldsplit -pc_fields
 
 CONTESTANTS = [
     Contestant("default", "tunica", "ours", "docs/choosing.md: `tunica-solvers K.mtx b.mtx`"),
+    Contestant("default without LU", "tunica", "ours", "the same, `direct operations` = 0", keys=("Solvers/direct operations=0",)),
     Contestant("node ILU", "tunica", "ours", "xml/paper/amg-fluid.xml",
                listed("amg-fluid.xml", "nodal ILU(0) 1+1, GCR", **{SWEEPS + "sweeps": 2})),
     Contestant("Vanka", "tunica", "ours", "xml/paper/muelu-fluid.xml", listed("muelu-fluid.xml", "Vanka 2+2, GCR")),

@@ -57,7 +57,7 @@ def command_of(contestant, folder, scratch, ranks, programs, tolerance):
         with open(words[0], "w", encoding="utf-8") as file:
             file.write(case_of(contestant, folder))
     return command(os.path.join(programs, "tunica-solvers"), [*words, "--output", os.path.join(scratch, "out"), "--overwrite"],
-                   [f"Solvers/tolerance={tolerance:g}"], ranks)
+                   [f"Solvers/tolerance={tolerance:g}", *contestant.keys], ranks)
 
 
 class Ended:
