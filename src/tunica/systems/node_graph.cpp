@@ -97,14 +97,21 @@ void couple_all(const MatrixRows& A, const std::vector<long long>& node_of_row,
                 const std::vector<long long>& node_of_column, EdgeCollector& edges) {
   const Fetched<long long> node_of(*A.comm, columns_of(A), node_of_column, A.n_columns);
   in_batches(A, [&](std::size_t first, std::size_t last) {
+    // Rows of a node often follow each other, and reach the same nodes.
+    long long own = -1;
+    std::vector<long long> reached;
+    const auto couple = [&] {
+      sort_once(reached);
+      for (const long long node : reached) edges.couple(own, node);
+      reached.clear();
+    };
     for (std::size_t i = first; i < last; ++i) {
-      long long before = -1;  // unknowns of a node often stand side by side
-      for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k) {
-        const long long node = node_of(A.columns[k]);
-        if (node != before) edges.couple(node_of_row[i], node);
-        before = node;
-      }
+      if (node_of_row[i] != own) couple();
+      own = node_of_row[i];
+      for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
+        reached.push_back(node_of(A.columns[k]));
     }
+    couple();
     edges.deliver();
   });
 }

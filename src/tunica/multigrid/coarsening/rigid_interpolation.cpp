@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "tunica/algebra/products/sparse_product.hpp"
@@ -66,6 +67,8 @@ struct Extents {
 struct CoarseNode {
   Vec3 x;
   GlobalOrdinal number;
+  Vec3 from{};            ///< its offset from the fine node
+  double distance = 0.0;  ///< |from|
 };
 
 std::vector<Vec3> offsets_from_mean(const std::vector<CoarseNode>& nodes) {
@@ -110,10 +113,13 @@ class Fit {
 public:
   /// Of the coarse nodes around it.
   Fit(const Vec3& x, std::vector<CoarseNode> around) : x_(x) {
-    const auto distance = [this](const CoarseNode& node) { return norm(node.x - x_); };
+    for (CoarseNode& node : around) {
+      node.from = node.x - x_;
+      node.distance = norm(node.from);
+    }
     // Ties are broken by places: the numbers of nodes differ with the ranks.
-    std::sort(around.begin(), around.end(), [&](const CoarseNode& a, const CoarseNode& b) {
-      return std::make_pair(distance(a), a.x) < std::make_pair(distance(b), b.x);
+    std::sort(around.begin(), around.end(), [](const CoarseNode& a, const CoarseNode& b) {
+      return std::tie(a.distance, a.x) < std::tie(b.distance, b.x);
     });
     // The nearest node of each direction first. Those behind are added, the nearest first, only as
     // long as the others do not span a plane.
@@ -152,10 +158,9 @@ private:
     std::vector<double> w(n);
     // w_k ~ (|x_k − x_i|²/h² + 0.05)⁻², h² the mean of |x_k − x_i|²
     double h2 = 0.0, sum = 0.0;
-    for (const CoarseNode& node : nodes_)
-      h2 += dot(node.x - x_, node.x - x_) / static_cast<double>(n);
+    for (const CoarseNode& node : nodes_) h2 += dot(node.from, node.from) / static_cast<double>(n);
     for (std::size_t k = 0; k < n; ++k) {
-      const Vec3 d = nodes_[k].x - x_;
+      const Vec3& d = nodes_[k].from;
       w[k] = std::pow(dot(d, d) / h2 + blunt, -2.0);
       sum += w[k];
     }
@@ -163,7 +168,7 @@ private:
     double A[16] = {}, b[4] = {};
     for (std::size_t k = 0; k < n; ++k) {
       w[k] /= sum;
-      const Vec3 d = nodes_[k].x - x_;
+      const Vec3& d = nodes_[k].from;
       const double row[4] = {1.0, d[0], d[1], d[2]};
       for (int i = 0; i < 4; ++i) {
         if (i > 0) b[i] -= w[k] * row[i];
@@ -176,7 +181,7 @@ private:
     // Σ φ_k = 1 to the last digit: translations are exact.
     double total = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
-      const Vec3 d = nodes_[k].x - x_;
+      const Vec3& d = nodes_[k].from;
       w[k] *= 1.0 + b[0] + b[1] * d[0] + b[2] * d[1] + b[3] * d[2];
       total += w[k];
     }
@@ -191,10 +196,8 @@ private:
 
   bool is_behind_another(const CoarseNode& node) const {
     // cos∠(d, e) ≥ 0.6 for a nearer node at e
-    const Vec3 d = node.x - x_;
     return std::any_of(nodes_.begin(), nodes_.end(), [&](const CoarseNode& other) {
-      const Vec3 e = other.x - x_;
-      return dot(d, e) >= shadow * norm(d) * norm(e);
+      return dot(node.from, other.from) >= shadow * node.distance * other.distance;
     });
   }
 
