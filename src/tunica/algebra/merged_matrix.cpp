@@ -5,7 +5,6 @@
 #include "tunica/algebra/dof_layout.hpp"
 #include "tunica/algebra/entry_offsets.hpp"
 #include "tunica/algebra/static_matrix.hpp"
-#include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::algebra {
@@ -29,33 +28,15 @@ std::vector<NumberedBlock> numbered_blocks(const BlockMatrix& K) {
   return blocks;
 }
 
-/// The rows, and behind them the columns of other ranks that the blocks reach, rank by rank.
-Teuchos::RCP<const Map> map_with_ghosts(const std::vector<NumberedBlock>& blocks,
-                                        const Teuchos::RCP<const Map>& rows) {
-  std::vector<GlobalOrdinal> ghosts;
-  for (const NumberedBlock& block : blocks)
-    for (const GlobalOrdinal column : block.columns)
-      if (!rows->isNodeGlobalElement(column)) ghosts.push_back(column);
-  std::sort(ghosts.begin(), ghosts.end());
-  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
-  std::vector<int> owners(ghosts.size());
-  rows->getRemoteIndexList(Teuchos::arrayViewFromVector(ghosts),
-                           Teuchos::arrayViewFromVector(owners));
-  std::vector<std::pair<int, GlobalOrdinal>> by_rank;
-  for (std::size_t k = 0; k < ghosts.size(); ++k) by_rank.emplace_back(owners[k], ghosts[k]);
-  std::sort(by_rank.begin(), by_rank.end());
-  const auto own = global_numbers(*rows);
-  std::vector<GlobalOrdinal> all(own.begin(), own.end());
-  for (const auto& [owner, ghost] : by_rank) all.push_back(ghost);
-  return map_of(all, rows->getComm());
-}
-
 /// All values zero. Rows of a block follow each other as they are merged, each with its columns in
 /// the order of those: a row of the whole is a few runs that ascend.
 Teuchos::RCP<CrsMatrix> merged_graph(const BlockMatrix& K) {
   const std::vector<NumberedBlock> blocks = numbered_blocks(K);
   const auto map = DofLayout(*K.space()).merged_map(*K.space());
-  const auto with_ghosts = map_with_ghosts(blocks, map);
+  std::vector<GlobalOrdinal> reached;
+  for (const NumberedBlock& block : blocks)
+    reached.insert(reached.end(), block.columns.begin(), block.columns.end());
+  const auto with_ghosts = map_with_ghosts(std::move(reached), map);
   const std::size_t n = global_numbers(*map).size();
   std::vector<std::vector<int>> rows, columns;  // of each block
   RowStart row_start("row start", n + 1);

@@ -1,4 +1,7 @@
 #pragma once
+#include <cstddef>
+#include <vector>
+
 #include "tunica/base/types.hpp"
 
 namespace tunica::algebra {
@@ -13,6 +16,31 @@ Teuchos::RCP<CrsGraph> static_graph(const Teuchos::RCP<const Map>& rows,
                                     const Teuchos::RCP<const Map>& with_ghosts,
                                     const RowStart& row_start, const LocalColumns& columns,
                                     const Teuchos::RCP<const Map>& domain);
+
+/// The numbers of a map, and behind them those of these that it lacks, by the ranks that have them.
+/// Collective.
+Teuchos::RCP<const Map> map_with_ghosts(std::vector<GlobalOrdinal> columns,
+                                        const Teuchos::RCP<const Map>& map);
+
+/// The rank's rows of a matrix that is made: room for so many entries of each, in any order, no
+/// column twice.
+class EntryRows {
+public:
+  explicit EntryRows(const std::vector<std::size_t>& most);
+
+  void add(std::size_t row, GlobalOrdinal column, Scalar value) {
+    columns_[end_[row]] = column;
+    values_[end_[row]++] = value;
+  }
+  /// Tpetra inserts entries one by one in several times the time. Leaves none. Collective.
+  Teuchos::RCP<CrsMatrix> take(const Teuchos::RCP<const Map>& rows,
+                               const Teuchos::RCP<const Map>& domain);
+
+private:
+  std::vector<std::size_t> start_, end_;
+  std::vector<GlobalOrdinal> columns_;
+  std::vector<Scalar> values_;
+};
 
 /// A matrix with the entries of a graph, all of this value, and ready for products. Collective.
 Teuchos::RCP<CrsMatrix> matrix_on(const Teuchos::RCP<const CrsGraph>& graph, Scalar value = 0.0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/trilinos.hpp"
 
@@ -53,17 +54,15 @@ Deal::Deal(std::vector<GlobalOrdinal> numbers_of_rows, std::vector<int> ranks_of
 
 Teuchos::RCP<CrsMatrix> dealt(MatrixRows A, const Deal& rows, const Deal& columns) {
   const Fetched<GlobalOrdinal> number_of(*A.comm, columns_of(A), columns.numbers, A.n_columns);
-  const auto result =
-      Teuchos::rcp(new CrsMatrix(rows.dealt, Teuchos::arrayViewFromVector(dealt_lengths(A, rows))));
+  algebra::EntryRows entries(dealt_lengths(A, rows));
   deal_entries(
       A, rows,
       [&](std::size_t i, std::size_t k) {
         return Entry{rows.numbers[i], number_of(A.columns[k]), A.values[k]};
       },
-      [&](const Entry& e) { result->insertGlobalValues(e.row, 1, &e.value, &e.column); });
+      [&](const Entry& e) { entries.add(rows.dealt->getLocalElement(e.row), e.column, e.value); });
   A = {};
-  result->fillComplete(columns.dealt, rows.dealt);
-  return result;
+  return entries.take(rows.dealt, columns.dealt);
 }
 
 Teuchos::RCP<Vector> dealt(const std::vector<double>& values, const Deal& rows) {

@@ -1,8 +1,11 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "tunica/algebra/merged_matrix.hpp"
+#include "tunica/algebra/static_matrix.hpp"
+#include "tunica/base/trilinos.hpp"
 #include "unit/algebra/by_blocks.hpp"
 #include "unit/linear/mixed_operator.hpp"
+#include "unit/multigrid/grid.hpp"
 
 namespace {
 
@@ -62,6 +65,30 @@ TEUCHOS_UNIT_TEST(merged_matrix, of_one_matrix_is_that_one) {
   TEST_ASSERT(algebra::MergedMatrix(jacobian.K).matrix() == jacobian.K.merged());
   algebra::BlockMatrix K = jacobian.K;
   TEST_THROW(K.set(0, 0, K(0, 0)), std::logic_error);
+}
+
+// Rows of a grid from the last column to the first, with room to spare, are those that Tpetra
+// makes.
+TEUCHOS_UNIT_TEST(entry_rows, are_those_that_are_inserted_one_by_one) {
+  const auto A = test::Grid{5, 4, 6, false}.laplacian(test::world());
+  algebra::EntryRows entries(std::vector<std::size_t>(n_local_rows(*A), 9));
+  for (std::size_t i = 0; i < n_local_rows(*A); ++i) {
+    const auto row = A->getLocalMatrixHost().rowConst(static_cast<int>(i));
+    for (int k = row.length - 1; k >= 0; --k)
+      entries.add(i, A->getColMap()->getGlobalElement(row.colidx(k)), row.value(k));
+  }
+  const auto B = entries.take(A->getRowMap(), A->getDomainMap());
+  TEST_EQUALITY(B->getGlobalNumEntries(), A->getGlobalNumEntries());
+  bool is_same = B->getDomainMap()->isSameAs(*A->getDomainMap());
+  for (const GlobalOrdinal row : global_numbers(*A->getRowMap()))
+    is_same = is_same && test::row_of(*B, row) == test::row_of(*A, row);
+  TEST_ASSERT(is_same);
+  Vector x(A->getDomainMap()), y(A->getRangeMap()), z(y.getMap());
+  x.randomize();
+  A->apply(x, y);
+  B->apply(x, z);
+  z.update(-1.0, y, 1.0);
+  TEST_COMPARE(z.normInf(), <, 1e-14 * y.normInf());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "tunica/algebra/independent_set.hpp"
 #include "tunica/algebra/picked_matrix.hpp"
+#include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/map_of.hpp"
 #include "tunica/base/reduce.hpp"
@@ -63,14 +64,14 @@ public:
           numbers.push_back(number(P_->getDomainMap()->getGlobalElement(c), i));
   }
 
-  void insert_into(CrsMatrix& result) const {
+  void add_to(algebra::EntryRows& entries, const Map& fine) const {
     const auto local = P_->getLocalMatrixHost();
     std::vector<GlobalOrdinal> parents;
     // u_i = Σ_k B_ik u_k with blocks of 3×3 where rotations are interpolated; else each unknown is
     // the mean of the parents that have it, so that rows sum to one
     for (int a = 0; a < local.numRows(); ++a) {
       if (turns(a)) {
-        insert_rigid(a, result);
+        add_rigid(a, entries, fine);
         continue;
       }
       for (int i = 0; i < count_; ++i) {
@@ -80,11 +81,9 @@ public:
         for (int k = 0; k < row.length; ++k)
           if (columns_[row.colidx(k)] >> i & 1)
             parents.push_back(number(P_->getColMap()->getGlobalElement(row.colidx(k)), i));
-        const std::vector<Scalar> weights(parents.size(),
-                                          1.0 / static_cast<double>(parents.size()));
-        result.insertGlobalValues(number(P_->getRowMap()->getGlobalElement(a), i),
-                                  Teuchos::arrayViewFromVector(parents),
-                                  Teuchos::arrayViewFromVector(weights));
+        const auto own = fine.getLocalElement(number(P_->getRowMap()->getGlobalElement(a), i));
+        for (const GlobalOrdinal parent : parents)
+          entries.add(own, parent, 1.0 / static_cast<double>(parents.size()));
       }
     }
   }
@@ -94,17 +93,13 @@ private:
   bool turns(int a) const { return rigid_ != nullptr && fine_[a] == 7 && rigid_->has(a); }
 
   // The three rows of a node from its blocks, each with the components of all coarse nodes k.
-  void insert_rigid(int a, CrsMatrix& result) const {
+  void add_rigid(int a, algebra::EntryRows& entries, const Map& fine) const {
     const GlobalOrdinal node = P_->getRowMap()->getGlobalElement(a);
-    std::vector<GlobalOrdinal> columns;
-    for (std::size_t k = rigid_->start[a]; k < rigid_->start[a + 1]; ++k)
-      for (int j = 0; j < 3; ++j) columns.push_back(number(rigid_->nodes[k], j));
-    std::vector<Scalar> weights(columns.size());
     for (int i = 0; i < 3; ++i) {
-      for (std::size_t k = rigid_->start[a], n = 0; k < rigid_->start[a + 1]; ++k)
-        for (int j = 0; j < 3; ++j) weights[n++] = rigid_->blocks[k][i][j];
-      result.insertGlobalValues(number(node, i), Teuchos::arrayViewFromVector(columns),
-                                Teuchos::arrayViewFromVector(weights));
+      const auto own = fine.getLocalElement(number(node, i));
+      for (std::size_t k = rigid_->start[a]; k < rigid_->start[a + 1]; ++k)
+        for (int j = 0; j < 3; ++j)
+          entries.add(own, number(rigid_->nodes[k], j), rigid_->blocks[k][i][j]);
     }
   }
 
@@ -267,9 +262,9 @@ Teuchos::RCP<const CrsMatrix> MixedCoarsening::prolongator(int level, int block,
   // Ascending, the unknowns of a node stand side by side on the next level, too.
   std::sort(numbers.begin(), numbers.end());
   const Teuchos::RCP<const Map> coarse = map_of(numbers, fine->getComm());
-  const auto P = Teuchos::rcp(new CrsMatrix(fine, Teuchos::arrayViewFromVector(counts)));
-  for (const Expansion& expansion : expansions) expansion.insert_into(*P);
-  P->fillComplete(coarse, fine);
+  algebra::EntryRows entries(counts);
+  for (const Expansion& expansion : expansions) expansion.add_to(entries, *fine);
+  const Teuchos::RCP<const CrsMatrix> P = entries.take(fine, coarse);
   maps_[{level + 1, block}] = coarse;
   return prolongators_[{level, block, has_rotations}] = P;
 }
