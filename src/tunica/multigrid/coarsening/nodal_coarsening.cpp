@@ -159,12 +159,14 @@ std::vector<char> flags_between(const CrsGraph& nodes, const Teuchos::RCP<const 
 // take on the stiffness of the other.
 Teuchos::RCP<const CrsMatrix> averaging(const CrsGraph& nodes, const CoarseNumbers& coarse,
                                         const std::vector<char>& is_between) {
-  const auto P = Teuchos::rcp(new CrsMatrix(nodes.getRowMap(), longest_local_row(nodes)));
   const auto graph = nodes.getLocalGraphHost();
+  std::vector<std::size_t> lengths;
+  for (int i = 0; i < static_cast<int>(n_local_rows(nodes)); ++i)
+    lengths.push_back(graph.row_map(i + 1) - graph.row_map(i));
+  algebra::EntryRows entries(lengths);
   std::vector<GlobalOrdinal> parents;
-  for (int i = 0; i < static_cast<int>(n_local_rows(nodes)); ++i) {
-    const GlobalOrdinal row = nodes.getRowMap()->getGlobalElement(i);
-    const auto column = nodes.getColMap()->getLocalElement(row);
+  for (int i = 0; i < static_cast<int>(lengths.size()); ++i) {
+    const auto column = nodes.getColMap()->getLocalElement(nodes.getRowMap()->getGlobalElement(i));
     // P_ij = 1/n_i for the n_i parents j of node i; a node that stays is its own
     parents.clear();
     if (coarse.of_column[column] >= 0)
@@ -174,12 +176,10 @@ Teuchos::RCP<const CrsMatrix> averaging(const CrsGraph& nodes, const CoarseNumbe
         if (const auto j = graph.entries(k);
             coarse.of_column[j] >= 0 && (!is_between[column] || is_between[j]))
           parents.push_back(coarse.of_column[j]);
-    const std::vector<Scalar> weights(parents.size(), 1.0 / static_cast<double>(parents.size()));
-    P->insertGlobalValues(row, Teuchos::arrayViewFromVector(parents),
-                          Teuchos::arrayViewFromVector(weights));
+    for (const GlobalOrdinal parent : parents)
+      entries.add(i, parent, 1.0 / static_cast<double>(parents.size()));
   }
-  P->fillComplete(coarse.map, nodes.getRowMap());
-  return P;
+  return entries.take(nodes.getRowMap(), coarse.map);
 }
 
 /// G M, G the graph of the nodes: by node, what any of its neighbours has in M. Of P these are the
