@@ -4,6 +4,7 @@
 //   tunica-solvers xml/solvers-tiny.xml --output results/solvers
 //   tunica-solvers xml/system.xml
 //   tunica-solvers K.mtx b.mtx
+//   tunica-solvers K.mtx b.mtx xml/paper/muelu-fluid.xml
 //   mpirun -n 2 tunica-solvers xml/solvers-tiny.xml --export systems
 
 #include <algorithm>

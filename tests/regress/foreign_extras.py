@@ -1,5 +1,5 @@
 """What tunica-solvers makes of more than K and b: of a matrix like the Schur complement, of rows that are excluded, and of
-multipliers with dense rows.
+multipliers with dense rows; and of the settings of another case.
 
 Usage: foreign_extras.py FOLDER_OF_PROGRAMS SCRATCH
 """
@@ -9,7 +9,7 @@ import sys
 import taylor_hood
 from foreign_matrices import (DIVISIONS, ITERATIVE, N, N_PRESSURES, N_VECTORS, WIDE, Tried, cavity, channel, difference,
                               prescribe, scaled, whole_matrix, without_rounding, write)
-from runs import Verdict, fresh
+from runs import Run, Verdict, command, fresh, table
 
 
 def mass_of_pressures(factor):
@@ -120,6 +120,28 @@ def check_singular_inside(verdict, programs, scratch, K):
                   f"slack: what fails without the border is solved with it {slack.run.err}")
 
 
+def check_settings_beside(verdict, programs, scratch):
+    """Settings of any case are compared on a matrix: here those of a list "Fluid"."""
+    folder = scratch / "channel"
+    case = folder / "lists.xml"
+    names = ("ILU(1)", "block LU")
+    kinds = ("ilu", "block")
+    settings = "".join(f'<ParameterList name="{name}"><Parameter name="method" type="string" value="gmres"/>'
+                       f'<Parameter name="preconditioner" type="string" value="{kind}"/></ParameterList>'
+                       for name, kind in zip(names, kinds))
+    case.write_text(f'<ParameterList name="Case"><ParameterList name="Solvers"><ParameterList name="Fluid">{settings}'
+                    "</ParameterList></ParameterList></ParameterList>\n")
+    files = [folder / "K.mtx", folder / "b.mtx", case]
+    run = Run(command(programs / "tunica-solvers", [*files, "--output", folder / "beside", "--overwrite"]), folder)
+    verdict.claim(run.status == 0, f"settings beside a matrix: status {run.status} {run.err}")
+    rows = table(folder / "beside" / "solvers.csv")
+    verdict.claim(tuple(rows["setting"]) == names, f"settings beside a matrix: {list(rows['setting'])} are compared")
+    case.write_text('<ParameterList name="Case"/>\n')
+    run = Run(command(programs / "tunica-solvers", [*files, "--output", folder / "beside", "--overwrite"]), folder)
+    verdict.claim(run.status == 1 and 'lists.xml: a list "Solvers" is missing' in run.err,
+                  f"a case without settings is refused: {run.err}")
+
+
 def main():
     programs, scratch = pathlib.Path(sys.argv[1]).resolve(), fresh(sys.argv[2])
     verdict = Verdict()
@@ -128,6 +150,7 @@ def main():
     check_schur(verdict, programs, scratch, K, Tried(programs, scratch / "channel").x)
     check_border(verdict, programs, scratch, K)
     check_singular_inside(verdict, programs, scratch, K)
+    check_settings_beside(verdict, programs, scratch)
     sys.exit(verdict.status())
 
 

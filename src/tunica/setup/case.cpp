@@ -15,9 +15,24 @@ namespace tunica::setup {
 
 namespace {
 
-/// The case of a matrix: a list "System" that names it.
+/// What another case says of settings to compare, for whatever systems.
+Teuchos::ParameterList settings_in(const std::string& file) {
+  const Teuchos::ParameterList all = params::read_xml(file);
+  Teuchos::ParameterList solvers("Solvers");
+  if (!all.isSublist("Solvers")) throw Error(file + ": a list \"Solvers\" is missing");
+  const Teuchos::ParameterList& from = all.sublist("Solvers");
+  if (from.isParameter("tolerance")) solvers.setEntry("tolerance", from.getEntry("tolerance"));
+  for (const char* name : {"Settings", "System", "Fluid", "Wall"})
+    if (from.isSublist(name) && !solvers.isSublist("Settings"))
+      solvers.sublist("Settings") = from.sublist(name);
+  TUNICA_CHECK(solvers.isSublist("Settings"), file + ": Solvers: there are no settings");
+  return solvers;
+}
+
+/// The case of a matrix: a list "System" that names it, and settings that are to be compared.
 Teuchos::ParameterList case_of_matrix(const CommandLine& command) {
   Teuchos::ParameterList list("Case");
+  if (!command.settings.empty()) list.sublist("Solvers") = settings_in(command.settings);
   const auto set = [&](const char* key, const std::string& file) {
     if (!file.empty())
       list.sublist("System").set(key, std::filesystem::absolute(file).lexically_normal().string());
@@ -34,8 +49,9 @@ Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Ta
   const std::string remark = leave_one_field(list, command.program);
   if (!remark.empty()) io::print_line("note: " + remark);
   for (const std::string& assignment : command.set) params::set_from_text(list, table, assignment);
+  const std::string& file = command.settings.empty() ? command.case_file : command.settings;
   const std::filesystem::path folder =
-      std::filesystem::absolute(command.case_file).lexically_normal().parent_path();
+      std::filesystem::absolute(file).lexically_normal().parent_path();
   try {
     table.resolve(list, "", folder.string());
     stepping::inline_files(list);
@@ -45,7 +61,7 @@ Teuchos::ParameterList read_on_root(const CommandLine& command, const params::Ta
       if (!pressures.empty()) io::print_line("note: " + pressures);
     }
   } catch (const Error& error) {
-    throw Error(command.case_file + ": " + error.what());
+    throw Error(file + ": " + error.what());
   }
   TUNICA_CHECK(!command.steps || list.isSublist("Time"), "--steps: this case has no time steps.");
   TUNICA_CHECK(

@@ -75,11 +75,20 @@ void store(CommandLine& line, const std::string& name, const std::string& value)
   if (name == "--export") line.export_folder = value;
 }
 
+bool ends_with(const std::string& name, const std::string& end) {
+  return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
+/// What follows a matrix: its right-hand side, a case with settings for it.
+void store_beside_matrix(CommandLine& line, const std::string& name) {
+  std::string& file = ends_with(name, ".xml") ? line.settings : line.right_side;
+  TUNICA_CHECK(file.empty(), "\"" + name + "\" is one file too many beside \"" + line.case_file +
+                                 "\", expected K.mtx b.mtx CASE.xml");
+  file = name;
+}
+
 void store_case(CommandLine& line, const std::string& name) {
-  if (is_matrix_file(line.case_file) && line.right_side.empty()) {
-    line.right_side = name;
-    return;
-  }
+  if (is_matrix_file(line.case_file)) return store_beside_matrix(line, name);
   TUNICA_CHECK(line.program == "tunica-solvers" || !is_matrix_file(name),
                "\"" + name + "\" is a matrix, expected a case file; tunica-solvers takes both.");
   TUNICA_CHECK(line.case_file.empty(),
@@ -124,10 +133,7 @@ CommandLine parse(int argc, char** argv, const std::string& program, const std::
 }
 
 bool is_matrix_file(const std::string& name) {
-  const auto ends_with = [&](const std::string& end) {
-    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-  };
-  return ends_with(".mtx") || ends_with(".mtx.gz");
+  return ends_with(name, ".mtx") || ends_with(name, ".mtx.gz");
 }
 
 bool takes(const std::string& program, const std::string& option) {
@@ -139,8 +145,9 @@ bool takes(const std::string& program, const std::string& option) {
 std::string usage(const std::string& program, const std::string& sentence) {
   std::string text =
       program + ": " + sentence + "\n\nUsage: " + program + " CASE.xml [options]\n" +
-      (program == "tunica-solvers" ? "       " + program + " K.mtx [b.mtx] [options]\n\nOptions:\n"
-                                   : "\nOptions:\n");
+      (program == "tunica-solvers"
+           ? "       " + program + " K.mtx [b.mtx] [CASE.xml] [options]\n\nOptions:\n"
+           : "\nOptions:\n");
   for (const Option& option : options_of(program)) {
     std::string left = "  " + option.name + (option.value.empty() ? "" : " " + option.value);
     left.resize(20, ' ');

@@ -10,6 +10,7 @@ struct CommandLine {
   std::string program{};           ///< the driver's name
   std::string case_file;           ///< tunica-solvers: or a matrix
   std::string right_side{};        ///< tunica-solvers with a matrix only; "" if not given
+  std::string settings{};          ///< tunica-solvers with a matrix only: a case with others; ""
   std::string output;              ///< folder of the results; "" if not given
   std::optional<int> steps;        ///< stop after so many time steps
   bool dry_run = false;            ///< everything but the solve

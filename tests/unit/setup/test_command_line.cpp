@@ -108,6 +108,10 @@ TEUCHOS_UNIT_TEST(command_line, a_matrix_and_its_right_side_make_a_case_of_tunic
   TEST_EQUALITY(line.case_file, "K.mtx");
   TEST_EQUALITY(line.right_side, "b.mtx");
   TEST_EQUALITY(parsed({"K.mtx"}, "tunica-solvers").right_side, "");
+  const CommandLine with_settings = parsed({"K.mtx", "lists.xml", "b.mtx"}, "tunica-solvers");
+  TEST_EQUALITY(with_settings.right_side, "b.mtx");
+  TEST_EQUALITY(with_settings.settings, "lists.xml");
+  TEST_THROW(parsed({"K.mtx", "a.xml", "b.xml"}, "tunica-solvers"), tunica::Error);
   TEST_THROW(parsed({"K.mtx", "b.mtx", "c.mtx"}, "tunica-solvers"), tunica::Error);
   TEST_THROW(parsed({"case.xml", "b.mtx"}, "tunica-solvers"), tunica::Error);
   TEST_THROW(parsed({"K.mtx"}), tunica::Error);
