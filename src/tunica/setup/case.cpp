@@ -19,7 +19,7 @@ namespace {
 Teuchos::ParameterList settings_in(const std::string& file) {
   const Teuchos::ParameterList all = params::read_xml(file);
   Teuchos::ParameterList solvers("Solvers");
-  if (!all.isSublist("Solvers")) throw Error(file + ": a list \"Solvers\" is missing");
+  TUNICA_CHECK(all.isSublist("Solvers"), file + ": a list \"Solvers\" is missing");
   const Teuchos::ParameterList& from = all.sublist("Solvers");
   if (from.isParameter("tolerance")) solvers.setEntry("tolerance", from.getEntry("tolerance"));
   for (const char* name : {"Settings", "System", "Fluid", "Wall"})

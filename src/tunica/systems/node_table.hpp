@@ -13,8 +13,8 @@ struct NodeTable {
   std::vector<long long> vector_node, scalar_node;  ///< of each unknown
   std::vector<int> component;                       ///< of each vector unknown
   long long n_nodes = 0;                            ///< of all ranks, numbered without gaps
-  /// Every node has a scalar and at least one vector unknown, but for scalars of the border, and
-  /// for fixed vectors that are left out where it is known which: both blocks share the nodes.
+  /// Every node has a scalar and at least one vector unknown, but for scalars of the border, or
+  /// those found beside vectors of which others are left out: both blocks share the nodes.
   bool is_shared = false;
 };
 

@@ -48,6 +48,18 @@ void find_values(System& system, int round, const algebra::BlockVector& rest) {
   }
 }
 
+/// x ← D x of free unknowns, 0 of the others; D diagonal.
+void scale_free(const System& system, const algebra::BlockVector& D, algebra::BlockVector& x) {
+  for (int i = 0; i < x.n_blocks(); ++i) {
+    const auto known_in = system.known_in[i].getLocalViewHost(read_only);
+    const auto factor = D[i].getLocalViewHost(read_only);
+    const auto values = x[i].getLocalViewHost(read_write);
+    for (std::size_t k = 0; k < values.extent(0); ++k)
+      values(k, 0) =
+          known_in(k, 0) == 0.0 || known_in(k, 0) == bordering ? factor(k, 0) * values(k, 0) : 0.0;
+  }
+}
+
 /// 0 = b where nothing else stands in a row: what the sums leave by rounding is zero.
 void check_empty_rows(const System& system, const algebra::BlockVector& rest) {
   std::string wrong;
@@ -102,27 +114,13 @@ std::vector<double> values_at(const std::vector<GlobalOrdinal>& unknowns, const 
 }
 
 void take_to_rows(const System& system, algebra::BlockVector& x) {
-  for (int i = 0; i < x.n_blocks(); ++i) {
-    const auto known_in = system.known_in[i].getLocalViewHost(read_only);
-    const auto factor = system.row_scale[i].getLocalViewHost(read_only);
-    const auto values = x[i].getLocalViewHost(read_write);
-    for (std::size_t k = 0; k < values.extent(0); ++k)
-      values(k, 0) =
-          known_in(k, 0) == 0.0 || known_in(k, 0) == bordering ? factor(k, 0) * values(k, 0) : 0.0;
-  }
+  scale_free(system, system.row_scale, x);
 }
 
 algebra::BlockVector of_free(const System& system, const algebra::BlockVector& y) {
   algebra::BlockVector x = system.K.zero();
-  for (int i = 0; i < y.n_blocks(); ++i) {
-    const auto known_in = system.known_in[i].getLocalViewHost(read_only);
-    const auto factor = system.scale[i].getLocalViewHost(read_only);
-    const auto from = y[i].getLocalViewHost(read_only);
-    const auto to = x[i].getLocalViewHost(overwrite_all);
-    for (std::size_t k = 0; k < to.extent(0); ++k)
-      to(k, 0) =
-          known_in(k, 0) == 0.0 || known_in(k, 0) == bordering ? factor(k, 0) * from(k, 0) : 0.0;
-  }
+  x.assign(y);
+  scale_free(system, system.scale, x);
   return x;
 }
 

@@ -202,9 +202,8 @@ std::vector<std::vector<char>> likely_places(const std::vector<char>& kinds,
 
 /// Rows of vectors in a flow: each is coupled with scalars at these places, and with another vector
 /// in one way there and in another one back, as no scalar is.
-bool are_convected(const MatrixRows& K, const std::vector<char>& is_scalar,
+bool are_convected(const MatrixRows& K, const MatrixRows& T, const std::vector<char>& is_scalar,
                    const std::vector<char>& places) {
-  const MatrixRows T = transposed(K);
   bool are_so = true;
   for (std::size_t i = 0; i < K.n_local_rows(); ++i) {
     const long long row = K.first_row() + static_cast<long long>(i);
@@ -233,6 +232,7 @@ bool are_convected(const MatrixRows& K, const std::vector<char>& is_scalar,
 void return_convected(const MatrixRows& K, const std::vector<char>& kinds,
                       std::vector<char>& is_scalar) {
   constexpr double few = 0.1;
+  MatrixRows T;  // Kᵀ, made where it is needed
   for (const std::vector<char>& places : likely_places(kinds, is_scalar)) {
     double vectors = 0.0, scalars = 0.0, outliers = 0.0, zeros = 0.0;
     for (std::size_t row = 0; row < kinds.size(); ++row) {
@@ -243,7 +243,8 @@ void return_convected(const MatrixRows& K, const std::vector<char>& kinds,
     }
     if (outliers == 0.0) return;
     if (zeros > 0.0 || outliers > few * vectors || outliers > scalars) continue;
-    if (!are_convected(K, is_scalar, places)) continue;
+    if (T.n_rows == 0) T = transposed(K);
+    if (!are_convected(K, T, is_scalar, places)) continue;
     for (std::size_t row = 0; row < kinds.size(); ++row)
       is_scalar[row] = is_scalar[row] != 0 && places[row] != 0;
     return;

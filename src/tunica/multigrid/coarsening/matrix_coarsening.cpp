@@ -6,6 +6,8 @@
 #include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/base/error.hpp"
+#include "tunica/base/rows.hpp"
+#include "tunica/base/sort_once.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::multigrid {
@@ -31,8 +33,7 @@ void check_nodes(const Map& rows, const Map& nodes, const algebra::DofLayout& nu
 Teuchos::RCP<CrsGraph> graph_of(Neighbours neighbours, const Teuchos::RCP<const Map>& nodes) {
   std::size_t most = 0;
   for (auto& row : neighbours) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
+    sort_once(row);
     most = std::max(most, row.size());
   }
   const auto graph = Teuchos::rcp(new CrsGraph(nodes, most));
@@ -46,16 +47,14 @@ Teuchos::RCP<CrsGraph> graph_of(Neighbours neighbours, const Teuchos::RCP<const 
 /// By local column of M, the position of its node among all nodes of columns, ascending.
 struct ColumnNodes {
   std::vector<GlobalOrdinal> nodes;
-  std::vector<std::size_t> of_column;
+  std::vector<int> of_column;
 
   template <class NodeOf>
   ColumnNodes(const Map& columns, const NodeOf& node_of) {
     for (const GlobalOrdinal number : global_numbers(columns)) nodes.push_back(node_of(number));
     const std::vector<GlobalOrdinal> all = nodes;
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    for (const GlobalOrdinal node : all)
-      of_column.push_back(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
+    sort_once(nodes);
+    for (const GlobalOrdinal node : all) of_column.push_back(place_of(node, nodes));
   }
 };
 
@@ -70,7 +69,7 @@ void append(const CrsMatrix& M, const Map& nodes, const NodeOf& node_of, Neighbo
     const LocalOrdinal own = nodes.getLocalElement(node_of(M.getRowMap()->getGlobalElement(i)));
     const auto row = local.rowConst(i);
     for (int k = 0; k < row.length; ++k) {
-      const std::size_t column = columns.of_column[row.colidx(k)];
+      const int column = columns.of_column[row.colidx(k)];
       if (seen_by[column] == own) continue;
       seen_by[column] = own;
       neighbours[own].push_back(columns.nodes[column]);

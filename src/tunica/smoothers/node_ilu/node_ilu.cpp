@@ -20,7 +20,7 @@ namespace {
 
 /// Times the entries of K up to which factors with fill are made. Those of meshes have 2.4 to 4.5
 /// with two levels of fill; beside multipliers that reach a part of the domain a coarse level would
-/// have eight with one, and take 16 s instead of none of 0.3.
+/// have eight with one, whose elimination takes 14 s in a system of 28,000 unknowns.
 constexpr std::size_t most_growth = 6;
 
 double number(double value) { return value; }
