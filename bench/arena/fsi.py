@@ -53,11 +53,12 @@ def jacobian(size, field, scheme):
         A, B1T, B2, C = (sparse.csr_matrix(scipy.io.mmread(path / f"{name}.mtx")) for name in ("A", "B1T", "B2", "C"))
         b = numpy.asarray(scipy.io.mmread(path / "rhs.mtx")).ravel()
         modes = numpy.asarray(scipy.io.mmread(path / "nullspace.mtx"))
+        places = numpy.asarray(scipy.io.mmread(path / "coordinates.mtx"))
     n, m = A.shape[0], C.shape[0]
     K = sparse.bmat([[A, B1T], [B2, -C]], format="csr")
     names = ("velocity", "pressure") if field != "wall" else ("displacement", "pressure")
     return System(K, b, {names[0]: numpy.arange(n), names[1]: numpy.arange(n, n + m)}, 3, True,
-                  rigid=modes if modes.shape[0] == n else None)
+                  places=places if field == "wall" else None, rigid=modes if modes.shape[0] == n else None)
 
 
 def fluid(size):

@@ -27,7 +27,8 @@ solve without reading files; with other work on the machine those of the wall cl
 largest process at its peak, with the files it has read. PETSc and SciPy may go on from a solution that the judge would not accept.
 `tunica-solvers` is then run again with a tolerance of 1e-10 (* in the tables): its own 1e-8 is relative to the system as prepared.
 
-**What they know.** Our default gets K.mtx and b.mtx, nothing else. Without LU it shows how the iterations of its methods grow: the
+**What they know.** Our default gets K.mtx and b.mtx, and the places of the nodes of solids in space (`beam-3d`, `plate-3d`,
+`fsi-wall-3d`), nothing else. Without LU it shows how the iterations of its methods grow: the
 small systems are otherwise solved by factors. Contestants of Trilinos run in `tunica-solvers`, so that they
 profit from its preparation (order of unknowns, scaling, known values). Those of PETSc and SciPy get what an expert would give
 them: the fields, the components of a node side by side, rigid motions, undetermined constants, and where textbooks know one

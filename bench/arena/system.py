@@ -18,6 +18,7 @@ class System:
     components: int = 1  # of a vector
     is_by_node: bool = False  # numbers of the vectors: components side by side, not one after the other
     constants: tuple = ()  # fields that K determines but for a constant
+    places: numpy.ndarray = None  # of the nodes of a solid in space, in the order of their numbers
     rigid: numpy.ndarray = None  # near-null space of the first field, in the order of its numbers
     schur: sparse.csr_matrix = None  # approximation of the Schur complement that textbooks give, positive
     is_symmetric: bool = False
@@ -142,8 +143,16 @@ def is_solved(K, b, x, fields, tolerance=1e-8):
     return max(parts.values()) <= tolerance and (whole <= tolerance or backward <= 1e-13)
 
 
+def write_array(path, values):
+    """A dense matrix, column after column."""
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("%%MatrixMarket matrix array real general\n{} {}\n".format(*values.shape))
+        file.write("".join(map("%.17g\n".__mod__, values.T.ravel().tolist())))
+
+
 def write(system, folder):
-    """K.mtx and b.mtx, as a first-time user has them; known.npz with all that is known, for peers and for the judge."""
+    """K.mtx and b.mtx, as a first-time user has them, and coordinates.mtx of a solid in space; known.npz with all that is
+    known, for peers and for the judge."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     K = system.K.tocoo()
@@ -153,9 +162,9 @@ def write(system, folder):
             some = slice(begin, begin + 200000)
             file.write("".join(map("%d %d %.17g\n".__mod__, zip(
                 (K.row[some] + 1).tolist(), (K.col[some] + 1).tolist(), K.data[some].tolist()))))
-    with open(folder / "b.mtx", "w", encoding="utf-8") as file:
-        file.write(f"%%MatrixMarket matrix array real general\n{system.n} 1\n")
-        file.write("".join(map("%.17g\n".__mod__, system.b.tolist())))
+    write_array(folder / "b.mtx", system.b[:, None])
+    if system.places is not None:
+        write_array(folder / "coordinates.mtx", system.places)
     arrays = {"data": system.K.data, "indices": system.K.indices, "indptr": system.K.indptr, "b": system.b,
               "rigid": numpy.zeros((0, 0)) if system.rigid is None else system.rigid}
     if system.schur is not None:
@@ -181,8 +190,8 @@ def read(folder):
             schur = sparse.csr_matrix((arrays["schur_data"], arrays["schur_indices"], arrays["schur_indptr"]))
         fields = {name: arrays["field_" + name] for name in known["fields"]}
         rigid = arrays["rigid"] if arrays["rigid"].size else None
-        return System(K, arrays["b"], fields, known["components"], known["is_by_node"],
-                      tuple(known["constants"]), rigid, schur, known["is_symmetric"])
+        return System(K, arrays["b"], fields, known["components"], known["is_by_node"], tuple(known["constants"]),
+                      rigid=rigid, schur=schur, is_symmetric=known["is_symmetric"])
 
 
 def read_vector(path):

@@ -23,9 +23,6 @@ namespace {
 /// fallbacks).
 constexpr long long most_factored = 300000;
 
-/// Contraction of an iteration from which on known rotations are interpolated, as of vessels.
-constexpr double slow = 0.25;
-
 const char* const first_direct = "direct";
 const char* const c_stabilises = "C stabilises";
 const char* const nodes_have_pivots = "C is zero, but each node has a pivot";
@@ -227,9 +224,14 @@ double break_even(const DefaultChoice& choice, const algebra::BlockMatrix& K, do
   return is_cheap ? operations / 3.0 : operations;
 }
 
-/// A count by the graph of nodes is taken for too many where it is this many times what may be. In
-/// the arena it is 0.14 (Q1–Q1 in the plane) to 1.7, with bubbles 3 times the true one.
-constexpr double most_excess = 2.0;
+/// A count by the graph of the vectors' nodes is taken for too many where it is this many times
+/// what may be. Of equal order it is 0.14 to 1.7 times the true one in the arena. Scalars on nodes
+/// of their own couple vectors that A does not, and it is half the true one; what is slow there is
+/// soon found so, and factored then.
+double most_excess(const algebra::BlockMatrix& K) {
+  const algebra::BlockSpace& space = *K.space();
+  return K.n_blocks() == 1 || space[0].nodes.graph == space[1].nodes.graph ? 2.0 : 0.5;
+}
 
 /// Operations that factors take per entry of K, about: b³ times those of the graph of the nodes,
 /// with b unknowns at each. It has some b² times fewer entries. 0 where there is no graph.
@@ -245,10 +247,11 @@ double operations_by_nodes(const algebra::BlockMatrix& K, double enough) {
   return scale * linear::factor_operations(nodes.graph, enough / scale);
 }
 
-/// Levels that interpolate rotations where it is slow without them and places are known.
+/// Levels that interpolate rotations where places are known. From the start: systems of others are
+/// solved once, and levels made twice take longer than those with rotations.
 Teuchos::ParameterList with_rotations(Teuchos::ParameterList cycle, const algebra::BlockMatrix& K) {
   if (!(*K.space())[0].nodes.places.coordinates.is_null())
-    cycle.sublist("Factories").sublist("Nodes").set("rotations", true).set("rotations from", slow);
+    cycle.sublist("Factories").sublist("Nodes").set("rotations", true);
   return cycle;
 }
 
@@ -320,11 +323,12 @@ DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_oper
     const double most = break_even(choice, K, direct_operations);
     const bool is_in_space = (*K.space())[0].components >= 3;
     const double most_of_slow = is_in_space ? operations_in_space : operations_in_plane;
-    const double about = operations_by_nodes(K, std::max(most_excess * most, most_of_slow));
+    const double most_about = most_excess(K) * most;
+    const double about = operations_by_nodes(K, std::max(most_about, most_of_slow));
     // In space factors of whatever is large take more than any number of cycles.
     if (!is_in_space || (about > 0.0 && about <= most_of_slow))
       insert_factors_of_slow(most_of_slow, all);
-    if (about > most_excess * most)
+    if (about > most_about)
       choice.operations = about;
     else
       all.insert(all.begin(), direct(first_direct, most));

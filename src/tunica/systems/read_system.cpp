@@ -120,8 +120,7 @@ void add_matrix_keys(params::Table& table) {
             "Complement\" = \"Given\", which then comes first")
       .file("coordinates", "",
             "dense array in the Matrix Market format with three columns and a row for each node "
-            "in the order of their numbers, of solids: where multigrid is slow it interpolates "
-            "rotations")
+            "in the order of their numbers, of solids: multigrid interpolates their rotations")
       .number("negligible", 1e-14, params::Range{0.0, 1e-3, false, false}, "1",
               "entries of at most this part of the largest one of their row and of their column "
               "are left out; 0: none")

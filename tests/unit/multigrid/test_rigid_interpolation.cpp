@@ -95,6 +95,40 @@ TEUCHOS_UNIT_TEST(rigid_interpolation, is_exact_for_rigid_motions_on_all_levels)
   }
 }
 
+/// Of cells as long as they are wide, an odd number of them in each direction.
+TEUCHOS_UNIT_TEST(rigid_interpolation, keeps_exact_means_of_regular_meshes) {
+  const Grid block{8, 8, 8, true};
+  algebra::Nodes nodes = test::nodes_of(block.graph(test::world()));
+  const auto x = Teuchos::rcp(new MultiVector(nodes.graph->getRowMap(), 3));
+  const auto in_solid = Teuchos::rcp(new Vector(nodes.graph->getRowMap()));
+  in_solid->putScalar(1.0);
+  for (const GlobalOrdinal node : global_numbers(*nodes.graph->getRowMap())) {
+    x->replaceGlobalValue(node, 0, static_cast<double>(node % 8));
+    x->replaceGlobalValue(node, 1, static_cast<double>(node / 8 % 8));
+    x->replaceGlobalValue(node, 2, static_cast<double>(node / 64));
+  }
+  nodes.places = {x, in_solid};
+  const Teuchos::RCP<const Map> unknowns = block.laplacian(test::world(), 3)->getRowMap();
+  const algebra::BlockSpace space(
+      {{"vector", unknowns, 3, nodes}, {"scalar", nodes.graph->getRowMap(), 1, nodes}});
+  MixedCoarsening coarsening(space);
+  NodalCoarsening of_nodes(nodes.graph, *nodes.order);
+  const auto P = coarsening.prolongator(0, *unknowns, true),
+             means = coarsening.prolongator(0, *unknowns);
+  MultiVector coarse_x(of_nodes.prolongator(0)->getDomainMap(), 3);
+  algebra::pick_rows(of_nodes.coarse_rows(0), *x, coarse_x);
+  const MultiVector fine = rigid_motions(unknowns, *x),
+                    coarse = rigid_motions(P->getDomainMap(), coarse_x);
+  // the last layer has parents on one side alone, the others have them on both
+  TEST_COMPARE(largest_difference(*P, fine, coarse), <, 1e-12);
+  TEST_COMPARE(largest_difference(*means, fine, coarse), >, 0.4);
+  for (const GlobalOrdinal row : global_numbers(*unknowns)) {
+    const GlobalOrdinal node = row / 3;
+    const bool is_last = node % 8 == 7 || node / 8 % 8 == 7 || node / 64 == 7;
+    TEST_EQUALITY(test::row_of(*P, row) == test::row_of(*means, row), !is_last);
+  }
+}
+
 TEUCHOS_UNIT_TEST(flatness, is_that_of_solids_alone) {
   const double thickness = 0.04;
   algebra::Nodes nodes = nodes_of_shell();

@@ -33,6 +33,9 @@ constexpr double much_more = 1.1;
 /// 26 in the same time.
 constexpr double most_staying = 0.45;
 
+/// flatness_of_solids up to which elements count as regular.
+constexpr double still_regular = 5.0;
+
 /// Of hosts on the level of the nodes and on the next one. Without: none.
 struct Hosts {
   Teuchos::RCP<const Vector> here, coarse;  ///< -1 where there is none
@@ -320,6 +323,7 @@ std::shared_ptr<const RigidInterpolation> NodalCoarsening::rigid(int level) {
   RigidSource source{*fine.nodes, *fine.P, around, fine.places, coarse.places, fine.coarse_rows};
   source.fine_between = fine.between;
   source.coarse_between = coarse.between;
+  source.keeps_exact_means = flatness_ <= still_regular;
   return std::make_shared<const RigidInterpolation>(rigid_interpolation(source));
 }
 

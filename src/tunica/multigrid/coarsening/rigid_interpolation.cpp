@@ -23,6 +23,7 @@ constexpr double shadow = 0.6;
 constexpr double blunt = 0.05;          ///< of weights by distance, in parts of h²
 constexpr double leniency = 0.01;       ///< ε
 constexpr double least_spread = 0.3;    ///< second over first extent of nodes that span a plane
+constexpr double exact = 0.02;          ///< τ of means
 constexpr double least_inertia = 0.01;  ///< of Σ |d|²: about the line on which nodes lie
 
 Mat3 cross_matrix(const Vec3& a) {
@@ -226,6 +227,7 @@ public:
                            source.P.getNumEntriesInLocalRow(static_cast<int>(i)) > 0);
     }
     fits_.resize(places_.size());
+    if (source.keeps_exact_means) leave_exact_means();
   }
 
   /// Of fitted nodes that do not span a plane yet, to the coarse nodes in their rows. Collective.
@@ -274,6 +276,25 @@ public:
   }
 
 private:
+  // |x_i − Σ_k x_k/n|² ≤ τ² h², over the n parents k of i; h² mean of |x_k − x_i|²
+  void leave_exact_means() {
+    const Columns columns(*source_.P.getCrsGraph(), *source_.coarse.coordinates,
+                          source_.coarse_between);
+    const auto parents = source_.P.getLocalMatrixHost();
+    for (std::size_t i = 0; i < is_fitted_.size(); ++i) {
+      if (!is_fitted_[i]) continue;
+      const auto row = parents.rowConst(static_cast<int>(i));
+      Vec3 sum{};
+      double squares = 0.0;
+      for (int k = 0; k < row.length; ++k) {
+        const Vec3 d = columns[row.colidx(k)].x - places_[i];
+        sum += d;
+        squares += dot(d, d);
+      }
+      is_fitted_[i] = dot(sum, sum) > exact * exact * row.length * squares;
+    }
+  }
+
   bool is_open(std::size_t i) const {
     return is_fitted_[i] && (!fits_[i] || !fits_[i]->spans_plane());
   }
