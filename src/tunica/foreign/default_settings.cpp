@@ -10,8 +10,8 @@
 #include "tunica/base/formatted.hpp"
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/trilinos.hpp"
+#include "tunica/foreign/factor_cost.hpp"
 #include "tunica/foreign/given_operators.hpp"
-#include "tunica/linear/direct/direct_factor.hpp"
 #include "tunica/linear/solvers/conjugate_gradients.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 
@@ -211,40 +211,18 @@ bool is_plain(const algebra::BlockMatrix& K) {
          global_max(comm, largest) < mild * global_min(comm, smallest);
 }
 
-/// Operations per entry for which sparse LU takes as long as the first iterative setting. Sweeps by
-/// Braess and Sarazin take twice as long as others in the plane, and half where A is plain. Of
-/// nodes in space, whose systems have three times as many entries in a row, incomplete factors take
-/// fewer than these; so do those of optimal control, whose cycles contract by a fifth.
+/// Operations per entry up to which sparse LU comes first. In the plane it then takes as long as
+/// multigrid, or as cycles by Braess and Sarazin that are soon found slow, and half where A is
+/// plain and they are quick. Of nodes in space, whose systems have three times as many entries in a
+/// row, incomplete factors take fewer; so do those of optimal control, whose cycles contract by a
+/// fifth.
 double break_even(const DefaultChoice& choice, const algebra::BlockMatrix& K, double operations) {
   if (choice.reason == c_is_zero || choice.reason == c_is_small)
-    return is_plain(K) ? 0.5 * operations : 2.0 * operations;
+    return is_plain(K) ? 0.5 * operations : operations;
   const bool is_in_space = (*K.space())[0].components >= 3;
   const bool is_cheap =
       (is_in_space && choice.reason == c_stabilises) || choice.reason == nodes_have_pivots;
   return is_cheap ? operations / 3.0 : operations;
-}
-
-/// A count by the graph of the vectors' nodes is taken for too many where it is this many times
-/// what may be. Of equal order it is 0.14 to 1.7 times the true one in the arena. Scalars on nodes
-/// of their own couple vectors that A does not, and it is half the true one; what is slow there is
-/// soon found so, and factored then.
-double most_excess(const algebra::BlockMatrix& K) {
-  const algebra::BlockSpace& space = *K.space();
-  return K.n_blocks() == 1 || space[0].nodes.graph == space[1].nodes.graph ? 2.0 : 0.5;
-}
-
-/// Operations that factors take per entry of K, about: b³ times those of the graph of the nodes,
-/// with b unknowns at each. It has some b² times fewer entries. 0 where there is no graph.
-double operations_by_nodes(const algebra::BlockMatrix& K, double enough) {
-  const algebra::Nodes& nodes = (*K.space())[0].nodes;
-  if (nodes.graph.is_null()) return 0.0;
-  double entries = 0.0;
-  for (int i = 0; i < K.n_blocks(); ++i)
-    for (int j = 0; j < K.n_blocks(); ++j)
-      if (!K(i, j).is_null()) entries += static_cast<double>(K(i, j)->getGlobalNumEntries());
-  const double b = static_cast<double>(K.n_unknowns()) / nodes.graph->getGlobalNumRows();
-  const double scale = b * b * b / entries;
-  return scale * linear::factor_operations(nodes.graph, enough / scale);
 }
 
 /// Levels that interpolate rotations where places are known. From the start: systems of others are
@@ -323,12 +301,11 @@ DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_oper
     const double most = break_even(choice, K, direct_operations);
     const bool is_in_space = (*K.space())[0].components >= 3;
     const double most_of_slow = is_in_space ? operations_in_space : operations_in_plane;
-    const double most_about = most_excess(K) * most;
-    const double about = operations_by_nodes(K, std::max(most_about, most_of_slow));
+    const double about = operations_by_vectors(K, std::max(most, most_of_slow));
     // In space factors of whatever is large take more than any number of cycles.
     if (!is_in_space || (about > 0.0 && about <= most_of_slow))
       insert_factors_of_slow(most_of_slow, all);
-    if (about > most_about)
+    if (is_factoring_dear(K, about, most))
       choice.operations = about;
     else
       all.insert(all.begin(), direct(first_direct, most));

@@ -3,6 +3,7 @@
 
 #include "tunica/base/trilinos.hpp"
 #include "tunica/foreign/default_settings.hpp"
+#include "tunica/foreign/factor_cost.hpp"
 
 namespace {
 
@@ -162,7 +163,7 @@ TEUCHOS_UNIT_TEST(default_settings, fewer_factors_come_before_sweeps_where_a_is_
   K.set(0, 0, plain_matrix(K(0, 0)->getRowMap(), 2.0));
   TEST_EQUALITY(most(), 750.0);
   K.set(0, 0, plain_matrix(K(0, 0)->getRowMap(), 2001.0));
-  TEST_EQUALITY(most(), 3000.0);
+  TEST_EQUALITY(most(), 1500.0);
 }
 
 TEUCHOS_UNIT_TEST(default_settings, factors_come_first_while_they_are_few_for_the_matrix) {
@@ -178,7 +179,7 @@ TEUCHOS_UNIT_TEST(default_settings, factors_come_first_while_they_are_few_for_th
   TEST_ASSERT(
       names(foreign::default_settings(blocks(true, 0.0, true, 3, 3), 1500.0)) ==
       (Names{"direct", "multigrid, Braess-Sarazin", "field by field", "direct at any cost"}));
-  TEST_EQUALITY(choice.settings.front().list.get<double>("most operations"), 3000.0);
+  TEST_EQUALITY(choice.settings.front().list.get<double>("most operations"), 1500.0);
   const auto stabilised = foreign::default_settings(blocks(true, 1.0), 1500.0);
   TEST_EQUALITY(stabilised.settings.front().list.get<double>("most operations"), 1500.0);
   TEST_EQUALITY(choice.settings.back().list.get<double>("most operations"), 0.0);
@@ -211,6 +212,42 @@ TEUCHOS_UNIT_TEST(default_settings, leave_factors_out_that_are_large_by_the_grap
     const std::string words = foreign::in_words(choice);
     TEST_EQUALITY(words.find("sparse LU would take some") == std::string::npos, is_small);
   }
+}
+
+// n vectors that nothing couples but n scalars, each with all of them: once one side is gone, the
+// other one is dense.
+TEUCHOS_UNIT_TEST(factor_cost, counts_what_scalars_on_nodes_of_their_own_couple) {
+  const int n = 24;
+  const CommPtr comm = Tpetra::getDefaultComm();
+  const auto rows = Teuchos::rcp(new Map(n, 0, comm));
+  algebra::Nodes nodes, own;
+  nodes.graph = diagonal_matrix(rows, 1.0)->getCrsGraph();
+  own.graph = diagonal_matrix(rows, 1.0)->getCrsGraph();
+  const auto B = Teuchos::rcp(new CrsMatrix(rows, n));
+  for (const GlobalOrdinal row : global_numbers(*rows))
+    for (GlobalOrdinal column = 0; column < n; ++column)
+      B->insertGlobalValues(row, Teuchos::tuple(column), Teuchos::tuple(1.0));
+  B->fillComplete();
+  algebra::BlockMatrix K(std::make_shared<const algebra::BlockSpace>(
+      std::vector<algebra::Block>{{"vector", rows, 1, nodes}, {"scalar", rows, 1, own}}));
+  K.set(0, 0, diagonal_matrix(rows, 1.0));
+  K.set(0, 1, B);
+  K.set(1, 0, B);
+  K.set(1, 1, diagonal_matrix(rows, 0.0));
+  // 4/3 n³ operations and more, as many as 2/3 (2n)³ in one front of all, for 2 n² + 2 n entries
+  const double all = foreign::operations_by_all_nodes(K, 1e9);
+  TEST_COMPARE(all, >, 0.6 * n);
+  TEST_COMPARE(all, <, 8.0 / 3.0 * n);
+  TEST_COMPARE(foreign::operations_by_vectors(K, 1e9), <, 1.0);
+  // An estimate by the vectors is believed, but for one that is near what may be.
+  const double most = 0.5 * n;
+  TEST_ASSERT(foreign::is_factoring_dear(K, 2.1 * most, most));
+  TEST_ASSERT(foreign::is_factoring_dear(K, 0.6 * most, most));
+  TEST_ASSERT(!foreign::is_factoring_dear(K, 0.4 * most, most));
+  TEST_ASSERT(!foreign::is_factoring_dear(K, 0.6 * 8.0 / 3.0 * n, 8.0 / 3.0 * n));
+  algebra::BlockMatrix shared(std::make_shared<const algebra::BlockSpace>(
+      std::vector<algebra::Block>{{"vector", rows, 1, nodes}, {"scalar", rows, 1, nodes}}));
+  TEST_ASSERT(!foreign::is_factoring_dear(shared, 0.6 * most, most));
 }
 
 }  // namespace
