@@ -31,16 +31,17 @@ struct DefaultChoice {
   std::string reason;       ///< why the first iterative one comes before the others
   double operations = 0.0;  ///< per entry, about, of factors that do not come first; 0: they do, or
                             ///< are not wanted
+  bool are_places_wrong = false;  ///< of nodes: rotations are not interpolated with them
 };
 
 /// Sparse LU first, for systems whose factors take at most direct_operations per entry of the
-/// matrix (twice as many for Braess and Sarazin's sweeps, a third for incomplete factors in space;
-/// 0: none), and last, for all of up to 300,000 unknowns. Between: multigrid for all unknowns,
-/// smoothed by incomplete factors where C stabilises, by Braess and Sarazin's sweeps where it is
-/// zero or scalars are few; the fields in turn (block LU), which come first where A is diagonal, or
-/// of fluxes and near it; incomplete factors where C is not zero, since they break down otherwise.
-/// For one field multigrid with Gauss-Seidel. The first of these is given up where it is slow and
-/// sparse LU takes at most 20,000 operations per entry, 60,000 in space. Collective.
+/// matrix (half as many for Braess and Sarazin's sweeps where A is plain, a third for incomplete
+/// factors in space; 0: none), and last, for all of up to 300,000 unknowns. Between: multigrid for
+/// all unknowns, smoothed by incomplete factors where C stabilises, by Braess and Sarazin's sweeps
+/// where it is zero or scalars are few; the fields in turn (block LU), which come first where A is
+/// diagonal, or of fluxes and near it; incomplete factors where C is not zero, since they break
+/// down otherwise. For one field multigrid with Gauss-Seidel. The first of these is given up where
+/// it is slow and sparse LU takes at most 20,000 operations per entry, 60,000 in space. Collective.
 DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations,
                                const linear::NamedOperators& operators = linear::no_operators());
 

@@ -4,6 +4,7 @@
 #include "tunica/base/trilinos.hpp"
 #include "tunica/foreign/default_settings.hpp"
 #include "tunica/foreign/factor_cost.hpp"
+#include "tunica/foreign/rigid_fit.hpp"
 
 namespace {
 
@@ -211,6 +212,51 @@ TEUCHOS_UNIT_TEST(default_settings, leave_factors_out_that_are_large_by_the_grap
     TEST_EQUALITY(choice.operations == 0.0, is_small);
     const std::string words = foreign::in_words(choice);
     TEST_EQUALITY(words.find("sparse LU would take some") == std::string::npos, is_small);
+  }
+}
+
+// Springs between neighbours, of which those of a node inside balance when it turns.
+TEUCHOS_UNIT_TEST(default_settings, leave_places_aside_that_are_not_those_of_the_matrix) {
+  const int along = 7, n = along * along * along;
+  for (const int stride : {1, 5}) {  // 5 has no factor in common with 7³
+    algebra::Nodes nodes;
+    nodes.graph = cube_graph(along);
+    const Map& own = *nodes.graph->getRowMap();
+    const auto unknowns = Teuchos::rcp(new Map(3 * n, 3 * n_local(own), 0, own.getComm()));
+    const auto A = Teuchos::rcp(new CrsMatrix(unknowns, 27));
+    const auto x = Teuchos::rcp(new MultiVector(nodes.graph->getRowMap(), 3));
+    const auto in_solid = Teuchos::rcp(new Vector(nodes.graph->getRowMap()));
+    in_solid->putScalar(1.0);
+    const auto graph = nodes.graph->getLocalGraphHost();
+    for (int a = 0; a < static_cast<int>(n_local(own)); ++a) {
+      const GlobalOrdinal node = own.getGlobalElement(a);
+      const auto row = graph.rowConst(a);
+      for (int k = 0; k < row.length; ++k)
+        for (int i = 0; i < 3; ++i) {
+          const GlobalOrdinal other = nodes.graph->getColMap()->getGlobalElement(row(k));
+          A->insertGlobalValues(3 * node + i, Teuchos::tuple<GlobalOrdinal>(3 * other + i),
+                                Teuchos::tuple(other == node ? row.length - 1.0 : -1.0));
+        }
+      GlobalOrdinal place = node * stride % n;
+      for (int i = 0; i < 3; ++i, place /= along)
+        x->replaceLocalValue(a, i, static_cast<double>(place % along));
+    }
+    A->fillComplete();
+    nodes.places = {x, in_solid};
+    algebra::BlockMatrix K(std::make_shared<const algebra::BlockSpace>(
+        std::vector<algebra::Block>{{"vector", unknowns, 3, nodes}}));
+    K.set(0, 0, A);
+    const bool is_right = stride == 1;
+    const double inside = std::pow((along - 2.0) / along, 3);
+    const double fit = foreign::rigid_fit(K);
+    TEST_EQUALITY(fit >= inside, is_right);
+    TEST_EQUALITY(fit < 0.1, !is_right);
+    const auto choice = foreign::default_settings(K, 0.0);
+    TEST_EQUALITY(choice.are_places_wrong, !is_right);
+    Teuchos::ParameterList list = choice.settings.front().list;
+    const Teuchos::ParameterList& levels = list.sublist("MueLu").sublist("Factories");
+    TEST_EQUALITY(levels.sublist("Nodes").get<bool>("rotations"), is_right);
+    TEST_EQUALITY(foreign::in_words(choice).find("left aside") == std::string::npos, is_right);
   }
 }
 

@@ -1,0 +1,62 @@
+#include "tunica/foreign/rigid_fit.hpp"
+
+#include <cmath>
+
+#include "tunica/base/reduce.hpp"
+#include "tunica/base/tensor.hpp"
+#include "tunica/base/trilinos.hpp"
+
+namespace tunica::foreign {
+
+namespace {
+
+constexpr double next_to_nothing = 0.05;
+
+/// Of each column's unknown, the place of its node.
+MultiVector places_of_columns(const CrsMatrix& A, const MultiVector& places) {
+  const Map& unknowns = *A.getDomainMap();
+  MultiVector own(A.getDomainMap(), 3), all(A.getColMap(), 3);
+  {
+    const auto to = own.getLocalViewHost(overwrite_all);
+    const auto from = places.getLocalViewHost(read_only);
+    for (std::size_t r = 0; r < to.extent(0); ++r) {
+      const GlobalOrdinal node = unknowns.getGlobalElement(static_cast<LocalOrdinal>(r)) / 3;
+      for (int k = 0; k < 3; ++k) to(r, k) = from(places.getMap()->getLocalElement(node), k);
+    }
+  }
+  all.doImport(own, Import(A.getDomainMap(), A.getColMap()), insert);
+  return all;
+}
+
+}  // namespace
+
+double rigid_fit(const algebra::BlockMatrix& K) {
+  const auto& places = (*K.space())[0].nodes.places.coordinates;
+  if (places.is_null()) return 0.0;
+  const CrsMatrix& A = *K(0, 0);
+  const MultiVector columns = places_of_columns(A, *places);
+  const auto x = columns.getLocalViewHost(read_only);
+  const auto local = A.getLocalMatrixHost();
+  double fitting = 0.0;
+  for (int r = 0; r < local.numRows(); ++r) {
+    const auto row = local.rowConst(r);
+    const LocalOrdinal own = A.getColMap()->getLocalElement(A.getRowMap()->getGlobalElement(r));
+    if (own < 0) continue;  // its diagonal is zero
+    Vec3 sum{}, size{};     // by axis
+    for (int e = 0; e < row.length; ++e) {
+      const int j = row.colidx(e);
+      const int c = static_cast<int>(A.getColMap()->getGlobalElement(j) % 3);
+      const Vec3 d{x(j, 0) - x(own, 0), x(j, 1) - x(own, 1), x(j, 2) - x(own, 2)};
+      for (int k = 0; k < 3; ++k) {
+        const double moved = row.value(e) * cross(identity()[k], d)[c];
+        sum[k] += moved;
+        size[k] += std::abs(moved);
+      }
+    }
+    const double left = std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2]);
+    fitting += left <= next_to_nothing * (size[0] + size[1] + size[2]);
+  }
+  return global_sum(*K.comm(), fitting) / static_cast<double>(A.getGlobalNumRows());
+}
+
+}  // namespace tunica::foreign
