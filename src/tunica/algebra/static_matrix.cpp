@@ -19,6 +19,16 @@ Teuchos::RCP<CrsGraph> static_graph(const Teuchos::RCP<const Map>& rows,
   return graph;
 }
 
+Teuchos::RCP<const CrsGraph> graph_of_rows(const std::vector<std::vector<GlobalOrdinal>>& columns,
+                                           const Teuchos::RCP<const Map>& rows) {
+  std::vector<std::size_t> counts;
+  for (const auto& row : columns) counts.push_back(row.size());
+  EntryRows entries(counts);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (const GlobalOrdinal column : columns[i]) entries.add(i, column, 1.0);
+  return entries.take(rows, rows)->getCrsGraph();
+}
+
 Teuchos::RCP<CrsMatrix> matrix_on(const Teuchos::RCP<const CrsGraph>& graph, Scalar value) {
   const auto matrix = Teuchos::rcp(new CrsMatrix(graph));
   matrix->setAllToScalar(value);

@@ -42,6 +42,10 @@ private:
   std::vector<Scalar> values_;
 };
 
+/// A square graph with these columns in the rank's rows; none twice. Collective.
+Teuchos::RCP<const CrsGraph> graph_of_rows(const std::vector<std::vector<GlobalOrdinal>>& columns,
+                                           const Teuchos::RCP<const Map>& rows);
+
 /// A matrix with the entries of a graph, all of this value, and ready for products. Collective.
 Teuchos::RCP<CrsMatrix> matrix_on(const Teuchos::RCP<const CrsGraph>& graph, Scalar value = 0.0);
 

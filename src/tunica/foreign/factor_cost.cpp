@@ -43,15 +43,8 @@ Teuchos::RCP<const CrsGraph> graph_of_all(const algebra::BlockMatrix& K) {
       if (!K(i, j).is_null())
         add_neighbours(*K(i, j), *nodes, space[i].components, first[i], space[j].components,
                        first[j], neighbours);
-  std::vector<std::size_t> counts;
-  for (std::vector<GlobalOrdinal>& found : neighbours) {
-    sort_once(found);
-    counts.push_back(found.size());
-  }
-  algebra::EntryRows entries(counts);
-  for (std::size_t a = 0; a < neighbours.size(); ++a)
-    for (const GlobalOrdinal other : neighbours[a]) entries.add(a, other, 1.0);
-  return entries.take(nodes, nodes)->getCrsGraph();
+  for (std::vector<GlobalOrdinal>& found : neighbours) sort_once(found);
+  return algebra::graph_of_rows(neighbours, nodes);
 }
 
 double entries_of(const algebra::BlockMatrix& K) {

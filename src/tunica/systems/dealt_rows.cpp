@@ -107,20 +107,18 @@ algebra::Nodes dealt(NodeGraph graph, const std::vector<int>& ranks) {
   }
   graph.start.erase(std::unique(graph.start.begin(), graph.start.end()), graph.start.end());
   const Deal rows(std::move(numbers), std::move(ranks_of_numbers), graph.comm);
-  const auto result = Teuchos::rcp(
-      new CrsGraph(rows.dealt, Teuchos::arrayViewFromVector(dealt_lengths(graph, rows))));
+  algebra::EntryRows entries(dealt_lengths(graph, rows));
   using Edge = std::array<GlobalOrdinal, 2>;
   deal_entries(
       graph, rows,
       [&](std::size_t i, std::size_t k) {
         return Edge{rows.numbers[i], graph.columns[k]};
       },
-      [&](const Edge& edge) { result->insertGlobalIndices(edge[0], 1, &edge[1]); });
-  result->fillComplete(rows.dealt, rows.dealt);
+      [&](const Edge& edge) { entries.add(rows.dealt->getLocalElement(edge[0]), edge[1], 1.0); });
   const auto order = Teuchos::rcp(new Vector(rows.dealt));
   for (const GlobalOrdinal node : global_numbers(*rows.dealt))
     order->replaceGlobalValue(node, static_cast<Scalar>(node));
-  return {result, order};
+  return {entries.take(rows.dealt, rows.dealt)->getCrsGraph(), order};
 }
 
 }  // namespace tunica::systems

@@ -30,18 +30,10 @@ void check_nodes(const Map& rows, const Map& nodes, const algebra::DofLayout& nu
   throw_if_any<Error>(*rows.getComm(), problem);
 }
 
-Teuchos::RCP<CrsGraph> graph_of(Neighbours neighbours, const Teuchos::RCP<const Map>& nodes) {
-  std::size_t most = 0;
-  for (auto& row : neighbours) {
-    sort_once(row);
-    most = std::max(most, row.size());
-  }
-  const auto graph = Teuchos::rcp(new CrsGraph(nodes, most));
-  for (std::size_t a = 0; a < neighbours.size(); ++a)
-    graph->insertGlobalIndices(nodes->getGlobalElement(static_cast<int>(a)),
-                               Teuchos::arrayViewFromVector(neighbours[a]));
-  graph->fillComplete();
-  return graph;
+Teuchos::RCP<const CrsGraph> graph_of(Neighbours& neighbours,
+                                      const Teuchos::RCP<const Map>& nodes) {
+  for (auto& row : neighbours) sort_once(row);
+  return algebra::graph_of_rows(neighbours, nodes);
 }
 
 /// By local column of M, the position of its node among all nodes of columns, ascending.
