@@ -31,10 +31,12 @@ Teuchos::RCP<const CrsGraph> graph_of_all(const algebra::BlockMatrix& K) {
   const algebra::BlockSpace& space = *K.space();
   std::vector<GlobalOrdinal> first = {0}, numbers;
   for (int b = 0; b < space.n_blocks(); ++b) {
-    const Map& nodes = *space[b].nodes.graph->getRowMap();
-    for (const GlobalOrdinal node : global_numbers(nodes)) numbers.push_back(first[b] + node);
-    first.push_back(first[b] + nodes.getMaxAllGlobalIndex() + 1);
+    const Map& unknowns = *space[b].map;
+    for (const GlobalOrdinal unknown : global_numbers(unknowns))
+      numbers.push_back(first[b] + unknown / space[b].components);
+    first.push_back(first[b] + unknowns.getMaxAllGlobalIndex() / space[b].components + 1);
   }
+  sort_once(numbers);
   const Teuchos::RCP<const Map> nodes = map_of(numbers, space.comm());
   std::vector<std::vector<GlobalOrdinal>> neighbours(numbers.size());
   for (std::size_t a = 0; a < numbers.size(); ++a) neighbours[a] = {numbers[a]};
@@ -68,8 +70,8 @@ bool have_scalars_own_nodes(const algebra::BlockSpace& space) {
          space[1].nodes.graph != space[0].nodes.graph;
 }
 
-/// A count by vectors is believed where it is this many times what may be, or less than the other
-/// part of it where scalars have nodes of their own.
+/// Times what may be. Beyond the first an estimate by vectors leaves no doubt, nor below the second
+/// where scalars have nodes of their own.
 constexpr double too_many = 2.0, few = 0.5;
 
 }  // namespace

@@ -21,7 +21,9 @@ MultiVector places_of_columns(const CrsMatrix& A, const MultiVector& places) {
     const auto from = places.getLocalViewHost(read_only);
     for (std::size_t r = 0; r < to.extent(0); ++r) {
       const GlobalOrdinal node = unknowns.getGlobalElement(static_cast<LocalOrdinal>(r)) / 3;
-      for (int k = 0; k < 3; ++k) to(r, k) = from(places.getMap()->getLocalElement(node), k);
+      const LocalOrdinal own_node = places.getMap()->getLocalElement(node);
+      // Nodes that A does not couple have no place.
+      for (int k = 0; k < 3; ++k) to(r, k) = own_node < 0 ? 0.0 : from(own_node, k);
     }
   }
   all.doImport(own, Import(A.getDomainMap(), A.getColMap()), insert);

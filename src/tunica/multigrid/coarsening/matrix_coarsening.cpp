@@ -1,7 +1,6 @@
 #include "tunica/multigrid/coarsening/matrix_coarsening.hpp"
 
 #include <Tpetra_RowMatrixTransposer.hpp>
-#include <algorithm>
 
 #include "tunica/algebra/static_matrix.hpp"
 #include "tunica/base/agreement.hpp"
