@@ -226,34 +226,43 @@ double break_even(const DefaultChoice& choice, const algebra::BlockMatrix& K, do
   return is_cheap ? operations / 3.0 : operations;
 }
 
-/// rigid_fit() of places that are those of A. Of clamped solids in the arena it is 0.93 to 0.99,
-/// with their places in another order 0.03 to 0.06.
-constexpr double least_fit = 0.2;
+/// RigidFit::resting of places that are those of A. Of clamped solids in the arena it is 0.93 to
+/// 0.99, with their places in another order 0.03 to 0.06.
+constexpr double least_resting = 0.2;
 
-bool are_places_known(const algebra::BlockMatrix& K) {
-  return !(*K.space())[0].nodes.places.coordinates.is_null();
+/// RigidFit::centred of regular meshes.
+constexpr double least_centred = 0.2;
+
+/// Contraction of an iteration from which on rotations are interpolated elsewhere, as of vessels.
+constexpr double slow = 0.25;
+
+bool are_places_wrong(const algebra::BlockMatrix& K, const RigidFit& fit) {
+  return !(*K.space())[0].nodes.places.coordinates.is_null() && fit.resting < least_resting;
 }
 
-/// Levels that interpolate rotations from the start: systems of others are solved once, and levels
-/// made twice take longer than those with rotations.
-Teuchos::ParameterList with_rotations(Teuchos::ParameterList cycle, bool has_rotations) {
-  cycle.sublist("Factories").sublist("Nodes").set("rotations", has_rotations);
+/// Levels that interpolate rotations where the places of nodes fit: from the start where it costs
+/// next to nothing, since means are exact in the middle of regular meshes; elsewhere, where the
+/// set-up takes twice as long, once iterations are slow without.
+Teuchos::ParameterList with_rotations(Teuchos::ParameterList cycle, const RigidFit& fit) {
+  cycle.sublist("Factories")
+      .sublist("Nodes")
+      .set("rotations", fit.resting >= least_resting)
+      .set("rotations from", fit.centred >= least_centred ? 0.0 : slow);
   return cycle;
 }
 
 /// Iterative settings, the likeliest first.
 DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperators& operators,
-                        bool has_rotations) {
+                        const RigidFit& fit) {
   if (K.n_blocks() == 1)
     return {{with_cycle("multigrid, Gauss-Seidel",
-                        with_rotations(multigrid::nodal_cycle_list(2, 500), has_rotations)),
+                        with_rotations(multigrid::nodal_cycle_list(2, 500), fit)),
              incomplete_factors()},
             "one field"};
   const auto by_factors = with_cycle("multigrid, incomplete factors",
-                                     with_rotations(multigrid::mixed_cycle_list(2), has_rotations));
-  const auto by_braess =
-      with_cycle("multigrid, Braess-Sarazin",
-                 with_rotations(multigrid::braess_sarazin_cycle_list(2, 4), has_rotations));
+                                     with_rotations(multigrid::mixed_cycle_list(2), fit));
+  const auto by_braess = with_cycle(
+      "multigrid, Braess-Sarazin", with_rotations(multigrid::braess_sarazin_cycle_list(2, 4), fit));
   const auto by_fields = with_preconditioner("field by field", "block");
   const auto names = operators.operator_names();
   if (std::count(names.begin(), names.end(), GivenOperators::schur) > 0)
@@ -305,9 +314,9 @@ void add_settings_keys(params::Table& table) {
 
 DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations,
                                const linear::NamedOperators& operators) {
-  const double fit = rigid_fit(K);
-  DefaultChoice choice = iterative(K, operators, fit >= least_fit);
-  choice.are_places_wrong = are_places_known(K) && fit < least_fit;
+  const RigidFit fit = rigid_fit(K);
+  DefaultChoice choice = iterative(K, operators, fit);
+  choice.are_places_wrong = are_places_wrong(K, fit);
   std::vector<SolverSetting>& all = choice.settings;
   if (direct_operations > 0.0) {
     const double most = break_even(choice, K, direct_operations);

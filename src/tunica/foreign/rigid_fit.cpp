@@ -1,6 +1,7 @@
 #include "tunica/foreign/rigid_fit.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include "tunica/base/reduce.hpp"
 #include "tunica/base/tensor.hpp"
@@ -10,7 +11,7 @@ namespace tunica::foreign {
 
 namespace {
 
-constexpr double next_to_nothing = 0.05;
+constexpr double next_to_nothing = 0.05, in_the_middle = 0.02;
 
 /// Of each column's unknown, the place of its node.
 MultiVector places_of_columns(const CrsMatrix& A, const MultiVector& places) {
@@ -32,33 +33,41 @@ MultiVector places_of_columns(const CrsMatrix& A, const MultiVector& places) {
 
 }  // namespace
 
-double rigid_fit(const algebra::BlockMatrix& K) {
+RigidFit rigid_fit(const algebra::BlockMatrix& K) {
   const auto& places = (*K.space())[0].nodes.places.coordinates;
-  if (places.is_null()) return 0.0;
+  if (places.is_null()) return {};
   const CrsMatrix& A = *K(0, 0);
   const MultiVector columns = places_of_columns(A, *places);
   const auto x = columns.getLocalViewHost(read_only);
   const auto local = A.getLocalMatrixHost();
-  double fitting = 0.0;
+  std::vector<double> counts(2, 0.0);
   for (int r = 0; r < local.numRows(); ++r) {
     const auto row = local.rowConst(r);
     const LocalOrdinal own = A.getColMap()->getLocalElement(A.getRowMap()->getGlobalElement(r));
     if (own < 0) continue;  // its diagonal is zero
-    Vec3 sum{}, size{};     // by axis
+    Vec3 moved{}, size{};   // by axis
+    Vec3 offsets{};
+    double squares = 0.0;
     for (int e = 0; e < row.length; ++e) {
       const int j = row.colidx(e);
       const int c = static_cast<int>(A.getColMap()->getGlobalElement(j) % 3);
       const Vec3 d{x(j, 0) - x(own, 0), x(j, 1) - x(own, 1), x(j, 2) - x(own, 2)};
       for (int k = 0; k < 3; ++k) {
-        const double moved = row.value(e) * cross(identity()[k], d)[c];
-        sum[k] += moved;
-        size[k] += std::abs(moved);
+        const double part = row.value(e) * cross(identity()[k], d)[c];
+        moved[k] += part;
+        size[k] += std::abs(part);
       }
+      offsets += d;
+      squares += tunica::dot(d, d);
     }
-    const double left = std::abs(sum[0]) + std::abs(sum[1]) + std::abs(sum[2]);
-    fitting += left <= next_to_nothing * (size[0] + size[1] + size[2]);
+    const double left = std::abs(moved[0]) + std::abs(moved[1]) + std::abs(moved[2]);
+    counts[0] += left <= next_to_nothing * (size[0] + size[1] + size[2]);
+    counts[1] +=
+        tunica::dot(offsets, offsets) <= in_the_middle * in_the_middle * row.length * squares;
   }
-  return global_sum(*K.comm(), fitting) / static_cast<double>(A.getGlobalNumRows());
+  const std::vector<double> all = global_sum(*K.comm(), counts);
+  const auto rows = static_cast<double>(A.getGlobalNumRows());
+  return {all[0] / rows, all[1] / rows};
 }
 
 }  // namespace tunica::foreign

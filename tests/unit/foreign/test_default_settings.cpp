@@ -247,15 +247,17 @@ TEUCHOS_UNIT_TEST(default_settings, leave_places_aside_that_are_not_those_of_the
         std::vector<algebra::Block>{{"vector", unknowns, 3, nodes}}));
     K.set(0, 0, A);
     const bool is_right = stride == 1;
-    const double inside = std::pow((along - 2.0) / along, 3);
-    const double fit = foreign::rigid_fit(K);
-    TEST_EQUALITY(fit >= inside, is_right);
-    TEST_EQUALITY(fit < 0.1, !is_right);
+    const double inside = std::pow((along - 2.0) / along, 3) - 1e-12;
+    const foreign::RigidFit fit = foreign::rigid_fit(K);
+    TEST_EQUALITY(fit.resting >= inside, is_right);
+    TEST_EQUALITY(fit.resting < 0.1, !is_right);
+    TEST_EQUALITY(fit.centred >= inside, is_right);
     const auto choice = foreign::default_settings(K, 0.0);
     TEST_EQUALITY(choice.are_places_wrong, !is_right);
     Teuchos::ParameterList list = choice.settings.front().list;
     const Teuchos::ParameterList& levels = list.sublist("MueLu").sublist("Factories");
     TEST_EQUALITY(levels.sublist("Nodes").get<bool>("rotations"), is_right);
+    TEST_EQUALITY(levels.sublist("Nodes").get<double>("rotations from"), is_right ? 0.0 : 0.25);
     TEST_EQUALITY(foreign::in_words(choice).find("left aside") == std::string::npos, is_right);
   }
 }
