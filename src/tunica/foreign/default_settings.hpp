@@ -39,9 +39,10 @@ struct DefaultChoice {
 /// factors in space; 0: none), and last, for all of up to 300,000 unknowns. Between: multigrid for
 /// all unknowns, smoothed by incomplete factors where C stabilises, by Braess and Sarazin's sweeps
 /// where it is zero or scalars are few; the fields in turn (block LU), which come first where A is
-/// diagonal, or of fluxes and near it; incomplete factors where C is not zero, since they break
-/// down otherwise. For one field multigrid with Gauss-Seidel. The first of these is given up where
-/// it is slow and sparse LU takes at most 20,000 operations per entry, 60,000 in space. Collective.
+/// diagonal, or near it as a mass of fluxes or a short time step; incomplete factors where C is not
+/// zero, since they break down otherwise. For one field multigrid with Gauss-Seidel. The first of
+/// these is given up where it is slow and sparse LU takes at most 20,000 operations per entry,
+/// 60,000 in space. Collective.
 DefaultChoice default_settings(const algebra::BlockMatrix& K, double direct_operations,
                                const linear::NamedOperators& operators = linear::no_operators());
 

@@ -167,6 +167,25 @@ TEUCHOS_UNIT_TEST(default_settings, fewer_factors_come_before_sweeps_where_a_is_
   TEST_EQUALITY(most(), 1500.0);
 }
 
+// Entries of a mass are positive, those of derivatives add up to nothing.
+TEUCHOS_UNIT_TEST(default_settings, fields_come_first_where_a_mass_outweighs_the_rest) {
+  algebra::BlockMatrix K = blocks(true, 1.0);
+  TEST_EQUALITY(foreign::default_settings(K, 0.0).reason, "C stabilises");
+  const Map& rows = *K(0, 0)->getRowMap();
+  const auto mass = Teuchos::rcp(new CrsMatrix(K(0, 0)->getRowMap(), 2));
+  for (const GlobalOrdinal row : global_numbers(rows)) {
+    const GlobalOrdinal both[] = {row, row % 2 == 0 ? row + 1 : row - 1};
+    const double values[] = {2.0, 1.0};
+    mass->insertGlobalValues(row, 2, values, both);
+  }
+  mass->fillComplete();
+  K.set(0, 0, mass);
+  const auto choice = foreign::default_settings(K, 0.0);
+  TEST_EQUALITY(choice.reason, "A is near its diagonal");
+  TEST_EQUALITY(names(choice).front(), "field by field");
+  TEST_EQUALITY(names(choice)[1], "multigrid, incomplete factors");
+}
+
 TEUCHOS_UNIT_TEST(default_settings, factors_come_first_while_they_are_few_for_the_matrix) {
   const auto choice = foreign::default_settings(blocks(true, 0.0, true, 1, 2), 1500.0);
   TEST_ASSERT(
