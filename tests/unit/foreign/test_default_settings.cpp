@@ -172,12 +172,11 @@ TEUCHOS_UNIT_TEST(default_settings, fields_come_first_where_a_mass_outweighs_the
   algebra::BlockMatrix K = blocks(true, 1.0);
   TEST_EQUALITY(foreign::default_settings(K, 0.0).reason, "C stabilises");
   const Map& rows = *K(0, 0)->getRowMap();
-  const auto mass = Teuchos::rcp(new CrsMatrix(K(0, 0)->getRowMap(), 2));
-  for (const GlobalOrdinal row : global_numbers(rows)) {
-    const GlobalOrdinal both[] = {row, row % 2 == 0 ? row + 1 : row - 1};
-    const double values[] = {2.0, 1.0};
-    mass->insertGlobalValues(row, 2, values, both);
-  }
+  const auto mass = Teuchos::rcp(new CrsMatrix(K(0, 0)->getRowMap(), 8));
+  for (const GlobalOrdinal row : global_numbers(rows))
+    for (GlobalOrdinal column = 0; column < 8; ++column)
+      mass->insertGlobalValues(row, Teuchos::tuple(column),
+                               Teuchos::tuple(column == row ? 1.0 : 0.5));
   mass->fillComplete();
   K.set(0, 0, mass);
   const auto choice = foreign::default_settings(K, 0.0);
