@@ -53,12 +53,12 @@ def command_of(contestant, folder, scratch, ranks, programs, tolerance):
         return command(PYTHON, [os.path.join(HERE, "solve_scipy.py"), folder, solution])
     words = [os.path.join(folder, "K.mtx"), os.path.join(folder, "b.mtx")]
     keys, places = list(contestant.keys), os.path.join(folder, "coordinates.mtx")
-    if contestant.settings is None and os.path.exists(places):
-        keys.append("System/coordinates=" + places)
     if contestant.settings is not None:
         words = [os.path.join(scratch, "case.xml")]
         with open(words[0], "w", encoding="utf-8") as file:
             file.write(case_of(contestant, folder))
+    elif os.path.exists(places):
+        keys.append("System/coordinates=" + places)
     return command(os.path.join(programs, "tunica-solvers"), [*words, "--output", os.path.join(scratch, "out"), "--overwrite"],
                    [f"Solvers/tolerance={tolerance:g}", *keys], ranks)
 

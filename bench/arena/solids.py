@@ -20,7 +20,8 @@ def mixed_elasticity(displacement, pressure, C, f, shear=1.0):
     A = fem.elasticity(displacement, shear)
     return saddle(A, fem.divergence(displacement, pressure), C, f, fields=("displacement", "pressure"),
                   components=displacement.mesh.d, is_symmetric=True, rigid=fem.rigid_motions(displacement.places),
-                  places=displacement.places if displacement.mesh.d == 3 else None, schur=pressure.mass(1 / shear) + (0 if C is None else C))
+                  places=displacement.places if displacement.mesh.d == 3 else None,
+                  schur=pressure.mass(1 / shear) + (0 if C is None else C))
 
 
 def clamped(system, space, how="eliminated"):

@@ -29,6 +29,7 @@ const char* const c_stabilises = "C stabilises";
 const char* const nodes_have_pivots = "C is zero, but each node has a pivot";
 const char* const c_is_zero = "C is zero";
 const char* const c_is_small = "few scalars";
+const char* const a_is_near_diagonal = "A is near its diagonal";
 
 /// Iterations that may be to come before sparse LU is tried, and the operations per entry for which
 /// it takes as long: a cycle takes as long as 180 to 340, and in space, where fronts are larger and
@@ -305,14 +306,14 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
   // masses in A, as in optimal control, it may be one of fourth order, of which fields make little.
   const bool has_fluxes = (*K.space())[0].components == 1;
   if (!is_stabilised && has_fluxes && is_near_its_diagonal(*K(0, 0)))
-    return {{by_fields, by_braess}, "A is near its diagonal"};
+    return {{by_fields, by_braess}, a_is_near_diagonal};
   // One unknown of a field alone is no node.
   if (!is_stabilised && !has_fluxes && pivots.of_own > most_of_own)
     return {{by_factors, by_braess, by_fields, incomplete_factors()}, nodes_have_pivots};
   if (!is_stabilised) return {{by_braess, by_fields}, c_is_zero};
   // Of short time steps: the Schur complement is a Laplacian, and there is little to smooth in A.
   if (is_mostly_mass(*K(0, 0), (*K.space())[0].components) && is_near_its_diagonal(*K(0, 0)))
-    return {{by_fields, by_factors, by_braess, incomplete_factors()}, "A is near its diagonal"};
+    return {{by_fields, by_factors, by_braess, incomplete_factors()}, a_is_near_diagonal};
   if (are_scalars_few(K)) return {{by_braess, by_fields, incomplete_factors()}, c_is_small};
   return {{by_factors, by_braess, by_fields, incomplete_factors()}, c_stabilises};
 }
