@@ -281,6 +281,11 @@ Teuchos::ParameterList with_rotations(Teuchos::ParameterList cycle, const RigidF
   return cycle;
 }
 
+SolverSetting by_factors_of_nodes(int sweeps, const RigidFit& fit) {
+  return with_cycle("multigrid, incomplete factors",
+                    with_rotations(multigrid::mixed_cycle_list(sweeps), fit));
+}
+
 /// Iterative settings, the likeliest first.
 DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperators& operators,
                         const RigidFit& fit) {
@@ -289,8 +294,7 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
                         with_rotations(multigrid::nodal_cycle_list(2, 500), fit)),
              incomplete_factors()},
             "one field"};
-  const auto by_factors = with_cycle("multigrid, incomplete factors",
-                                     with_rotations(multigrid::mixed_cycle_list(2), fit));
+  const auto by_factors = by_factors_of_nodes(2, fit);
   const auto by_braess = with_cycle(
       "multigrid, Braess-Sarazin", with_rotations(multigrid::braess_sarazin_cycle_list(2, 4), fit));
   const auto by_fields = with_preconditioner("field by field", "block");
@@ -307,9 +311,11 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
   const bool has_fluxes = (*K.space())[0].components == 1;
   if (!is_stabilised && has_fluxes && is_near_its_diagonal(*K(0, 0)))
     return {{by_fields, by_braess}, a_is_near_diagonal};
-  // One unknown of a field alone is no node.
+  // One unknown of a field alone is no node. A second sweep saves a quarter of the cycles and makes
+  // each half as dear again.
   if (!is_stabilised && !has_fluxes && pivots.of_own > most_of_own)
-    return {{by_factors, by_braess, by_fields, incomplete_factors()}, nodes_have_pivots};
+    return {{by_factors_of_nodes(1, fit), by_braess, by_fields, incomplete_factors()},
+            nodes_have_pivots};
   if (!is_stabilised) return {{by_braess, by_fields}, c_is_zero};
   // Of short time steps: the Schur complement is a Laplacian, and there is little to smooth in A.
   if (is_mostly_mass(*K(0, 0), (*K.space())[0].components) && is_near_its_diagonal(*K(0, 0)))

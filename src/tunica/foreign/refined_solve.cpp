@@ -36,13 +36,13 @@ linear::SolveReport refined_solve(linear::LinearSolver& solver, const algebra::B
     const double left = excess(residuals, tolerance);
     if (are_done(residuals, tolerance) || !std::isfinite(left) || !believes_to_be_done(report))
       break;
-    // K dx = b − K x to a tenth of what the worst field permits
-    const double goal = std::clamp(0.1 / left, 1e-10, 0.1);
+    // K dx = b − K x to half of what the worst field permits
+    const double goal = std::clamp(0.5 / left, 1e-10, 0.5);
     linear::add_costs(solver.solve(r, dx, goal), report);
     before.assign(x);
     for (int i = 0; i < x.n_blocks(); ++i) x[i].update(1.0, dx[i], 1.0);
     const Residuals next = judge(x, r);
-    const bool is_nearer = excess(next, tolerance) < 0.5 * left;
+    const bool is_nearer = are_done(next, tolerance) || excess(next, tolerance) < 0.5 * left;
     if (is_nearer)
       residuals = next;
     else

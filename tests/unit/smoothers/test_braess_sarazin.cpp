@@ -4,6 +4,7 @@
 #include "tunica/multigrid/muelu/cycle.hpp"
 #include "tunica/smoothers/braess_sarazin/braess_sarazin.hpp"
 #include "tunica/smoothers/braess_sarazin/mixed_blocks.hpp"
+#include "tunica/smoothers/braess_sarazin/ritz_values.hpp"
 #include "unit/algebra/distance.hpp"
 #include "unit/smoothers/wall_matrix.hpp"
 
@@ -12,6 +13,19 @@ namespace {
 using namespace tunica;
 using test::distance;
 using test::WallMatrix;
+using test::world;
+
+/// |x| after so many sweeps for K x = 0 against |x| before.
+double growth(const WallMatrix& wall, double scaling, int sweeps) {
+  smoothers::BraessSarazinOptions options;
+  options.scaling = scaling;
+  options.sweeps = sweeps;
+  options.schur = "direct";
+  Vector x = wall.scattered(4), zero(x.getMap());
+  const double before = x.norm2();
+  smoothers::BraessSarazin(*wall.K(), {}, options).smooth(zero, x);
+  return x.norm2() / before;
+}
 
 /// A copy whose first row, which is one of the first rank, has no entry but zeros.
 CrsMatrix zero_on_one_rank(const WallMatrix& wall) {
@@ -48,6 +62,53 @@ TEUCHOS_UNIT_TEST(braess_sarazin, a_zero_on_the_diagonal_of_one_rank_is_refused_
   TEST_THROW(smoothers::BraessSarazin(zero_on_one_rank(wall), {}, {}), std::runtime_error);
 }
 
+TEUCHOS_UNIT_TEST(braess_sarazin, the_scaling_of_the_spectrum_converges_where_one_does_not) {
+  const WallMatrix wall;
+  TEST_COMPARE(growth(wall, 1.0, 40), >, 100.0);
+  TEST_COMPARE(growth(wall, 0.0, 40), <, 1.0);
+}
+
+TEUCHOS_UNIT_TEST(ritz_values, are_exact_where_the_space_is_invariant) {
+  // Turned by pairs: eigenvalues 1 ± 2i, and no other
+  const auto map = Teuchos::rcp(new const Map(2 * 7 * world()->getSize(), 2 * 7, 0, world()));
+  const auto values = smoothers::ritz_values(
+      map,
+      [](const Vector& x, Vector& y) {
+        const auto from = x.getLocalViewHost(read_only);
+        const auto to = y.getLocalViewHost(overwrite_all);
+        for (std::size_t i = 0; i < from.extent(0); i += 2) {
+          to(i, 0) = from(i, 0) - 2.0 * from(i + 1, 0);
+          to(i + 1, 0) = 2.0 * from(i, 0) + from(i + 1, 0);
+        }
+      },
+      5);
+  TEST_EQUALITY(values.size(), 2);
+  for (const std::complex<double>& value : values) {
+    TEST_FLOATING_EQUALITY(value.real(), 1.0, 1e-12);
+    TEST_FLOATING_EQUALITY(std::abs(value.imag()), 2.0, 1e-12);
+  }
+}
+
+TEUCHOS_UNIT_TEST(ritz_values, find_the_largest_of_many) {
+  // A diagonal with 1 to 2 and a single 4
+  const auto map = Teuchos::rcp(new const Map(100, 0, world()));
+  const auto values = smoothers::ritz_values(
+      map,
+      [&](const Vector& x, Vector& y) {
+        const auto from = x.getLocalViewHost(read_only);
+        const auto to = y.getLocalViewHost(overwrite_all);
+        for (std::size_t i = 0; i < from.extent(0); ++i) {
+          const auto number = static_cast<double>(map->getGlobalElement(static_cast<int>(i)));
+          to(i, 0) = (number == 70.0 ? 4.0 : 1.0 + 0.01 * number) * from(i, 0);
+        }
+      },
+      10);
+  double largest = 0.0;
+  for (const std::complex<double>& value : values) largest = std::max(largest, std::abs(value));
+  TEST_EQUALITY(values.size(), 10);
+  TEST_FLOATING_EQUALITY(largest, 4.0, 1e-6);
+}
+
 TEUCHOS_UNIT_TEST(mixed_blocks, parts_of_vectors_come_apart_and_together) {
   const WallMatrix wall;
   const smoothers::MixedBlocks blocks(*wall.K(), {});
@@ -62,6 +123,7 @@ TEUCHOS_UNIT_TEST(mixed_blocks, parts_of_vectors_come_apart_and_together) {
 TEUCHOS_UNIT_TEST(braess_sarazin, an_exact_sweep_solves_with_the_diagonal_in_the_place_of_A) {
   const WallMatrix wall;
   smoothers::BraessSarazinOptions options;
+  options.scaling = 2.0;
   options.schur = "direct";
   options.damping = 0.5;
   const smoothers::BraessSarazin smoother(*wall.K(), {}, options);

@@ -1,12 +1,14 @@
 #include "tunica/smoothers/braess_sarazin/braess_sarazin.hpp"
 
 #include <Ifpack2_Factory.hpp>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "tunica/algebra/columns.hpp"
 #include "tunica/base/agreement.hpp"
 #include "tunica/smoothers/braess_sarazin/mixed_blocks.hpp"
+#include "tunica/smoothers/braess_sarazin/ritz_values.hpp"
 #include "tunica/smoothers/braess_sarazin/schur_matrix.hpp"
 #include "tunica/smoothers/direct/sparse_lu.hpp"
 
@@ -40,6 +42,15 @@ private:
   Teuchos::RCP<Relaxation> inverse_;
 };
 
+// s = max(1, share |μ|²/Re μ) over the eigenvalues μ of diag(A)⁻¹ A. Sweeps converge for s above
+// half of that. Errors that coarse levels do not see have eigenvalues from a quarter of the largest
+// on; a share between 0.6 and 0.75 takes the fewest cycles. The mean of all eigenvalues is 1: where
+// none is much larger, A is close to its diagonal.
+constexpr double share = 0.7;
+constexpr double most_turned = 1.5;  ///< |μ|/Re μ; of convection it may be anything
+constexpr int arnoldi_steps = 10;
+constexpr double usual = 2.0;  ///< s where eigenvalues are not to be had
+
 /// Sparse LU factors of S.
 class FactoredSchur final : public SchurSolver {
 public:
@@ -65,19 +76,48 @@ struct BraessSarazin::Parts {
   std::unique_ptr<SchurMatrix> S;
   std::unique_ptr<SchurSolver> schur;
 
-  /// Rows with nothing but the diagonal are solved, not smoothed.
+  /// Ã⁻¹. Rows with nothing but the diagonal are solved, not smoothed: s = 1.
   void invert_diagonal() {
+    invert_entries();
+    const double s = options.scaling > 0.0 ? options.scaling : scaling_by_spectrum();
+    const auto inverse = inverse_D.getLocalViewHost(read_write);
+    for (std::size_t i = 0; i < inverse.extent(0); ++i)
+      if (!blocks.is_uncovered[i]) inverse(i, 0) /= s;
+  }
+
+private:
+  void invert_entries() {
     std::string problem;
     {
       const auto d = blocks.diagonal->getLocalViewHost(read_only);
       const auto inverse = inverse_D.getLocalViewHost(overwrite_all);
       for (std::size_t i = 0; i < d.extent(0); ++i) {
         if (!(std::abs(d(i, 0)) > 0.0)) problem = "Braess-Sarazin: no pivot on the diagonal of A.";
-        // Ã⁻¹ = 1/(s A_ii), s = 1 where nothing stands beside A_ii
-        inverse(i, 0) = 1.0 / ((blocks.is_uncovered[i] ? 1.0 : options.scaling) * d(i, 0));
+        inverse(i, 0) = 1.0 / d(i, 0);
       }
     }
     throw_if_any<std::runtime_error>(*K->getComm(), problem);
+  }
+
+  /// Wants diag(A)⁻¹ in inverse_D.
+  double scaling_by_spectrum() const {
+    Vector scalars(blocks.mC->getRowMap());
+    MultiVector all(K->getRowMap(), 1), K_all(K->getRowMap(), 1);
+    const auto values = ritz_values(
+        inverse_D.getMap(),
+        [&](const Vector& x, Vector& y) {
+          all.putScalar(0.0);
+          scalars.putScalar(0.0);
+          blocks.add(1.0, x, scalars, all);
+          K->apply(all, K_all);  // (A x, B2 x)
+          blocks.split(K_all, y, scalars);
+          y.elementWiseMultiply(1.0, inverse_D, y, 0.0);
+        },
+        arnoldi_steps);
+    double largest = 0.0;
+    for (const std::complex<double>& mu : values)
+      largest = std::max(largest, std::abs(mu) * std::min(std::abs(mu) / mu.real(), most_turned));
+    return largest > 0.0 ? std::max(1.0, share * largest) : usual;
   }
 };
 

@@ -10,8 +10,8 @@ namespace tunica::smoothers {
 
 struct BraessSarazinOptions {
   int sweeps = 1;
-  double scaling = 2.0;                ///< Ã = scaling diag(A)
-  double damping = 1.0;                ///< of the whole correction
+  double scaling = 0.0;  ///< s in Ã = s diag(A); 0: by the spectrum of diag(A)⁻¹ A
+  double damping = 1.0;  ///< of the whole correction
   std::string schur = "gauss-seidel";  ///< inverse of S: "gauss-seidel", "chebyshev", "direct"
   int schur_sweeps = 2;                ///< of Gauss-Seidel, or the degree of Chebyshev
 };
@@ -29,7 +29,8 @@ using MakeSchurSolver = std::function<std::unique_ptr<SchurSolver>(
 
 /// The smoother of Braess and Sarazin [BS97] for K = [A B1ᵀ; B2 −C]: x += ω K̃⁻¹ (b − K x) where K̃
 /// has Ã = s diag(A) in the place of A (s = 1 in rows with nothing else), and
-/// S = C + B2 Ã⁻¹ B1ᵀ is inverted roughly or exactly.
+/// S = C + B2 Ã⁻¹ B1ᵀ is inverted roughly or exactly. Sweeps converge for s > λ/2 only, λ the
+/// largest eigenvalue of diag(A)⁻¹ A: 2.0 to 2.2 of velocities, 3.4 of plane elasticity.
 class BraessSarazin {
 public:
   /// K must outlive the smoother. make_schur, where given, takes the place of options.schur. Throws

@@ -7,7 +7,8 @@ namespace tunica::multigrid {
 
 namespace {
 
-// Ã = s diag(A): "scaling" is s, "damping" the ω of the whole correction.
+// Ã = s diag(A): "scaling" is s, or 0 for what the spectrum of A wants, "damping" the ω of the
+// whole correction.
 smoothers::BraessSarazinOptions options_of(const Teuchos::ParameterList& list) {
   smoothers::BraessSarazinOptions options;
   options.sweeps = list.get<int>("sweeps");
@@ -16,12 +17,13 @@ smoothers::BraessSarazinOptions options_of(const Teuchos::ParameterList& list) {
   options.schur = validated_choice("NodalBraessSarazinSmoother", list, "schur",
                                    {"gauss-seidel", "chebyshev", "multigrid", "direct"});
   options.schur_sweeps = list.get<int>("schur sweeps");
-  const bool is_valid = options.sweeps > 0 && options.schur_sweeps > 0 && options.scaling > 0.0 &&
+  const bool is_valid = options.sweeps > 0 && options.schur_sweeps > 0 && options.scaling >= 0.0 &&
                         options.damping > 0.0;
   if (!is_valid)
     throw std::invalid_argument(
-        "NodalBraessSarazinSmoother: \"sweeps\", \"schur sweeps\", \"scaling\" and \"damping\" "
-        "must be positive.");
+        "NodalBraessSarazinSmoother: \"sweeps\", \"schur sweeps\" and \"damping\" must be "
+        "positive, "
+        "and \"scaling\" not negative.");
   return options;
 }
 
@@ -62,7 +64,7 @@ Teuchos::RCP<const Teuchos::ParameterList> NodalBraessSarazinSmoother::GetValidP
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
   list->set<Teuchos::RCP<const MueLu::FactoryBase>>("A", Teuchos::null, "the mixed matrix");
   list->set("sweeps", 1);
-  list->set("scaling", 2.0);
+  list->set("scaling", 0.0);
   list->set("damping", 1.0);
   list->set<std::string>("schur", "gauss-seidel");
   list->set("schur sweeps", 2);

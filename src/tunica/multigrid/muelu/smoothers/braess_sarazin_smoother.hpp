@@ -7,9 +7,9 @@
 namespace tunica::multigrid {
 
 /// "NodalBraessSarazinSmoother" of a MueLu list, for mixed matrices (MueLu's own
-/// "BraessSarazinSmoother" wants a blocked matrix). Its keys: "sweeps" (1), "scaling" (2.0),
-/// "damping" (1.0), "schur" ("gauss-seidel", "chebyshev", "multigrid", "direct"), "schur sweeps"
-/// (2).
+/// "BraessSarazinSmoother" wants a blocked matrix). Its keys: "sweeps" (1), "scaling" (0.0:
+/// by the spectrum of A), "damping" (1.0), "schur" ("gauss-seidel", "chebyshev", "multigrid",
+/// "direct"), "schur sweeps" (2).
 class NodalBraessSarazinSmoother : public MixedSmoother {
 public:
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
