@@ -2,18 +2,13 @@
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "tunica/algebra/independent_set.hpp"
 #include "tunica/algebra/is_diagonal.hpp"
 #include "tunica/base/formatted.hpp"
-#include "tunica/base/reduce.hpp"
-#include "tunica/base/trilinos.hpp"
 #include "tunica/foreign/factor_cost.hpp"
 #include "tunica/foreign/given_operators.hpp"
+#include "tunica/foreign/matrix_traits.hpp"
 #include "tunica/foreign/rigid_fit.hpp"
-#include "tunica/linear/solvers/conjugate_gradients.hpp"
 #include "tunica/multigrid/muelu/cycle.hpp"
 
 namespace tunica::foreign {
@@ -38,117 +33,9 @@ constexpr int most_to_come = 100;
 constexpr double operations_in_plane = 200.0 * most_to_come;
 constexpr double operations_in_space = 3.0 * operations_in_plane;
 
-/// Part of the pivot B2 diag(A)⁻¹ B2ᵀ of a scalar that has to come from the vectors of its own node
-/// for incomplete factors of nodes. Of flows it is nothing inside the domain, of optimal control
-/// 0.8.
-constexpr double enough_of_own = 0.3;
-
 /// Part of the scalars that must have it. Where a single one without ends the factors, the next
 /// setting follows.
 constexpr double most_of_own = 0.9;
-
-/// Parts of the scalar rows with entries in B2.
-struct Pivots {
-  double of_c = 0.0;    ///< that have a diagonal in C
-  double of_own = 0.0;  ///< that have enough of their pivot from their own node
-};
-
-// b_i = Σ_c B2_ic² / |A_cc|, of all vectors c and of those of the node
-Pivots find_pivots(const algebra::BlockMatrix& K) {
-  const auto B2 = K(1, 0)->getLocalMatrixHost(), mC = K(1, 1)->getLocalMatrixHost();
-  const Map &rows = *K(1, 1)->getRowMap(), &columns = *K(1, 1)->getColMap(),
-            &vectors = *K(1, 0)->getColMap();
-  const int components = (*K.space())[0].components;
-  Vector D(K(0, 0)->getRowMap());
-  K(0, 0)->getLocalDiagCopy(D);
-  const Vector on_columns = algebra::on_columns(*K(1, 0), D);
-  const auto diagonal = on_columns.getLocalViewHost(read_only);
-  double coupled = 0.0, with_c = 0.0, with_own = 0.0;
-  for (int i = 0; i < mC.numRows(); ++i) {
-    const GlobalOrdinal own = rows.getGlobalElement(i);
-    double pivot = 0.0, of_own = 0.0;
-    const auto b = B2.rowConst(i);
-    for (int k = 0; k < b.length; ++k) {
-      if (b.value(k) == 0.0) continue;  // also where A has no diagonal
-      const double part = b.value(k) * b.value(k) / std::abs(diagonal(b.colidx(k), 0));
-      pivot += part;
-      if (vectors.getGlobalElement(b.colidx(k)) / components == own) of_own += part;
-    }
-    const auto c = mC.rowConst(i);
-    bool has_diagonal = false;
-    for (int k = 0; k < c.length; ++k)
-      has_diagonal =
-          has_diagonal || (columns.getGlobalElement(c.colidx(k)) == own && c.value(k) != 0.0);
-    const bool is_coupled = pivot > 0.0;
-    coupled += is_coupled;
-    with_c += is_coupled && has_diagonal;
-    with_own += is_coupled && of_own > enough_of_own * pivot;
-  }
-  const std::vector<double> all =
-      global_sum(*K.comm(), std::vector<double>{coupled, with_c, with_own});
-  return all[0] > 0.0 ? Pivots{all[1] / all[0], all[2] / all[0]} : Pivots{};
-}
-
-/// Values between -1 and 1 by the numbers of the rows, the same on any number of ranks.
-Vector scattered_values(const Teuchos::RCP<const Map>& map) {
-  Vector values(map);
-  const auto view = values.getLocalViewHost(overwrite_all);
-  const auto numbers = global_numbers(*map);
-  for (int i = 0; i < static_cast<int>(numbers.size()); ++i)
-    view(i, 0) = 2.0 * std::fmod(0.6180339887498949 * double(numbers[i] + 1), 1.0) - 1.0;
-  return values;
-}
-
-/// Conjugate gradients with the diagonal gain this factor in so many iterations where A is no
-/// further from it than a mass matrix, κ(D⁻¹A) < 20 or so, on any mesh.
-constexpr int few_iterations = 10;
-constexpr double near_gain = 0.01;
-
-// A x = b with b of any kind, preconditioned by D
-bool is_near_its_diagonal(const CrsMatrix& A) {
-  Vector D(A.getRowMap());
-  A.getLocalDiagCopy(D);
-  CrsMatrix inverse(A.getRowMap(), A.getRowMap(), 1);
-  const auto diagonal = D.getLocalViewHost(read_only);
-  for (int i = 0; i < static_cast<int>(diagonal.extent(0)); ++i) {
-    const double value = 1.0 / diagonal(i, 0);  // no number where D is zero, which ends the solve
-    inverse.insertLocalValues(i, 1, &value, &i);
-  }
-  inverse.fillComplete();
-  Vector r = scattered_values(A.getRowMap()), x(A.getRowMap());
-  const double goal = near_gain * r.norm2();
-  linear::conjugate_gradients(A, inverse, {goal}, few_iterations, r, x);
-  return r.norm2() <= goal;
-}
-
-/// Sum of a row's entries in its own component over the diagonal, from which on A is next to a
-/// mass: it is 2.5 of that of linear tetrahedra and 3.4 of bricks, 0 of what is a derivative.
-/// At 1.9 the fields take a third of the time away, but grow from 7 to 11 iterations where
-/// multigrid takes 6.
-constexpr double next_to_mass = 2.2;
-
-// Σ_j A_rj ≥ 2.2 A_rr over the unknowns j of the component of r, in most of the rows that are not
-// those of known values
-bool is_mostly_mass(const CrsMatrix& A, int components) {
-  const auto local = A.getLocalMatrixHost();
-  const Map &rows = *A.getRowMap(), &columns = *A.getColMap();
-  std::vector<double> counts(2, 0.0);
-  for (int r = 0; r < local.numRows(); ++r) {
-    const GlobalOrdinal own = rows.getGlobalElement(r);
-    const auto row = local.rowConst(r);
-    double sum = 0.0, diagonal = 0.0;
-    for (int k = 0; k < row.length; ++k) {
-      const GlobalOrdinal other = columns.getGlobalElement(row.colidx(k));
-      if (other % components == own % components) sum += row.value(k);
-      if (other == own) diagonal = row.value(k);
-    }
-    const bool is_coupled = sum != diagonal;
-    counts[0] += is_coupled;
-    counts[1] += is_coupled && std::abs(sum) >= next_to_mass * std::abs(diagonal);
-  }
-  const std::vector<double> all = global_sum(*rows.getComm(), counts);
-  return 2.0 * all[1] > all[0];
-}
 
 SolverSetting resolved(const std::string& name, Teuchos::ParameterList list) {
   solver_table().resolve(list, "", "");
@@ -194,13 +81,6 @@ SolverSetting direct(const std::string& name, double most_operations) {
   return resolved(name, list);
 }
 
-/// Of elements as Taylor and Hood's, with several times as many vectors as scalars, C is small, and
-/// the incomplete factors of the nodes grow.
-bool are_scalars_few(const algebra::BlockMatrix& K) {
-  const int components = (*K.space())[0].components;
-  return 2 * components * K(1, 1)->getGlobalNumRows() < K(0, 0)->getGlobalNumRows();
-}
-
 /// The first setting, given up where it is slow; factors; the first one to its end.
 void insert_factors_of_slow(double most_operations, std::vector<SolverSetting>& all) {
   const SolverSetting first = all.front();
@@ -208,38 +88,6 @@ void insert_factors_of_slow(double most_operations, std::vector<SolverSetting>& 
   all.front().is_for_slow = true;
   all.insert(all.begin(),
              {with_patience(first), direct("direct where that is slow", most_operations)});
-}
-
-/// Largest entry on the diagonal against the smallest, up to which a coefficient is mild.
-constexpr double mild = 1000.0;
-
-/// Nodes of vectors for each scalar, beyond which scalars stand on a boundary alone.
-constexpr int many_nodes = 10;
-
-/// Whether A is a Laplacian of each component by itself, with a mild coefficient, or as plain as
-/// one. Means of coarse vectors then serve; where components are coupled, as in elasticity, or the
-/// coefficient jumps, cycles by Braess and Sarazin contract by 0.8 and less.
-bool is_plain(const algebra::BlockMatrix& K) {
-  const int components = (*K.space())[0].components;
-  if (many_nodes * components * K(1, 1)->getGlobalNumRows() < K(0, 0)->getGlobalNumRows())
-    return false;
-  const auto A = K(0, 0)->getLocalMatrixHost();
-  const Map &rows = *K(0, 0)->getRowMap(), &columns = *K(0, 0)->getColMap();
-  double across = 0.0, within = 0.0, largest = 0.0, smallest = std::numeric_limits<double>::max();
-  for (int i = 0; i < A.numRows(); ++i) {
-    const GlobalOrdinal number = rows.getGlobalElement(i);
-    const auto row = A.rowConst(i);
-    for (int k = 0; k < row.length; ++k) {
-      const GlobalOrdinal other = columns.getGlobalElement(row.colidx(k));
-      (other % components == number % components ? within : across) += row.value(k) * row.value(k);
-      if (other != number) continue;
-      largest = std::max(largest, std::abs(row.value(k)));
-      smallest = std::min(smallest, std::abs(row.value(k)));
-    }
-  }
-  const Comm& comm = *K.comm();
-  return global_sum(comm, across) < 1e-12 * global_sum(comm, within) &&
-         global_max(comm, largest) < mild * global_min(comm, smallest);
 }
 
 /// Operations per entry up to which sparse LU comes first. In the plane it then takes as long as
@@ -281,9 +129,16 @@ Teuchos::ParameterList with_rotations(Teuchos::ParameterList cycle, const RigidF
   return cycle;
 }
 
-SolverSetting by_factors_of_nodes(int sweeps, const RigidFit& fit) {
-  return with_cycle("multigrid, incomplete factors",
-                    with_rotations(multigrid::mixed_cycle_list(sweeps), fit));
+/// Part of its Schur complement that C has on coarse levels at least. Stokes flow in the plane with
+/// half a million unknowns takes 6, 8, 14 iterations on 1, 2, 4 ranks without, 4 with; parts
+/// between 0.1 and 0.7 make little difference. With convection it takes more: 14 without, 18 to 29
+/// with.
+constexpr double least_stabilisation = 0.4;
+
+SolverSetting by_factors_of_nodes(int sweeps, double stabilisation, const RigidFit& fit) {
+  Teuchos::ParameterList cycle = with_rotations(multigrid::mixed_cycle_list(sweeps), fit);
+  cycle.sublist("Factories").sublist("Galerkin").set("least stabilisation", stabilisation);
+  return with_cycle("multigrid, incomplete factors", cycle);
 }
 
 /// Iterative settings, the likeliest first.
@@ -294,7 +149,8 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
                         with_rotations(multigrid::nodal_cycle_list(2, 500), fit)),
              incomplete_factors()},
             "one field"};
-  const auto by_factors = by_factors_of_nodes(2, fit);
+  const auto by_factors =
+      by_factors_of_nodes(2, is_nearly_symmetric(*K(0, 0)) ? least_stabilisation : 0.0, fit);
   const auto by_braess = with_cycle(
       "multigrid, Braess-Sarazin", with_rotations(multigrid::braess_sarazin_cycle_list(2, 4), fit));
   const auto by_fields = with_preconditioner("field by field", "block");
@@ -314,7 +170,7 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
   // One unknown of a field alone is no node. A second sweep saves a quarter of the cycles and makes
   // each half as dear again.
   if (!is_stabilised && !has_fluxes && pivots.of_own > most_of_own)
-    return {{by_factors_of_nodes(1, fit), by_braess, by_fields, incomplete_factors()},
+    return {{by_factors_of_nodes(1, 0.0, fit), by_braess, by_fields, incomplete_factors()},
             nodes_have_pivots};
   if (!is_stabilised) return {{by_braess, by_fields}, c_is_zero};
   // Of short time steps: the Schur complement is a Laplacian, and there is little to smooth in A.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tunica/base/trilinos.hpp"
+#include "tunica/multigrid/galerkin/least_stabilisation.hpp"
 
 namespace tunica::multigrid {
 
@@ -59,6 +60,8 @@ void GalerkinProduct::take_values() {
     RAP_->refresh();
   }
   if (stabilisation_.factor != 1.0) scale_stabilisation();
+  if (stabilisation_.least > 0.0)
+    enlarge_stabilisation(*matrix(), numbering_, stabilisation_.least);
 }
 
 void GalerkinProduct::refresh() {

@@ -14,6 +14,7 @@ namespace tunica::multigrid {
 struct Stabilisation {
   double factor = 1.0;  ///< of C
   double schur = 0.0;   ///< σ of SchurStabilised
+  double least = 0.0;   ///< σ of enlarge_stabilisation()
 };
 
 /// R A P, and again for new values of A on the same graphs; of a mixed matrix with more of a

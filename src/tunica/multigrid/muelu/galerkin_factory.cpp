@@ -24,6 +24,7 @@ Teuchos::RCP<const Teuchos::ParameterList> GalerkinFactory::GetValidParameterLis
     list->set<Teuchos::RCP<const MueLu::FactoryBase>>(input, Teuchos::null);
   list->set("stabilisation scaling", 1.0, "factor of the stabilisation block per level");
   list->set("schur stabilisation", 0.0, "part of B2 diag(A)^-1 B1T that C gets on a coarser level");
+  list->set("least stabilisation", 0.0, "part of it below which C is enlarged on a coarser level");
   return list;
 }
 
@@ -40,8 +41,9 @@ void GalerkinFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   if (!is_implicit(*this)) R = unwrapped(Get<Teuchos::RCP<XMatrix>>(coarse, "R"));
   // A_c = R A P, with more of −C in its scalar block. Only a mixed matrix has such a block.
   const Stabilisation stabilisation{GetParameterList().get<double>("stabilisation scaling"),
-                                    GetParameterList().get<double>("schur stabilisation")};
-  if (stabilisation.factor != 1.0 || stabilisation.schur > 0.0)
+                                    GetParameterList().get<double>("schur stabilisation"),
+                                    GetParameterList().get<double>("least stabilisation")};
+  if (stabilisation.factor != 1.0 || stabilisation.schur > 0.0 || stabilisation.least > 0.0)
     coarsening_->check_mixed(fine.GetLevelID(), *A);
   const Teuchos::RCP<GalerkinProduct> product =
       Teuchos::rcp(new GalerkinProduct(R, A, P, coarsening_->numbering(), stabilisation));
