@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "tunica/algebra/independent_set.hpp"
-#include "tunica/base/reduce.hpp"
 #include "tunica/base/trilinos.hpp"
 
 namespace tunica::multigrid {
