@@ -149,8 +149,6 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
                         with_rotations(multigrid::nodal_cycle_list(2, 500), fit)),
              incomplete_factors()},
             "one field"};
-  const auto by_factors =
-      by_factors_of_nodes(2, is_nearly_symmetric(*K(0, 0)) ? least_stabilisation : 0.0, fit);
   const auto by_braess = with_cycle(
       "multigrid, Braess-Sarazin", with_rotations(multigrid::braess_sarazin_cycle_list(2, 4), fit));
   const auto by_fields = with_preconditioner("field by field", "block");
@@ -173,6 +171,8 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
     return {{by_factors_of_nodes(1, 0.0, fit), by_braess, by_fields, incomplete_factors()},
             nodes_have_pivots};
   if (!is_stabilised) return {{by_braess, by_fields}, c_is_zero};
+  const auto by_factors =
+      by_factors_of_nodes(2, is_nearly_symmetric(*K(0, 0)) ? least_stabilisation : 0.0, fit);
   // Of short time steps: the Schur complement is a Laplacian, and there is little to smooth in A.
   if (is_mostly_mass(*K(0, 0), (*K.space())[0].components) && is_near_its_diagonal(*K(0, 0)))
     return {{by_fields, by_factors, by_braess, incomplete_factors()}, a_is_near_diagonal};

@@ -12,8 +12,9 @@ namespace tunica::foreign {
 ///   s_k  by how much the worst field, or the whole, misses it: 1 over that
 ///
 /// Factors lose digits where pivots are small, the recurrence of a Krylov method drifts, and its
-/// norm does not see a field of small rows; all three show in b − K x of the fields. Steps that do
-/// not halve what is left are taken back. The report is that of all solves. Collective.
+/// norm does not see a field of small rows; all three show in b − K x of the fields. Steps that
+/// neither reach the tolerance nor halve what is left are taken back. The report is that of all
+/// solves. Collective.
 linear::SolveReport refined_solve(linear::LinearSolver& solver, const algebra::BlockVector& b,
                                   const Judge& judge, double tolerance, algebra::BlockVector& x,
                                   Residuals& residuals);

@@ -1,8 +1,8 @@
 #include "tunica/multigrid/galerkin/galerkin_product.hpp"
 
 #include <Tpetra_RowMatrixTransposer.hpp>
-#include <cmath>
 
+#include "tunica/algebra/without_pattern.hpp"
 #include "tunica/base/trilinos.hpp"
 #include "tunica/multigrid/galerkin/least_stabilisation.hpp"
 
@@ -16,8 +16,7 @@ bool is_transpose(const CrsMatrix& R, const CrsMatrix& P) {
       !R.getRangeMap()->isSameAs(*P.getDomainMap()))
     return false;
   Vector x(R.getDomainMap()), Rx(R.getRangeMap()), Ptx(R.getRangeMap());
-  for (const GlobalOrdinal i : global_numbers(*x.getMap()))
-    x.replaceGlobalValue(i, std::sin(78.233 * static_cast<double>(i) + 1.0));
+  algebra::fill_without_pattern(x);
   R.apply(x, Rx);
   P.apply(x, Ptx, Teuchos::TRANS);
   Rx.update(-1.0, Ptx, 1.0);

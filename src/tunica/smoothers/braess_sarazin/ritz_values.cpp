@@ -3,20 +3,11 @@
 #include <Teuchos_LAPACK.hpp>
 #include <cmath>
 
-#include "tunica/base/trilinos.hpp"
+#include "tunica/algebra/without_pattern.hpp"
 
 namespace tunica::smoothers {
 
 namespace {
-
-Vector start(const Teuchos::RCP<const Map>& map) {
-  Vector v(map);
-  const auto to = v.getLocalViewHost(overwrite_all);
-  for (std::size_t i = 0; i < to.extent(0); ++i)
-    to(i, 0) =
-        std::sin(78.233 * static_cast<double>(map->getGlobalElement(static_cast<int>(i))) + 1.0);
-  return v;
-}
 
 /// Of a Hessenberg matrix, by columns; what LAPACK writes over is its own copy.
 std::vector<std::complex<double>> eigenvalues(std::vector<double> H, int rows, int n) {
@@ -36,7 +27,8 @@ std::vector<std::complex<double>> ritz_values(
     const Teuchos::RCP<const Map>& map,
     const std::function<void(const Vector& x, Vector& y)>& apply, int steps) {
   constexpr double nothing = 1e-10;  // of |A v|, beside which the rest is an invariant space
-  std::vector<Vector> V{start(map)};
+  std::vector<Vector> V{Vector(map)};
+  algebra::fill_without_pattern(V[0]);
   std::vector<double> H(static_cast<std::size_t>(steps) * steps);
   const double size = V[0].norm2();
   if (!(size > 0.0)) return {};

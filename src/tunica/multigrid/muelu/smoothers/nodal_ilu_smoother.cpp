@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "tunica/algebra/without_pattern.hpp"
+
 namespace tunica::multigrid {
 
 namespace {
@@ -174,7 +176,10 @@ void NodalIluSmoother::search() {
 // pivot may show late, and later as soon as it does not grow.
 void NodalIluSmoother::measure() {
   const bool is_new = !direction_;
-  if (is_new) direction_ = make_start();
+  if (is_new) {
+    direction_ = std::make_shared<::tunica::MultiVector>(K_->getRowMap(), 1);
+    algebra::fill_without_pattern(*direction_);
+  }
   std::vector<double> estimates;
   const int most = is_new ? first_iterations : most_later;
   for (int k = 0; k < most; ++k) {
@@ -188,15 +193,6 @@ void NodalIluSmoother::measure() {
       break;
   }
   state_.radius = estimates.back();
-}
-
-std::shared_ptr<::tunica::MultiVector> NodalIluSmoother::make_start() const {
-  const auto direction = std::make_shared<::tunica::MultiVector>(K_->getRowMap(), 1);
-  const auto start = direction->getLocalViewHost(overwrite_all);
-  for (std::size_t i = 0; i < start.extent(0); ++i)  // no pattern that a mesh could have
-    start(i, 0) = std::sin(
-        78.233 * static_cast<double>(K_->getRowMap()->getGlobalElement(static_cast<int>(i))) + 1.0);
-  return direction;
 }
 
 // ρ ≈ |v| with v ← (L U)⁻¹ K v/|v|. A sweep from v with b = 0 gives v − (L U)⁻¹ K v.

@@ -62,7 +62,6 @@ private:
   void measure();
   double power_iteration();
   std::vector<double> dampings() const;  ///< ω w_k
-  std::shared_ptr<::tunica::MultiVector> make_start() const;
 
   const ::tunica::CrsMatrix* K_ = nullptr;
   algebra::DofLayout numbering_;
