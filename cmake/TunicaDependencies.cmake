@@ -51,7 +51,8 @@ endmacro()
 
 macro(tunica_find_for_fsi)
   tunica_find_trilinos(
-    Tpetra NOX Teko MueLu Stratimikos Belos Ifpack2 Amesos2 Thyra Teuchos Sacado Zoltan2)
+    Tpetra NOX Teko MueLu Stratimikos Belos Ifpack2 Amesos2 Thyra Teuchos Sacado Zoltan2
+    ShyLU_DDFROSch)
   tunica_find_library(metis metis.h METIS libmetis-dev)
   tunica_find_library(dmumps dmumps_c.h MUMPS libmumps-dev)
   # CMake's own search for HDF5 asks a compiler wrapper that fails on paths with spaces.

@@ -12,6 +12,7 @@ from pages import ROOT
 PAPER = os.path.join(ROOT, "xml", "paper")
 MUELU = "https://trilinos.github.io/pdfs/mueluguide.pdf"
 TEKO = "https://trilinos.github.io/docs/teko/teko_navier_stokes.html"
+FROSCH = "https://doi.org/10.1137/18M1184047, monolithic, a block for each component"
 PETSC = "https://petsc.org/release/manual/ksp/"
 PAGES = "https://petsc.org/release/manualpages/PC/"
 
@@ -112,6 +113,11 @@ CONTESTANTS = [
                made(**{"method": "gmres", "preconditioner": "ilu", "fill level": 1})),
     Contestant("Ifpack2 ILU(2) overlap 1", "tunica", "Trilinos", "the same",
                made(**{"method": "gmres", "preconditioner": "ilu", "fill level": 2, "overlap": 1})),
+    Contestant("FROSch GDSW", "tunica", "Trilinos", FROSCH,
+               made(**{"method": "gmres", "preconditioner": "two-level schwarz", "overlap": 1}), (2, 4, 8)),
+    Contestant("FROSch RGDSW", "tunica", "Trilinos", "the same",
+               made(**{"method": "gmres", "preconditioner": "two-level schwarz", "overlap": 1, "coarse space": "RGDSW"}),
+               (2, 4, 8)),
     Contestant("PETSc Schur selfp + GAMG", "petsc", "PETSc", PETSC + ", Solving Block Matrices, and " + PAGES + "PCFieldSplitSetSchurPre",
                SCHUR + "-pc_fieldsplit_schur_precondition selfp -fieldsplit_0_pc_type gamg -fieldsplit_1_pc_type gamg"),
     Contestant("PETSc Schur selfp + BoomerAMG", "petsc", "PETSc", "the same",
@@ -132,6 +138,20 @@ CONTESTANTS = [
                "-ksp_type fgmres -pc_type lu -pc_factor_mat_solver_type superlu_dist"),
     Contestant("SciPy SuperLU", "scipy", "SciPy",
                "https://docs.scipy.org/doc/scipy/reference/generated/scipy.sparse.linalg.splu.html", ranks=(1,)),
+]
+
+FROSCHS = ["FROSch GDSW", "FROSch RGDSW"]
+# The pairs of the page in the tree, in the order in which they are run: sizes, ranks, contestants (none: all).
+PUBLISHED = [
+    (["small"], [1], None),
+    (["medium"], [1], ["default", "default without LU", "node ILU", "Vanka", "Braess–Sarazin", "field by field", "Teko SIMPLE + MueLu",
+                       "PETSc MUMPS", "PETSc Schur selfp + BoomerAMG", "SciPy SuperLU"]),
+    (["small", "medium"], [2, 4, 8], ["default"]),
+    (["small"], [2, 4, 8], FROSCHS),
+    (["medium"], [4], FROSCHS),
+    (["large"], [1], ["default", "default without LU"]),
+    (["large"], [2, 4], ["default"]),
+    (["large"], [1], ["PETSc MUMPS", "PETSc Schur selfp + BoomerAMG"]),
 ]
 
 

@@ -35,8 +35,9 @@ them: the fields, the components of a node side by side, rigid motions, undeterm
 (`mass`) an approximation of the Schur complement.
 
 **Left out.** PETSc's `PCBDDC`, which needs matrices that are not assembled across ranks (`MATIS`); Teko's PCD, which needs a Laplacian
-and a convection matrix of the pressures; FROSch and MueLu's Schwarz smoother with patches, which `tunica-solvers` does not reach for
-systems of other programs.
+and a convection matrix of the pressures; MueLu's Schwarz smoother with patches, which `tunica-solvers` does not reach for systems of
+other programs. FROSch has a subdomain for each rank, and takes part on two ranks and more: on one it would be sparse LU. Its
+subdomains are factored by KLU2, the only sparse LU of Debian's Amesos2 that takes indefinite matrices.
 """
 
 
@@ -169,6 +170,13 @@ def table_of_all(results, size, ranks=1):
     return title + "Numbers of contestants as above; – fails.\n\n" + table_text(["system", *(str(k) for k, _ in present)], rows)
 
 
+def tables_of_ranks_for_all(results):
+    """Of sizes and ranks that more contestants than the default have tried."""
+    tried = {(list(catalogue.SIZES).index(size), size, ranks) for size, ranks, contestant, _ in results.rows
+             if ranks > 1 and contestant != "default"}
+    return [table_of_all(results, size, ranks) for _, size, ranks in sorted(tried)]
+
+
 def table_of_growth(results):
     """Iterations and seconds for each million of unknowns from size to size."""
     sizes = results.sizes()
@@ -241,6 +249,8 @@ def draw_profiles(results, path):
     from matplotlib import pyplot
     # One contestant alone is compared with nobody.
     sizes = [size for size in results.sizes() if any(numpy.isfinite(results.ratios(size, c.name)).any() for c in CONTESTANTS)]
+    if not sizes:
+        return
     figure, axes = pyplot.subplots(1, len(sizes), figsize=(6 * len(sizes), 6.5), squeeze=False, sharey=True)
     colours = {"ours": "tab:red", "Trilinos": "tab:blue", "PETSc": "tab:green", "SciPy": "tab:orange"}
     styles = ["-", "--", "-.", ":", (0, (5, 1)), (0, (3, 1, 1, 1)), (0, (1, 3)), (0, (6, 3, 1, 3)), (0, (8, 2))]
@@ -280,7 +290,8 @@ def write(rows, folder):
              "seconds of the best (Dolan and Moré 2002). Red: ours; blue: Trilinos; green: PETSc; orange: SciPy.*\n",
              table_of_contestants(results), *(table_of_default(results, size) for size in results.sizes()),
              table_of_losses(results), reasons(folder), table_of_growth(results), table_of_ranks(results),
-             *(table_of_all(results, size) for size in results.sizes()), table_of_failures(results), table_of_systems()]
+             *(table_of_all(results, size) for size in results.sizes()), *tables_of_ranks_for_all(results),
+             table_of_failures(results), table_of_systems()]
     text = "\n".join(part for part in parts if part)
     with open(os.path.join(folder, "RESULTS.md"), "w", encoding="utf-8") as file:
         file.write(text)

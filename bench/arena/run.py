@@ -4,6 +4,7 @@
   bench/arena/run.py                              small and medium systems on one rank, then the page
   bench/arena/run.py --sizes small --ranks 1,2,4  other sizes and ranks
   bench/arena/run.py --only NAME,NAME --on NAME,NAME     some contestants, or groups of them, on some systems
+  bench/arena/run.py --published --page bench/arena      the page of this folder, anew, in some two hours
   bench/arena/run.py --report                     the page alone, from the results that there are
 
 A result is a line in results.jsonl of the folder of results. Pairs that have one are not run again, so that a run that is
@@ -13,8 +14,10 @@ import argparse
 import concurrent.futures
 import glob
 import importlib.util
+import itertools
 import json
 import os
+import re
 import resource
 import shutil
 import signal
@@ -31,7 +34,7 @@ import catalogue  # noqa: E402
 import page  # noqa: E402
 import system as systems  # noqa: E402
 from catalogue import GIGABYTES, SECONDS  # noqa: E402
-from contestants import CONTESTANTS, case_of  # noqa: E402
+from contestants import CONTESTANTS, PUBLISHED, case_of  # noqa: E402
 from pages import ENVIRONMENT, PROGRAMS, command, commit, results_of, rows_of  # noqa: E402
 
 WALL_FACTOR = 40  # a machine may give us this part of a processor
@@ -41,6 +44,8 @@ PYTHON = "/usr/bin/python3"
 # Debian's petsc4py is found by itself only beside petsc-dev.
 sys.path += sorted(glob.glob("/usr/lib/petscdir/petsc3.*/*-real/lib/python3/dist-packages"))[-1:]
 PATHS = os.pathsep.join([*sys.path[:2], *sys.path[-1:], os.environ.get("PYTHONPATH", "")])
+# Where Open MPI begins to tell that it ends the ranks.
+MPI_SAYS = re.compile(r"^(?:-{20,}|\[[^\]\s]+:\d+\])", re.MULTILINE)
 KILLED = {signal.SIGXCPU: "time limit", signal.SIGKILL: "time limit", signal.SIGABRT: "abort",
           signal.SIGSEGV: "segmentation fault"}
 
@@ -102,7 +107,7 @@ class Ended:
         for word in ("MemoryError", "bad_alloc", "Cannot allocate", "out of memory", "Out of memory"):
             if word in text:
                 return "memory limit"
-        lines = [line.strip() for line in self.err.splitlines()]
+        lines = [line.strip() for line in MPI_SAYS.split(self.err)[0].splitlines()]
         lines = [line for line in lines if not set(line) <= set("-=^~") and not line.startswith("warning:")]
         return (lines[-1] if lines else f"status {self.status}")[:160]
 
@@ -174,19 +179,23 @@ class Book:
             file.write(json.dumps(row) + "\n")
 
 
+def plan_of(wanted):
+    """Sizes, ranks and contestants, as PUBLISHED."""
+    return PUBLISHED if wanted.published else [(wanted.sizes, wanted.ranks, wanted.only)]
+
+
 def wanted_pairs(wanted):
     is_there = {"tunica": True, "scipy": True, "petsc": importlib.util.find_spec("petsc4py") is not None}
     if not is_there["petsc"]:
         print("without PETSc: the Debian package python3-petsc4py is missing", file=sys.stderr)
-    for size in wanted.sizes:
-        for ranks in wanted.ranks:
-            for contestant in CONTESTANTS:
-                is_wanted = not wanted.only or {contestant.name, contestant.group} & set(wanted.only)
-                if not (is_there[contestant.kind] and is_wanted) or (ranks > 1 and contestant.ranks == (1,)):
-                    continue
-                for name in catalogue.CATALOGUE:
-                    if not wanted.on or name in wanted.on:
-                        yield size, ranks, contestant, name
+    for sizes, all_ranks, only in plan_of(wanted):
+        for size, ranks, contestant in itertools.product(sizes, all_ranks, CONTESTANTS):
+            is_wanted = not only or {contestant.name, contestant.group} & set(only)
+            if not (is_there[contestant.kind] and is_wanted) or (contestant.ranks and ranks not in contestant.ranks):
+                continue
+            for name in catalogue.CATALOGUE:
+                if not wanted.on or name in wanted.on:
+                    yield size, ranks, contestant, name
 
 
 def run_pair(wanted, book, size, ranks, contestant, name):
@@ -210,6 +219,7 @@ def arguments():
     parser.add_argument("--sizes", type=split, default=["small", "medium"])
     parser.add_argument("--ranks", type=lambda text: [int(r) for r in split(text)], default=[1])
     parser.add_argument("--only", type=split, help="names of contestants or of their groups")
+    parser.add_argument("--published", action="store_true", help="the pairs of the page in the tree, whatever sizes, ranks and --only say")
     parser.add_argument("--on", type=split, help="names of systems")
     parser.add_argument("--jobs", type=int, default=1, help="pairs at a time")
     parser.add_argument("--programs", default=PROGRAMS, help="folder of tunica-solvers")

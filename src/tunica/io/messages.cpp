@@ -30,6 +30,10 @@ void print_line(const std::string& text) { write(present_sink().output, std::cou
 
 void print_error_line(const std::string& text) { write(present_sink().error, std::cerr, text); }
 
+SilentOutput::SilentOutput() : before_(std::cout.rdbuf(nullptr)) {}
+
+SilentOutput::~SilentOutput() { std::cout.rdbuf(before_); }
+
 void print_last_words(const char* where, const char* words) noexcept {
   std::fprintf(stderr, "%s: %s\n", where, words);
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <streambuf>
 #include <string>
 
 namespace tunica::io {
@@ -18,6 +19,18 @@ void redirect_messages(MessageSink sink);
 /// added where it lacks, and they are seen at once. Not collective.
 void print_line(const std::string& text);
 void print_error_line(const std::string& text);
+
+/// While it lives, what other libraries print to std::cout of this process is thrown away.
+class SilentOutput {
+public:
+  SilentOutput();
+  ~SilentOutput();
+  SilentOutput(const SilentOutput&) = delete;
+  SilentOutput& operator=(const SilentOutput&) = delete;
+
+private:
+  std::streambuf* before_;
+};
 
 /// For a process that can neither allocate nor throw: to the error stream, whatever the sink.
 void print_last_words(const char* where, const char* words) noexcept;

@@ -9,17 +9,19 @@
 #include "tunica/linear/preconditioners/field_by_field.hpp"
 #include "tunica/linear/preconditioners/ilu.hpp"
 #include "tunica/linear/preconditioners/none.hpp"
+#include "tunica/linear/preconditioners/two_level_schwarz.hpp"
 
 namespace tunica::linear {
 
 const std::vector<PreconditionerEntry>& preconditioners() {
   static const std::vector<PreconditionerEntry> all = {
-      ilu_preconditioner(),     // "ilu"
-      block_preconditioner(),   // "block"
-      cycle_preconditioner(),   // "multigrid"
-      field_preconditioner(),   // "field by field"
-      direct_preconditioner(),  // "direct"
-      no_preconditioner(),      // "none"
+      ilu_preconditioner(),      // "ilu"
+      schwarz_preconditioner(),  // "two-level schwarz"
+      block_preconditioner(),    // "block"
+      cycle_preconditioner(),    // "multigrid"
+      field_preconditioner(),    // "field by field"
+      direct_preconditioner(),   // "direct"
+      no_preconditioner(),       // "none"
   };
   return all;
 }
@@ -40,8 +42,9 @@ void add_preconditioner_keys(params::Table& table, const SolverDefaults& default
       cases.push_back({entry.name, entry.table(defaults)});
   table.variant(
       "preconditioner", defaults.preconditioner, cases,
-      "right preconditioner: incomplete LU with additive Schwarz between ranks, a "
-      "block preconditioner, a multigrid cycle for the whole system, " +
+      "right preconditioner: incomplete LU with additive Schwarz between ranks, FROSch's two-level "
+      "Schwarz method with a subdomain per rank, a block preconditioner, a multigrid cycle for the "
+      "whole system, " +
           std::string(defaults.has_fields ? "the parts of a coupled system in turn, " : "") +
           "sparse LU factors (for small systems), or none");
 }
