@@ -115,12 +115,11 @@ def star(row):
     return "*" if row["tolerance"] < 1e-8 else ""
 
 
-def table_of_systems():
-    sums = catalogue.known_checksums()
-    rows = []
-    for name, (_, _, origin) in catalogue.CATALOGUE.items():
-        known = [sums.get((name, size)) for size in catalogue.SIZES]
-        rows.append([name, origin] + [f"{int(k['unknowns']):,}" if k else "" for k in known])
+def table_of_systems(results):
+    known = {key: int(line["unknowns"]) for key, line in catalogue.known_checksums().items()}
+    known.update({(system, size): row["unknowns"] for (size, _, _, system), row in results.rows.items()})
+    rows = [[name, origin] + [f"{known[name, size]:,}" if (name, size) in known else "" for size in catalogue.SIZES]
+            for name, (_, _, origin) in catalogue.CATALOGUE.items()]
     return "## Systems\n\n" + table_text(["system", "origin", *(f"unknowns, {size}" for size in catalogue.SIZES)], rows)
 
 
@@ -180,6 +179,8 @@ def tables_of_ranks_for_all(results):
 def table_of_growth(results):
     """Iterations and seconds for each million of unknowns from size to size."""
     sizes = results.sizes()
+    if not sizes:
+        return ""
     names = ["default"] + [name for name in results.names if name != "default" and
                            sum(numpy.isfinite(results.ratios(sizes[-1], name))) > len(results.systems(sizes[-1])) / 2]
     rows = []
@@ -291,7 +292,7 @@ def write(rows, folder):
              table_of_contestants(results), *(table_of_default(results, size) for size in results.sizes()),
              table_of_losses(results), reasons(folder), table_of_growth(results), table_of_ranks(results),
              *(table_of_all(results, size) for size in results.sizes()), *tables_of_ranks_for_all(results),
-             table_of_failures(results), table_of_systems()]
+             table_of_failures(results), table_of_systems(results)]
     text = "\n".join(part for part in parts if part)
     with open(os.path.join(folder, "RESULTS.md"), "w", encoding="utf-8") as file:
         file.write(text)

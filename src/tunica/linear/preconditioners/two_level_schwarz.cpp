@@ -68,19 +68,38 @@ private:
   std::vector<GlobalOrdinal> first_;  ///< of each component, and the end of the last
 };
 
-/// The unknowns of the rank's subdomain, which is closed: those of the rank, and of what they are
-/// coupled to that of lower ranks, so that each interface is one layer. As FROSch has it for a
-/// matrix of which nothing else is known. Collective.
-std::vector<GlobalOrdinal> subdomain(const CrsMatrix& A) {
-  const Map& rows = *A.getRowMap();
-  const auto columns = global_numbers(*A.getColMap());
-  std::vector<int> owners(columns.size());
-  rows.getRemoteIndexList(columns, Teuchos::arrayViewFromVector(owners));
-  std::vector<GlobalOrdinal> numbers(global_numbers(rows).begin(), global_numbers(rows).end());
-  for (std::size_t j = 0; j < owners.size(); ++j)
-    if (owners[j] < rows.getComm()->getRank()) numbers.push_back(columns[j]);
-  std::sort(numbers.begin(), numbers.end());
-  return numbers;
+/// The unknowns of the rank's subdomain: those of the rank, and of what they are coupled to that of
+/// lower ranks, so that each interface is one layer. As FROSch has it for a matrix of which nothing
+/// else is known.
+struct Subdomain {
+  std::vector<GlobalOrdinal> all;     ///< ascend
+  std::vector<GlobalOrdinal> shared;  ///< with others
+};
+
+/// Collective.
+Subdomain subdomain_of(const CrsMatrix& A) {
+  const Teuchos::RCP<const Map> rows = A.getRowMap(), columns = A.getColMap();
+  const auto numbers = global_numbers(*columns), own = global_numbers(*rows);
+  std::vector<int> owners(numbers.size());
+  rows->getRemoteIndexList(numbers, Teuchos::arrayViewFromVector(owners));
+  Subdomain result;
+  Vector taken(columns), times(rows);
+  {
+    const auto is_taken = taken.getLocalViewHost(overwrite_all);
+    for (std::size_t j = 0; j < owners.size(); ++j) {
+      is_taken(j, 0) = owners[j] < rows->getComm()->getRank() ? 1.0 : 0.0;
+      if (is_taken(j, 0) > 0.0) result.shared.push_back(numbers[j]);
+    }
+  }
+  times.doExport(taken, Import(rows, columns), Tpetra::ADD_ASSIGN);
+  result.all = result.shared;
+  const auto is_shared = times.getLocalViewHost(read_only);
+  for (int i = 0; i < own.size(); ++i) {
+    result.all.push_back(own[i]);
+    if (is_shared(i, 0) > 0.0) result.shared.push_back(own[i]);
+  }
+  std::sort(result.all.begin(), result.all.end());
+  return result;
 }
 
 /// P⁻¹ = Φ (Φᵀ A Φ)⁻¹ Φᵀ + Σ_r R̃_rᵀ A_r⁻¹ R_r: A_r is of rank r and its overlap, R̃_r leaves the
@@ -101,11 +120,20 @@ public:
     renumbered_ = multigrid::wrapped(Teuchos::rcp(new CrsMatrix(
         A->getLocalMatrixDevice(), rows_, numbers.renumbered(*A->getColMap()), rows_, rows_)));
     choose(options.get<std::string>("coarse space"), layout.dofs());
-    for (const auto& nodes : numbers.nodes(subdomain(*A)))
+    const Subdomain subdomain = subdomain_of(*A);
+    for (const auto& nodes : numbers.nodes(subdomain.all))
       subdomain_.push_back(map_of(nodes, comm_));
+    for (const auto& nodes : numbers.nodes(subdomain.shared)) {
+      const auto n = static_cast<double>(nodes.size());
+      has_lone_rank_ |= global_min(*comm_, n) == 0.0 && global_max(*comm_, n) > 0.0;
+    }
   }
 
   void refresh() override {
+    if (has_lone_rank_)  // FROSch would wait there for what the others do not send
+      throw SetupFailure(
+          "the two levels cannot be set up: a rank shares no unknown of a component "
+          "with others, which FROSch does not permit");
     set_up(*comm_, "the two levels", [this] {
       fault_point("schwarz set-up");
       const io::SilentOutput silent;  // FROSch prints tables without being asked
@@ -169,6 +197,7 @@ private:
   CommPtr comm_;
   int overlap_;
   unsigned dimension_;
+  bool has_lone_rank_ = false;
   Teuchos::RCP<const Map> rows_;                    ///< component by component
   std::vector<Teuchos::RCP<const Map>> subdomain_;  ///< nodes of each component
   Teuchos::RCP<const multigrid::XMatrix> renumbered_;
