@@ -55,12 +55,12 @@ SolverSetting with_cycle(const std::string& name, const Teuchos::ParameterList& 
   return resolved(name, list);
 }
 
-/// Block LU with what the user knows of S.
-SolverSetting by_given_schur() {
+/// Block LU; schur_sweeps: in each cycle for S, before and after its coarser levels.
+SolverSetting by_blocks(const std::string& name, int schur_sweeps, const std::string& schur) {
   Teuchos::ParameterList list;
   list.set("method", "gcr").set("preconditioner", "block");
-  list.sublist("Stratimikos") = linear::default_block_preconditioner(1, 1, "Given");
-  return resolved("field by field, S given", list);
+  list.sublist("Stratimikos") = linear::default_block_preconditioner(1, schur_sweeps, schur);
+  return resolved(name, list);
 }
 
 /// The setting, given up for another where it is slow.
@@ -154,7 +154,9 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
   const auto by_fields = with_preconditioner("field by field", "block");
   const auto names = operators.operator_names();
   if (std::count(names.begin(), names.end(), GivenOperators::schur) > 0)
-    return {{by_given_schur(), by_braess, by_fields, incomplete_factors()}, "S is given"};
+    return {{by_blocks("field by field, S given", 1, "Given"), by_braess, by_fields,
+             incomplete_factors()},
+            "S is given"};
   // C + B2 A⁻¹ B1ᵀ is exact, and there is nothing to coarsen in A.
   if (algebra::is_diagonal(*K(0, 0)))
     return {{by_fields, by_braess, incomplete_factors()}, "A is diagonal"};
@@ -164,7 +166,7 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
   // masses in A, as in optimal control, it may be one of fourth order, of which fields make little.
   const bool has_fluxes = (*K.space())[0].components == 1;
   if (!is_stabilised && has_fluxes && is_near_its_diagonal(*K(0, 0)))
-    return {{by_fields, by_braess}, a_is_near_diagonal};
+    return {{by_blocks("field by field", 2, "Algebraic"), by_braess}, a_is_near_diagonal};
   // One unknown of a field alone is no node. A second sweep saves a quarter of the cycles and makes
   // each half as dear again.
   if (!is_stabilised && !has_fluxes && pivots.of_own > most_of_own)
