@@ -30,9 +30,12 @@ void print_line(const std::string& text) { write(present_sink().output, std::cou
 
 void print_error_line(const std::string& text) { write(present_sink().error, std::cerr, text); }
 
-SilentOutput::SilentOutput() : before_(std::cout.rdbuf(nullptr)) {}
+SilentOutput::SilentOutput() : state_(std::cout.rdstate()), before_(std::cout.rdbuf(nullptr)) {}
 
-SilentOutput::~SilentOutput() { std::cout.rdbuf(before_); }
+SilentOutput::~SilentOutput() {
+  std::cout.rdbuf(before_);  // forgets the failures since, and those before
+  std::cout.setstate(state_);
+}
 
 void print_last_words(const char* where, const char* words) noexcept {
   std::fprintf(stderr, "%s: %s\n", where, words);

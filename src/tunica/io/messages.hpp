@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <ios>
 #include <streambuf>
 #include <string>
 
@@ -29,6 +30,7 @@ public:
   SilentOutput& operator=(const SilentOutput&) = delete;
 
 private:
+  std::ios_base::iostate state_;
   std::streambuf* before_;
 };
 
