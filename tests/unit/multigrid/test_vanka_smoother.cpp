@@ -132,6 +132,12 @@ TEUCHOS_UNIT_TEST(cycle_list, slips_in_our_factories_are_refused_before_anything
   list.sublist("Factories").sublist("Sweeps").set("swept", 2);
   TEST_INEQUALITY(complaint([&] { multigrid::check_cycle_list(list); }).find("\"swept\""),
                   std::string::npos);
+  for (const char* key : {"stabilisation scaling", "schur stabilisation", "least stabilisation"}) {
+    list = vanka_list();
+    list.sublist("Factories").sublist("Galerkin").set(key, -0.1);
+    const std::string text = complaint([&] { multigrid::check_cycle_list(list); });
+    TEST_INEQUALITY(text.find("\"" + std::string(key) + "\" is -0.1"), std::string::npos);
+  }
   list = vanka_list();
   list.sublist("Factories").sublist("Sweeps").set("order", "foward");
   TEST_INEQUALITY(complaint([&] { multigrid::check_cycle_list(list); }).find("\"foward\""),

@@ -1,7 +1,9 @@
 #include "tunica/multigrid/muelu/galerkin_factory.hpp"
 
 #include <MueLu_NoFactory.hpp>
+#include <stdexcept>
 
+#include "tunica/base/formatted.hpp"
 #include "tunica/multigrid/galerkin/galerkin_product.hpp"
 #include "tunica/multigrid/muelu/xpetra.hpp"
 
@@ -10,6 +12,10 @@ namespace tunica::multigrid {
 namespace {
 
 constexpr const char* kept_as = "Galerkin Product";
+
+// What C is multiplied by, what it gets, and what it has at least.
+constexpr const char *by_factor = "stabilisation scaling", *by_schur = "schur stabilisation",
+                     *by_least = "least stabilisation";
 
 /// R = Pᵀ without a matrix of its own: the list says "NoFactory".
 bool is_implicit(const GalerkinFactory& factory) {
@@ -22,10 +28,18 @@ Teuchos::RCP<const Teuchos::ParameterList> GalerkinFactory::GetValidParameterLis
   const auto list = Teuchos::rcp(new Teuchos::ParameterList);
   for (const char* input : {"A", "P", "R"})
     list->set<Teuchos::RCP<const MueLu::FactoryBase>>(input, Teuchos::null);
-  list->set("stabilisation scaling", 1.0, "factor of the stabilisation block per level");
-  list->set("schur stabilisation", 0.0, "part of B2 diag(A)^-1 B1T that C gets on a coarser level");
-  list->set("least stabilisation", 0.0, "part of it below which C is enlarged on a coarser level");
+  list->set(by_factor, 1.0, "factor of the stabilisation block per level");
+  list->set(by_schur, 0.0, "part of B2 diag(A)^-1 B1T that C gets on a coarser level");
+  list->set(by_least, 0.0, "part of it below which C is enlarged on a coarser level");
   return list;
+}
+
+void GalerkinFactory::SetParameterList(const Teuchos::ParameterList& list) {
+  MueLu::TwoLevelFactoryBase::SetParameterList(list);
+  for (const char* key : {by_factor, by_schur, by_least})
+    if (const double value = GetParameterList().get<double>(key); !(value >= 0.0))
+      throw std::invalid_argument(
+          formatted("GalerkinFactory: \"%s\" is %g, expected at least 0.", key, value));
 }
 
 void GalerkinFactory::DeclareInput(MueLu::Level& fine, MueLu::Level& coarse) const {
@@ -40,9 +54,9 @@ void GalerkinFactory::Build(MueLu::Level& fine, MueLu::Level& coarse) const {
   Teuchos::RCP<const CrsMatrix> R;
   if (!is_implicit(*this)) R = unwrapped(Get<Teuchos::RCP<XMatrix>>(coarse, "R"));
   // A_c = R A P, with more of −C in its scalar block. Only a mixed matrix has such a block.
-  const Stabilisation stabilisation{GetParameterList().get<double>("stabilisation scaling"),
-                                    GetParameterList().get<double>("schur stabilisation"),
-                                    GetParameterList().get<double>("least stabilisation")};
+  const Stabilisation stabilisation{GetParameterList().get<double>(by_factor),
+                                    GetParameterList().get<double>(by_schur),
+                                    GetParameterList().get<double>(by_least)};
   if (stabilisation.factor != 1.0 || stabilisation.schur > 0.0 || stabilisation.least > 0.0)
     coarsening_->check_mixed(fine.GetLevelID(), *A);
   const Teuchos::RCP<GalerkinProduct> product =

@@ -13,13 +13,16 @@ namespace tunica::multigrid {
 ///
 /// On a mesh of twice the size C ~ h² ought to be four times what Galerkin's product makes of it;
 /// less leaves the coarse system short of stability [LY1, section 5]. Where C is zero, "schur
-/// stabilisation" (0.0) is the part of B2 diag(A)⁻¹ B1ᵀ, of the finer level, that C gets.
+/// stabilisation" (0.0) is the part of B2 diag(A)⁻¹ B1ᵀ, of the finer level, that C gets; "least
+/// stabilisation" (0.0) that below which C is enlarged. None of the three may be negative.
 class GalerkinFactory : public MueLu::TwoLevelFactoryBase {
 public:
   /// Says how unknowns are numbered; before Build().
   void set_coarsening(const Teuchos::RCP<MixedCoarsening>& coarsening) { coarsening_ = coarsening; }
 
   Teuchos::RCP<const Teuchos::ParameterList> GetValidParameterList() const override;
+  /// Throws std::invalid_argument for a negative number.
+  void SetParameterList(const Teuchos::ParameterList& list) override;
   void DeclareInput(MueLu::Level& fine, MueLu::Level& coarse) const override;
   void Build(MueLu::Level& fine, MueLu::Level& coarse) const override;
 
