@@ -53,76 +53,104 @@ double local_product(const MultiVector& v, const MultiVector& w) {
                   w.getLocalViewHost(read_only).data(), 1);
 }
 
-/// v ← v + s Z c, by the columns.
-void add_columns(const Columns& Z, double s, const std::vector<double>& c, MultiVector& v) {
+/// v_k ← v_k + s Z c_k, by the columns. c_k may lack the last numbers, which are zero.
+void add_columns(const Columns& Z, double s, const std::vector<std::vector<double>>& c,
+                 const Columns& V) {
   const Teuchos::BLAS<int, double> blas;
-  const int n = static_cast<int>(v.getLocalLength());
-  double* values = v.getLocalViewHost(read_write).data();
-  std::vector<const double*> columns;
-  for (const auto& z : Z) columns.push_back(z->getLocalViewHost(read_only).data());
+  std::vector<const double*> from;
+  std::vector<double*> to;
+  for (const auto& z : Z) from.push_back(z->getLocalViewHost(read_only).data());
+  for (const auto& v : V) to.push_back(v->getLocalViewHost(read_write).data());
+  const int n = V.empty() ? 0 : static_cast<int>(V.front()->getLocalLength());
   for (int a = 0; a < n; a += piece)
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      blas.AXPY(std::min(piece, n - a), s * c[i], columns[i] + a, 1, values + a, 1);
+    for (std::size_t k = 0; k < to.size(); ++k)
+      for (std::size_t i = 0; i < c[k].size(); ++i)
+        blas.AXPY(std::min(piece, n - a), s * c[k][i], from[i] + a, 1, to[k] + a, 1);
+}
+
+/// v ← v + s Z c.
+void add_columns(const Columns& Z, double s, const std::vector<double>& c, MultiVector& v) {
+  add_columns(Z, s, {c}, {Teuchos::rcpFromRef(v)});
 }
 
 }  // namespace
 
+// A (Z₂ − Z₁ R₁₁⁻¹ R₁₂) = Q₂ R₂₂, of the last and the others
 void Directions::keep_last(int number) {
-  for (Columns* columns : {&z_, &q_})
-    if (static_cast<int>(columns->size()) > number)
-      columns->erase(columns->begin(), columns->end() - number);
+  const int dropped = size() - number;
+  if (dropped <= 0) return;
+  std::vector<std::vector<double>> of_dropped;
+  for (int k = dropped; k < size(); ++k) {
+    of_dropped.push_back(solved({r_[k].begin(), r_[k].begin() + dropped}));
+    r_[k].erase(r_[k].begin(), r_[k].begin() + dropped);
+  }
+  const Columns first(z_.begin(), z_.begin() + dropped);
+  for (Columns* columns : {&z_, &q_}) columns->erase(columns->begin(), columns->begin() + dropped);
+  r_.erase(r_.begin(), r_.begin() + dropped);
+  add_columns(first, -1.0, of_dropped, z_);
 }
 
 void Directions::keep_first(int number) {
-  for (Columns* columns : {&z_, &q_})
-    if (static_cast<int>(columns->size()) > number) columns->resize(number);
+  if (size() <= number) return;
+  for (Columns* columns : {&z_, &q_}) columns->resize(number);
+  r_.resize(number);
 }
 
-// q ← q − Q Qᵀ q in two passes: the second takes out what round-off has left of the first. Each is
-// one message, which takes along products with q as it is before the pass. What the second pass
-// takes out is round-off: for |q| behind it and qᵀ r products from before serve.
+// q ← q − Q Qᵀ q, and again where no more than half of |q|² is left: round-off then leaves a part
+// of Q that counts [DGKS]. Each pass is one message, which takes along products with q as it is
+// before; r is orthogonal to Q, so that qᵀ r stays.
 Directions::Added Directions::add(const Teuchos::RCP<MultiVector>& z,
                                   const Teuchos::RCP<MultiVector>& q, const MultiVector& r,
                                   double vote) {
   Added added;
   double before = 0.0, square = 0.0;
-  std::vector<double> all(q_.size(), 0.0);
-  const int last = q_.empty() ? 0 : 1;
-  for (int pass = 0; pass <= last; ++pass) {
+  const std::size_t n = q_.size();
+  std::vector<double> all(n, 0.0);
+  for (int pass = 0; pass < 2; ++pass) {
     std::vector<double> c = local_products(q_, *q);
-    c.push_back(local_product(*q, *q));
-    if (pass == last) c.insert(c.end(), {local_product(*q, r), local_product(r, r), vote});
-    c = global_sum(*r.getMap()->getComm(), c);  // c = Qᵀ q, qᵀ q, and at last qᵀ r, rᵀ r
-    square = c[all.size()];
-    if (pass == last) {
-      added.product = c[all.size() + 1];
-      added.square_of_r = c[all.size() + 2];
-      added.votes = c[all.size() + 3];
-    }
-    c.resize(all.size());
-    if (pass == 0) before = square;
-    for (std::size_t i = 0; i < c.size(); ++i) all[i] += c[i];
+    c.insert(c.end(), {local_product(*q, *q), local_product(*q, r), local_product(r, r), vote});
+    c = global_sum(*r.getMap()->getComm(), c);  // c = Qᵀ q, qᵀ q, qᵀ r, rᵀ r
+    const double present = c[n];
+    added.product = c[n + 1];
+    added.square_of_r = c[n + 2];
+    added.votes = pass == 0 ? c[n + 3] : added.votes;
+    c.resize(n);
+    if (pass == 0) before = present;
+    square = present;
     for (const double of_q : c) square -= of_q * of_q;
+    for (std::size_t i = 0; i < n; ++i) all[i] += c[i];
     add_columns(q_, -1.0, c, *q);  // q ← q − Q c
+    if (square > 0.5 * present) break;
   }
-  // z gets the same combination as q, so that q = A z stays true.
-  add_columns(z_, -1.0, all, *z);
   // Nothing but round-off is left: q lies in the span of Q.
   added.is_new = square > 1e-20 * before;
   if (!added.is_new) return added;
   const double length = std::sqrt(square);
   added.product /= length;
   q->scale(1.0 / length);
-  z->scale(1.0 / length);
   z_.push_back(z);
   q_.push_back(q);
+  all.push_back(length);  // A z = Q c + |q| q
+  r_.push_back(std::move(all));
   return added;
+}
+
+std::vector<double> Directions::solved(std::vector<double> c) const {
+  for (std::size_t k = c.size(); k-- > 0;) {
+    c[k] /= r_[k][k];
+    for (std::size_t i = 0; i < k; ++i) c[i] -= r_[k][i] * c[k];
+  }
+  return c;
+}
+
+void Directions::add_to(MultiVector& x, const std::vector<double>& c) const {
+  add_columns(z_, 1.0, solved(c), x);
 }
 
 void Directions::minimise(MultiVector& r, MultiVector& x) const {
   const std::vector<double> c = global_sum(*r.getMap()->getComm(), local_products(q_, r));
-  add_columns(z_, 1.0, c, x);   // x ← x + Z c
-  add_columns(q_, -1.0, c, r);  // r ← r − Q c
+  add_to(x, c);
+  add_columns(q_, -1.0, c, r);
 }
 
 Gcr::Gcr(const Teuchos::RCP<Teuchos::ParameterList>& list) { setParameters(list); }
@@ -148,7 +176,7 @@ void Gcr::setParameters(const Teuchos::RCP<Teuchos::ParameterList>& list) {
   list_->validateParametersAndSetDefaults(*getValidParameters());
 }
 
-// r = b − A x, and x ← x + Z Qᵀ r of the recycled directions.
+// r = b − A x, and x ← x + Z R⁻¹ Qᵀ r of the recycled directions.
 void Gcr::begin(const Directions& basis, MultiVector& r, MultiVector& x) {
   if (!(norm(x) == 0.0)) {
     problem_->getOperator()->apply(x, r);
@@ -177,19 +205,24 @@ Belos::ReturnType Gcr::solve() {
   const int n_recycled = basis.size();
   begin(basis, r, x);
   const auto stagnation = list_->get<Teuchos::RCP<StagnationRule>>("Stagnation");
-  std::vector<double> history{relative_residual_};
+  std::vector<double> history{relative_residual_}, products;
   int standing = 0;
   for (iterations_ = 0; relative_residual_ > tolerance && iterations_ < cap;) {
-    if (basis.size() >= kept) basis.clear();
+    if (basis.size() >= kept) {
+      basis.add_to(x, products);
+      basis.clear();
+      products.clear();
+    }
     const bool stands = standing > 0 && basis.size() > 0;
     const MultiVector& source = stands ? basis.last_image() : r;
-    standing = iterate(source, basis, r, x) ? 0 : standing + 1;
+    standing = iterate(source, basis, r, products) ? 0 : standing + 1;
     if (standing > most_standing || !std::isfinite(relative_residual_)) break;
     history.push_back(relative_residual_);
     has_stagnated_ = !stagnation.is_null() && relative_residual_ > tolerance &&
                      stagnation->gives_up(history, tolerance);
     if (has_stagnated_) break;
   }
+  basis.add_to(x, products);
   if (!recycled.is_null()) {
     if (iterations_ < 3) basis.keep_first(n_recycled);
     basis.keep_last(list_->get<int>("Num Recycled Blocks"));
@@ -205,7 +238,8 @@ std::string Gcr::how_far() const {
   return text.str();
 }
 
-bool Gcr::iterate(const MultiVector& source, Directions& basis, MultiVector& r, MultiVector& x) {
+bool Gcr::iterate(const MultiVector& source, Directions& basis, MultiVector& r,
+                  std::vector<double>& products) {
   ++iterations_;
   const auto z = Teuchos::rcp(new MultiVector(r.getMap(), 1));
   const auto q = Teuchos::rcp(new MultiVector(r.getMap(), 1));
@@ -221,7 +255,8 @@ bool Gcr::iterate(const MultiVector& source, Directions& basis, MultiVector& r, 
   if (added.votes > 0.0) stop_if_urgent(*r.getMap()->getComm());
   if (!added.is_new) return false;
   const double alpha = added.product;
-  x.update(alpha, *z, 1.0);   // x ← x + (qᵀr) z
+  products.resize(basis.size() - 1, 0.0);  // x has what the recycled ones give
+  products.push_back(alpha);
   r.update(-alpha, *q, 1.0);  // r ← r − (qᵀr) q
   // |r − (qᵀr) q|² = |r|² − (qᵀr)², where round-off leaves six digits of it.
   const double before = added.square_of_r, after = before - alpha * alpha;
