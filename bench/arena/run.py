@@ -4,7 +4,7 @@
   bench/arena/run.py                              small and medium systems on one rank, then the page
   bench/arena/run.py --sizes small --ranks 1,2,4  other sizes and ranks
   bench/arena/run.py --only NAME,NAME --on NAME,NAME     some contestants, or groups of them, on some systems
-  bench/arena/run.py --published --page bench/arena      the page of this folder, anew, in some two hours
+  bench/arena/run.py --published --page bench/arena      the page of this folder, anew, in some hours
   bench/arena/run.py --report                     the page alone, from the results that there are
 
 A result is a line in results.jsonl of the folder of results. Pairs that have one are not run again, so that a run that is
