@@ -14,7 +14,7 @@ LOST = 1.5
 
 INTRODUCTION = """# The arena: who solves which saddle-point system, and how fast
 
-Made by `bench/arena/run.py --page bench/arena`; this page is not edited by hand. Commits: {commits}. Processor: {processor}.
+Made by `bench/arena/run.py --published --page bench/arena`; this page is not edited by hand. Commits: {commits}. Processor: {processor}.
 Pairs that have been run on one rank: {done} of {pairs}; a cell without an entry is a pair that has not. Another run makes the others.
 
 **Systems.** Each is made from nothing by a function of `bench/arena/`, and compared with its checksum (`checksums.csv`). One is
@@ -177,7 +177,7 @@ def tables_of_ranks_for_all(results):
 
 
 def table_of_growth(results):
-    """Iterations and seconds for each million of unknowns from size to size."""
+    """Iterations from size to size."""
     sizes = results.sizes()
     if not sizes:
         return ""

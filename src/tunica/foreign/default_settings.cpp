@@ -42,12 +42,6 @@ SolverSetting resolved(const std::string& name, Teuchos::ParameterList list) {
   return {name, list};
 }
 
-SolverSetting with_preconditioner(const std::string& name, const std::string& preconditioner) {
-  Teuchos::ParameterList list;
-  list.set("method", "gcr").set("preconditioner", preconditioner);
-  return resolved(name, list);
-}
-
 SolverSetting with_cycle(const std::string& name, const Teuchos::ParameterList& cycle) {
   Teuchos::ParameterList list;
   list.set("method", "gcr").set("preconditioner", "multigrid");
@@ -151,7 +145,7 @@ DefaultChoice iterative(const algebra::BlockMatrix& K, const linear::NamedOperat
             "one field"};
   const auto by_braess = with_cycle(
       "multigrid, Braess-Sarazin", with_rotations(multigrid::braess_sarazin_cycle_list(2, 4), fit));
-  const auto by_fields = with_preconditioner("field by field", "block");
+  const auto by_fields = by_blocks("field by field", 1, "Algebraic");
   const auto names = operators.operator_names();
   if (std::count(names.begin(), names.end(), GivenOperators::schur) > 0)
     return {{by_blocks("field by field, S given", 1, "Given"), by_braess, by_fields,

@@ -113,7 +113,7 @@ Directions::Added Directions::add(const Teuchos::RCP<MultiVector>& z,
     const double present = c[n];
     added.product = c[n + 1];
     added.square_of_r = c[n + 2];
-    added.votes = pass == 0 ? c[n + 3] : added.votes;
+    added.votes = c[n + 3];
     c.resize(n);
     if (pass == 0) before = present;
     square = present;
